@@ -1,0 +1,77 @@
+// The question taut answers: when do two moving polygons first touch?
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "taut/scene.hpp"
+#include "taut/tracer.hpp"
+
+namespace taut {
+
+enum class Outcome {
+  free,              ///< proved: no collision at any time of the interval
+  contact,           ///< the first collision, with its witness
+  overlap_at_start,  ///< the bodies overlap already at the start
+  undecided,         ///< a stated limit was hit; nothing is claimed beyond `Answer::free_until`
+};
+
+/// "free", "contact", "overlap_at_start" or "undecided".
+const char* to_string(Outcome outcome);
+/// "open" or "closed".
+const char* to_string(Touch touch);
+
+/// A vertex or an edge of a body, with the index of the input.
+struct Feature {
+  int body = 0;   ///< 0 or 1: position in Scene::bodies
+  int index = 0;  ///< vertex `index`, or the edge from vertex `index` to the next one
+};
+
+/// An interval of time that certainly contains the instant meant.
+struct TimeInterval {
+  double lo = 0;
+  double hi = 0;
+};
+
+/// What touches what, where. Point and normal are approximate (a few ulps), in world coordinates at the contact.
+struct Contact {
+  TimeInterval time;
+  Feature vertex;
+  Feature edge;
+  Point point;
+  Point normal;  ///< unit outward normal of the edge's body at the contact
+};
+
+struct CheckOptions {
+  Touch touch = Touch::open;
+  /// Stop with `undecided` after this many events.
+  std::uint64_t max_events = UINT64_MAX;
+  /// Stop with `undecided` after this much wall time, in seconds.
+  double max_seconds = 1e300;
+  /// Told of every event; may be null. Not owned.
+  Tracer* tracer = nullptr;
+};
+
+struct Answer {
+  Outcome outcome = Outcome::undecided;
+  /// Present for `contact`, and for nothing else.
+  std::optional<Contact> contact;
+  /// The motion is proved free of collisions before this time.
+  double free_until = 0;
+  std::uint64_t events = 0;
+  std::uint64_t certificates_initial = 0;
+  std::uint64_t certificates_max = 0;
+  /// Seconds spent on validation and on building the tiling, and on the events after it.
+  double build_seconds = 0;
+  double run_seconds = 0;
+  /// Why the answer is `undecided`; empty otherwise.
+  std::string reason;
+};
+
+/// Decides whether and when the two bodies of `scene` first collide.
+/// `free` and `contact` are proofs: every sign and every order of events behind them is certified.
+/// Throws InputError if the scene is not valid.
+Answer check(const Scene& scene, const CheckOptions& options = {});
+
+}  // namespace taut

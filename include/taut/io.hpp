@@ -1,0 +1,52 @@
+// Reading scenes and outlines, writing answers and pictures.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "taut/check.hpp"
+#include "taut/scene.hpp"
+#include "taut/simulation.hpp"
+
+namespace taut {
+
+/// Limits on what is read, so that hostile input fails early and clearly.
+struct ReadLimits {
+  std::size_t max_bytes = std::size_t{1} << 30;       ///< of one file
+  std::size_t max_vertices = std::size_t{1} << 27;    ///< of one polygon
+  std::size_t max_pieces = std::size_t{1} << 20;      ///< of one motion
+};
+
+/// Reads a scene in the format taut-scene/1; outlines named by {"wkt": file} or {"geojson": file} are found relative
+/// to the scene's folder. Throws InputError naming the file, line and column or JSON path, and the remedy.
+/// The geometry itself (simple polygons, joints of motions, ...) is validated by check() and Simulation, or by
+/// validate() in taut/validate.hpp.
+Scene read_scene(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory; `name` stands for the file in messages, `folder` is where outlines are looked up.
+Scene parse_scene(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",
+                  const ReadLimits& limits = {});
+/// One JSON object, the inverse of parse_scene: numbers are written so that they read back the same.
+std::string write_scene(const Scene& scene);
+
+/// Reads the outer ring of a WKT POLYGON (a repeated last vertex is dropped).
+Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
+/// Reads the outer ring of a GeoJSON Polygon, also inside a Feature or a FeatureCollection of one feature.
+Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
+
+/// The JSON object of `taut check --json` (see the README), on one line, without a line break.
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
+
+struct DrawOptions {
+  int width = 800;           ///< pixels
+  bool faces = true;         ///< colour the faces by depth in the chain tree
+  bool certificates = true;  ///< mark the active corners
+  /// Mark this contact, if given.
+  const Contact* contact = nullptr;
+};
+/// An SVG picture of bodies and tiling.
+std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
+
+/// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
+void write_file(const std::string& path, const std::string& text);
+
+}  // namespace taut

@@ -1,0 +1,52 @@
+// Rigid motions as a user writes them (section 3 of the paper).
+#pragma once
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace taut {
+
+/// Coefficients of a polynomial in the absolute time t, in ascending powers. Empty means zero.
+using Coefficients = std::vector<double>;
+
+/// x(t) = (1, 0): the body keeps its orientation.
+struct NoRotation {};
+/// x(t) = (cos theta(t), sin theta(t)), theta in radians.
+struct AngleRotation {
+  Coefficients angle;
+};
+/// x(t) = (a(t), b(t)) / sqrt(a(t)^2 + b(t)^2); (a, b) must not vanish on the piece.
+struct DirectionRotation {
+  Coefficients a, b;
+};
+/// x(t) = ((1 - s^2), 2 s) / (1 + s^2), s = s(t) the tangent of half the angle.
+struct HalfAngleRotation {
+  Coefficients s;
+};
+/// x(t) = (a(t), sqrt(1 - a(t)^2)); |a| must not exceed 1 on the piece.
+struct CosineRotation {
+  Coefficients a;
+};
+
+using Rotation = std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation>;
+
+/// One piece of a motion: the body's point (u, v) is at o(t) + u x(t) + v y(t), where o = (x, y) below,
+/// x(t) is given by `rotation`, and y(t) is x(t) turned by +90 degrees.
+struct MotionPiece {
+  Coefficients x, y;
+  Rotation rotation;
+  /// The piece holds before this instant; the last piece of a motion may leave it infinite.
+  double until = std::numeric_limits<double>::infinity();
+};
+
+/// Pieces in order of time; piece k holds on [until of k-1, until of k). No piece at all: the body rests at its
+/// own coordinates.
+struct Motion {
+  std::vector<MotionPiece> pieces;
+};
+
+/// Highest degree of a polynomial that a motion may have.
+inline constexpr int max_degree = 16;
+
+}  // namespace taut

@@ -1,0 +1,102 @@
+// The kinetic data structure, online: advance, look, change the plan.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "taut/check.hpp"
+#include "taut/scene.hpp"
+#include "taut/tracer.hpp"
+
+namespace taut {
+
+/// Which kind of free face (or polygon interior) lies to the left of a half-edge.
+enum class FaceKind : std::uint8_t {
+  node,              ///< the pseudo-triangle of a node of one of the two chain trees
+  root,              ///< the root pseudo-triangle
+  infinite,          ///< the infinite face
+  polygon_interior,  ///< the inside of a body
+};
+
+/// One face of the tiling, for drawing and study.
+struct TilingFace {
+  FaceKind kind = FaceKind::node;
+  int body = 0;   ///< for node and polygon_interior: whose tree (position in Scene::bodies)
+  int depth = 0;  ///< depth of the node in its tree, 0 at the root
+  /// The boundary, face on the left: indices into Tiling::vertices. Empty for polygon interiors.
+  std::vector<int> boundary;
+};
+
+struct TilingVertex {
+  int body = 0;
+  int index = 0;   ///< of the input
+  Point position;  ///< world coordinates, rounded
+};
+
+struct TilingEdge {
+  int from = 0, to = 0;  ///< indices into Tiling::vertices
+  bool polygon = false;  ///< an edge of a body
+  bool pq = false;       ///< joins the two bodies
+};
+
+/// A copy of the planar map at one instant.
+struct Tiling {
+  double time = 0;
+  std::vector<TilingVertex> vertices;
+  std::vector<TilingEdge> edges;
+  std::vector<TilingFace> faces;
+};
+
+/// A corner u -> v -> w of a face whose certificate is active.
+struct ActiveCertificate {
+  TraceVertex u, v, w;
+  bool convex = false;
+  double not_before = 0;  ///< the certificate certainly holds until this time
+};
+
+/// Where a simulation stands.
+enum class SimulationState : std::uint8_t { running, finished, contact, overlap_at_start };
+
+/// The external relative geodesic triangulation of two moving polygons, kept up to date event by event.
+/// The current time only grows. Not thread-safe; distinct simulations are independent.
+class Simulation {
+ public:
+  /// Validates the scene, builds the tiling at its start. Throws InputError.
+  explicit Simulation(const Scene& scene, Touch touch = Touch::open, Tracer* tracer = nullptr);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  SimulationState state() const;
+  /// A time up to which the motion is proved free, and to which the tiling corresponds.
+  double time() const;
+  /// Enclosure of the time of the next event; empty if none is left before the end.
+  std::optional<TimeInterval> next_event();
+  /// Processes one event. False if there is none before the end, or after a contact.
+  bool step();
+  /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
+  SimulationState advance_to(double t);
+  /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
+  /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
+  /// larger jump is an InputError and changes nothing.
+  void set_motion(int body, const Motion& motion);
+
+  /// The first contact, once state() is `contact`.
+  const std::optional<Contact>& contact() const;
+  std::uint64_t events() const;
+  std::uint64_t certificates() const;
+  std::uint64_t certificates_max() const;
+  /// The planar map at time().
+  Tiling tiling() const;
+  std::vector<ActiveCertificate> active_set() const;
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace taut

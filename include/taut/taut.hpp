@@ -1,0 +1,31 @@
+// taut: exact first contact of two moving polygons.
+//
+//   #include <taut/taut.hpp>
+//   #include <iostream>
+//
+//   int main() {
+//     taut::Scene scene;
+//     scene.start = 0;
+//     scene.end = 10;
+//     scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
+//                     {"hammer", {{1, 5}, {3, 5}, {2, 6}}, {{{{}, {0, -0.5}, taut::NoRotation{}}}}}};
+//     taut::Answer answer = taut::check(scene);
+//     std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
+//   }
+//
+// taut/check.hpp       the question and its answer
+// taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
+// taut/scene.hpp       bodies, motions, time
+// taut/validate.hpp    is the input valid?
+// taut/io.hpp          scene files, outlines, pictures
+#pragma once
+
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/geometry.hpp"
+#include "taut/io.hpp"
+#include "taut/motion.hpp"
+#include "taut/scene.hpp"
+#include "taut/simulation.hpp"
+#include "taut/tracer.hpp"
+#include "taut/validate.hpp"

@@ -1,0 +1,70 @@
+// Exact signs of sums of products of doubles, by error-free transformations (Dekker 1971, Knuth, Shewchuk 1997).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace taut {
+
+struct TwoDoubles {
+  double hi, lo;
+};
+
+/// hi + lo == a + b exactly, hi == fl(a + b).
+inline TwoDoubles two_sum(double a, double b) {
+  const double s = a + b;
+  const double bv = s - a;
+  const double av = s - bv;
+  return {s, (a - av) + (b - bv)};
+}
+
+/// hi + lo == a * b exactly, hi == fl(a * b), barring overflow and underflow (|a b| in [2^-960, 2^960], or zero).
+inline TwoDoubles two_product(double a, double b) {
+  const double p = a * b;
+  constexpr double splitter = 134217729.0;  // 2^27 + 1
+  const double ca = splitter * a, ah = ca - (ca - a), al = a - ah;
+  const double cb = splitter * b, bh = cb - (cb - b), bl = b - bh;
+  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
+}
+
+/// An exact running sum of doubles and products of doubles: a nonoverlapping expansion, smallest component first.
+/// Capacity is the number of additions; an addition grows the expansion by at most one component.
+template <std::size_t Capacity>
+class ExactSum {
+ public:
+  void add(double x) {
+    std::size_t kept = 0;
+    double carry = x;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const TwoDoubles t = two_sum(carry, terms_[i]);
+      carry = t.hi;
+      if (t.lo != 0) terms_[kept++] = t.lo;
+    }
+    if (carry != 0) terms_[kept++] = carry;
+    size_ = kept;
+  }
+  void add_product(double a, double b) {
+    const TwoDoubles p = two_product(a, b);
+    if (p.lo != 0) add(p.lo);
+    add(p.hi);
+  }
+  void subtract_product(double a, double b) { add_product(-a, b); }
+
+  bool is_zero() const { return size_ == 0; }
+  /// -1, 0 or +1: exact.
+  int sign() const { return size_ == 0 ? 0 : (terms_[size_ - 1] > 0 ? 1 : -1); }
+  /// The sum rounded to a double (error at most one ulp).
+  double approximate() const {
+    double s = 0;
+    for (std::size_t i = 0; i < size_; ++i) s += terms_[i];
+    return s;
+  }
+  std::size_t size() const { return size_; }
+  double term(std::size_t i) const { return terms_[i]; }
+
+ private:
+  std::size_t size_ = 0;
+  double terms_[Capacity];
+};
+
+}  // namespace taut
