@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "commands.hpp"
+#include "scene_argument.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/simulation.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+struct DrawArguments {
+  std::string path, output;
+  std::optional<double> at;
+  Touch touch = Touch::open;
+  DrawOptions options;
+  bool plain = false, no_corners = false;
+};
+
+double instant(const DrawArguments& arguments, const Scene& scene) {
+  const double at = arguments.at.value_or(scene.end);
+  if (at >= scene.start && at <= scene.end) return at;
+  throw InputError("--at", fmt::format("{} is outside the scene's time [{}, {}]", at, scene.start, scene.end),
+                   "choose an instant within");
+}
+
+int run_draw(DrawArguments arguments) {
+  const Scene scene = load_scene(arguments.path);
+  std::optional<Simulation> simulation;
+  try {
+    simulation.emplace(scene, arguments.touch);
+  } catch (const InputError& error) {
+    throw error.within(display_name(arguments.path));
+  }
+  if (simulation->state() == SimulationState::overlap_at_start) {
+    fmt::print(stderr, "taut: the bodies overlap at the start: there is no free space to tile\n");
+    return exit_contact;
+  }
+  const double at = instant(arguments, scene);
+  arguments.options.faces = !arguments.plain;
+  arguments.options.certificates = !arguments.no_corners;
+  if (simulation->advance_to(at) == SimulationState::contact && simulation->contact()) {
+    arguments.options.contact = &*simulation->contact();
+    if (arguments.at) {
+      fmt::print(stderr, "taut: the bodies touch at t = {}; drawing that instant\n", simulation->contact()->time.lo);
+    }
+  }
+  write_output(arguments.output, draw_svg(scene, simulation->tiling(), arguments.options));
+  return exit_free;
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("draw", "Draw bodies and tiling at one instant as SVG");
+  const auto arguments = std::make_shared<DrawArguments>();
+  add_scene(*command, arguments->path);
+  command->add_option("--at", arguments->at, "the instant; without it, the first contact, or the end")
+      ->option_text("T");
+  command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
+      ->option_text("FILE");
+  command->add_option("--width", arguments->options.width, "width in pixels (default 800)")
+      ->check(CLI::Range(200, 20000))
+      ->option_text("N");
+  command->add_flag("--plain", arguments->plain, "do not colour the faces");
+  command->add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
+  add_touch(*command, arguments->touch);
+  command->footer(
+      "Example:\n"
+      "  taut draw scene.json --at 0.5 -o scene.svg\n"
+      "\n"
+      "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n");
+  command->callback([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,81 @@
+// taut: when do two moving polygons first touch?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+#include "io/json_object.hpp"
+#include "io/text_file.hpp"
+#include "taut/error.hpp"
+
+namespace {
+
+const char* const examples =
+    "Examples:\n"
+    "  taut gen gears -o gears.json            write an example scene\n"
+    "  taut check gears.json                   free, or the first contact with its witness\n"
+    "  taut check --json gears.json            the same for programs\n"
+    "  taut gen jigsaw --hit | taut check -    a scene from standard input\n"
+    "  taut draw gears.json --at 0.3 -o t.svg  the tiling at one instant\n"
+    "\n"
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
+    "`taut COMMAND --help` tells more.\n";
+
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  fmt::print(stderr, "taut: {}\nhint: see `taut --help` or `taut COMMAND --help`\n", error.what());
+  return taut::cli::exit_bad_input;
+}
+
+/// CLI11 would only say that a subcommand is required.
+void require_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const std::string word = argv[1];
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  const std::string near = taut::io::nearest_word(word, known);
+  throw taut::InputError("", fmt::format("unknown command \"{}\"", taut::io::excerpt(word)),
+                         near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
+}
+
+/// Output that was cut short (a full disk) must not look like success.
+int flushed(int code) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  fmt::print(stderr, "taut: cannot write to standard output\n");
+  return taut::cli::exit_bad_input;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("taut: exactly when two moving polygons first touch, or a proof that they never do", "taut");
+  app.set_version_flag("--version", "taut " TAUT_VERSION);
+  app.require_subcommand(1);
+  app.footer(examples);
+  taut::cli::Action action;
+  taut::cli::add_check(app, action);
+  taut::cli::add_trace(app, action);
+  taut::cli::add_draw(app, action);
+  taut::cli::add_gen(app, action);
+  try {
+    require_known_command(app, argc, argv);
+    app.parse(argc, argv);
+    return flushed(action());
+  } catch (const CLI::ParseError& error) {
+    return report_usage(app, error);
+  } catch (const taut::InputError& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "taut: {}\n", error.what());
+    return taut::cli::exit_bad_input;
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr,
+               "taut: internal error: {}\n"
+               "This is a defect of taut. Please report it, together with the scene and the command line.\n",
+               error.what());
+    return taut::cli::exit_internal;
+  }
+}

@@ -1,0 +1,82 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace taut::cli {
+
+namespace {
+
+std::string edge_text(const Scene& scene, const Feature& edge) {
+  const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
+  const std::size_t next = (static_cast<std::size_t>(edge.index) + 1) % body.polygon.size();
+  return fmt::format("edge {}-{} of {}", edge.index, next, body.name);
+}
+
+std::string headline(const Scene& scene, const Answer& answer) {
+  const std::string pair = scene.bodies[0].name + " x " + scene.bodies[1].name;
+  switch (answer.outcome) {
+    case Outcome::free:
+      return "FREE  " + pair;
+    case Outcome::contact:
+      return "CONTACT  " + pair + "   t = " + time_text(answer.contact->time);
+    case Outcome::overlap_at_start:
+      return fmt::format("OVERLAP AT START  {}   t = {}", pair, scene.start);
+    case Outcome::undecided:
+      return "UNDECIDED  " + pair;
+  }
+  return pair;
+}
+
+std::string witness(const Scene& scene, const Contact& contact) {
+  return fmt::format("  vertex {} of {} meets {} at ({:.9g}, {:.9g})\n", contact.vertex.index,
+                     scene.bodies[static_cast<std::size_t>(contact.vertex.body)].name, edge_text(scene, contact.edge),
+                     contact.point.x, contact.point.y);
+}
+
+std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
+  std::string interval = fmt::format("[{}, {}]", scene.start, scene.end);
+  if (answer.outcome == Outcome::contact) {
+    interval = fmt::format("[{}, {})", scene.start, time_text(answer.contact->time));
+  } else if (answer.outcome == Outcome::undecided) {
+    interval = fmt::format("[{}, {})", scene.start, answer.free_until);
+  }
+  return fmt::format("  proved free on {}{}   {} event{}, {}\n", interval,
+                     touch == Touch::closed ? ", touching included" : "", answer.events, answer.events == 1 ? "" : "s",
+                     seconds_text(answer.build_seconds + answer.run_seconds));
+}
+
+}  // namespace
+
+std::string time_text(const TimeInterval& time) {
+  if (time.lo == time.hi) return fmt::format("{}", time.lo);
+  const std::string lo = fmt::format("{:.17g}", time.lo), hi = fmt::format("{:.17g}", time.hi);
+  const auto exponent = [](const std::string& s) { return s.find('e') == s.npos ? "" : s.substr(s.find('e')); };
+  const auto end = std::mismatch(lo.begin(), lo.end(), hi.begin(), hi.end()).first;
+  const std::string common(lo.begin(), end);
+  const auto digits = std::count_if(common.begin(), common.end(), [](char c) { return c >= '0' && c <= '9'; });
+  // 0.9999 and 1.0001 share no digit at all; the point tells that the integer part is complete.
+  if (digits < 5 || common.find('.') == common.npos || exponent(lo) != exponent(hi)) {
+    return fmt::format("[{}, {}]", time.lo, time.hi);
+  }
+  return common + "…" + exponent(lo);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.0f} us", seconds * 1e6);
+  if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} s", seconds);
+}
+
+std::string report(const Scene& scene, const Answer& answer, Touch touch) {
+  std::string text = headline(scene, answer) + "\n";
+  if (answer.contact) text += witness(scene, *answer.contact);
+  if (answer.outcome == Outcome::overlap_at_start) {
+    return text + "  the bodies overlap already when the motion starts\n";
+  }
+  if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
+  return text + proved(scene, answer, touch);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,20 @@
+// An answer in words.
+#pragma once
+
+#include <string>
+
+#include "taut/check.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::cli {
+
+/// The digits on which both ends of an interval agree: "0.104166...".
+std::string time_text(const TimeInterval& time);
+
+/// 0.0031 as "3.1 ms".
+std::string seconds_text(double seconds);
+
+/// A few lines for a person.
+std::string report(const Scene& scene, const Answer& answer, Touch touch);
+
+}  // namespace taut::cli

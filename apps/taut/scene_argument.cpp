@@ -1,0 +1,63 @@
+#include "scene_argument.hpp"
+
+#include <cstdio>
+
+#include "commands.hpp"
+#include "taut/io.hpp"
+
+namespace taut::cli {
+
+void add_scene(CLI::App& command, std::string& path) {
+  command.add_option("SCENE", path, "scene file (taut-scene/1), or - for standard input")->required()->option_text(" ");
+}
+
+void add_touch(CLI::App& command, Touch& touch) {
+  const auto set = [&touch](const std::string& mode) { touch = mode == "closed" ? Touch::closed : Touch::open; };
+  command
+      .add_option_function<std::string>("--touch", set,
+                                        "open: contact is overlap, touching is allowed (default)\n"
+                                        "closed: touching counts")
+      ->check(CLI::IsMember({"open", "closed"}))
+      ->option_text("open|closed");
+}
+
+void add_limits(CLI::App& command, CheckOptions& options) {
+  command.add_option("--max-events", options.max_events, "give up (undecided) after N events")->option_text("N");
+  command.add_option("--max-seconds", options.max_seconds, "give up (undecided) after S seconds")
+      ->option_text("S")
+      ->check(CLI::NonNegativeNumber);
+}
+
+Scene load_scene(const std::string& path) {
+  if (path != "-") return read_scene(path);
+  const ReadLimits limits;
+  std::string text;
+  char buffer[1 << 16];
+  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin)) {
+    text.append(buffer, n);
+    if (text.size() > limits.max_bytes) break;  // parse_scene refuses it
+  }
+  return parse_scene(text, display_name(path), ".", limits);
+}
+
+std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
+
+void write_output(const std::string& path, const std::string& text) {
+  if (!path.empty() && path != "-") return write_file(path, text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+int exit_code(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::free:
+      return exit_free;
+    case Outcome::contact:
+    case Outcome::overlap_at_start:
+      return exit_contact;
+    case Outcome::undecided:
+      return exit_undecided;
+  }
+  return exit_internal;
+}
+
+}  // namespace taut::cli

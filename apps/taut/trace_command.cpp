@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "io/json_text.hpp"
+#include "scene_argument.hpp"
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+/// One line a event, written at once, so that the lines before a crash or a kill are there.
+class LineTracer : public Tracer {
+ public:
+  explicit LineTracer(const Scene& scene) {
+    for (const Body& body : scene.bodies) names_.push_back(io::string_text(body.name));
+  }
+
+  void on_event(const TraceEvent& e) override {
+    std::string flags;
+    const auto flag = [&flags](bool set, const char* name) {
+      if (set) flags += (flags.empty() ? "\"" : ",\"") + std::string(name) + "\"";
+    };
+    flag(e.bridging, "bridging");
+    flag(e.pinch_rule, "pinch_rule");
+    flag(e.three_corners, "three_corners");
+    fmt::print("{{\"event\":{},\"t\":{},\"repair\":\"{}\",\"corner\":[{},{},{}],\"flags\":[{}],\"certificates\":{}}}\n",
+               e.number, io::array_text({e.lo, e.hi}), to_string(e.repair), vertex_text(e.u), vertex_text(e.v),
+               vertex_text(e.w), flags, e.certificates);
+  }
+
+ private:
+  std::string vertex_text(const TraceVertex& v) const {
+    return fmt::format("{{\"body\":{},\"index\":{}}}", names_[static_cast<std::size_t>(v.body)], v.index);
+  }
+
+  std::vector<std::string> names_;
+};
+
+struct TraceArguments {
+  std::string path;
+  CheckOptions options;
+  bool json = false;
+};
+
+int run_trace(TraceArguments arguments) {
+  const Scene scene = load_scene(arguments.path);
+  LineTracer tracer(scene);
+  arguments.options.tracer = &tracer;
+  try {
+    const Answer answer = check(scene, arguments.options);
+    fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch));
+    return exit_code(answer.outcome);
+  } catch (const InputError& error) {
+    throw error.within(display_name(arguments.path));
+  }
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("trace", "Print one JSON line per event, then the answer");
+  const auto arguments = std::make_shared<TraceArguments>();
+  add_scene(*command, arguments->path);
+  command->add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
+  add_touch(*command, arguments->options.touch);
+  add_limits(*command, arguments->options);
+  command->footer(
+      "Example:\n"
+      "  taut trace scene.json | head\n"
+      "\n"
+      "A line has `event` (number), `t` (enclosure of the failure time), `repair` (convex_flip, convex_triangle,\n"
+      "reflex_a, reflex_b, reflex_c, collision), `corner` (the three vertices), `flags`, `certificates` (active after\n"
+      "the repair). The last line is the answer of `taut check --json`. Exit codes as for `taut check`.\n");
+  command->callback([&action, arguments] { action = [arguments] { return run_trace(*arguments); }; });
+}
+
+}  // namespace taut::cli

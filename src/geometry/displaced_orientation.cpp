@@ -1,0 +1,56 @@
+#include "geometry/displaced_orientation.hpp"
+
+#include <cmath>
+
+#include "numeric/exact_sum.hpp"
+
+namespace taut {
+namespace {
+
+/// a x b + b x c + c x a over chosen parts of the coordinates: part 0 is the input's point, part 1 the displacement.
+template <class Sum>
+void add_cross(Sum& sum, const DisplacedPoint& a, int part_a, const DisplacedPoint& b, int part_b) {
+  const double ax = part_a ? a.dx : a.x, ay = part_a ? a.dy : a.y;
+  const double bx = part_b ? b.dx : b.x, by = part_b ? b.dy : b.y;
+  sum.add_product(ax, by);
+  sum.subtract_product(ay, bx);
+}
+
+template <class Sum>
+void add_level(Sum& sum, const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, int i, int j) {
+  add_cross(sum, a, i, b, j);
+  add_cross(sum, b, i, c, j);
+  add_cross(sum, c, i, a, j);
+}
+
+}  // namespace
+
+int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, Stage& stage) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  const double det = left - right;
+  // Shewchuk's bound (3 + 16u) u for the rounding; the displacement, below 2^-150 of any coordinate difference that
+  // passes this test, and underflow are covered by doubling it and by the absolute term.
+  const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p-140;
+  if (det > error || -det > error) {
+    stage = Stage::filter;
+    return det > 0 ? 1 : -1;
+  }
+  ExactSum<12> level0;
+  add_level(level0, a, b, c, 0, 0);
+  // Exactly: F0 + F1 + F2, where F1 and F2 are far smaller unless F0 is zero - but "far" is not a proof, so all
+  // three levels go into one sum.
+  ExactSum<48> sum;
+  add_level(sum, a, b, c, 1, 1);
+  add_level(sum, a, b, c, 0, 1);
+  add_level(sum, a, b, c, 1, 0);
+  for (std::size_t i = 0; i < level0.size(); ++i) sum.add(level0.term(i));
+  stage = level0.is_zero() ? Stage::displacement : Stage::exact;
+  return sum.sign();
+}
+
+int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
+  Stage stage;
+  return orientation(a, b, c, stage);
+}
+
+}  // namespace taut

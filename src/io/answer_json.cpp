@@ -1,0 +1,51 @@
+#include "io/answer_json.hpp"
+
+#include "io/json_text.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+
+namespace {
+
+std::string feature_text(const Scene& scene, const Feature& feature) {
+  return "{\"body\":" + io::string_text(scene.bodies[static_cast<std::size_t>(feature.body)].name) +
+         ",\"index\":" + std::to_string(feature.index) + "}";
+}
+
+std::string contact_text(const Scene& scene, const Contact& contact) {
+  return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) +
+         ",\"contact\":{\"vertex\":" + feature_text(scene, contact.vertex) +
+         ",\"edge\":" + feature_text(scene, contact.edge) + ",\"point\":" + io::point_text(contact.point) +
+         ",\"normal\":" + io::point_text(contact.normal) + "}";
+}
+
+std::string scope_text(const Scene& scene, Touch touch) {
+  std::string s = "{\"bodies\":[";
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? "," : "") + io::string_text(scene.bodies[i].name);
+  return s + "],\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) + "\"}";
+}
+
+}  // namespace
+
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
+                        const std::optional<AnswerTiming>& timing) {
+  std::string s = std::string("{\"outcome\":\"") + to_string(answer.outcome) + "\"";
+  if (answer.contact) s += contact_text(scene, *answer.contact);
+  if (answer.outcome == Outcome::undecided) {
+    s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
+  }
+  s += ",\"engine\":\"kinetic\",\"events\":" + std::to_string(answer.events) +
+       ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +
+       ",\"max\":" + std::to_string(answer.certificates_max) + "},\"scope\":" + scope_text(scene, touch);
+  if (timing) {
+    s += ",\"timing\":{\"read\":" + io::number_text(timing->read) + ",\"build\":" + io::number_text(timing->build) +
+         ",\"run\":" + io::number_text(timing->run) + "}";
+  }
+  return s + "}";
+}
+
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch) {
+  return answer_json(scene, answer, touch, std::nullopt);
+}
+
+}  // namespace taut

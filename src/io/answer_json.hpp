@@ -1,0 +1,21 @@
+// The answer as JSON, with the parts that a plain answer leaves out.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "taut/check.hpp"
+#include "taut/scene.hpp"
+
+namespace taut {
+
+/// Wall time in seconds. Left out unless asked for: without it, the same scene always gives the same bytes.
+struct AnswerTiming {
+  double read = 0, build = 0, run = 0;
+};
+
+/// As answer_json() in taut/io.hpp, with a member "timing" if given.
+std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
+                        const std::optional<AnswerTiming>& timing);
+
+}  // namespace taut

@@ -1,0 +1,89 @@
+#include "io/json_object.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/text_file.hpp"
+
+namespace taut::io {
+
+namespace {
+
+std::string lower_case(std::string s) {
+  for (char& c : s) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return s;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+std::string hint_for_unknown(const std::string& key, const std::vector<std::string>& known) {
+  const std::string near = nearest_word(key, known);
+  std::string hint = near.empty() ? "" : "did you mean \"" + near + "\"? ";
+  hint += "the keys here are ";
+  for (std::size_t i = 0; i < known.size(); ++i) hint += (i ? ", \"" : "\"") + known[i] + "\"";
+  return hint;
+}
+
+}  // namespace
+
+std::string element_path(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  if (word.size() < 3 || word.size() > 40) return "";
+  std::string best;
+  std::size_t best_distance = word.size() / 3 + 2;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(lower_case(word), candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+JsonObject::JsonObject(const JsonDocument& document, std::size_t token, const std::string& path,
+                       const std::vector<std::string>& known, const std::string& shape)
+    : document_(document), token_(token), path_(path), shape_(shape) {
+  document.require(token, JsonKind::object, path, shape);
+  const std::size_t end = document.after(token);
+  for (std::size_t key = token + 1; key < end; key = document.after(key + 1)) {
+    const std::string& name = document.string_at(key);
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw document.error(key, path, "unknown key \"" + excerpt(name) + "\"", hint_for_unknown(name, known));
+    }
+    if (find(name)) {
+      throw document.error(key, path, "the key \"" + name + "\" appears twice", "keep one of the two");
+    }
+    members_.emplace_back(name, key + 1);
+  }
+}
+
+std::optional<std::size_t> JsonObject::find(const std::string& key) const {
+  for (const auto& member : members_) {
+    if (member.first == key) return member.second;
+  }
+  return std::nullopt;
+}
+
+std::size_t JsonObject::get(const std::string& key) const {
+  if (const auto value = find(key)) return *value;
+  throw document_.error(token_, path_, "the key \"" + key + "\" is missing", "write " + shape_);
+}
+
+}  // namespace taut::io

@@ -1,0 +1,19 @@
+// Small pieces of JSON to write.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/number_text.hpp"
+#include "taut/geometry.hpp"
+
+namespace taut::io {
+
+/// In quotes, with escapes; bytes that are not UTF-8 become U+FFFD.
+std::string string_text(const std::string& s);
+/// [1,2.5]
+std::string array_text(const std::vector<double>& numbers);
+/// [x,y]
+std::string point_text(const Point& p);
+
+}  // namespace taut::io

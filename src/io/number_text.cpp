@@ -1,0 +1,54 @@
+#include "io/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+
+namespace taut::io {
+
+namespace {
+
+bool digit_at(const std::string& text, std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; }
+
+/// End of [+-] digits [. digits] [e [+-] digits] with at least one digit before the exponent, else `begin`.
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  std::size_t i = begin;
+  bool digits = false;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  for (; digit_at(text, i); ++i) digits = true;
+  if (i < text.size() && text[i] == '.') ++i;
+  for (; digit_at(text, i); ++i) digits = true;
+  if (!digits) return begin;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    std::size_t j = i + 1;
+    if (j < text.size() && (text[j] == '+' || text[j] == '-')) ++j;
+    if (digit_at(text, j)) {
+      while (digit_at(text, j)) ++j;
+      i = j;
+    }
+  }
+  return i;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  // "-0" is an integer to most JSON readers, which lose its sign.
+  if (value == 0) return std::signbit(value) ? "-0.0" : "0";
+  return fmt::format("{}", value);
+}
+
+std::optional<double> scan_number(const std::string& text, std::size_t* position) {
+  const std::size_t end = end_of_number(text, *position);
+  if (end == *position) return std::nullopt;
+  std::string number = text.substr(*position, end - *position);
+  *position = end;
+  // strtod obeys the locale, and std::from_chars for doubles is missing in the browser build.
+  const std::size_t point = number.find('.');
+  if (point != std::string::npos) number.replace(point, 1, std::localeconv()->decimal_point);
+  return std::strtod(number.c_str(), nullptr);
+}
+
+}  // namespace taut::io

@@ -1,0 +1,17 @@
+// Numbers as text, whatever the locale.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace taut::io {
+
+/// The shortest decimal that reads back as the same double, as JSON. `value` must be finite.
+std::string number_text(double value);
+
+/// Reads a decimal number that starts at `*position` and moves `*position` behind it. Empty (and nothing moves) if
+/// there is none. The result may be infinite if the decimal is too large.
+std::optional<double> scan_number(const std::string& text, std::size_t* position);
+
+}  // namespace taut::io

@@ -1,0 +1,149 @@
+// The format taut-scene/1.
+#include "io/json_document.hpp"
+#include "io/json_numbers.hpp"
+#include "io/json_object.hpp"
+#include "io/motion_reader.hpp"
+#include "io/outline_reader.hpp"
+#include "io/text_file.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+
+namespace {
+
+using io::element_path;
+using io::JsonDocument;
+using io::JsonKind;
+using io::JsonObject;
+
+const char* const scene_shape =
+    R"(a scene as {"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,0],[0,1]],"motion":null},{...}]})";
+
+class SceneReader {
+ public:
+  SceneReader(const JsonDocument& document, const std::string& folder, const ReadLimits& limits)
+      : document_(document), folder_(folder), limits_(limits) {}
+
+  Scene read() const {
+    const JsonObject root(document_, 0, "", {"format", "time", "bodies"}, scene_shape);
+    read_format(root.get("format"));
+    Scene scene;
+    read_time(root.get("time"), scene);
+    read_bodies(root.get("bodies"), scene);
+    return scene;
+  }
+
+ private:
+  void read_format(std::size_t token) const {
+    document_.require(token, JsonKind::string, "format", R"("format": "taut-scene/1")");
+    const std::string& format = document_.string_at(token);
+    if (format == "taut-scene/1") return;
+    throw document_.error(token, "format", "unknown format \"" + io::excerpt(format) + "\"",
+                          R"(this version of taut reads "taut-scene/1")");
+  }
+
+  void read_time(std::size_t token, Scene& scene) const {
+    const std::string shape = R"("time": [start, end])";
+    const auto time = io::read_numbers(document_, token, "time", shape, 2, "write " + shape);
+    if (time.size() != 2) {
+      throw document_.error(token, "time", "expected two numbers, found " + std::to_string(time.size()),
+                            "write " + shape);
+    }
+    scene.start = time[0];
+    scene.end = time[1];
+  }
+
+  void read_bodies(std::size_t token, Scene& scene) const {
+    document_.require(token, JsonKind::array, "bodies", R"("bodies": [{...}, {...}])");
+    const std::size_t end = document_.after(token);
+    std::size_t count = 0;
+    for (std::size_t i = token + 1; i < end; i = document_.after(i)) ++count;
+    if (count != 2) {
+      throw document_.error(
+          token, "bodies", "found " + std::to_string(count) + (count == 1 ? " body" : " bodies"),
+          count < 2 ? "a scene needs two bodies" : "two bodies are supported now: write one scene for each pair");
+    }
+    for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
+      scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size())));
+    }
+    if (scene.bodies[0].name == scene.bodies[1].name) {
+      throw document_.error(token, "bodies", "both bodies are called \"" + io::excerpt(scene.bodies[0].name) + "\"",
+                            "give the bodies different names: answers call them by name");
+    }
+  }
+
+  Body read_body(std::size_t token, const std::string& path) const {
+    const JsonObject object(document_, token, path, {"name", "polygon", "motion"},
+                            R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
+    Body body;
+    body.name = read_name(object.get("name"), object.path("name"));
+    body.polygon = read_polygon(object.get("polygon"), object.path("polygon"));
+    if (const auto motion = object.find("motion")) {
+      body.motion = io::read_motion(document_, *motion, object.path("motion"), limits_.max_pieces);
+    }
+    return body;
+  }
+
+  std::string read_name(std::size_t token, const std::string& path) const {
+    document_.require(token, JsonKind::string, path, R"("name": "lid")");
+    const std::string& name = document_.string_at(token);
+    if (name.empty()) throw document_.error(token, path, "the name is empty", "name the body, for instance \"lid\"");
+    for (char c : name) {
+      // A line break or an escape sequence in a name would garble reports.
+      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+        throw document_.error(token, path, "the name has a control character", "use printable characters only");
+      }
+    }
+    return name;
+  }
+
+  Polygon read_polygon(std::size_t token, const std::string& path) const {
+    if (document_.at(token).kind() != JsonKind::object) {
+      return io::read_points(document_, token, path, limits_.max_vertices, false);
+    }
+    const std::string shape = R"("polygon": [[x, y], ...], or {"wkt": file}, or {"geojson": file})";
+    const JsonObject object(document_, token, path, {"wkt", "geojson"}, shape);
+    const auto wkt = object.find("wkt"), geojson = object.find("geojson");
+    if (wkt.has_value() == geojson.has_value()) {
+      throw document_.error(token, path, wkt ? "both \"wkt\" and \"geojson\" are given" : "no outline is given",
+                            "write " + shape);
+    }
+    const std::size_t file = wkt ? *wkt : *geojson;
+    document_.require(file, JsonKind::string, object.path(wkt ? "wkt" : "geojson"), shape);
+    const std::string outline = in_folder(document_.string_at(file));
+    try {
+      return wkt ? read_wkt(outline, limits_) : read_geojson(outline, limits_);
+    } catch (const InputError& e) {
+      throw e.within(document_.error(file, path, "", "").place());
+    }
+  }
+
+  std::string in_folder(const std::string& file) const {
+    const bool absolute = !file.empty() && file[0] == '/';
+    return absolute || folder_.empty() || folder_ == "." ? file : folder_ + "/" + file;
+  }
+
+  const JsonDocument& document_;
+  std::string folder_;
+  const ReadLimits& limits_;
+};
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name, const std::string& folder,
+                  const ReadLimits& limits) {
+  io::require_size(text, name, limits.max_bytes);
+  const JsonDocument document = io::parse_json(text, name, std::string("write ") + scene_shape);
+  return SceneReader(document, folder, limits).read();
+}
+
+Scene read_scene(const std::string& path, const ReadLimits& limits) {
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+  const JsonDocument document =
+      io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + scene_shape);
+  return SceneReader(document, folder, limits).read();
+}
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+// From world coordinates to the pixels of a picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/geometry.hpp"
+
+namespace taut::io {
+
+/// A frame of `width` pixels whose inner part shows all the points given; y points up in the world.
+class SvgCanvas {
+ public:
+  SvgCanvas(const std::vector<Point>& points, int width, double top, double bottom);
+
+  double width() const { return width_; }
+  double height() const { return height_; }
+  /// World to pixels.
+  Point pixel(const Point& p) const;
+
+ private:
+  double width_ = 0, height_ = 0;
+  Point world_centre_, pixel_centre_;
+  double scale_ = 1;
+};
+
+/// "x,y" with two decimals: finer than any screen shows, and short.
+std::string pixel_text(const Point& pixel);
+/// A closed outline as the data of a path.
+std::string outline_path(const std::vector<Point>& pixels);
+/// Text for use between tags or in an attribute.
+std::string escape_xml(const std::string& text);
+
+}  // namespace taut::io

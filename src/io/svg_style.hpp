@@ -1,0 +1,14 @@
+// The looks of the picture, shared by picture and legend.
+#pragma once
+
+namespace taut::io {
+
+inline constexpr const char* body_fill[2] = {"#2f5d8a", "#b3622a"};
+inline constexpr const char* body_line[2] = {"#12304d", "#5e2d0c"};
+inline constexpr const char* tiling_colour = "#5f6b76";
+inline constexpr const char* pq_colour = "#c2187a";
+inline constexpr const char* convex_colour = "#1b1b1b";
+inline constexpr const char* reflex_colour = "#138a4e";
+inline constexpr const char* contact_colour = "#d7191c";
+
+}  // namespace taut::io

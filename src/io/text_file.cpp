@@ -1,0 +1,64 @@
+#include "io/text_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "taut/error.hpp"
+
+namespace taut::io {
+
+namespace {
+
+std::string size_problem(std::size_t max_bytes) {
+  return "the file is larger than the limit of " + std::to_string(max_bytes) + " bytes";
+}
+
+}  // namespace
+
+void require_size(const std::string& text, const std::string& name, std::size_t max_bytes) {
+  if (text.size() > max_bytes)
+    throw InputError(name, size_problem(max_bytes), "simplify the outline, or raise ReadLimits::max_bytes");
+}
+
+std::string read_text_file(const std::string& path, std::size_t max_bytes) {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw InputError(path, std::string("cannot open the file: ") + std::strerror(errno), "check the path");
+  std::string text;
+  char buffer[1 << 16];
+  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    text.append(buffer, n);
+    require_size(text, path, max_bytes);
+  }
+  if (std::ferror(file.get())) {
+    throw InputError(path, std::string("cannot read the file: ") + std::strerror(errno),
+                     "give the path of a text file");
+  }
+  return text;
+}
+
+std::string place_in_text(const std::string& text, const std::string& name, std::size_t offset) {
+  offset = std::min(offset, text.size());
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  const std::size_t newline = offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
+  const std::size_t column = newline == std::string::npos ? offset + 1 : offset - newline;
+  return name + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+std::string excerpt(const std::string& text, std::size_t length) {
+  std::string s = text.substr(0, length);
+  if (text.size() > length) {
+    // Bytes 10xxxxxx continue a character: drop the character that was cut.
+    while (!s.empty() && (static_cast<unsigned char>(text[s.size()]) & 0xC0) == 0x80) s.pop_back();
+    s += "...";
+  }
+  for (char& c : s) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return s;
+}
+
+}  // namespace taut::io

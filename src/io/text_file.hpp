@@ -1,0 +1,21 @@
+// Reading whole files, and telling people where in them something is.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace taut::io {
+
+/// The whole file. Throws InputError if it cannot be read or has more than `max_bytes` bytes.
+std::string read_text_file(const std::string& path, std::size_t max_bytes);
+
+/// Throws InputError if `text` has more than `max_bytes` bytes.
+void require_size(const std::string& text, const std::string& name, std::size_t max_bytes);
+
+/// "name:line:column" of a byte offset; lines and columns count from 1, columns are bytes.
+std::string place_in_text(const std::string& text, const std::string& name, std::size_t offset);
+
+/// `text` cut to about `length` bytes, not inside a UTF-8 sequence, control characters replaced, for messages.
+std::string excerpt(const std::string& text, std::size_t length = 40);
+
+}  // namespace taut::io

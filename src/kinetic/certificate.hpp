@@ -1,0 +1,123 @@
+// Corner certificates and the queue of their failure times.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geometry/ids.hpp"
+#include "kinetic/fast_frame.hpp"
+
+namespace taut {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// What is known of a certificate's next failure.
+enum class FailureKind : std::uint8_t {
+  not_before,  ///< the certificate holds until `lo` at least
+  isolated,    ///< it fails within [lo, hi], where its function is monotone
+};
+
+/// One corner u -> v -> w of a face, as long as it keeps its orientation.
+struct Certificate {
+  FastFunction function;
+  double lo = 0, hi = 0;
+  double monotone_until = 0;  ///< once isolated: the function is monotone from `lo` to here
+  HalfedgeId corner;          ///< the half-edge u -> v of the face
+  VertexId u, v, w;
+  std::int32_t precise = -1;  ///< index of a multi-precision enclosure of the failure time, or -1
+  std::int32_t heap = -1;     ///< position in the queue, or -1
+  std::int8_t sign = 0;       ///< +1 convex, -1 reflex
+  FailureKind kind = FailureKind::not_before;
+};
+
+/// A heap of certificates keyed by the lower bound of their failure times.
+class EventQueue {
+ public:
+  struct Entry {
+    double key;
+    CertificateId id;
+  };
+  explicit EventQueue(std::vector<Certificate>& certificates) : certificates_(&certificates) {}
+
+  bool empty() const { return entries_.empty(); }
+  std::size_t size() const { return entries_.size(); }
+  const Entry& entry(std::size_t i) const { return entries_[i]; }
+  const Entry& top() const { return entries_[0]; }
+  void reserve(std::size_t n) { entries_.reserve(n); }
+  std::size_t bytes() const { return entries_.capacity() * sizeof(Entry); }
+
+  void clear() {
+    for (const Entry& e : entries_) (*certificates_)[e.id.value].heap = -1;
+    entries_.clear();
+  }
+  /// Puts the certificate where its `lo` belongs; one that never fails is left out.
+  void update(CertificateId id) {
+    Certificate& c = (*certificates_)[id.value];
+    if (c.lo == never) {
+      remove(id);
+      return;
+    }
+    if (c.heap < 0) {
+      c.heap = static_cast<std::int32_t>(entries_.size());
+      entries_.push_back({c.lo, id});
+      sift_up(static_cast<std::size_t>(c.heap));
+      return;
+    }
+    const auto i = static_cast<std::size_t>(c.heap);
+    entries_[i].key = c.lo;
+    sift_up(i);
+    sift_down(static_cast<std::size_t>((*certificates_)[id.value].heap));
+  }
+  void remove(CertificateId id) {
+    Certificate& c = (*certificates_)[id.value];
+    if (c.heap < 0) return;
+    const auto i = static_cast<std::size_t>(c.heap);
+    c.heap = -1;
+    const Entry last = entries_.back();
+    entries_.pop_back();
+    if (i == entries_.size()) return;
+    place(i, last);
+    sift_up(i);
+    sift_down(static_cast<std::size_t>((*certificates_)[last.id.value].heap));
+  }
+
+ private:
+  static constexpr std::size_t arity = 4;
+
+  void place(std::size_t i, const Entry& e) {
+    entries_[i] = e;
+    (*certificates_)[e.id.value].heap = static_cast<std::int32_t>(i);
+  }
+  void sift_up(std::size_t i) {
+    const Entry e = entries_[i];
+    while (i > 0) {
+      const std::size_t parent = (i - 1) / arity;
+      if (!(e.key < entries_[parent].key)) break;
+      place(i, entries_[parent]);
+      i = parent;
+    }
+    place(i, e);
+  }
+  void sift_down(std::size_t i) {
+    const Entry e = entries_[i];
+    for (;;) {
+      std::size_t best = i * arity + 1;
+      if (best >= entries_.size()) break;
+      const std::size_t last = std::min(best + arity, entries_.size());
+      for (std::size_t k = best + 1; k < last; ++k) {
+        if (entries_[k].key < entries_[best].key) best = k;
+      }
+      if (!(entries_[best].key < e.key)) break;
+      place(i, entries_[best]);
+      i = best;
+    }
+    place(i, e);
+  }
+
+  std::vector<Certificate>* certificates_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace taut

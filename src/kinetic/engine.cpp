@@ -1,0 +1,256 @@
+#include "kinetic/engine.hpp"
+
+#include <algorithm>
+
+#include "motion/placement.hpp"
+
+namespace taut {
+
+Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer)
+    : geometry_(std::move(geometry)),
+      legs_(std::move(legs)),
+      observer_(observer),
+      solver_(geometry_),
+      queue_(certificates_) {
+  parameter_ = legs_.front().start;
+  build();
+}
+
+void Engine::build() {
+  const Placement placement(geometry_, leg(), parameter_);
+  StaticTiling tiling = build_tiling(placement);
+  if (tiling.overlap) {
+    overlap_ = tiling.overlap;
+    state_ = EngineState::overlap;
+    return;
+  }
+  map_ = std::move(tiling.map);
+  initial_root_ = tiling.root;
+  certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
+  const std::size_t room = 2 * static_cast<std::size_t>(geometry_.size()) + 64;
+  certificates_.reserve(room);
+  free_.reserve(room);
+  queue_.reserve(room);
+  scan_.reserve(64);
+  solver_.enter(leg());
+  for (std::uint32_t i = 0; i < map_.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    if (!map_.alive(h) || !is_mixed_corner(h)) continue;
+    const CertificateId id = add_certificate(h);
+    Certificate& c = certificates_[id.value];
+    c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
+    solver_.start(c);
+    queue_.update(id);
+  }
+  initial_ = max_active_ = active_;
+}
+
+bool Engine::is_mixed_corner(HalfedgeId h) const {
+  if (map_.is_interior(h)) return false;
+  const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
+  return u != w && !(geometry_.same_body(u, v) && geometry_.same_body(v, w));
+}
+
+CertificateId Engine::add_certificate(HalfedgeId h) {
+  CertificateId id;
+  if (free_.empty()) {
+    id = CertificateId(certificates_.size());
+    certificates_.emplace_back();
+  } else {
+    id = free_.back();
+    free_.pop_back();
+  }
+  Certificate& c = certificates_[id.value];
+  c.corner = h;
+  c.u = map_.origin(h);
+  c.v = map_.target(h);
+  c.w = map_.target(map_.next(h));
+  certificate_of_[h.value] = id;
+  ++active_;
+  return id;
+}
+
+void Engine::drop_corner(HalfedgeId h) {
+  const CertificateId id = certificate_of_[h.value];
+  if (!id.valid()) return;
+  queue_.remove(id);
+  Certificate& c = certificates_[id.value];
+  solver_.release(c);
+  c.corner = HalfedgeId();
+  certificate_of_[h.value] = CertificateId();
+  free_.push_back(id);
+  --active_;
+}
+
+void Engine::update_corner(HalfedgeId h, Now& now) {
+  if (!is_mixed_corner(h)) {
+    drop_corner(h);
+    return;
+  }
+  CertificateId id = certificate_of_[h.value];
+  const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
+  if (id.valid()) {
+    Certificate& c = certificates_[id.value];
+    // The corners of a vanished triangle live on in the face across: same half-edge, same vertices, other sign.
+    if (c.u == u && c.v == v && c.w == w && !now.concerns(u, v, w)) return;
+    c.u = u;
+    c.v = v;
+    c.w = w;
+  } else {
+    id = add_certificate(h);
+  }
+  solver_.start_at(certificates_[id.value], now);
+  queue_.update(id);
+}
+
+/// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
+bool Engine::find_next(double limit) {
+  while (!queue_.empty()) {
+    const EventQueue::Entry top = queue_.top();
+    if (top.key > limit) return false;
+    Certificate& c = certificates_[top.id.value];
+    if (c.kind == FailureKind::not_before) {
+      solver_.advance(c);
+      queue_.update(top.id);
+      continue;
+    }
+    CertificateId best = top.id;
+    if (!resolve_overlaps(best)) continue;
+    Certificate& first = certificates_[best.value];
+    if (first.hi > limit && !solver_.fails_by(first, limit)) return false;
+    next_ = best;
+    return true;
+  }
+  return false;
+}
+
+/// Looks at everything in the queue that might fail before `best`. False if a lower bound had to move: look again.
+bool Engine::resolve_overlaps(CertificateId& best) {
+  const CertificateId top = best;
+  const double horizon = certificates_[best.value].hi;
+  scan_.clear();
+  scan_.push_back(0);
+  while (!scan_.empty()) {
+    const std::size_t i = scan_.back();
+    scan_.pop_back();
+    if (i >= queue_.size() || queue_.entry(i).key > horizon) continue;
+    for (std::size_t k = 4 * i + 1; k <= 4 * i + 4; ++k) scan_.push_back(k);
+    const CertificateId id = queue_.entry(i).id;
+    if (id == top || id == best) continue;
+    Certificate& c = certificates_[id.value];
+    if (c.kind == FailureKind::not_before) {
+      solver_.advance(c);
+      queue_.update(id);
+      return false;
+    }
+    Certificate& b = certificates_[best.value];
+    const auto in = [&b](VertexId x) { return x == b.u || x == b.v || x == b.w; };
+    if (in(c.u) && in(c.v) && in(c.w)) continue;  // the same failure, seen at another corner
+    if (c.lo <= b.hi && solver_.fails_before(c, b)) best = id;
+  }
+  return true;
+}
+
+std::optional<std::pair<double, double>> Engine::next_event(double t) {
+  while (state_ == EngineState::running) {
+    const bool last = current_ + 1 == legs_.size();
+    const double limit = leg().bridge ? leg().end : std::min(t, leg().end);
+    if (find_next(limit)) {
+      const Certificate& c = certificates_[next_.value];
+      return std::pair<double, double>(leg().time(c.lo), leg().time(c.hi));
+    }
+    if (!leg().bridge && leg().end > t) return std::nullopt;
+    if (last) return std::nullopt;
+    ++current_;
+    enter_leg();
+  }
+  return std::nullopt;
+}
+
+bool Engine::step(double t) {
+  if (state_ != EngineState::running) return false;
+  if (next_event(t)) {
+    process(next_);
+    return state_ != EngineState::contact;
+  }
+  parameter_ = leg().bridge ? leg().end : std::max(parameter_, std::min(t, leg().end));
+  if (current_ + 1 == legs_.size() && parameter_ >= leg().end) state_ = EngineState::finished;
+  return false;
+}
+
+void Engine::enter_leg() {
+  parameter_ = leg().start;
+  queue_.clear();
+  solver_.enter(leg());
+  for (std::size_t i = 0; i < certificates_.size(); ++i) {
+    Certificate& c = certificates_[i];
+    if (!c.corner.valid()) continue;
+    solver_.start(c);
+    queue_.update(CertificateId(i));
+  }
+}
+
+void Engine::replan(std::vector<Leg> legs) {
+  legs_ = std::move(legs);
+  current_ = 0;
+  if (state_ == EngineState::finished) state_ = EngineState::running;
+  enter_leg();
+}
+
+/// The corner of the failed face that the rule for convex corners speaks of. If the face is a triangle, all three of
+/// its corners fail at once, and the rule wants one whose vertex is not the middle one.
+HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three) {
+  middle = solver_.middle(c.u, c.v, c.w, now);
+  const HalfedgeId h = c.corner, n = map_.next(h);
+  three = map_.next(map_.next(n)) == h;
+  if (middle != c.v) return h;
+  if (!three) throw StructureError("a convex corner opened to a straight angle");
+  return n;
+}
+
+void Engine::process(CertificateId id) {
+  Certificate& c = certificates_[id.value];
+  Now now = solver_.event(c);
+  ++events_;
+  EngineEvent event;
+  event.leg = &leg();
+  event.u = c.u;
+  event.v = c.v;
+  event.w = c.w;
+  event.face = map_.node(c.corner);
+  if (c.sign > 0) {
+    VertexId middle;
+    const HalfedgeId h = closing_corner(c, now, middle, event.three_corners);
+    event.report = repair_convex(map_, h, middle);
+  } else {
+    event.report = repair_reflex(map_, c.corner);
+  }
+  parameter_ = now.hi;
+  const RepairReport& report = event.report;
+  if (report.repair == Repair::collision) {
+    solver_.tighten(c);
+    contact_ = EngineContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
+    parameter_ = c.lo;
+    state_ = EngineState::contact;
+  } else {
+    if (report.removed.valid()) {
+      drop_corner(report.removed);
+      drop_corner(PlanarMap::twin(report.removed));
+    }
+    for (std::uint32_t i = 0; i < report.corner_count; ++i) update_corner(report.corners[i], now);
+    max_active_ = std::max(max_active_, active_);
+  }
+  if (observer_) {
+    event.lo = now.lo;
+    event.hi = now.hi;
+    observer_->on_event(event);
+  }
+}
+
+std::size_t Engine::bytes() const {
+  return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
+         certificates_.capacity() * sizeof(Certificate) + (free_.capacity() + certificate_of_.capacity()) * 4 +
+         queue_.bytes();
+}
+
+}  // namespace taut

@@ -1,0 +1,116 @@
+// The kinetic simulation: certificates of the active set, events in certified order, repairs.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinetic/failure_solver.hpp"
+#include "kinetic/repair.hpp"
+#include "tiling/static_tiling.hpp"
+
+namespace taut {
+
+/// A vertex of one polygon on an edge of the other.
+struct EngineContact {
+  VertexId vertex;
+  VertexId edge;  ///< by its first vertex, counterclockwise
+  double lo = 0, hi = 0;
+};
+
+/// One processed event, for observers.
+struct EngineEvent {
+  double lo = 0, hi = 0;  ///< of the leg's parameter
+  const Leg* leg = nullptr;
+  VertexId u, v, w;
+  RepairReport report;
+  bool three_corners = false;
+  NodeId face;  ///< of the failed corner, before the repair
+};
+
+class EngineObserver {
+ public:
+  virtual ~EngineObserver() = default;
+  virtual void on_event(const EngineEvent& event) = 0;
+};
+
+enum class EngineState : unsigned char { running, finished, contact, overlap };
+
+/// Follows a sequence of legs. Allocates nothing per event once its buffers have grown.
+class Engine {
+ public:
+  /// Builds the tiling at the start of the first leg (not a bridge).
+  Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer = nullptr);
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  EngineState state() const { return state_; }
+  const std::optional<Overlap>& overlap() const { return overlap_; }
+  const std::optional<EngineContact>& contact() const { return contact_; }
+  const PairGeometry& geometry() const { return geometry_; }
+  const PlanarMap& map() const { return map_; }
+  const Leg& leg() const { return legs_[current_]; }
+  /// The parameter of the current leg up to which everything is proved and processed.
+  double parameter() const { return parameter_; }
+  double time() const { return leg().time(parameter_); }
+
+  /// Processes the next event whose failure time is at most t; false if there is none (then the engine stands at t),
+  /// or after a contact.
+  bool step(double t);
+  /// An enclosure of the time of the next event up to t, if there is one.
+  std::optional<std::pair<double, double>> next_event(double t);
+  /// After next_event found one: the corner that will fail.
+  HalfedgeId upcoming_corner() const { return certificates_[next_.value].corner; }
+  /// Replaces all legs from the present on; the first one must start at time().
+  void replan(std::vector<Leg> legs);
+  /// A lower bound of all failure times that lie ahead on the current leg.
+  double next_bound() const { return queue_.empty() ? leg().end : std::min(leg().end, queue_.top().key); }
+
+  std::uint64_t events() const { return events_; }
+  std::size_t active_certificates() const { return active_; }
+  std::size_t initial_certificates() const { return initial_; }
+  std::size_t max_certificates() const { return max_active_; }
+  RootState initial_root() const { return initial_root_; }
+  const StageCounts& stages() const { return solver_.counts(); }
+  /// Calls visit(certificate) for the active set.
+  template <class Visit>
+  void for_each_certificate(const Visit& visit) const {
+    for (const Certificate& c : certificates_) {
+      if (c.corner.valid()) visit(c);
+    }
+  }
+  std::size_t bytes() const;
+
+ private:
+  void build();
+  bool find_next(double limit);
+  bool resolve_overlaps(CertificateId& best);
+  void process(CertificateId id);
+  HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
+  void update_corner(HalfedgeId h, Now& now);
+  void drop_corner(HalfedgeId h);
+  bool is_mixed_corner(HalfedgeId h) const;
+  CertificateId add_certificate(HalfedgeId h);
+  void enter_leg();
+
+  PairGeometry geometry_;
+  std::vector<Leg> legs_;
+  std::size_t current_ = 0;
+  EngineObserver* observer_;
+  PlanarMap map_;
+  FailureSolver solver_;
+  std::vector<Certificate> certificates_;
+  std::vector<CertificateId> free_;
+  std::vector<CertificateId> certificate_of_;  ///< by half-edge
+  EventQueue queue_;
+  std::vector<std::size_t> scan_;
+  CertificateId next_;
+  double parameter_ = 0;
+  EngineState state_ = EngineState::running;
+  std::optional<Overlap> overlap_;
+  std::optional<EngineContact> contact_;
+  std::uint64_t events_ = 0;
+  std::size_t active_ = 0, initial_ = 0, max_active_ = 0;
+  RootState initial_root_ = RootState::disjoint;
+};
+
+}  // namespace taut

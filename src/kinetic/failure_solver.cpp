@@ -1,0 +1,305 @@
+#include "kinetic/failure_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/placement.hpp"
+#include "tiling/root_faces.hpp"
+
+namespace taut {
+namespace {
+
+double below(double x) { return std::nextafter(x, -never); }
+double above(double x) { return std::nextafter(x, never); }
+
+/// The largest h <= limit such that a + b h + c h^2/2 > 0 on [0, h) is certain (a > 0).
+double positive_until(double a, double b, double c, double limit) {
+  if (b >= 0 && c >= 0) return limit;
+  const double square = b * b, product = 2 * a * c;
+  // The discriminant rounded up makes the root smaller.
+  const double discriminant = (square - product) + 0x1p-50 * (square + std::fabs(product));
+  if (discriminant < 0) return limit;
+  const double below_line = std::sqrt(discriminant) - b;
+  if (!(below_line > 0)) return limit;
+  return std::min(limit, 2 * a / below_line * (1 - 0x1p-48));
+}
+
+/// Some h such that a + b h + c h^2/2 <= 0 is certain there, close to the first root; `never` if there may be none.
+double negative_from(double a, double b, double c) {
+  const double square = b * b, product = 2 * a * c;
+  const double discriminant = (square - product) - 0x1p-50 * (square + std::fabs(product));
+  if (!(discriminant > 0)) return never;
+  const double below_line = std::sqrt(discriminant) - b;
+  if (!(below_line > 0)) return never;
+  return 2 * a / below_line * (1 + 0x1p-47);
+}
+
+/// Is (u, v, w) the event's corner up to turning around?
+bool same_order(const Now& now, VertexId u, VertexId v) {
+  return (u == now.u && v == now.v) || (u == now.v && v == now.w) || (u == now.w && v == now.u);
+}
+
+}  // namespace
+
+PreciseTime& FailureSolver::precise_slot(Certificate& c) {
+  if (c.precise < 0) {
+    if (pool_free_.empty()) {
+      c.precise = static_cast<std::int32_t>(pool_.size());
+      pool_.emplace_back();
+    } else {
+      c.precise = pool_free_.back();
+      pool_free_.pop_back();
+    }
+  }
+  return pool_[static_cast<std::size_t>(c.precise)];
+}
+
+void FailureSolver::release(Certificate& c) {
+  if (c.precise >= 0) pool_free_.push_back(c.precise);
+  c.precise = -1;
+}
+
+void FailureSolver::set_not_before(Certificate& c, double t) {
+  c.kind = FailureKind::not_before;
+  c.lo = t >= leg().end ? never : t;
+}
+
+void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
+  precise_slot(c) = t;
+  c.kind = FailureKind::isolated;
+  c.lo = double_below(t.lo);
+  c.hi = std::min(double_above(t.hi), leg().end);
+  c.monotone_until = c.lo;  // nothing is known in doubles
+}
+
+void FailureSolver::start(Certificate& c) {
+  release(c);
+  c.function = FastFunction::level_zero(leg(), geometry_, triple_of(c));
+  c.kind = FailureKind::not_before;
+  c.lo = leg().start;
+  const Bounded v = c.function.value(clock_.at(c.lo, c.function.pp));
+  if (c.sign * v.value > v.error) {
+    advance_from(c, c.lo);
+  } else if (-c.sign * v.value > v.error) {
+    throw StructureError("a certificate is invalid at the start of a leg");
+  } else {
+    advance_hard(c, c.lo);
+  }
+}
+
+void FailureSolver::advance(Certificate& c) { advance_from(c, c.lo); }
+
+void FailureSolver::advance_from(Certificate& c, double t) {
+  const double sign = c.sign;
+  const double end = leg().end;
+  for (;;) {
+    if (t >= end) return set_not_before(c, t);
+    const FastSide& side = clock_.at(t, c.function.pp);
+    const Bounded v = c.function.value(side), d = c.function.slope(side);
+    const double a = sign * v.value - v.error;
+    if (!(a > 0)) return advance_hard(c, t);
+    const std::size_t segment = clock_.segment(t);
+    const double horizon = clock_.segment_end(segment), limit = horizon - t;
+    const Bounded k = c.function.curvature(clock_.curvature(segment, c.function.pp));
+    const double slope = sign * d.value, bend = sign * k.value;
+    const double h = positive_until(a, slope - d.error, bend - k.error, limit);
+    if (h >= limit) {
+      t = horizon;
+      continue;
+    }
+    ++counts_.fast;
+    const double slope_hi = slope + d.error, bend_hi = bend + k.error;
+    if (slope_hi < 0) {
+      const double h2 = negative_from(sign * v.value + v.error, slope_hi, bend_hi);
+      const double monotone = bend_hi > 0 ? std::min(limit, -slope_hi / bend_hi * (1 - 0x1p-48)) : limit;
+      if (h2 < monotone) {
+        c.kind = FailureKind::isolated;
+        c.lo = below(t + h);
+        c.hi = std::min(above(t + h2), end);
+        c.monotone_until = monotone == limit ? horizon : below(t + monotone);
+        refine_fast(c, slope - d.error + std::min(0.0, bend - k.error) * h2, slope_hi + std::max(0.0, bend_hi) * h2);
+        return;
+      }
+    }
+    const double next = below(t + h);
+    if (!(next > t + 0x1p-46 * limit)) return advance_hard(c, t);
+    return set_not_before(c, next);
+  }
+}
+
+/// Interval Newton; the slope towards failure lies in [slope_lo, slope_hi], both negative.
+void FailureSolver::refine_fast(Certificate& c, double slope_lo, double slope_hi) {
+  const double sign = c.sign;
+  for (int step = 0; step < 5; ++step) {
+    const double width = c.hi - c.lo;
+    const double m = c.lo + width / 2;
+    if (!(width > 0x1p-50 * std::fabs(m))) return;
+    const Bounded v = c.function.value(clock_.at(m, c.function.pp));
+    const double lo_value = sign * v.value - v.error, hi_value = sign * v.value + v.error;
+    const double steep = -slope_lo, flat = -slope_hi;
+    const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
+    const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
+    const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
+    c.lo = std::max(c.lo, lo - slack);
+    c.hi = std::min(c.hi, hi + slack);
+    if (!(c.hi - c.lo < 0.5 * width)) return;
+  }
+}
+
+void FailureSolver::advance_hard(Certificate& c, double t) {
+  if (!c.function.level1) {
+    FastFunction next;
+    if (FastFunction::level_one(leg(), geometry_, triple_of(c), next)) {
+      ++counts_.level1;
+      const FastFunction before = c.function;
+      c.function = next;
+      const Bounded v = next.value(clock_.at(t, next.pp));
+      if (c.sign * v.value > v.error) return advance_from(c, t);
+      c.function = before;
+    }
+  }
+  advance_precise(c, PreciseTime::between(t, t));
+}
+
+/// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
+void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
+  ++counts_.precise;
+  const double t = RealTraits<RealMax>::to_double(from.hi);
+  if (t >= leg().end) return set_not_before(c, t);
+  const std::size_t segment = clock_.segment(std::max(t, leg().start));
+  const double to = clock_.segment_end(segment);
+  if (const auto found = precise_of(c).first_failure(c.sign, from, to)) {
+    set_isolated(c, *found);
+  } else {
+    release(c);
+    set_not_before(c, to);
+  }
+}
+
+int FailureSolver::fast_sign(const FastFunction& f, const Now& now) {
+  const FastSide& side = clock_.at(now.hi, f.pp);
+  const Bounded v = f.value(side);
+  const double width = now.hi - now.lo;
+  double drift = 0;
+  if (width > 0) {
+    const std::size_t segment = clock_.segment(now.hi);
+    if (clock_.segment_start(segment) > now.lo) return 0;
+    const Bounded d = f.slope(side), k = f.curvature(clock_.curvature(segment, f.pp));
+    drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error)) * (1 + 0x1p-40);
+  }
+  if (std::fabs(v.value) > v.error + drift) return v.value > 0 ? 1 : -1;
+  return 0;
+}
+
+int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
+  if (const int s = fast_sign(fast, now)) return s;
+  ++counts_.precise;
+  const PreciseTriple event(leg(), geometry_, MixedTriple::of(geometry_, now.u.valid() ? now.u : VertexId(0u),
+                                                             now.u.valid() ? now.v : VertexId(0u),
+                                                             now.u.valid() ? now.w : VertexId(geometry_.np)));
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (now.event && !event.refine(now.sign_before, now.precise, stage)) continue;
+    if (const int s = precise.sign_at(now.precise, stage)) return s;
+  }
+  throw Undecidable{"two events at the same instant"};
+}
+
+void FailureSolver::start_at(Certificate& c, Now& now) {
+  release(c);
+  const MixedTriple triple = triple_of(c);
+  c.function = FastFunction::level_zero(leg(), geometry_, triple);
+  c.kind = FailureKind::not_before;
+  if (now.concerns(c.u, c.v, c.w)) {
+    c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
+    if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
+    advance_precise(c, {now.precise.hi, now.precise.hi, now.precise.stage});
+    return;
+  }
+  if (const int s = fast_sign(c.function, now)) {
+    c.sign = static_cast<std::int8_t>(s);
+    advance_from(c, now.hi);
+    return;
+  }
+  FastFunction next;
+  if (FastFunction::level_one(leg(), geometry_, triple, next)) {
+    if (const int s = fast_sign(next, now)) {
+      ++counts_.level1;
+      c.function = next;
+      c.sign = static_cast<std::int8_t>(s);
+      advance_from(c, now.hi);
+      return;
+    }
+  }
+  c.sign = static_cast<std::int8_t>(sign_now(c.function, precise_of(c), now));
+  advance_precise(c, now.precise);
+}
+
+bool FailureSolver::fails_before(Certificate& a, Certificate& b) {
+  if (a.hi < b.lo) return true;
+  if (b.hi < a.lo) return false;
+  ++counts_.compared;
+  const bool fresh_a = a.precise < 0, fresh_b = b.precise < 0;
+  if (fresh_a) precise_slot(a) = PreciseTime::between(a.lo, a.hi);
+  if (fresh_b) precise_slot(b) = PreciseTime::between(b.lo, b.hi);
+  const PreciseTriple fa = precise_of(a), fb = precise_of(b);
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    PreciseTime& ta = pool_[static_cast<std::size_t>(a.precise)];
+    PreciseTime& tb = pool_[static_cast<std::size_t>(b.precise)];
+    fa.refine(a.sign, ta, stage);
+    fb.refine(b.sign, tb, stage);
+    if (ta.hi < tb.lo) return true;
+    if (tb.hi < ta.lo) return false;
+  }
+  throw Undecidable{"the order of two events"};
+}
+
+bool FailureSolver::fails_by(Certificate& c, double t) {
+  const Bounded v = c.function.value(clock_.at(t, c.function.pp));
+  if (c.sign * v.value > v.error) return false;
+  if (-c.sign * v.value > v.error) return true;
+  const PreciseTriple f = precise_of(c);
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    const int s = f.sign_at(PreciseTime::between(t, t), stage);
+    if (s == c.sign) {
+      // Not yet, unless it failed and came back: an enclosure holds one root only, so compare with it.
+      return false;
+    }
+    if (s == -c.sign) return true;
+  }
+  throw Undecidable{"whether an event falls on the end of the interval"};
+}
+
+VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {
+  const MixedTriple m = MixedTriple::of(geometry_, u, v, w);
+  // c beyond a, or beyond b, or between.
+  const MixedTriple back{m.b, m.a, m.c, m.pp};
+  const FastFunction from_a = FastFunction::level_zero(leg(), geometry_, m, Measure::projection);
+  if (sign_now(from_a, PreciseTriple(leg(), geometry_, m, Measure::projection), now) < 0) return m.a;
+  const FastFunction from_b = FastFunction::level_zero(leg(), geometry_, back, Measure::projection);
+  if (sign_now(from_b, PreciseTriple(leg(), geometry_, back, Measure::projection), now) < 0) return m.b;
+  return m.c;
+}
+
+Now FailureSolver::event(const Certificate& c) const {
+  Now now;
+  now.lo = c.lo;
+  now.hi = c.hi;
+  now.event = true;
+  now.u = c.u;
+  now.v = c.v;
+  now.w = c.w;
+  now.sign_before = c.sign;
+  now.monotone_until = c.monotone_until;
+  now.precise = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
+  return now;
+}
+
+void FailureSolver::tighten(Certificate& c) {
+  if (c.hi - c.lo <= 0x1p-51 * std::fabs(c.hi)) return;
+  PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
+  if (!precise_of(c).refine(c.sign, t, 0)) return;
+  c.lo = std::max(c.lo, double_below(t.lo));
+  c.hi = std::min(c.hi, double_above(t.hi));
+}
+
+}  // namespace taut

@@ -1,0 +1,86 @@
+// When does a certificate fail? Lower bounds first, isolation only when it matters (DESIGN, section 4).
+#pragma once
+
+#include <vector>
+
+#include "kinetic/certificate.hpp"
+#include "kinetic/precise_time.hpp"
+
+namespace taut {
+
+/// The present: a double, or the failure time of a certificate.
+struct Now {
+  double lo = 0, hi = 0;
+  bool event = false;
+  /// For an event: its corner, its sign before, and how to find the instant at any precision.
+  VertexId u, v, w;
+  int sign_before = 0;
+  double monotone_until = 0;
+  PreciseTime precise;
+
+  /// Are these the three vertices that are collinear now?
+  bool concerns(VertexId a, VertexId b, VertexId c) const {
+    const auto in = [this](VertexId x) { return x == u || x == v || x == w; };
+    return event && in(a) && in(b) && in(c);
+  }
+};
+
+/// How often each stage of the arithmetic answered.
+struct StageCounts {
+  std::uint64_t fast = 0;      ///< doubles with an error bound
+  std::uint64_t level1 = 0;    ///< doubles, on the part that is linear in the displacement
+  std::uint64_t precise = 0;   ///< multi-precision failure times
+  std::uint64_t compared = 0;  ///< multi-precision comparisons of two failure times
+};
+
+/// Schedules certificates on one leg.
+class FailureSolver {
+ public:
+  explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}
+
+  void enter(const Leg& leg) { clock_.reset(leg); }
+  const Leg& leg() const { return clock_.leg(); }
+  const StageCounts& counts() const { return counts_; }
+
+  /// Starts a certificate whose sign is known to hold at the leg's start.
+  void start(Certificate& c);
+  /// Starts a new certificate just after `now`; finds its sign.
+  void start_at(Certificate& c, Now& now);
+  /// Pushes the lower bound of a certificate forward, or isolates its failure.
+  void advance(Certificate& c);
+  /// Drops what the pool holds for it.
+  void release(Certificate& c);
+
+  /// Of two isolated failures, does that of `a` come first? Throws Undecidable.
+  bool fails_before(Certificate& a, Certificate& b);
+  /// Does the isolated failure come no later than t (inside its enclosure)?
+  bool fails_by(Certificate& c, double t);
+  /// Of three vertices that are collinear now, the middle one.
+  VertexId middle(VertexId u, VertexId v, VertexId w, Now& now);
+  /// The present as the failure of c.
+  Now event(const Certificate& c) const;
+  /// The failure time of c within a few ulps.
+  void tighten(Certificate& c);
+
+ private:
+  MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
+  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
+  void advance_from(Certificate& c, double t);
+  void refine_fast(Certificate& c, double slope_lo, double slope_hi);
+  void advance_hard(Certificate& c, double t);
+  void advance_precise(Certificate& c, const PreciseTime& from);
+  void set_isolated(Certificate& c, const PreciseTime& t);
+  void set_not_before(Certificate& c, double t);
+  PreciseTime& precise_slot(Certificate& c);
+  /// The sign of a function at `now`: fast if possible, else precise.
+  int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
+  int fast_sign(const FastFunction& f, const Now& now);
+
+  const PairGeometry& geometry_;
+  LegClock clock_;
+  StageCounts counts_;
+  std::vector<PreciseTime> pool_;
+  std::vector<std::int32_t> pool_free_;
+};
+
+}  // namespace taut

@@ -1,0 +1,42 @@
+// The multi-precision stages of failure times: for degenerate input, tangencies, and events that doubles cannot order.
+#pragma once
+
+#include <optional>
+
+#include "motion/mixed_function.hpp"
+
+namespace taut {
+
+/// An instant, enclosed. `stage` is the index into precision_ladder at which it was found, -1 for doubles.
+struct PreciseTime {
+  RealMax lo, hi;
+  int stage = -1;
+
+  static PreciseTime between(double lo, double hi) { return {RealMax(lo), RealMax(hi), -1}; }
+};
+
+inline constexpr int precise_stages = 3;
+
+/// A function of a mixed triple on a leg, at any precision.
+class PreciseTriple {
+ public:
+  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const MixedTriple& triple,
+                Measure measure = Measure::orientation)
+      : leg_(leg), geometry_(geometry), triple_(triple), measure_(measure) {}
+
+  /// The sign at an instant, at one stage; 0 if undecided there.
+  int sign_at(const PreciseTime& t, int stage) const;
+  /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
+  /// tell. Throws Undecidable.
+  std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
+  /// Shrinks an isolating enclosure at the given stage; `sign` is that before the root. False if the stage cannot.
+  bool refine(int sign, PreciseTime& t, int stage) const;
+
+ private:
+  const Leg& leg_;
+  const PairGeometry& geometry_;
+  MixedTriple triple_;
+  Measure measure_;
+};
+
+}  // namespace taut

@@ -1,0 +1,95 @@
+#include "kinetic/repair.hpp"
+
+namespace taut {
+namespace {
+
+/// After a corner at the root closed: an edge with faces of P on both its sides is now run in both directions by
+/// RCH(P).
+void mark_pinch(PlanarMap& map, NodeId face, HalfedgeId uv) {
+  if (face != node::root && face != node::infinite_face) return;
+  if (node::in_p(map.node(uv)) && node::in_p(map.node(PlanarMap::twin(uv)))) map.set_pinch(uv, true);
+}
+
+/// The far end comes first: h = w -> u, next = u -> v. The edge u -> w goes, w -> v comes.
+RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
+  RepairReport report;
+  const HalfedgeId uw = PlanarMap::twin(wu);
+  const NodeId face = map.node(wu), across = map.node(uw);
+  const VertexId v = map.target(uv);
+  const HalfedgeId p = map.previous(uw), n = map.next(uw);
+  const HalfedgeId third = map.next(uv);
+  if (map.next(third) == wu) {
+    // The triangle u, v, w vanishes; the face across gets u -> v -> w.
+    map.link(p, uv);
+    map.link(third, n);
+    map.set_node(uv, across);
+    map.set_node(third, across);
+    map.remove_edge(wu);
+    report.repair = Repair::convex_triangle;
+    report.removed = wu;
+    for (const HalfedgeId c : {p, uv, third}) report.touch(c);
+    return report;
+  }
+  const HalfedgeId before = map.previous(wu);
+  const HalfedgeId wv = wu, vw = uw;  // the edge is reused
+  map.set_origin(vw, v);
+  map.set_pinch(vw, false);
+  map.link(wv, third);
+  map.link(p, uv);
+  map.link(uv, vw);
+  map.set_node(uv, across);
+  mark_pinch(map, face, uv);
+  report.repair = Repair::convex_flip;
+  for (const HalfedgeId c : {before, wv, p, uv, vw}) report.touch(c);
+  return report;
+}
+
+/// The near end comes first: h = v -> u, next = u -> w. The edge u -> w goes, v -> w comes.
+RepairReport near_end_first(PlanarMap& map, HalfedgeId vu, HalfedgeId uw) {
+  RepairReport report;
+  const HalfedgeId wu = PlanarMap::twin(uw);
+  const NodeId face = map.node(vu), across = map.node(wu);
+  const VertexId v = map.origin(vu);
+  const HalfedgeId p = map.previous(wu), n = map.next(wu);
+  const HalfedgeId third = map.next(uw);
+  if (map.next(third) == vu) {
+    map.link(p, third);
+    map.link(vu, n);
+    map.set_node(third, across);
+    map.set_node(vu, across);
+    map.remove_edge(uw);
+    report.repair = Repair::convex_triangle;
+    report.removed = uw;
+    for (const HalfedgeId c : {p, third, vu}) report.touch(c);
+    return report;
+  }
+  const HalfedgeId before = map.previous(vu);
+  const HalfedgeId vw = uw, wv = wu;  // the edge is reused
+  map.set_origin(vw, v);
+  map.set_pinch(vw, false);
+  map.link(before, vw);
+  map.link(wv, vu);
+  map.link(vu, n);
+  map.set_node(vu, across);
+  mark_pinch(map, face, vu);
+  report.repair = Repair::convex_flip;
+  for (const HalfedgeId c : {before, vw, p, wv, vu}) report.touch(c);
+  return report;
+}
+
+}  // namespace
+
+RepairReport repair_convex(PlanarMap& map, HalfedgeId h, VertexId nearer) {
+  const HalfedgeId n = map.next(h);
+  const bool far_first = map.target(n) == nearer;
+  const HalfedgeId far_edge = far_first ? h : n;
+  if (map.is_polygon_edge(far_edge)) {
+    RepairReport report;
+    report.hitting = nearer;
+    report.hit = HalfedgeId(far_edge.value & ~1u);
+    return report;
+  }
+  return far_first ? far_end_first(map, h, n) : near_end_first(map, h, n);
+}
+
+}  // namespace taut

@@ -1,0 +1,122 @@
+#include "taut/simulation.hpp"
+
+#include <algorithm>
+
+#include "kinetic/session.hpp"
+
+namespace taut {
+
+struct Simulation::Impl {
+  Impl(const Scene& scene, Touch touch, Tracer* tracer) : session(scene, touch, tracer) {}
+  Session session;
+};
+
+Simulation::Simulation(const Scene& scene, Touch touch, Tracer* tracer)
+    : impl_(std::make_unique<Impl>(scene, touch, tracer)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+SimulationState Simulation::state() const {
+  const Session& s = impl_->session;
+  if (s.overlap_at_start()) return SimulationState::overlap_at_start;
+  if (s.contact()) return SimulationState::contact;
+  return s.finished() ? SimulationState::finished : SimulationState::running;
+}
+
+double Simulation::time() const { return impl_->session.engine().time(); }
+
+std::optional<TimeInterval> Simulation::next_event() {
+  Session& s = impl_->session;
+  if (s.finished()) return std::nullopt;
+  const auto found = s.engine().next_event(s.scene().end);
+  if (!found) return std::nullopt;
+  return TimeInterval{found->first, found->second};
+}
+
+bool Simulation::step() {
+  Session& s = impl_->session;
+  if (s.finished()) return false;
+  const std::uint64_t before = s.engine().events();
+  s.step(s.scene().end);
+  return s.engine().events() > before;
+}
+
+SimulationState Simulation::advance_to(double t) {
+  Session& s = impl_->session;
+  const double limit = std::min(t, s.scene().end);
+  while (s.step(limit)) {
+  }
+  return state();
+}
+
+void Simulation::set_motion(int body, const Motion& motion) { impl_->session.set_motion(body, motion); }
+const std::optional<Contact>& Simulation::contact() const { return impl_->session.contact(); }
+std::uint64_t Simulation::events() const { return impl_->session.engine().events(); }
+std::uint64_t Simulation::certificates() const { return impl_->session.engine().active_certificates(); }
+std::uint64_t Simulation::certificates_max() const { return impl_->session.engine().max_certificates(); }
+
+namespace {
+
+FaceKind face_kind(const PlanarMap& map, HalfedgeId h) {
+  if (map.is_interior(h)) return FaceKind::polygon_interior;
+  if (map.node(h) == node::root) return FaceKind::root;
+  if (map.node(h) == node::infinite_face) return FaceKind::infinite;
+  return FaceKind::node;
+}
+
+TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>& visited) {
+  const PlanarMap& map = session.engine().map();
+  TilingFace face;
+  face.kind = face_kind(map, start);
+  const NodeId n = map.node(start);
+  if (face.kind == FaceKind::node || face.kind == FaceKind::polygon_interior) {
+    face.body = session.plan().maps[node::in_p(n) ? 0 : 1].body;
+    face.depth = node::depth(n);
+  }
+  HalfedgeId h = start;
+  do {
+    visited[h.value] = true;
+    if (face.kind != FaceKind::polygon_interior) face.boundary.push_back(static_cast<int>(map.origin(h).value));
+    h = map.next(h);
+  } while (h != start);
+  return face;
+}
+
+}  // namespace
+
+Tiling Simulation::tiling() const {
+  const Session& session = impl_->session;
+  const PlanarMap& map = session.engine().map();
+  const PairGeometry& g = session.engine().geometry();
+  Tiling out;
+  out.time = time();
+  for (std::uint32_t i = 0; i < g.size(); ++i) {
+    const TraceVertex v = session.input_vertex(VertexId(i));
+    out.vertices.push_back({v.body, v.index, session.world(VertexId(i))});
+  }
+  std::vector<bool> visited(map.halfedge_count(), false);
+  for (std::uint32_t i = 0; i < map.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    if (!map.alive(h)) continue;
+    if ((i & 1u) == 0) {
+      const VertexId from = map.origin(h), to = map.target(h);
+      out.edges.push_back({static_cast<int>(from.value), static_cast<int>(to.value), map.is_polygon_edge(h),
+                           !g.same_body(from, to)});
+    }
+    if (!visited[i]) out.faces.push_back(copy_face(session, h, visited));
+  }
+  return out;
+}
+
+std::vector<ActiveCertificate> Simulation::active_set() const {
+  const Session& session = impl_->session;
+  std::vector<ActiveCertificate> out;
+  session.engine().for_each_certificate([&](const Certificate& c) {
+    out.push_back({session.input_vertex(c.u), session.input_vertex(c.v), session.input_vertex(c.w), c.sign > 0,
+                   session.engine().leg().time(std::min(c.lo, session.engine().leg().end))});
+  });
+  return out;
+}
+
+}  // namespace taut

@@ -1,0 +1,163 @@
+#include "motion/leg.hpp"
+
+#include "numeric/exact_sum.hpp"
+
+namespace taut {
+
+bool same_rotation(const Rotation& a, const Rotation& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* r = std::get_if<AngleRotation>(&a)) return r->angle == std::get<AngleRotation>(b).angle;
+  if (const auto* r = std::get_if<HalfAngleRotation>(&a)) return r->s == std::get<HalfAngleRotation>(b).s;
+  if (const auto* r = std::get_if<CosineRotation>(&a)) return r->a == std::get<CosineRotation>(b).a;
+  if (const auto* r = std::get_if<DirectionRotation>(&a)) {
+    const auto& other = std::get<DirectionRotation>(b);
+    return r->a == other.a && r->b == other.b;
+  }
+  return true;
+}
+
+namespace {
+
+double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
+
+/// o_Q - o_P without its constant part.
+template <class Real>
+Jet<Real> varying_difference(const Coefficients& q, const Coefficients& p, const Ball<Real>& t) {
+  using B = Ball<Real>;
+  const std::size_t n = std::max(p.size(), q.size());
+  B v = B::exact(0), d = B::exact(0), dd = B::exact(0);
+  for (std::size_t i = n; i-- > 0;) {
+    dd = dd * t + d;
+    d = d * t + v;
+    v = v * t;
+    if (i > 0) v = v + (B::exact(coefficient(q, i)) - B::exact(coefficient(p, i)));
+  }
+  return {v, d, dd * 2.0};
+}
+
+/// (re, im) of conj(a) b.
+template <class Real>
+void conjugate_product(const Jet<Real>& ax, const Jet<Real>& ay, const Jet<Real>& bx, const Jet<Real>& by,
+                       Jet<Real>& re, Jet<Real>& im) {
+  re = ax * bx + ay * by;
+  im = ax * by - ay * bx;
+}
+
+template <class Real>
+Frame<Real> motion_frame(const Leg& leg, const Ball<Real>& t) {
+  using J = Jet<Real>;
+  Frame<Real> f;
+  const bool shifted = leg.shift_p || leg.shift_q;
+  J dx, dy;
+  if (shifted) {
+    dx = varying_difference<Real>(leg.q.x, leg.p.x, t);
+    dy = varying_difference<Real>(leg.q.y, leg.p.y, t);
+  } else {
+    dx = polynomial<Real>(leg.q.x, t) - polynomial<Real>(leg.p.x, t);
+    dy = polynomial<Real>(leg.q.y, t) - polynomial<Real>(leg.p.y, t);
+  }
+  const J one = J::constant(1.0), zero = J::constant(0.0);
+  f.for_pp[0] = f.for_qq[0] = one;
+  if (leg.translation) {
+    f.for_pp = {one, dx, dy, one, zero};
+    f.for_qq = f.for_pp;
+    return f;
+  }
+  J px, py, qx, qy;
+  rotation_jet(leg.p.rotation, t, px, py);
+  if (leg.aligned) {
+    qx = px;
+    qy = py;
+    f.for_pp[3] = one;
+    f.for_pp[4] = zero;
+  } else {
+    rotation_jet(leg.q.rotation, t, qx, qy);
+    conjugate_product(px, py, qx, qy, f.for_pp[3], f.for_pp[4]);
+  }
+  conjugate_product(px, py, dx, dy, f.for_pp[1], f.for_pp[2]);
+  conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  f.for_qq[3] = f.for_pp[3];
+  f.for_qq[4] = f.for_pp[4];
+  return f;
+}
+
+/// The straight line from one pose to the other, s in [0, 1].
+template <class Real>
+Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real>& s) {
+  const auto line = [&s](const Jet<Real>& from, const Jet<Real>& to) {
+    const Ball<Real> slope = to.v - from.v;
+    return Jet<Real>{from.v + slope * s, slope, Ball<Real>::exact(0)};
+  };
+  return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
+}
+
+template <class Real>
+Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
+  const Ball<Real> t = Ball<Real>::exact(leg.joint);
+  const Pose<Real> p = interpolate(pose(leg.p, t), pose(leg.p_next, t), s);
+  const Pose<Real> q = interpolate(pose(leg.q, t), pose(leg.q_next, t), s);
+  const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
+  Frame<Real> f;
+  f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
+  f.for_qq[0] = q.xx * q.xx + q.xy * q.xy;
+  conjugate_product(p.xx, p.xy, dx, dy, f.for_pp[1], f.for_pp[2]);
+  conjugate_product(q.xx, q.xy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  conjugate_product(p.xx, p.xy, q.xx, q.xy, f.for_pp[3], f.for_pp[4]);
+  f.for_qq[3] = f.for_pp[3];
+  f.for_qq[4] = f.for_pp[4];
+  return f;
+}
+
+template <class Real>
+Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame(leg, t);
+}
+
+int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
+  for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
+    if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.start = start;
+  leg.end = end;
+  leg.translation = !turns(p) && !turns(q);
+  leg.aligned = same_rotation(p.rotation, q.rotation);
+  leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
+  leg.shift_p = !turns(p);
+  leg.shift_q = turns(p) && !turns(q);
+  if (leg.shift_p || leg.shift_q) {
+    const TwoDoubles x = two_sum(coefficient(q.x, 0), -coefficient(p.x, 0));
+    const TwoDoubles y = two_sum(coefficient(q.y, 0), -coefficient(p.y, 0));
+    leg.shift = {x.hi, x.lo, y.hi, y.lo};
+  }
+  return leg;
+}
+
+Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
+                  double joint) {
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.p_next = p_next;
+  leg.q_next = q_next;
+  leg.bridge = true;
+  leg.joint = joint;
+  leg.start = 0;
+  leg.end = 1;
+  return leg;
+}
+
+Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(leg, t); }
+Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
+Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
+Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
+
+}  // namespace taut

@@ -1,0 +1,58 @@
+// The relative motion of the two bodies over one interval on which both follow a single piece, or over the bridge
+// between two pieces. Everything downstream sees only this: ten functions of one parameter.
+#pragma once
+
+#include <array>
+
+#include "motion/pose.hpp"
+
+namespace taut {
+
+/// The orientation of two vertices of one body and one of the other is a fixed linear combination of five functions
+/// of time. With world frames (o, x) as complex numbers and D = o_Q - o_P:
+///   two vertices of P:  |x_P|^2, conj(x_P) D (two parts), and conj(x_P) x_Q = c + i s;
+///   two vertices of Q:  |x_Q|^2, conj(x_Q) D (two parts), and the same c and s.
+/// On a bridge the frames are similarities, so |x| may differ from 1 by rounding; elsewhere it is exactly 1.
+template <class Real>
+struct Frame {
+  std::array<Jet<Real>, 5> for_pp, for_qq;
+};
+
+/// A constant vector known exactly as two doubles per coordinate.
+struct ExactVector {
+  double x = 0, x_low = 0, y = 0, y_low = 0;
+};
+
+/// One leg of the relative motion.
+struct Leg {
+  /// The pieces the bodies follow; on a bridge, those before the joint.
+  MotionPiece p, q;
+  /// On a bridge, the pieces after the joint.
+  MotionPiece p_next, q_next;
+  bool bridge = false;
+  double joint = 0;  ///< the time of the bridge
+  double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
+
+  bool translation = false;  ///< neither body turns
+  int degree = 0;            ///< of D on a translation
+  bool aligned = false;      ///< both turn alike: c = 1, s = 0
+  /// A body that does not turn absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
+  /// and pivoting contacts then have coefficients that are exactly zero.
+  bool shift_p = false, shift_q = false;
+  ExactVector shift;
+
+  static Leg motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
+  static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
+                      double joint);
+
+  /// The time of the world at this parameter.
+  double time(double parameter) const { return bridge ? joint : parameter; }
+};
+
+/// The frame over the ball t of the leg's parameter.
+Frame<double> frame(const Leg& leg, const Ball<double>& t);
+Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
+Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
+Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
+
+}  // namespace taut

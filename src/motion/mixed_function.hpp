@@ -1,0 +1,93 @@
+// Orientation and projection of three vertices of both bodies, as functions of the leg's parameter.
+#pragma once
+
+#include "motion/leg.hpp"
+#include "motion/pair_geometry.hpp"
+
+namespace taut {
+
+/// Two vertices a, b of one body and a vertex c of the other.
+struct MixedTriple {
+  VertexId a, b, c;
+  bool pp = false;  ///< a and b belong to P
+
+  /// (u, v, w) turned cyclically so that the two of one body come first: the orientation is the same.
+  static MixedTriple of(const PairGeometry& g, VertexId u, VertexId v, VertexId w) {
+    if (g.same_body(u, v)) return {u, v, w, g.in_p(u)};
+    if (g.same_body(v, w)) return {v, w, u, g.in_p(v)};
+    return {w, u, v, g.in_p(w)};
+  }
+};
+
+/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a).
+enum class Measure : unsigned char { orientation, projection };
+
+/// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
+template <class Real>
+class PreciseFunction {
+ public:
+  PreciseFunction(const Leg& leg, const PairGeometry& g, const MixedTriple& triple,
+                  Measure measure = Measure::orientation)
+      : leg_(leg), pp_(triple.pp) {
+    using B = Ball<Real>;
+    const DisplacedPoint &a = g.point(triple.a), &b = g.point(triple.b), &c = g.point(triple.c);
+    B ex = difference(b.x, b.dx, a.x, a.dx), ey = difference(b.y, b.dy, a.y, a.dy);
+    if (measure == Measure::projection) {
+      const B turn = ex;
+      ex = ey;
+      ey = -turn;
+    }
+    B ax, ay, cx, cy;
+    position(a, triple.pp, ax, ay);
+    position(c, !triple.pp, cx, cy);
+    // Coefficient by coefficient as in Leg: see Frame. For two vertices of Q the frame is Q's, and everything that
+    // comes from D and from the angle changes sign.
+    const double side = triple.pp ? 1.0 : -1.0;
+    coefficients_[1] = (-ey) * side;
+    coefficients_[2] = ex * side;
+    coefficients_[4] = (ex * cx + ey * cy) * side;
+    if (leg.translation) {
+      coefficients_[0] = ex * (cy - ay) - ey * (cx - ax);
+      coefficients_[3] = B::exact(0);
+    } else {
+      coefficients_[0] = ey * ax - ex * ay;
+      coefficients_[3] = ex * cy - ey * cx;
+    }
+  }
+
+  /// Value and derivatives over the ball t of the leg's parameter.
+  Jet<Real> operator()(const Ball<Real>& t) const {
+    const Frame<Real> f = frame(leg_, t);
+    return combine(pp_ ? f.for_pp : f.for_qq);
+  }
+
+ private:
+  static Ball<Real> difference(double x, double dx, double y, double dy) {
+    using B = Ball<Real>;
+    return (B::exact(x) - B::exact(y)) + (B::exact(dx) - B::exact(dy));
+  }
+  void position(const DisplacedPoint& v, bool of_p, Ball<Real>& x, Ball<Real>& y) const {
+    using B = Ball<Real>;
+    x = B::exact(v.x) + B::exact(v.dx);
+    y = B::exact(v.y) + B::exact(v.dy);
+    const ExactVector& s = leg_.shift;
+    if (of_p && leg_.shift_p) {
+      x = x - B::exact(s.x) - B::exact(s.x_low);
+      y = y - B::exact(s.y) - B::exact(s.y_low);
+    } else if (!of_p && leg_.shift_q) {
+      x = x + B::exact(s.x) + B::exact(s.x_low);
+      y = y + B::exact(s.y) + B::exact(s.y_low);
+    }
+  }
+  Jet<Real> combine(const std::array<Jet<Real>, 5>& f) const {
+    Jet<Real> sum = f[0] * coefficients_[0];
+    for (std::size_t i = 1; i < 5; ++i) sum = sum + f[i] * coefficients_[i];
+    return sum;
+  }
+
+  const Leg& leg_;
+  bool pp_;
+  std::array<Ball<Real>, 5> coefficients_;
+};
+
+}  // namespace taut

@@ -1,0 +1,75 @@
+#include "motion/motion_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+
+std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
+  std::vector<MotionPiece> out;
+  for (const MotionPiece& piece : motion.pieces) {
+    if (piece.until <= start && &piece != &motion.pieces.back()) continue;
+    out.push_back(piece);
+    if (piece.until >= end) break;
+  }
+  if (out.empty()) out.emplace_back();
+  out.back().until = std::numeric_limits<double>::infinity();
+  return out;
+}
+
+const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t) {
+  for (const MotionPiece& piece : pieces) {
+    if (t < piece.until) return piece;
+  }
+  return pieces.back();
+}
+
+MotionPiece scaled(const MotionPiece& piece, int exponent) {
+  MotionPiece out = piece;
+  for (double& c : out.x) c = std::ldexp(c, exponent);
+  for (double& c : out.y) c = std::ldexp(c, exponent);
+  return out;
+}
+
+bool same_motion(const MotionPiece& a, const MotionPiece& b) {
+  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation);
+}
+
+std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
+                           double end) {
+  std::vector<Leg> legs;
+  std::size_t i = 0, j = 0;
+  double t = start;
+  for (;;) {
+    const double until = std::min({p[i].until, q[j].until, end});
+    legs.push_back(Leg::motion(p[i], q[j], t, until));
+    if (until >= end) return legs;
+    t = until;
+    const std::size_t old_i = i, old_j = j;
+    while (p[i].until <= t) ++i;
+    while (q[j].until <= t) ++j;
+    if (!same_motion(p[old_i], p[i]) || !same_motion(q[old_j], q[j])) {
+      legs.push_back(Leg::bridging(p[old_i], q[old_j], p[i], q[j], t));
+    }
+  }
+}
+
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const Polygon& polygon, double t) {
+  const Pose<double> a = pose(before, Ball<double>::exact(t)), b = pose(after, Ball<double>::exact(t));
+  double lo_x = INFINITY, hi_x = -INFINITY, lo_y = INFINITY, hi_y = -INFINITY;
+  for (const Point& v : polygon) {
+    lo_x = std::min(lo_x, v.x);
+    hi_x = std::max(hi_x, v.x);
+    lo_y = std::min(lo_y, v.y);
+    hi_y = std::max(hi_y, v.y);
+  }
+  const double ox = b.ox.v.mid - a.ox.v.mid, oy = b.oy.v.mid - a.oy.v.mid;
+  const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
+  double gap = 0;
+  for (const double x : {lo_x, hi_x}) {
+    for (const double y : {lo_y, hi_y}) gap = std::max(gap, std::hypot(ox + xx * x - xy * y, oy + xy * x + xx * y));
+  }
+  return gap;
+}
+
+}  // namespace taut

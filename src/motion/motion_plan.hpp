@@ -1,0 +1,40 @@
+// From the motions of two bodies to the legs of their relative motion.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/leg.hpp"
+#include "taut/scene.hpp"
+
+namespace taut {
+
+/// The pieces of a motion that matter on [start, end], at least one; the last one's `until` is infinite.
+std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end);
+
+/// The piece that holds at t.
+const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t);
+
+/// The same motion in coordinates multiplied by 2^exponent (exact).
+MotionPiece scaled(const MotionPiece& piece, int exponent);
+
+/// Pieces are equal if the same coefficients give them; `until` does not count.
+bool same_motion(const MotionPiece& a, const MotionPiece& b);
+
+/// The legs from start to end: one for each stretch without a joint, and a bridge at each joint where a piece changes.
+std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
+                           double end);
+
+/// Throws InputError unless the motion is well defined on [start, end] (pieces in order and covering the interval,
+/// degrees within max_degree, directions that do not vanish, cosines within [-1, 1]) and its pieces join up to 1e-6 of
+/// `extent` for every point of the polygon.
+void validate_motion(const Motion& motion, const std::string& body, const Polygon& polygon, double start, double end,
+                     double extent);
+
+/// The largest distance between where two pieces put a corner of the polygon's bounding box at time t.
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const Polygon& polygon, double t);
+
+/// How much of the scene's extent a joint may jump by (rounding in the pieces' coefficients).
+inline constexpr double joint_tolerance = 1e-6;
+
+}  // namespace taut

@@ -1,0 +1,66 @@
+// The two bodies at one instant: certified predicates for building the tiling from scratch.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "motion/leg.hpp"
+#include "motion/pair_geometry.hpp"
+
+namespace taut {
+
+/// The sign of a predicate could not be decided at the highest precision.
+struct Undecidable {
+  const char* what;
+};
+
+/// Positions in P's frame at parameter t of a leg (not a bridge), and the predicates that the static construction
+/// needs. Four corners of a large box around both bodies are vertices size() .. size()+3, counterclockwise.
+/// Predicates never return 0; they throw Undecidable at the limit of precision.
+class Placement {
+ public:
+  Placement(const PairGeometry& geometry, const Leg& leg, double t);
+
+  const PairGeometry& geometry() const { return *geometry_; }
+  std::uint32_t size() const { return geometry_->size(); }
+  VertexId box_corner(unsigned i) const { return VertexId(size() + i); }
+  /// +1 if a, b, c turn left.
+  int orientation(VertexId a, VertexId b, VertexId c) const;
+  /// The order of the plane sweep: along a direction that no design is aligned with.
+  bool before(VertexId a, VertexId b) const;
+  /// Rounded positions, for sorting and drawing.
+  const Point& approximate(VertexId v) const { return positions_[v.value]; }
+  /// How often doubles did not suffice.
+  std::uint64_t precise_calls() const { return precise_calls_; }
+
+ private:
+  template <class Real>
+  struct Precise {
+    Frame<Real> frame;
+    explicit Precise(const Frame<Real>& f) : frame(f) {}
+  };
+  template <class Real>
+  void position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<Real>& y) const;
+  template <class Real>
+  int orientation_at(VertexId a, VertexId b, VertexId c) const;
+  template <class Real>
+  int order_at(VertexId a, VertexId b) const;
+  int precise_orientation(VertexId a, VertexId b, VertexId c) const;
+  template <class Real>
+  const Frame<Real>& frame_at() const;
+
+  const PairGeometry* geometry_;
+  const Leg* leg_;
+  double t_;
+  std::vector<Point> positions_;
+  std::vector<double> keys_;
+  double error_ = 0;      ///< of each coordinate in positions_
+  double key_error_ = 0;  ///< of each difference of keys_
+  mutable std::optional<Frame<Real320>> frame320_;
+  mutable std::optional<Frame<Real640>> frame640_;
+  mutable std::optional<Frame<Real960>> frame960_;
+  mutable std::uint64_t precise_calls_ = 0;
+};
+
+}  // namespace taut

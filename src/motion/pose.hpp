@@ -1,0 +1,54 @@
+// Where a body is: its moving frame as functions of time (section 3 of the paper).
+#pragma once
+
+#include "numeric/jet.hpp"
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// The body's point (u, v) is at o + u x + v y, y = x turned by +90 degrees.
+template <class Real>
+struct Pose {
+  Jet<Real> ox, oy;
+  Jet<Real> xx, xy;
+};
+
+template <class Real>
+void rotation_jet(const Rotation& rotation, const Ball<Real>& t, Jet<Real>& xx, Jet<Real>& xy) {
+  using J = Jet<Real>;
+  if (const auto* r = std::get_if<AngleRotation>(&rotation)) {
+    sin_cos(polynomial<Real>(r->angle, t), xy, xx);
+  } else if (const auto* d = std::get_if<DirectionRotation>(&rotation)) {
+    const J a = polynomial<Real>(d->a, t), b = polynomial<Real>(d->b, t);
+    const J length = sqrt(a * a + b * b);
+    xx = a / length;
+    xy = b / length;
+  } else if (const auto* h = std::get_if<HalfAngleRotation>(&rotation)) {
+    const J s = polynomial<Real>(h->s, t), square = s * s, one = J::constant(1.0);
+    const J below = one + square;
+    xx = (one - square) / below;
+    xy = (s + s) / below;
+  } else if (const auto* c = std::get_if<CosineRotation>(&rotation)) {
+    xx = polynomial<Real>(c->a, t);
+    xy = sqrt(J::constant(1.0) - xx * xx);
+  } else {
+    xx = J::constant(1.0);
+    xy = J::constant(0.0);
+  }
+}
+
+template <class Real>
+Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
+  Pose<Real> p;
+  p.ox = polynomial<Real>(piece.x, t);
+  p.oy = polynomial<Real>(piece.y, t);
+  rotation_jet(piece.rotation, t, p.xx, p.xy);
+  return p;
+}
+
+inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
+
+/// Are the two given by the very same coefficients?
+bool same_rotation(const Rotation& a, const Rotation& b);
+
+}  // namespace taut

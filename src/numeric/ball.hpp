@@ -1,0 +1,120 @@
+// Balls: a number with a proved bound of its error. No directed rounding is used (WebAssembly has none): every
+// operation rounds to nearest, and the radius absorbs the rounding.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/real.hpp"
+
+namespace taut {
+
+/// All reals x with |x - mid| <= rad. The laws, for every operation op on balls A, B:
+///   1. containment: a in A and b in B imply (a op b) in (A op B);
+///   2. an undefined operation (division by a ball that contains zero, overflow) gives an infinite radius or a
+///      NaN middle, for which sign() is 0;
+///   3. sign() != 0 is a proof of the sign of every member.
+template <class Real>
+struct Ball {
+  Real mid{};
+  double rad = 0;
+
+  Ball() = default;
+  Ball(const Real& m, double r) : mid(m), rad(r) {}
+  static Ball exact(double x) { return Ball(RealTraits<Real>::from_double(x), 0.0); }
+  /// The ball spanned by lo <= hi.
+  static Ball between(const Real& lo, const Real& hi) {
+    const Real m = (lo + hi) / 2;
+    const double reach = std::max(RealTraits<Real>::magnitude(Real(hi - m)), RealTraits<Real>::magnitude(Real(m - lo)));
+    return Ball(m, reach * (1 + 0x1p-50) + RealTraits<Real>::magnitude(m) * (4 * unit_roundoff<Real>()));
+  }
+
+  /// -1 or +1 if all members have this sign, else 0.
+  int sign() const {
+    if (mid > rad) return 1;
+    if (-mid > rad) return -1;
+    return 0;
+  }
+  /// An upper bound of |x| over the ball.
+  double magnitude() const { return (RealTraits<Real>::magnitude(mid) + rad) * (1 + 0x1p-50); }
+  /// A lower bound of |x| over the ball, as a double; 0 if the ball contains zero. At most a factor 4 too small.
+  Real lower() const { return mid - rad; }
+  Real upper() const { return mid + rad; }
+};
+
+namespace detail {
+/// Rounds a radius up: sums and products of at most a dozen nonnegative doubles stay below the result.
+inline double inflate(double r) { return r * (1 + 0x1p-48) + underflow_slack; }
+template <class Real>
+double rounding(const Real& m) {
+  return RealTraits<Real>::magnitude(m) * unit_roundoff<Real>();
+}
+}  // namespace detail
+
+template <class Real>
+Ball<Real> operator-(const Ball<Real>& a) {
+  return Ball<Real>(-a.mid, a.rad);
+}
+template <class Real>
+Ball<Real> operator+(const Ball<Real>& a, const Ball<Real>& b) {
+  Real m = a.mid + b.mid;
+  const double r = detail::inflate(a.rad + b.rad + detail::rounding(m));
+  return Ball<Real>(m, r);
+}
+template <class Real>
+Ball<Real> operator-(const Ball<Real>& a, const Ball<Real>& b) {
+  Real m = a.mid - b.mid;
+  const double r = detail::inflate(a.rad + b.rad + detail::rounding(m));
+  return Ball<Real>(m, r);
+}
+template <class Real>
+Ball<Real> operator*(const Ball<Real>& a, const Ball<Real>& b) {
+  Real m = a.mid * b.mid;
+  const double am = RealTraits<Real>::magnitude(a.mid), bm = RealTraits<Real>::magnitude(b.mid);
+  double r = detail::rounding(m);
+  // 0 * infinity must stay infinite: a radius that is infinite means "anything".
+  if (b.rad != 0) r += (am + a.rad) * b.rad;
+  if (a.rad != 0) r += bm * a.rad;
+  return Ball<Real>(m, detail::inflate(r));
+}
+template <class Real>
+Ball<Real> operator/(const Ball<Real>& a, const Ball<Real>& b) {
+  // |b| >= distance > 0, where the magnitude of an MP number may be twice too large: measure with the number itself.
+  const Real away = (b.mid < 0 ? Real(-b.mid) : b.mid) - b.rad;
+  const double distance = away > 0 ? std::nextafter(RealTraits<Real>::to_double(away), 0.0) * (1 - 0x1p-50) : 0.0;
+  if (!(distance > 0)) return Ball<Real>(Real(0), std::numeric_limits<double>::infinity());
+  Real m = a.mid / b.mid;
+  const double mm = RealTraits<Real>::magnitude(m);
+  return Ball<Real>(m, detail::inflate((mm * b.rad + a.rad) / distance + detail::rounding(m)));
+}
+
+/// Multiplication by a power of two, or any double that is exact.
+template <class Real>
+Ball<Real> operator*(const Ball<Real>& a, double b) {
+  return a * Ball<Real>::exact(b);
+}
+
+/// Square root of the nonnegative members; where the ball reaches below zero the result covers [0, sqrt(upper)].
+template <class Real>
+Ball<Real> sqrt(const Ball<Real>& a) {
+  const Real upper = a.mid + a.rad;
+  if (!(upper > 0)) return Ball<Real>(Real(0), a.rad >= 0 ? detail::inflate(a.rad) : a.rad);
+  const Real lower = a.mid - a.rad;
+  if (!(lower > 0)) {
+    const Real half = RealTraits<Real>::square_root(upper) / 2;
+    return Ball<Real>(half, detail::inflate(RealTraits<Real>::to_double(half) * (1 + 0x1p-40)));
+  }
+  const Real m = RealTraits<Real>::square_root(a.mid);
+  const double root_mid = RealTraits<Real>::to_double(m) * (1 - 0x1p-50);
+  return Ball<Real>(m, detail::inflate((root_mid > 0 ? a.rad / root_mid : a.rad) + detail::rounding(m)));
+}
+
+/// The smallest ball around both.
+template <class Real>
+Ball<Real> hull(const Ball<Real>& a, const Ball<Real>& b) {
+  const Real lo = std::min<Real>(a.lower(), b.lower()), hi = std::max<Real>(a.upper(), b.upper());
+  return Ball<Real>::between(lo, hi);
+}
+
+}  // namespace taut

@@ -1,0 +1,84 @@
+// The number types behind the stages of certified evaluation: double, then 320, 640 and 960 bit binary floats.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace taut {
+
+template <unsigned Bits>
+using BinaryFloat =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Bits, boost::multiprecision::digit_base_2, void,
+                                                                       std::int32_t, -1000000, 1000000>,
+                                  boost::multiprecision::et_off>;
+
+using Real320 = BinaryFloat<320>;
+using Real640 = BinaryFloat<640>;
+using Real960 = BinaryFloat<960>;
+/// The widest type: every number of a narrower stage converts to it exactly.
+using RealMax = Real960;
+
+/// The precisions of the multi-precision stages, in order. Beyond the last one the answer is `undecided`.
+inline constexpr int precision_ladder[] = {320, 640, 960};
+
+/// Absolute error added by every operation on balls, so that underflow (of a double, or of a radius) is harmless.
+/// Coordinates are scaled to about 1, and the smallest quantity that ever decides is the square of the displacement,
+/// about 2^-400.
+inline constexpr double underflow_slack = 0x1p-1000;
+
+template <class Real>
+struct RealTraits;
+
+template <>
+struct RealTraits<double> {
+  static constexpr int bits = 53;
+  static constexpr double unit_roundoff = 0x1p-53;
+  static double magnitude(double x) { return std::fabs(x); }
+  static double from_double(double x) { return x; }
+  static double to_double(double x) { return x; }
+  static double square_root(double x) { return std::sqrt(x); }
+};
+
+template <unsigned Bits>
+struct RealTraits<BinaryFloat<Bits>> {
+  using Real = BinaryFloat<Bits>;
+  static constexpr int bits = static_cast<int>(Bits);
+  /// Twice the true unit roundoff: nothing is lost by being generous.
+  static double unit() { return std::ldexp(1.0, 1 - bits); }
+  /// An upper bound of |x|, at most twice too large.
+  static double magnitude(const Real& x) {
+    if (x.is_zero()) return 0;
+    const auto e = x.backend().exponent();
+    if (e > 1000) return std::numeric_limits<double>::infinity();
+    if (e < -1060) return 0x1p-1058;
+    return std::ldexp(1.0, static_cast<int>(e) + 1);
+  }
+  static Real from_double(double x) { return Real(x); }
+  static double to_double(const Real& x) { return x.template convert_to<double>(); }
+  static Real square_root(const Real& x) { return boost::multiprecision::sqrt(x); }
+};
+
+template <class Real>
+double unit_roundoff() {
+  if constexpr (std::is_same_v<Real, double>) {
+    return RealTraits<double>::unit_roundoff;
+  } else {
+    return RealTraits<Real>::unit();
+  }
+}
+
+/// The largest double certainly below x, and the smallest certainly above (one or two ulps away).
+template <class Real>
+double double_below(const Real& x) {
+  const double d = RealTraits<Real>::to_double(x);
+  return std::nextafter(d, -std::numeric_limits<double>::infinity());
+}
+template <class Real>
+double double_above(const Real& x) {
+  const double d = RealTraits<Real>::to_double(x);
+  return std::nextafter(d, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace taut

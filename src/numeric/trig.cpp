@@ -1,0 +1,132 @@
+#include "numeric/trig.hpp"
+
+#include <boost/math/constants/constants.hpp>
+
+namespace taut {
+namespace {
+
+/// Sine and cosine of |r| <= 0.79 by their Taylor polynomials of degree 17 and 18.
+/// Truncation is below 0.79^19/19! < 2^-62. Horner in r^2 with all |terms| < 1: the rounding of each step is damped by
+/// r^2/6 < 0.11 before the next, so the total stays below 3 * 2^-53; 2^-51 is what we claim.
+struct SmallAngle {
+  double sin, cos;
+};
+constexpr double small_angle_error = 0x1p-51;
+
+SmallAngle small_angle(double r) {
+  const double z = r * r;
+  double s = 1.0 / 355687428096000.0;
+  s = s * z - 1.0 / 1307674368000.0;
+  s = s * z + 1.0 / 6227020800.0;
+  s = s * z - 1.0 / 39916800.0;
+  s = s * z + 1.0 / 362880.0;
+  s = s * z - 1.0 / 5040.0;
+  s = s * z + 1.0 / 120.0;
+  s = s * z - 1.0 / 6.0;
+  double c = -1.0 / 6402373705728000.0;
+  c = c * z + 1.0 / 20922789888000.0;
+  c = c * z - 1.0 / 87178291200.0;
+  c = c * z + 1.0 / 479001600.0;
+  c = c * z - 1.0 / 3628800.0;
+  c = c * z + 1.0 / 40320.0;
+  c = c * z - 1.0 / 720.0;
+  c = c * z + 1.0 / 24.0;
+  c = c * z - 0.5;
+  return {r + r * (z * s), 1.0 + z * c};
+}
+
+/// Turns the pair by k quarter turns.
+template <class Real>
+SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
+  switch (k & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+template <class Real>
+SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
+  using B = Ball<Real>;
+  const double size = RealTraits<Real>::magnitude(x.mid);
+  if (!(size < 0x1p60) || !(x.rad < 4)) {
+    // Nothing better is needed: such an angle turns more than once over the ball.
+    return {B(Real(0), 1.0), B(Real(0), 1.0)};
+  }
+  const Real half_pi = boost::math::constants::half_pi<Real>();
+  const Real k = boost::multiprecision::round(Real(x.mid / half_pi));
+  const B turns(k, 0.0);
+  const B quarter(half_pi, 4 * unit_roundoff<Real>());
+  // Work at the middle; the radius of x is added at the end (both functions have slope at most 1).
+  constexpr int halvings = 10;
+  const B r = (B(x.mid, 0.0) - turns * quarter) * std::ldexp(1.0, -halvings);
+  const B z = r * r;
+  // sin(r)/r and 1 - cos(r), |r| < 2^-10, to below the working precision.
+  B term = B::exact(1), sine = B::exact(1), versine = B::exact(0);
+  for (int n = 1;; ++n) {
+    const B odd = term * z / B::exact((2.0 * n) * (2.0 * n + 1));
+    term = -odd;
+    sine = sine + term;
+    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) {
+      sine.rad = detail::inflate(sine.rad + term.magnitude());
+      break;
+    }
+  }
+  term = B::exact(1);
+  for (int n = 1;; ++n) {
+    term = -(term * z / B::exact((2.0 * n - 1) * (2.0 * n)));
+    versine = versine - term;
+    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) {
+      versine.rad = detail::inflate(versine.rad + term.magnitude());
+      break;
+    }
+  }
+  // Doubling: with v = 1 - cos a: 1 - cos 2a = 2 v (2 - v), sin 2a = 2 sin a (1 - v). Stable for small a.
+  B s = r * sine, v = versine;
+  for (int i = 0; i < halvings; ++i) {
+    const B one_minus = B::exact(1) - v;
+    s = s * one_minus * 2.0;
+    v = v * (B::exact(2) - v) * 2.0;
+  }
+  B c = B::exact(1) - v;
+  s.rad = detail::inflate(s.rad + x.rad);
+  c.rad = detail::inflate(c.rad + x.rad);
+  const int quadrant = static_cast<int>((k - boost::multiprecision::floor(Real(k / 4)) * 4).template convert_to<long>());
+  return quarter_turns(s, c, quadrant);
+}
+
+}  // namespace
+
+SinCos<double> sin_cos(const Ball<double>& x) {
+  using B = Ball<double>;
+  if (!(std::fabs(x.mid) < 0x1p19) || !(x.rad < 4)) {
+    if (std::fabs(x.mid) < 0x1p60 && x.rad < 4) {
+      const SinCos<Real320> w = sin_cos_multi(Ball<Real320>(Real320(x.mid), x.rad));
+      const auto narrow = [](const Ball<Real320>& b) {
+        return B(RealTraits<Real320>::to_double(b.mid), detail::inflate(b.rad + 0x1p-53));
+      };
+      return {narrow(w.sin), narrow(w.cos)};
+    }
+    return {B(0.0, 1.0), B(0.0, 1.0)};
+  }
+  // Cody-Waite: pi/2 = p1 + p2 + p3 + (< 2^-115). p1 and p2 have 33 bits, so that k * p1 and k * p2 are exact for
+  // |k| < 2^20; x - k p1 is exact, the next two steps round once each: |error of r| < 2^-53 + 2^-95.
+  constexpr double p1 = 0x1.921fb544p+0, p2 = 0x1.0b4611a6p-34, p3 = 0x1.3198a2e037073p-69;
+  const double k = std::nearbyint(x.mid * 0.63661977236758134308);
+  const double r = ((x.mid - k * p1) - k * p2) - k * p3;
+  const SmallAngle a = small_angle(r);
+  const double error = x.rad + (small_angle_error + 0x1p-52);
+  const int quadrant = static_cast<int>(k - 4.0 * std::floor(k / 4.0));
+  return quarter_turns(B(a.sin, error * (1 + 0x1p-50)), B(a.cos, error * (1 + 0x1p-50)), quadrant);
+}
+
+SinCos<Real320> sin_cos(const Ball<Real320>& x) { return sin_cos_multi(x); }
+SinCos<Real640> sin_cos(const Ball<Real640>& x) { return sin_cos_multi(x); }
+SinCos<Real960> sin_cos(const Ball<Real960>& x) { return sin_cos_multi(x); }
+
+}  // namespace taut

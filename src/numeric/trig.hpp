@@ -1,0 +1,19 @@
+// Sine and cosine with proved error bounds, the same bits on every platform (the C library promises neither).
+#pragma once
+
+#include "numeric/ball.hpp"
+
+namespace taut {
+
+template <class Real>
+struct SinCos {
+  Ball<Real> sin, cos;
+};
+
+/// Both functions over the ball x (radians).
+SinCos<double> sin_cos(const Ball<double>& x);
+SinCos<Real320> sin_cos(const Ball<Real320>& x);
+SinCos<Real640> sin_cos(const Ball<Real640>& x);
+SinCos<Real960> sin_cos(const Ball<Real960>& x);
+
+}  // namespace taut

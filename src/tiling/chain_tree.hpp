@@ -1,0 +1,110 @@
+// The binary trees over the edges of P and Q, joined into one; nodes are heap numbers, so that parent, depth and
+// lowest common ancestor are bit operations (section 2.1 of the paper).
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+namespace taut {
+
+/// A node of the joined tree, as a number in one binary heap numbering:
+///
+///     1 root (PT) -- 2 (inf_i) -- 4 the tree of P
+///                 -- 3 (PT, too) -- 6 the tree of Q, 7 (inf_o)
+///
+/// The paper's tree hangs T_P and T_Q below the root. The infinite face counts as one of two extra nodes, inf_i
+/// between the root and T_P or the leaf inf_o at the root, depending on where it is seen from (DESIGN, section 3).
+/// As the label of the infinite face itself, 5 is used: it is not a node.
+struct NodeId {
+  std::uint32_t code = 0;
+
+  friend bool operator==(NodeId a, NodeId b) { return a.code == b.code; }
+  friend bool operator!=(NodeId a, NodeId b) { return a.code != b.code; }
+};
+
+namespace node {
+
+inline constexpr NodeId none{0};
+inline constexpr NodeId root{1};
+inline constexpr NodeId inner_infinite{2};
+inline constexpr NodeId p_tree{4};
+inline constexpr NodeId infinite_face{5};
+inline constexpr NodeId q_tree{6};
+inline constexpr NodeId outer_infinite{7};
+
+inline int bit_length(std::uint32_t x) { return x == 0 ? 0 : 32 - __builtin_clz(x); }
+
+/// Does the label belong to the tree of P (of Q)?
+inline bool in_p(NodeId n) { return n.code >= 4 && (n.code >> (bit_length(n.code) - 3)) == 4; }
+inline bool in_q(NodeId n) { return n.code >= 4 && n.code != 7 && (n.code >> (bit_length(n.code) - 3)) == 6; }
+/// Depth within its own tree, 0 at the root of T_P or T_Q.
+inline int depth(NodeId n) { return bit_length(n.code) - 3; }
+inline NodeId left(NodeId n) { return {2 * n.code}; }
+inline NodeId right(NodeId n) { return {2 * n.code + 1}; }
+
+inline std::uint32_t lowest_common_ancestor(std::uint32_t a, std::uint32_t b) {
+  const int da = bit_length(a), db = bit_length(b);
+  if (da > db) a >>= da - db;
+  if (db > da) b >>= db - da;
+  return a >> bit_length(a ^ b);
+}
+
+/// The node on all three pairwise paths: the deepest of the three lowest common ancestors.
+inline NodeId median(NodeId a, NodeId b, NodeId c) {
+  const std::uint32_t ab = lowest_common_ancestor(a.code, b.code);
+  const std::uint32_t bc = lowest_common_ancestor(b.code, c.code);
+  const std::uint32_t ca = lowest_common_ancestor(c.code, a.code);
+  std::uint32_t m = ab > bc ? ab : bc;  // ancestors of one another: the deeper has the larger number
+  if (ca > m) m = ca;
+  return {m == 3 ? 1u : m};
+}
+
+}  // namespace node
+
+/// The shape of one tree: a complete binary tree with n leaves, the last level filled from the left.
+class ChainTree {
+ public:
+  ChainTree(std::uint32_t leaves, NodeId root) : n_(leaves), root_(root) {
+    const int top = node::bit_length(2 * n_ - 1) - 1;
+    first_low_ = 1u << top;
+    low_leaves_ = 2 * n_ - first_low_;
+  }
+  std::uint32_t leaves() const { return n_; }
+  NodeId root() const { return root_; }
+  /// The leaf of the edge from vertex `edge` (0-based within its polygon) to the next.
+  NodeId leaf(std::uint32_t edge) const {
+    return from_heap(edge < low_leaves_ ? first_low_ + edge : n_ + (edge - low_leaves_));
+  }
+  bool is_leaf(NodeId n) const { return to_heap(n) >= n_; }
+  /// Number of edges in the chain of a node.
+  std::uint32_t chain_length(NodeId n) const {
+    const auto r = chain(n);
+    return r.second - r.first;
+  }
+  /// The chain of node n: from vertex .first to vertex .second of its polygon (.second may equal the number of
+  /// vertices, meaning vertex 0 again).
+  std::pair<std::uint32_t, std::uint32_t> chain(NodeId n) const {
+    std::uint32_t lo = to_heap(n), hi = lo;
+    while (lo < n_) lo = 2 * lo;
+    while (hi < n_) hi = 2 * hi + 1;
+    return {edge_of(lo), edge_of(hi) + 1};
+  }
+
+ private:
+  NodeId from_heap(std::uint32_t k) const {
+    const std::uint32_t level = 1u << (node::bit_length(k) - 1);
+    return {k - level + root_.code * level};
+  }
+  std::uint32_t to_heap(NodeId n) const {
+    const std::uint32_t level = 1u << node::depth(n);
+    return n.code - root_.code * level + level;
+  }
+  std::uint32_t edge_of(std::uint32_t heap_leaf) const {
+    return heap_leaf >= first_low_ ? heap_leaf - first_low_ : heap_leaf - n_ + low_leaves_;
+  }
+  std::uint32_t n_;
+  NodeId root_;
+  std::uint32_t first_low_ = 1, low_leaves_ = 1;
+};
+
+}  // namespace taut

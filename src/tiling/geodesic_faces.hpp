@@ -1,0 +1,21 @@
+// The geodesics of all nodes of one chain tree, and the faces between them.
+#pragma once
+
+#include <vector>
+
+#include "tiling/chain_tree.hpp"
+#include "tiling/free_triangulation.hpp"
+#include "tiling/planar_map.hpp"
+
+namespace taut {
+
+/// Adds the faces of all nodes of the tree of P (or Q) to the map and returns the root's geodesic, the relative convex
+/// hull, as half-edges in order, polygon on the left. Their twins have no face yet.
+///
+/// The geodesic of a chain is found in the triangulation: rotate around the chain's inner vertices, collect the
+/// diagonals crossed, cancel a diagonal crossed and crossed back, pull the string taut by a funnel. Children are done
+/// before their parents, so that a parent's diagonals are those of its children and of the vertex between them.
+std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const FreeTriangulation& triangulation,
+                                           const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map);
+
+}  // namespace taut

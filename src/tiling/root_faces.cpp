@@ -1,0 +1,337 @@
+#include "tiling/root_faces.hpp"
+
+#include <algorithm>
+
+#include "motion/placement.hpp"
+
+namespace taut {
+
+const char* to_string(RootState state) {
+  switch (state) {
+    case RootState::disjoint:
+      return "disjoint";
+    case RootState::bridged:
+      return "bridged";
+    case RootState::mouth:
+      return "mouth";
+    default:
+      return "pinched";
+  }
+}
+
+namespace {
+
+constexpr std::size_t npos = static_cast<std::size_t>(-1);
+
+class RootBuilder {
+ public:
+  RootBuilder(const Placement& placement, const std::vector<HalfedgeId>& hull_p, const std::vector<HalfedgeId>& hull_q,
+              PlanarMap& map)
+      : place_(placement), map_(map), edges_p_(hull_p), edges_q_(hull_q) {
+    for (const HalfedgeId h : hull_p) p_.push_back(map.origin(h));
+    for (const HalfedgeId h : hull_q) q_.push_back(map.origin(h));
+  }
+
+  RootState run() {
+    position_in_q_.assign(place_.size(), npos);
+    for (std::size_t j = 0; j < q_.size(); ++j) position_in_q_[q_[j].value] = j;
+    const bool contact = std::any_of(p_.begin(), p_.end(), [this](VertexId v) { return on_q(v); });
+    if (!contact) return disjoint();
+    find_contact();
+    merge_contact();
+    if (pinched()) return RootState::pinched;
+    return bridge();
+  }
+
+ private:
+  bool on_q(VertexId v) const { return position_in_q_[v.value] != npos; }
+  int turn(VertexId a, VertexId b, VertexId c) const {
+    return (a == b || b == c || c == a) ? 0 : place_.orientation(a, b, c);
+  }
+
+  // ----- hulls apart -----
+
+  /// All other vertices of the convex cycle on side `side` of the line from -> cycle[i]?
+  bool tangent(VertexId from, const std::vector<VertexId>& cycle, std::size_t i, int side, bool reversed) const {
+    const std::size_t n = cycle.size();
+    const auto turn_of = [&](VertexId v) {
+      return reversed ? turn(cycle[i], from, v) : turn(from, cycle[i], v);
+    };
+    return turn_of(cycle[(i + 1) % n]) == side && turn_of(cycle[(i + n - 1) % n]) == side;
+  }
+  /// Moves i to the vertex of the cycle where the line from `from` touches it, the cycle on side `side`.
+  void walk_to_tangent(VertexId from, const std::vector<VertexId>& cycle, std::size_t& i, int side) const {
+    const std::size_t n = cycle.size();
+    for (std::size_t steps = 0; steps < 4 * n; ++steps) {
+      if (turn(from, cycle[i], cycle[(i + 1) % n]) != side) {
+        i = (i + 1) % n;
+      } else if (turn(from, cycle[i], cycle[(i + n - 1) % n]) != side) {
+        i = (i + n - 1) % n;
+      } else {
+        return;
+      }
+    }
+    throw StructureError("no tangent from a vertex to the other hull");
+  }
+  /// The one line from a vertex of P's hull to one of Q's that leaves P on its right and Q on side `side_q`.
+  void common_tangent(int side_q, std::size_t& i, std::size_t& j) const {
+    j = 0;
+    for (i = 0; i < p_.size(); ++i) {
+      walk_to_tangent(p_[i], q_, j, side_q);
+      if (tangent(q_[j], p_, i, -1, true)) return;
+    }
+    throw StructureError("no common tangent of two disjoint hulls");
+  }
+
+  /// P lies on the infinite face's side of e_i, and Q on PT's side of both edges: where both edges end at one vertex,
+  /// P's hull is all around the infinite face, and Q's all around PT.
+  RootState disjoint() {
+    std::size_t y, q, z, x;
+    common_tangent(-1, y, q);  // e_o: both hulls on its right
+    common_tangent(1, z, x);   // e_i: P on its right, Q on its left
+    const HalfedgeId outer = map_.add_edge(p_[y], q_[q]), inner = map_.add_edge(p_[z], q_[x]);
+    start_cycle(node::infinite_face);
+    append(outer);
+    append_clockwise(edges_q_, q, x);
+    append(PlanarMap::twin(inner));
+    append_clockwise(edges_p_, z, y, true);
+    close_cycle();
+    start_cycle(node::root);
+    append(PlanarMap::twin(outer));
+    append_clockwise(edges_p_, y, z);
+    append(inner);
+    append_clockwise(edges_q_, x, q, true);
+    close_cycle();
+    return RootState::disjoint;
+  }
+
+  // ----- hulls in contact -----
+
+  bool shared_edge(std::size_t i) const {
+    const VertexId u = p_[i], v = p_[(i + 1) % p_.size()];
+    return on_q(u) && on_q(v) && (position_in_q_[v.value] + 1) % q_.size() == position_in_q_[u.value];
+  }
+
+  /// RCH(P) leaves the contact at index exit_ (vertex z_b); a_ runs from there to z_a, b_ clockwise around Q.
+  void find_contact() {
+    std::size_t exits = 0;
+    for (std::size_t i = 0; i < p_.size(); ++i) {
+      if (on_q(p_[i]) && !shared_edge(i)) {
+        exit_ = i;
+        ++exits;
+      }
+    }
+    if (exits != 1) throw StructureError("the contact of the two relative hulls is not one path");
+    const std::size_t n = p_.size(), m = q_.size();
+    a_.push_back(p_[exit_]);
+    do {
+      a_.push_back(p_[(exit_ + a_.size()) % n]);
+    } while (!on_q(a_.back()));
+    exit_q_ = position_in_q_[a_.front().value];
+    // Along Q from z_b clockwise to z_a.
+    const std::size_t entry_q = position_in_q_[a_.back().value];
+    std::size_t j = exit_q_;
+    b_.push_back(q_[j]);
+    do {
+      j = (j + m - 1) % m;
+      b_.push_back(q_[j]);
+    } while (j != entry_q);
+  }
+
+  HalfedgeId edge_a(std::size_t k) const { return edges_p_[(exit_ + k) % p_.size()]; }  ///< a_[k] -> a_[k+1]
+  HalfedgeId edge_b(std::size_t k) const {                                             ///< b_[k+1] -> b_[k]
+    return edges_q_[(exit_q_ + q_.size() - 1 - k) % q_.size()];
+  }
+
+  void merge_contact() {
+    for (std::size_t i = 0; i < p_.size(); ++i) {
+      if (!shared_edge(i)) continue;
+      const std::size_t j = position_in_q_[p_[(i + 1) % p_.size()].value];
+      map_.merge(edges_p_[i], edges_q_[j]);
+    }
+  }
+
+  /// Looks for the two strands of A touching; links the faces if they do.
+  bool pinched() {
+    std::vector<std::size_t> seen(place_.size(), npos);
+    std::size_t outer_first = npos, outer_second = npos, inner_first = npos, inner_second = npos;
+    for (std::size_t k = 1; k + 1 < a_.size(); ++k) {
+      std::size_t& first = seen[a_[k].value];
+      if (first == npos) {
+        first = k;
+        continue;
+      }
+      if (inner_first == npos || first < inner_first) inner_first = first, inner_second = k;
+      if (outer_first == npos || first > outer_first) outer_first = first, outer_second = k;
+    }
+    if (inner_first == npos) return false;
+    if (outer_first - inner_first != inner_second - outer_second) throw StructureError("strands part between touches");
+    for (std::size_t k = 0; inner_first + k < outer_first; ++k) {
+      const HalfedgeId h = map_.merge(edge_a(inner_first + k), edge_a(inner_second - 1 - k));
+      map_.set_pinch(h, true);
+    }
+    start_cycle(node::infinite_face);
+    append_a_backwards(outer_first, outer_second);
+    close_cycle();
+    start_cycle(node::root);
+    append_a_backwards(0, inner_first);
+    append_b(0, b_.size() - 1);
+    append_a_backwards(inner_second, a_.size() - 1);
+    close_cycle();
+    return true;
+  }
+
+  /// Does a hull cross the open segment from y to x?
+  bool crossed(VertexId y, VertexId x) const {
+    const auto crosses = [&](const std::vector<VertexId>& cycle) {
+      for (std::size_t i = 0; i < cycle.size(); ++i) {
+        const VertexId v = cycle[i], w = cycle[(i + 1) % cycle.size()];
+        if (v == y || v == x || w == y || w == x) continue;
+        if (turn(y, x, v) * turn(y, x, w) < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
+      }
+      return false;
+    };
+    return crosses(p_) || crosses(q_);
+  }
+  bool on_right(VertexId y, VertexId x, VertexId v) const { return v == x || turn(y, x, v) < 0; }
+
+  // The tangency conditions: i indexes y in A; the other end is b_[j] before z_a, z_a itself, or a_[l].
+  bool supports_b(std::size_t i, std::size_t j) const {
+    const VertexId y = a_[i], q = b_[j];
+    return turn(a_[i + 1], y, q) < 0 && on_right(y, q, a_[i - 1]) && on_right(y, q, b_[j + 1]) &&
+           (b_[j - 1] == y || on_right(y, q, b_[j - 1]));
+  }
+  bool supports_end(std::size_t i) const {
+    const VertexId y = a_[i], z = a_.back();
+    return a_[i + 1] != z && turn(a_[i + 1], y, z) < 0 && on_right(y, z, a_[i - 1]) &&
+           on_right(y, z, b_[b_.size() - 2]) && turn(y, z, a_[a_.size() - 2]) > 0;
+  }
+  bool supports_mouth(std::size_t i, std::size_t l) const {
+    if (l <= i + 1) return false;
+    const VertexId y = a_[i], x = a_[l];
+    return turn(a_[i + 1], y, x) < 0 && on_right(y, x, a_[i - 1]) && turn(y, x, a_[l + 1]) > 0 &&
+           turn(y, x, a_[l - 1]) > 0;
+  }
+
+  RootState bridge() {
+    std::size_t i = 1, j = 1;
+    const std::size_t last_a = a_.size() - 1, last_b = b_.size() - 1;
+    if (last_a < 2) throw StructureError("the hull of P has no free vertex");
+    // Roll the lid of the notch at z_b outwards until it supports both chains.
+    for (bool moved = true; moved;) {
+      moved = false;
+      while (i + 1 < last_a && turn(a_[i], b_[j], a_[i + 1]) > 0) ++i, moved = true;
+      while (j < last_b && turn(a_[i], b_[j], b_[j + 1]) > 0) ++j, moved = true;
+    }
+    if (j < last_b && supports_b(i, j) && !crossed(a_[i], b_[j])) return close_bridge_b(i, j);
+    if (j == last_b && supports_end(i) && !crossed(a_[i], a_.back())) return close_bridge_end(i);
+    // The far lip is in the way, or the chains wind around each other: look everywhere.
+    for (i = 1; i < last_a; ++i) {
+      for (std::size_t l = i + 2; l < last_a; ++l) {
+        if (supports_mouth(i, l) && !crossed(a_[i], a_[l])) return close_mouth(i, l);
+      }
+      for (j = 1; j < last_b; ++j) {
+        if (supports_b(i, j) && !crossed(a_[i], b_[j])) return close_bridge_b(i, j);
+      }
+      if (supports_end(i) && !crossed(a_[i], a_.back())) return close_bridge_end(i);
+    }
+    throw StructureError("no bridge between the two relative hulls");
+  }
+
+  RootState close_bridge_b(std::size_t i, std::size_t j) {
+    const HalfedgeId e = map_.add_edge(a_[i], b_[j]);
+    start_cycle(node::infinite_face);
+    append(e);
+    append_b(j, b_.size() - 1);
+    append_a_backwards(i, a_.size() - 1);
+    close_cycle();
+    start_cycle(node::root);
+    append(PlanarMap::twin(e));
+    append_a_backwards(0, i);
+    append_b(0, j);
+    close_cycle();
+    return RootState::bridged;
+  }
+  RootState close_bridge_end(std::size_t i) {
+    const HalfedgeId e = map_.add_edge(a_[i], a_.back());
+    start_cycle(node::infinite_face);
+    append(e);
+    append_a_backwards(i, a_.size() - 1);
+    close_cycle();
+    start_cycle(node::root);
+    append(PlanarMap::twin(e));
+    append_a_backwards(0, i);
+    append_b(0, b_.size() - 1);
+    close_cycle();
+    return RootState::bridged;
+  }
+  RootState close_mouth(std::size_t i, std::size_t l) {
+    const HalfedgeId e = map_.add_edge(a_[i], a_[l]);
+    start_cycle(node::infinite_face);
+    append(e);
+    append_a_backwards(i, l);
+    close_cycle();
+    start_cycle(node::root);
+    append(PlanarMap::twin(e));
+    append_a_backwards(0, i);
+    append_b(0, b_.size() - 1);
+    append_a_backwards(l, a_.size() - 1);
+    close_cycle();
+    return RootState::mouth;
+  }
+
+  // ----- linking faces -----
+
+  void start_cycle(NodeId n) {
+    label_ = n;
+    first_ = last_ = HalfedgeId();
+  }
+  void append(HalfedgeId h) {
+    map_.set_node(h, label_);
+    if (last_.valid()) {
+      map_.link(last_, h);
+    } else {
+      first_ = h;
+    }
+    last_ = h;
+  }
+  void close_cycle() { map_.link(last_, first_); }
+  /// Along the outside of a hull, from index `from` clockwise to index `to`; if they are the same, once around or not
+  /// at all.
+  void append_clockwise(const std::vector<HalfedgeId>& edges, std::size_t from, std::size_t to, bool around = false) {
+    const std::size_t n = edges.size();
+    if (from == to && !around) return;
+    std::size_t k = from;
+    do {
+      k = (k + n - 1) % n;
+      append(PlanarMap::twin(edges[k]));
+    } while (k != to);
+  }
+  /// From a_[to] back to a_[from].
+  void append_a_backwards(std::size_t from, std::size_t to) {
+    for (std::size_t k = to; k > from; --k) append(PlanarMap::twin(edge_a(k - 1)));
+  }
+  /// From b_[from] clockwise to b_[to].
+  void append_b(std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) append(PlanarMap::twin(edge_b(k)));
+  }
+
+  const Placement& place_;
+  PlanarMap& map_;
+  const std::vector<HalfedgeId>&edges_p_, &edges_q_;
+  std::vector<VertexId> p_, q_;  ///< RCH(P), RCH(Q): p_[i] is the origin of edges_p_[i]
+  std::vector<std::size_t> position_in_q_;
+  std::size_t exit_ = 0, exit_q_ = 0;
+  std::vector<VertexId> a_, b_;
+  NodeId label_;
+  HalfedgeId first_, last_;
+};
+
+}  // namespace
+
+RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,
+                         const std::vector<HalfedgeId>& hull_q, PlanarMap& map) {
+  return RootBuilder(placement, hull_p, hull_q, map).run();
+}
+
+}  // namespace taut

@@ -1,0 +1,27 @@
+// The region outside both relative convex hulls: the root pseudo-triangle and the infinite face.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tiling/planar_map.hpp"
+
+namespace taut {
+
+class Placement;
+
+/// The four states of the root (DESIGN, section 3).
+enum class RootState : unsigned char { disjoint, bridged, mouth, pinched };
+const char* to_string(RootState state);
+
+/// An invariant of the structure does not hold: a bug, or input beyond what the rules cover.
+struct StructureError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// Merges the edges that the two hulls share, marks pinch edges, adds the root's own edges, and links the two faces.
+RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,
+                         const std::vector<HalfedgeId>& hull_q, PlanarMap& map);
+
+}  // namespace taut

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# The taut command as scripts see it: exit codes, what goes to stdout and what to stderr. usage: cli_test.sh TAUT
+set -uo pipefail
+taut="$(realpath "$1")"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+
+# expect CODE 'PATTERN IN STDOUT' 'PATTERN IN STDERR' ARGS: runs taut; an empty pattern means no output at all.
+expect() {
+  local code="$1" out="$2" err="$3" got problem=""
+  shift 3
+  "$taut" "$@" >out 2>err </dev/null
+  got=$?
+  [ "$got" = "$code" ] || problem+=" exit code $got instead of $code;"
+  if [ -z "$out" ]; then
+    [ -s out ] && problem+=" unexpected stdout;"
+  else
+    grep -qE -- "$out" out || problem+=" no '$out' on stdout;"
+  fi
+  if [ -z "$err" ]; then
+    [ -s err ] && problem+=" unexpected stderr;"
+  else
+    grep -qE -- "$err" err || problem+=" no '$err' on stderr;"
+  fi
+  if [ -n "$problem" ]; then
+    echo "FAILED: taut $*:$problem"
+    head -c 1000 out
+    head -c 1000 err
+    failures=$((failures + 1))
+  fi
+}
+
+is_json_lines() {
+  if command -v python3 >/dev/null; then
+    python3 -c 'import json, sys; [json.loads(line) for line in sys.stdin]' <out && return
+    echo "FAILED: not JSON lines:" && head -c 1000 out
+    failures=$((failures + 1))
+  fi
+}
+
+scene() { # scene NAME MOTION END: a hammer over an anvil
+  echo '{"format":"taut-scene/1","time":[0,'"$3"'],"bodies":[
+    {"name":"anvil","polygon":[[0,0],[4,0],[4,1],[0,1]]},
+    {"name":"hammer","polygon":[[1,5],[3,5],[2,6]],"motion":'"$2"'}]}' >"$1"
+}
+scene hit.json '{"y":[0,-0.5]}' 10
+scene free.json '{"y":[0,0.5]}' 10
+scene touch.json '{"y":[0,-0.5]}' 8
+scene overlap.json '{"y":[-4.5]}' 10
+
+# Help and usage.
+expect 0 'Subcommands' '' --help
+expect 0 'Exit codes' '' --help
+expect 0 '^taut [0-9]' '' --version
+for command in check trace draw gen; do expect 0 'Example' '' "$command" --help; done
+[ "$("$taut" --help | wc -l)" -le 24 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
+expect 2 '' 'subcommand is required'
+expect 2 '' 'unknown command "chek"' chek x
+expect 2 '' 'did you mean `taut check`' chek x
+expect 2 '' 'SCENE' check
+expect 2 '' '--nonsense' check --nonsense hit.json
+expect 2 '' 'ajar' check --touch ajar hit.json
+expect 2 '' '--max-seconds' check --max-seconds -1 hit.json
+
+# Answers.
+expect 1 '^CONTACT  anvil x hammer   t = \[?(8|7\.99999)' '' check hit.json
+expect 1 'proved free on \[0, ' '' check hit.json
+expect 0 '^FREE  anvil x hammer' '' check free.json
+expect 1 '^OVERLAP AT START  anvil x hammer' '' check overlap.json
+expect 1 '"outcome":"contact","t":\[.*"engine":"kinetic".*"touch":"open"' '' check --json hit.json
+is_json_lines
+expect 0 '"outcome":"free"' '' check --json free.json
+expect 1 '"outcome":"overlap_at_start"' '' check --json overlap.json
+expect 0 '"outcome":"free"' '' check --json --touch open touch.json
+expect 1 '"outcome":"contact".*"touch":"closed"' '' check --json --touch closed touch.json
+expect 1 '"timing":\{"read":' '' check --json --timing hit.json
+expect 1 'read .*, build .*, run ' '' check --timing hit.json
+expect 3 '^UNDECIDED  anvil x hammer' '' check --max-events 0 hit.json
+expect 3 '"outcome":"undecided","free_until":' '' check --json --max-events 0 hit.json
+"$taut" check --json hit.json >one
+"$taut" check --json - <hit.json >two
+cmp -s one two || { echo "FAILED: the same scene gives different bytes"; failures=$((failures + 1)); }
+
+# Bad scenes.
+expect 2 '' 'no\.json: cannot open the file' check no.json
+expect 2 '' 'cannot read the file' check .
+sed 's/"time"/"tiem"/' hit.json >bad.json
+expect 2 '' 'bad\.json:1:26: unknown key "tiem"' check bad.json
+expect 2 '' 'did you mean "time"' check --json bad.json
+expect 2 '' 'unknown key' trace bad.json
+expect 2 '' 'unknown key' draw bad.json
+echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,1],[1,0],[0,1]]},
+  {"name":"Q","polygon":[[5,0],[6,0],[5,1]]}]}' >bow.json
+expect 2 '' 'bow\.json: .*P' check bow.json
+head -c 60 hit.json >cut.json
+expect 2 '' 'cut off' check cut.json
+: >empty.json
+expect 2 '' 'the file is empty' check empty.json
+
+# Traces.
+expect 1 '"outcome":"contact"' '' trace hit.json
+is_json_lines
+expect 1 '^\{"event":1,"t":\[.*"repair":".*"corner":\[\{"body":.*"flags":\[.*"certificates":' '' trace hit.json
+expect 0 '"outcome":"free"' '' trace --json free.json
+
+# Pictures.
+expect 0 '^<svg .*' '' draw free.json --at 1
+expect 0 '' '' draw free.json --at 1 -o picture.svg
+grep -q '</svg>' picture.svg || { echo "FAILED: no picture"; failures=$((failures + 1)); }
+expect 0 '>contact<' 'touch at t = ' draw hit.json --at 9
+expect 0 '>contact<' '' draw hit.json
+expect 2 '' '--at: 11 is outside' draw free.json --at 11
+expect 2 '' 'no/picture.svg: cannot write' draw free.json -o no/picture.svg
+expect 1 '' 'overlap at the start' draw overlap.json
+
+# Generators: what they promise.
+for kind in gears combs lock jigsaw dips rotor spiral maze; do
+  expect 0 '-n N' '' gen "$kind" --help
+  expect 0 '' '' gen "$kind" -o scene.json
+  expect 0 '"outcome":"free"' '' check --json scene.json
+  expect 0 '' '' gen "$kind" --hit -o scene.json
+  expect 1 '"outcome":"contact"' '' check --json scene.json
+  expect 0 '"format":"taut-scene/1"' '' gen "$kind" -n 100
+done
+expect 2 '' 'A subcommand is required' gen
+expect 2 '' '--teeth1: 3 is out of range' gen gears --teeth1 3
+
+[ "$failures" = 0 ] && echo "all well"
+exit "$((failures > 0))"

@@ -1,0 +1,102 @@
+#include "support/audit.hpp"
+
+#include "motion/placement.hpp"
+#include "tiling/checks.hpp"
+
+namespace taut::testing {
+namespace {
+
+std::string face_name(NodeId n) {
+  if (n == node::root) return "PT";
+  if (n == node::infinite_face) return "F";
+  return node::in_p(n) ? "P" : "Q";
+}
+
+}  // namespace
+
+std::string compare_with_static(Session& session, AuditCounts& counts) {
+  Engine& engine = session.engine();
+  if (engine.state() != EngineState::running) return {};
+  const double end = session.scene().end;
+  const auto next = engine.next_event(end);
+  if (engine.leg().bridge) {
+    ++counts.not_compared;
+    return {};
+  }
+  const double lo = engine.parameter(), hi = next ? next->first : engine.leg().end;
+  const double t = lo + (hi - lo) / 2;
+  if (!(lo < t && t < hi)) {
+    ++counts.not_compared;
+    return {};
+  }
+  const Placement placement(engine.geometry(), engine.leg(), t);
+  const StaticTiling fresh = build_tiling(placement);
+  if (fresh.overlap) return "overlap at t = " + std::to_string(t);
+  if (const std::string fault = find_fault(fresh.map, placement); !fault.empty()) return "static map: " + fault;
+  ++counts.roots[to_string(fresh.root)];
+  ++counts.compared;
+  const std::string d = difference(engine.map(), fresh.map);
+  if (!d.empty()) {
+    return "after " + std::to_string(engine.events()) + " events, at t = " + std::to_string(t) + " (" +
+           to_string(fresh.root) + "), kinetic (first) and static (second) differ:\n" + d;
+  }
+  return {};
+}
+
+namespace {
+
+class RepairCounter : public Tracer {
+ public:
+  explicit RepairCounter(AuditCounts& counts) : counts_(counts) {}
+  void on_event(const TraceEvent& e) override {
+    ++counts_.events;
+    ++counts_.repairs[to_string(e.repair)];
+    counts_.pinch_rule += e.pinch_rule;
+    counts_.three_corners += e.three_corners;
+  }
+
+ private:
+  AuditCounts& counts_;
+};
+
+}  // namespace
+
+AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned compare_every) {
+  AuditResult result;
+  RepairCounter tracer(counts);
+  ++counts.scenes;
+  try {
+    Session session(scene, touch, &tracer);
+    unsigned steps = 0;
+    while (!session.finished()) {
+      if (steps++ % compare_every == 0) {
+        result.fault = compare_with_static(session, counts);
+        if (!result.fault.empty()) return result;
+      }
+      const double end = session.scene().end;
+      const auto next = session.engine().next_event(end);
+      if (next) {
+        const auto& c = session.engine();
+        for (const HalfedgeId h : {c.upcoming_corner()}) {
+          const PlanarMap& m = c.map();
+          const HalfedgeId n = m.next(h);
+          counts.repairs["at face " + face_name(m.node(h)) + ", across " + face_name(m.node(PlanarMap::twin(h))) +
+                         "/" + face_name(m.node(PlanarMap::twin(n)))]++;
+        }
+      }
+      session.step(end);
+    }
+    result.contact = session.contact();
+    result.outcome = session.overlap_at_start() ? Outcome::overlap_at_start
+                     : session.contact()        ? Outcome::contact
+                                                : Outcome::free;
+    counts.collisions += session.contact().has_value();
+  } catch (const Undecidable& u) {
+    result.fault = std::string("undecided: ") + u.what;
+  } catch (const std::exception& e) {
+    result.fault = e.what();
+  }
+  return result;
+}
+
+}  // namespace taut::testing

@@ -1,0 +1,36 @@
+// Runs a scene through the kinetic engine and compares the tiling with the one built from scratch between all events.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "kinetic/session.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::testing {
+
+/// What was seen over many runs.
+struct AuditCounts {
+  std::uint64_t scenes = 0, events = 0, compared = 0, not_compared = 0, collisions = 0;
+  std::map<std::string, std::uint64_t> roots;    ///< states of the root in the maps compared
+  std::map<std::string, std::uint64_t> repairs;  ///< restructuring cases by kind of face
+  std::uint64_t pinch_rule = 0, three_corners = 0;
+  std::uint64_t largest_repair = 0;  ///< corners touched by one repair
+};
+
+struct AuditResult {
+  std::string fault;  ///< empty if every map agreed
+  Outcome outcome = Outcome::undecided;
+  std::optional<Contact> contact;
+};
+
+/// Runs the scene to its end. `compare_every`: 1 compares after every event.
+AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned compare_every = 1);
+
+/// Compares the session's map with the static one at the middle between the present and the next event; says what
+/// differs, or nothing.
+std::string compare_with_static(Session& session, AuditCounts& counts);
+
+}  // namespace taut::testing

@@ -1,0 +1,63 @@
+#include "io/answer_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "taut/io.hpp"
+
+namespace taut {
+namespace {
+
+Scene two_bodies() {
+  Scene scene;
+  scene.end = 2.5;
+  scene.bodies = {{"lid", {{0, 0}, {1, 0}, {0, 1}}, {}}, {"the \"bin\"", {{0, 0}, {1, 0}, {0, 1}}, {}}};
+  return scene;
+}
+
+Answer contact_answer() {
+  Answer answer;
+  answer.outcome = Outcome::contact;
+  answer.contact = Contact{{0.1, 0.25}, {0, 2}, {1, 1}, {12.5, -3}, {0, 1}};
+  answer.events = 212;
+  answer.certificates_initial = 7;
+  answer.certificates_max = 30;
+  return answer;
+}
+
+TEST(AnswerJson, OfAContactIsExactlyThis) {
+  EXPECT_EQ(answer_json(two_bodies(), contact_answer(), Touch::open),
+            R"({"outcome":"contact","t":[0.1,0.25],"contact":{"vertex":{"body":"lid","index":2},)"
+            R"("edge":{"body":"the \"bin\"","index":1},"point":[12.5,-3],"normal":[0,1]},"engine":"kinetic",)"
+            R"("events":212,"certificates":{"initial":7,"max":30},)"
+            R"("scope":{"bodies":["lid","the \"bin\""],"time":[0,2.5],"touch":"open"}})");
+}
+
+TEST(AnswerJson, OfNoContactHasNeitherTimeNorContact) {
+  for (Outcome outcome : {Outcome::free, Outcome::overlap_at_start, Outcome::undecided}) {
+    Answer answer;
+    answer.outcome = outcome;
+    answer.reason = "the limit of 3 events was reached";
+    const auto json = nlohmann::json::parse(answer_json(two_bodies(), answer, Touch::closed));
+    EXPECT_EQ(json.at("outcome"), to_string(outcome));
+    EXPECT_EQ(json.at("scope").at("touch"), "closed");
+    EXPECT_FALSE(json.contains("t"));
+    EXPECT_FALSE(json.contains("contact"));
+    EXPECT_FALSE(json.contains("timing"));
+    EXPECT_EQ(json.contains("reason"), outcome == Outcome::undecided);
+    EXPECT_EQ(json.contains("free_until"), outcome == Outcome::undecided);
+  }
+}
+
+TEST(AnswerJson, HasTimingOnlyWhenAsked) {
+  const std::string text = answer_json(two_bodies(), contact_answer(), Touch::open, AnswerTiming{0.5, 0.25, 1e-6});
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  const auto timing = nlohmann::json::parse(text).at("timing");
+  EXPECT_EQ(timing.at("read"), 0.5);
+  EXPECT_EQ(timing.at("build"), 0.25);
+  EXPECT_EQ(timing.at("run"), 1e-6);
+}
+
+}  // namespace
+}  // namespace taut

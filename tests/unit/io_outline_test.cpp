@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "io/outline_reader.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+const Polygon triangle{{0, 0}, {1.5, 0}, {-0.5, 1e3}};
+
+Polygon wkt(const std::string& text) { return io::parse_wkt(text, "o.wkt", {}); }
+Polygon geojson(const std::string& text) { return io::parse_geojson(text, "o.geojson", {}); }
+
+TEST(Wkt, ReadsAPolygonHoweverItIsSpelt) {
+  EXPECT_EQ(wkt("POLYGON ((0 0, 1.5 0, -0.5 1e3, 0 0))"), triangle);
+  EXPECT_EQ(wkt("polygon((0 0,1.5 0,-.5 1E+3))\n"), triangle);
+  EXPECT_EQ(wkt(" SRID=4326;POLYGON((+0 0.,1.5 -0,-0.5 1000,0 0))"), triangle);
+  EXPECT_EQ(wkt("POLYGON Z ((0 0 7, 1.5 0 7, -0.5 1000 7, 0 0 7))"), triangle);
+  EXPECT_EQ(wkt("POLYGON ZM((0 0 7 1,\n1.5 0 7 1,\n-0.5 1000 7 1))"), triangle);
+}
+
+TEST(GeoJson, ReadsAPolygonAlsoInsideAFeature) {
+  const std::string polygon = R"({"type":"Polygon","coordinates":[[[0,0],[1.5,0],[-0.5,1000],[0,0]]]})";
+  const std::string feature = R"({"type":"Feature","properties":{"a":[1,{"b":2}]},"geometry":)" + polygon + "}";
+  EXPECT_EQ(geojson(polygon), triangle);
+  EXPECT_EQ(geojson(feature), triangle);
+  EXPECT_EQ(geojson(R"({"features":[)" + feature + R"(],"type":"FeatureCollection","bbox":[0,0,1,1]})"), triangle);
+  EXPECT_EQ(geojson(R"({"coordinates":[[[0,0,9],[1.5,0,9],[-0.5,1000,9]]],"type":"Polygon"})"), triangle);
+}
+
+struct BadOutline {
+  std::string name, text, place, problem, hint;
+};
+void PrintTo(const BadOutline& bad, std::ostream* out) { *out << bad.name; }
+
+class BadOutlineTest : public testing::TestWithParam<BadOutline> {};
+
+TEST_P(BadOutlineTest, IsRefused) {
+  const BadOutline& bad = GetParam();
+  try {
+    bad.place.rfind("o.wkt", 0) == 0 ? wkt(bad.text) : geojson(bad.text);
+    FAIL() << "was accepted";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.place(), bad.place) << e.what();
+    EXPECT_NE(e.problem().find(bad.problem), std::string::npos) << e.what();
+    EXPECT_NE(e.hint().find(bad.hint), std::string::npos) << e.what();
+  }
+}
+
+std::vector<BadOutline> bad_wkt() {
+  const std::string shape = "POLYGON ((x y, x y, x y, ...))";
+  return {
+      {"empty", "\n", "o.wkt", "the file is empty", shape},
+      {"point", "POINT (1 2)", "o.wkt:1:6", "expected POLYGON, found POINT", shape},
+      {"multipolygon", "MULTIPOLYGON (((0 0,1 0,0 1)))", "o.wkt:1:13", "found MULTIPOLYGON", shape},
+      {"number", "12", "o.wkt:1:1", "expected POLYGON", shape},
+      {"empty_polygon", "POLYGON EMPTY", "o.wkt:1:14", "the polygon is empty", shape},
+      {"flat", "POLYGON (0 0, 1 0, 0 1)", "o.wkt:1:10", "expected \"(\" before the vertices", shape},
+      {"hole", "POLYGON ((0 0,9 0,0 9),(1 1,2 1,1 2))", "o.wkt:1:23", "the polygon has a hole", "slit"},
+      {"half_a_vertex", "POLYGON ((0 0,\n1,2 2))", "o.wkt:2:2", "expected a number", shape},
+      {"nan", "POLYGON ((0 nan,1 1,2 2))", "o.wkt:1:13", "expected a number", shape},
+      {"overflow", "POLYGON ((0 1e999,1 1,2 2))", "o.wkt:1:13", "the number is too large", "1.8e308"},
+      {"truncated", "POLYGON ((0 0, 1 1", "o.wkt:1:19", "expected \")\" after the vertices", shape},
+      {"rest", "POLYGON ((0 0,1 0,0 1)) POLYGON", "o.wkt:1:25", "unexpected text", "one polygon"},
+      {"srid", "SRID=12", "o.wkt:1:5", "without a \";\"", shape},
+  };
+}
+
+std::vector<BadOutline> bad_geojson() {
+  const std::string shape = R"({"type":"Polygon")";
+  return {
+      {"empty", "", "o.geojson", "the file is empty", shape},
+      {"syntax", "{\"type\":", "o.geojson:1:8", "unexpected end of input", "cut off"},
+      {"array", "[]", "o.geojson:1:1", "expected an object, found an array", shape},
+      {"no_type", "{}", "o.geojson:1:1", "the key \"type\" is missing", shape},
+      {"point", R"({"type":"Point","coordinates":[0,0]})", "o.geojson:1:9: type", "found \"Point\"", shape},
+      {"two_features", R"({"type":"FeatureCollection","features":[1,2]})", "o.geojson:1:40: features",
+       "found 2 features", "keep the one"},
+      {"no_geometry", R"({"type":"Feature","geometry":null})", "o.geojson:1:30: geometry",
+       "expected an object, found null", shape},
+      {"hole", R"({"type":"Polygon","coordinates":[[[0,0]],[[1,1]]]})", "o.geojson:1:33: coordinates", "has a hole",
+       "slit"},
+      {"no_ring", R"({"type":"Polygon","coordinates":[]})", "o.geojson:1:33: coordinates", "the polygon is empty",
+       shape},
+      {"flat", R"({"type":"Polygon","coordinates":[[0,0],[1,1]]})", "o.geojson:1:33: coordinates", "has a hole",
+       "slit"},
+      {"text", R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,"a"]]]}})",
+       "o.geojson:1:67: geometry.coordinates[0][0][1]", "expected a number, found a string", "[x, y]"},
+  };
+}
+
+std::string test_name(const testing::TestParamInfo<BadOutline>& bad) { return bad.param.name; }
+INSTANTIATE_TEST_SUITE_P(Wkt, BadOutlineTest, testing::ValuesIn(bad_wkt()), test_name);
+INSTANTIATE_TEST_SUITE_P(GeoJson, BadOutlineTest, testing::ValuesIn(bad_geojson()), test_name);
+
+TEST(Outline, IsFoundNextToTheScene) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "taut_outline_test" / "inner";
+  std::filesystem::create_directories(folder);
+  write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 1.5 0, -0.5 1e3, 0 0))");
+  write_file((folder / "q.geojson").string(), R"({"type":"Polygon","coordinates":[[[0,0],[1.5,0],[-0.5,1000]]]})");
+  const std::string text = R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":{"wkt":"p.wkt"}},)"
+                           R"({"name":"Q","polygon":{"geojson":"../inner/q.geojson"}}]})";
+  write_file((folder / "scene.json").string(), text);
+  const Scene scene = read_scene((folder / "scene.json").string());
+  EXPECT_EQ(scene.bodies[0].polygon, triangle);
+  EXPECT_EQ(scene.bodies[1].polygon, triangle);
+  EXPECT_EQ(parse_scene(text, "scene", folder.string()).bodies[0].polygon, triangle);
+  write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 1.5 0, x))");
+  try {
+    read_scene((folder / "scene.json").string());
+    FAIL();
+  } catch (const InputError& e) {
+    const std::string file = (folder / "scene.json").string();
+    EXPECT_EQ(e.place(), file + ":1:78: bodies[0].polygon: " + (folder / "p.wkt").string() + ":1:23");
+  }
+  std::filesystem::remove_all(folder.parent_path());
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+namespace {
+
+bool same(const Rotation& a, const Rotation& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* r = std::get_if<AngleRotation>(&a)) return r->angle == std::get<AngleRotation>(b).angle;
+  if (const auto* r = std::get_if<HalfAngleRotation>(&a)) return r->s == std::get<HalfAngleRotation>(b).s;
+  if (const auto* r = std::get_if<CosineRotation>(&a)) return r->a == std::get<CosineRotation>(b).a;
+  if (const auto* r = std::get_if<DirectionRotation>(&a)) {
+    return r->a == std::get<DirectionRotation>(b).a && r->b == std::get<DirectionRotation>(b).b;
+  }
+  return true;
+}
+
+void expect_same(const Scene& a, const Scene& b) {
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.end, b.end);
+  ASSERT_EQ(a.bodies.size(), b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    EXPECT_EQ(a.bodies[i].name, b.bodies[i].name);
+    EXPECT_EQ(a.bodies[i].polygon, b.bodies[i].polygon);
+    const auto &p = a.bodies[i].motion.pieces, &q = b.bodies[i].motion.pieces;
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      EXPECT_EQ(p[k].x, q[k].x);
+      EXPECT_EQ(p[k].y, q[k].y);
+      EXPECT_EQ(p[k].until, q[k].until);
+      EXPECT_TRUE(same(p[k].rotation, q[k].rotation));
+    }
+  }
+}
+
+Scene every_feature() {
+  const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
+  Scene scene;
+  scene.start = -0.1;
+  scene.end = 1.0 / 3;
+  Body p{"a \"quoted\" \\ name, with \xC3\xA9",
+         {{0.1, 1e-300}, {tiny, huge}, {-huge, 5e22}, {123456789012345680.0, 0.3}},
+         {}};
+  Body q{"Q", {{0, 0}, {1, 0}, {0, 1}}, {}};
+  q.motion.pieces = {{{1, 0.1}, {}, NoRotation{}, 0.01},
+                     {{}, {2}, AngleRotation{{1, 2, 3}}, 0.02},
+                     {{}, {}, DirectionRotation{{1, 0.5}, {0, 1}}, 0.03},
+                     {{}, {}, HalfAngleRotation{{0.25}}, 0.04},
+                     {{}, {}, CosineRotation{{0.5, -0.1}}, std::numeric_limits<double>::infinity()}};
+  scene.bodies = {p, q};
+  return scene;
+}
+
+TEST(SceneText, RoundTripIsExact) {
+  const Scene scene = every_feature();
+  expect_same(parse_scene(write_scene(scene)), scene);
+}
+
+TEST(SceneText, KeepsTheSignOfZero) {
+  Scene scene = every_feature();
+  scene.bodies[1].polygon[0] = {-0.0, 0.0};
+  const Scene read = parse_scene(write_scene(scene));
+  EXPECT_TRUE(std::signbit(read.bodies[1].polygon[0].x));
+  EXPECT_FALSE(std::signbit(read.bodies[1].polygon[0].y));
+}
+
+TEST(SceneText, NumbersAreShort) {
+  Scene scene = every_feature();
+  scene.bodies[1].polygon[0] = {0.1, 1e22};
+  const std::string text = write_scene(scene);
+  EXPECT_NE(text.find("[0.1,1e+22]"), std::string::npos) << text;
+}
+
+std::string with_motion(const std::string& motion) {
+  return R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,0],[0,1]]},)"
+         R"({"name":"Q","polygon":[[0,0],[0,1],[1,0]])" +
+         motion + "}]}";
+}
+
+TEST(SceneText, MotionMayBeAbsentOrNull) {
+  EXPECT_TRUE(parse_scene(with_motion("")).bodies[1].motion.pieces.empty());
+  EXPECT_TRUE(parse_scene(with_motion(R"(,"motion":null)")).bodies[1].motion.pieces.empty());
+}
+
+TEST(SceneText, OnePieceNeedsNoArray) {
+  const auto pieces = parse_scene(with_motion(R"(,"motion":{"y":[0,-0.5],"rotation":null})")).bodies[1].motion.pieces;
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_TRUE(pieces[0].x.empty());
+  EXPECT_EQ(pieces[0].y, (Coefficients{0, -0.5}));
+  EXPECT_TRUE(std::holds_alternative<NoRotation>(pieces[0].rotation));
+  EXPECT_EQ(pieces[0].until, std::numeric_limits<double>::infinity());
+}
+
+TEST(SceneText, OrderOfVerticesIsKept) {
+  EXPECT_EQ(parse_scene(with_motion("")).bodies[1].polygon, (Polygon{{0, 0}, {0, 1}, {1, 0}}));
+}
+
+TEST(SceneText, AcceptsSpaceKeysInAnyOrderAndLargeIntegers) {
+  const Scene scene = parse_scene(
+      "\xEF\xBB\xBF{ \"bodies\" : [ {\"polygon\":[[0,0],[1,0],[0,1]],\"name\":\"P\"} ,\r\n"
+      "{\"motion\":[{\"until\":1e0},{}],\"name\":\"Q\",\"polygon\":[[0,0],[18446744073709551617,0],[0,-"
+      "9007199254740993]]}],"
+      "\"time\":[0,1],\"format\":\"taut-scene/1\"}\n");
+  EXPECT_EQ(scene.bodies[1].polygon[1].x, 18446744073709551616.0);
+  EXPECT_EQ(scene.bodies[1].polygon[2].y, -9007199254740992.0);
+}
+
+TEST(SceneText, DegreeSixteenIsAccepted) {
+  const Scene scene = parse_scene(with_motion(R"(,"motion":{"x":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]})"));
+  EXPECT_EQ(scene.bodies[1].motion.pieces[0].x.size(), 17u);
+}
+
+TEST(SceneText, ALargePolygonIsRead) {
+  std::string polygon = "[[0,0]";
+  for (int i = 1; i < 100000; ++i) polygon += ",[" + std::to_string(i) + ".5,-" + std::to_string(i) + "e-3]";
+  const Scene scene = parse_scene(
+      R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"Q","polygon":[]},{"name":"P","polygon":)" + polygon +
+      "]}]}");
+  ASSERT_EQ(scene.bodies[1].polygon.size(), 100000u);
+  EXPECT_EQ(scene.bodies[1].polygon.back(), (Point{99999.5, -99.999}));
+}
+
+}  // namespace
+}  // namespace taut
