@@ -12,7 +12,8 @@ namespace {
 double below(double x) { return std::nextafter(x, -never); }
 double above(double x) { return std::nextafter(x, never); }
 
-/// The largest h <= limit such that a + b h + c h^2/2 > 0 on [0, h) is certain (a > 0).
+/// The largest h <= limit such that a + b h + c h^2/2 > 0 on [0, h) is certain (a > 0). 0 if b or c is unknown (an
+/// infinite or undefined bound): every comparison below is written so that a NaN lands there.
 double positive_until(double a, double b, double c, double limit) {
   if (b >= 0 && c >= 0) return limit;
   const double square = b * b, product = 2 * a * c;
@@ -20,8 +21,9 @@ double positive_until(double a, double b, double c, double limit) {
   const double discriminant = (square - product) + 0x1p-50 * (square + std::fabs(product));
   if (discriminant < 0) return limit;
   const double below_line = std::sqrt(discriminant) - b;
-  if (!(below_line > 0)) return limit;
-  return std::min(limit, 2 * a / below_line * (1 - 0x1p-48));
+  if (!(below_line > 0)) return 0;
+  const double h = 2 * a / below_line * (1 - 0x1p-48);
+  return h < limit ? h : (h >= limit ? limit : 0);
 }
 
 /// Some h such that a + b h + c h^2/2 <= 0 is certain there, close to the first root; `never` if there may be none.
@@ -103,7 +105,7 @@ void FailureSolver::advance_from(Certificate& c, double t) {
     const Bounded k = c.function.curvature(clock_.curvature(segment, c.function.pp));
     const double slope = sign * d.value, bend = sign * k.value;
     const double h = positive_until(a, slope - d.error, bend - k.error, limit);
-    if (h >= limit) {
+    if (h >= limit) {  // never true of a NaN
       t = horizon;
       continue;
     }
@@ -164,10 +166,10 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
 /// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
 void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
   ++counts_.precise;
+  // Events may crowd closer to the end of the leg than doubles can tell.
+  if (from.hi >= RealMax(leg().end)) return set_not_before(c, leg().end);
   const double t = RealTraits<RealMax>::to_double(from.hi);
-  if (t >= leg().end) return set_not_before(c, t);
-  const std::size_t segment = clock_.segment(std::max(t, leg().start));
-  const double to = clock_.segment_end(segment);
+  const double to = clock_.segment_end(clock_.segment(std::clamp(t, leg().start, leg().end)));
   if (const auto found = precise_of(c).first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {

@@ -49,6 +49,7 @@ class PreciseFunction {
     if (leg.translation) {
       coefficients_[0] = ex * (cy - ay) - ey * (cx - ax);
       coefficients_[3] = B::exact(0);
+      expand();
     } else {
       coefficients_[0] = ey * ax - ex * ay;
       coefficients_[3] = ex * cy - ey * cx;
@@ -57,11 +58,24 @@ class PreciseFunction {
 
   /// Value and derivatives over the ball t of the leg's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const {
+    if (leg_.translation) return polynomial_range(polynomial_, t);
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
 
  private:
+  /// On a translation the function is a polynomial: its own coefficients show roots that those of x and y hide.
+  void expand() {
+    using B = Ball<Real>;
+    polynomial_.assign(1, coefficients_[0]);
+    const auto at = [](const Coefficients& c, int k) {
+      return B::exact(static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0);
+    };
+    for (int k = 1; k <= leg_.degree; ++k) {
+      const B dx = at(leg_.q.x, k) - at(leg_.p.x, k), dy = at(leg_.q.y, k) - at(leg_.p.y, k);
+      polynomial_.push_back(coefficients_[1] * dx + coefficients_[2] * dy);
+    }
+  }
   static Ball<Real> difference(double x, double dx, double y, double dy) {
     using B = Ball<Real>;
     return (B::exact(x) - B::exact(y)) + (B::exact(dx) - B::exact(dy));
@@ -88,6 +102,7 @@ class PreciseFunction {
   const Leg& leg_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
+  std::vector<Ball<Real>> polynomial_;  ///< of a translation
 };
 
 }  // namespace taut

@@ -1,6 +1,8 @@
 // Values with first and second derivatives in time, over balls.
 #pragma once
 
+#include <vector>
+
 #include "numeric/ball.hpp"
 #include "numeric/trig.hpp"
 
@@ -58,6 +60,35 @@ void sin_cos(const Jet<Real>& a, Jet<Real>& sine, Jet<Real>& cosine) {
   const Ball<Real> square = a.d * a.d;
   sine = {sc.sin, sc.cos * a.d, sc.cos * a.dd - sc.sin * square};
   cosine = {sc.cos, -(sc.sin * a.d), -(sc.sin * a.dd) - sc.cos * square};
+}
+
+/// A polynomial given by balls (ascending) over the ball t. It is expanded about the middle first, so that the range is
+/// tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k, even powers on one side only.
+template <class Real>
+Jet<Real> polynomial_range(std::vector<Ball<Real>> c, const Ball<Real>& t) {
+  using B = Ball<Real>;
+  const std::size_t n = c.size();
+  const B middle(t.mid, 0.0);
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    for (std::size_t i = n - 1; i-- > k;) c[i] = c[i] + c[i + 1] * middle;
+  }
+  const auto range = [&](std::size_t derivative) {
+    B sum = B::exact(0);
+    double power = 1;  // r^(k - derivative)
+    for (std::size_t k = derivative; k < n; ++k) {
+      double factor = 1;
+      for (std::size_t i = 0; i < derivative; ++i) factor *= static_cast<double>(k - i);
+      const std::size_t e = k - derivative;
+      // The range of (t - m)^e.
+      B step = B::exact(1);
+      if (e % 2 == 1) step = B(Real(0), power);
+      if (e > 0 && e % 2 == 0) step = B(Real(power / 2), power / 2 * (1 + 0x1p-40));
+      sum = sum + c[k] * step * factor;
+      power = detail::inflate(power * t.rad);
+    }
+    return sum;
+  };
+  return {range(0), range(1), range(2)};
 }
 
 /// A polynomial with the given coefficients (ascending) at the ball t, by Horner's rule.

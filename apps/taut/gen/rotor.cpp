@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "gen/generators.hpp"
@@ -13,26 +14,26 @@ constexpr double gap = 0.02 * radius;
 constexpr double chain_radius = 10 * radius;
 
 /// The chain is part of a large circle that passes the rotor at `gap`. The line through its point at angle f has
-/// distance |chain_radius - d cos f| from the rotor's centre; of interest are the f for which all teeth cross it and
-/// it leaves the valleys alone, above and below the middle.
-Polygon chain_holder(int edges) {
+/// distance |chain_radius - d cos f| from the rotor's centre. Wanted are the f, above and below the middle, for which
+/// every tip crosses that line and the hull between two tips does not: then the common tangent of the two bodies runs
+/// through the whole chain and back for every tooth.
+Polygon chain_holder(const RotorOptions& o) {
   const double d = chain_radius + radius + gap;
-  const double from = std::acos((chain_radius + 0.985 * radius) / d);
-  const double to = std::acos((chain_radius + 0.94 * radius) / d);
-  const int side = std::max(1, edges / 2);
-  const double arm = 1.5 * radius, back = -1.9 * radius;
-  Polygon polygon{{back, -1.9 * radius}, {arm, -1.9 * radius}, {arm, -1.7 * radius}, {-1.3 * radius, -1.7 * radius}};
+  const double bulge = 1 - std::cos(pi / o.teeth);  // of the tips' circle beyond the hull
+  const double from = std::acos((chain_radius + (1 - 0.1 * bulge) * radius) / d);
+  const double to = std::acos((chain_radius + (1 - 0.9 * bulge) * radius) / d);
+  const int side = std::max(1, o.chain_edges / 2);
+  const double half_height = std::max(1.3 * radius, chain_radius * std::sin(to));
+  Polygon polygon{{-2.5 * radius, -half_height}};
   for (int i = -side; i <= side; ++i) {
     if (i == 0) continue;
-    const double share = side == 1 ? 1 : (std::abs(i) - 1.0) / (side - 1);
-    const double f = (i < 0 ? -1 : 1) * (from + (to - from) * share);
-    const Point p = polar(chain_radius, f);
+    const double share = side == 1 ? 0 : (std::abs(i) - 1.0) / (side - 1);
+    const Point p = polar(chain_radius, (i < 0 ? -1 : 1) * (from + (to - from) * share));
     polygon.push_back({p.x - d, p.y});
   }
-  polygon.push_back({-1.3 * radius, 1.7 * radius});
-  polygon.push_back({arm, 1.7 * radius});
-  polygon.push_back({arm, 1.9 * radius});
-  polygon.push_back({back, 1.9 * radius});
+  polygon.push_back({-2.5 * radius, half_height});
+  // A notch in the back, so that the holder is the larger body and not convex.
+  polygon.push_back({-2.2 * radius, 0});
   return polygon;
 }
 
@@ -57,7 +58,7 @@ Scene make_rotor(const RotorOptions& o) {
   turning.rotation = AngleRotation{{0, 2 * pi}};
   Scene scene;
   scene.end = o.turns;
-  scene.bodies = {{"holder", chain_holder(o.chain_edges), {}}, {"rotor", star(o.teeth, o.hit), Motion{{turning}}}};
+  scene.bodies = {{"holder", chain_holder(o), {}}, {"rotor", star(o.teeth, o.hit), Motion{{turning}}}};
   return scene;
 }
 
