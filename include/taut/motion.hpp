@@ -24,7 +24,8 @@ struct DirectionRotation {
 struct HalfAngleRotation {
   Coefficients s;
 };
-/// x(t) = (a(t), sqrt(1 - a(t)^2)); |a| must not exceed 1 on the piece.
+/// x(t) = (a(t), sqrt(1 - a(t)^2)); |a| must not exceed 1 on the piece (an excess below 2^-40 counts as rounding, and
+/// the square root is 0 there).
 struct CosineRotation {
   Coefficients a;
 };

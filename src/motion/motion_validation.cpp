@@ -95,9 +95,13 @@ class PieceCheck {
 
   void cosine(const CosineRotation& r) const {
     coefficients("rotation.cosine", r.a);
-    const auto excess = [&r](const Ball<double>& t) {
-      const Ball<double> a = polynomial<double>(r.a, t).v;
-      return a * a - Ball<double>::exact(1);
+    std::vector<Ball<double>> coefficient_balls;
+    for (const double c : r.a) coefficient_balls.push_back(Ball<double>::exact(c));
+    if (coefficient_balls.empty()) return;
+    // An excess below 2^-40 is taken for rounding of the coefficients; the sine is 0 there.
+    const auto excess = [&](const Ball<double>& t) {
+      const Ball<double> a = polynomial_range(coefficient_balls, t).v;
+      return a * a - Ball<double>::exact(1 + 0x1p-40);
     };
     double t = 0;
     const auto fine = [&](const Ball<double>& x) { return excess(x).sign() < 0; };
