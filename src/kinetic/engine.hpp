@@ -58,8 +58,8 @@ class Engine {
   bool step(double t);
   /// An enclosure of the time of the next event up to t, if there is one.
   std::optional<std::pair<double, double>> next_event(double t);
-  /// After next_event found one: the corner that will fail.
-  HalfedgeId upcoming_corner() const { return certificates_[next_.value].corner; }
+  /// After next_event found one: the certificate that will fail.
+  const Certificate& upcoming() const { return certificates_[next_.value]; }
   /// Replaces all legs from the present on; the first one must start at time().
   void replan(std::vector<Leg> legs);
   /// A lower bound of all failure times that lie ahead on the current leg.

@@ -179,6 +179,7 @@ void Session::on_event(const EngineEvent& event) {
   out.w = input_vertex(event.w);
   out.pinch_rule = event.report.pinch_rule;
   out.three_corners = event.three_corners;
+  out.corners_touched = static_cast<int>(event.report.corner_count);
   out.certificates = engine_->active_certificates();
   tracer_->on_event(out);
 }

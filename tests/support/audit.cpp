@@ -1,5 +1,7 @@
 #include "support/audit.hpp"
 
+#include <algorithm>
+
 #include "motion/placement.hpp"
 #include "tiling/checks.hpp"
 
@@ -53,11 +55,19 @@ class RepairCounter : public Tracer {
     ++counts_.repairs[to_string(e.repair)];
     counts_.pinch_rule += e.pinch_rule;
     counts_.three_corners += e.three_corners;
+    counts_.largest_repair = std::max<std::uint64_t>(counts_.largest_repair, e.corners_touched);
   }
 
  private:
   AuditCounts& counts_;
 };
+
+/// What kind of corner is about to fail, at which kind of face.
+void count_corner(const Engine& engine, AuditCounts& counts) {
+  const PlanarMap& map = engine.map();
+  const Certificate& c = engine.upcoming();
+  ++counts.repairs[std::string(c.sign > 0 ? "convex" : "reflex") + " at face " + face_name(map.node(c.corner))];
+}
 
 }  // namespace
 
@@ -74,16 +84,7 @@ AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned
         if (!result.fault.empty()) return result;
       }
       const double end = session.scene().end;
-      const auto next = session.engine().next_event(end);
-      if (next) {
-        const auto& c = session.engine();
-        for (const HalfedgeId h : {c.upcoming_corner()}) {
-          const PlanarMap& m = c.map();
-          const HalfedgeId n = m.next(h);
-          counts.repairs["at face " + face_name(m.node(h)) + ", across " + face_name(m.node(PlanarMap::twin(h))) +
-                         "/" + face_name(m.node(PlanarMap::twin(n)))]++;
-        }
-      }
+      if (session.engine().next_event(end)) count_corner(session.engine(), counts);
       session.step(end);
     }
     result.contact = session.contact();

@@ -1,0 +1,110 @@
+// The static construction of two coastlines: the tiling alone, and all of a session's start.
+#include <exception>
+#include <string>
+
+#include "bench.hpp"
+#include "coastline.hpp"
+#include "heap.hpp"
+#include "kinetic/session.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "tiling/checks.hpp"
+#include "tiling/static_tiling.hpp"
+
+namespace taut::bench {
+namespace {
+
+/// The headland reaches into the bay, and the bridge over its flank goes from one body to the other.
+constexpr RootState expected_root = RootState::bridged;
+
+void report(benchmark::State& state, std::size_t vertices, double seconds, std::size_t held, std::size_t peak) {
+  const auto n = static_cast<double>(vertices);
+  state.counters["B/vertex"] = static_cast<double>(held) / n;
+  state.counters["peakB/vertex"] = static_cast<double>(peak) / n;
+  state.counters["us/vertex"] = 1e6 * seconds / static_cast<double>(state.iterations()) / n;
+}
+
+/// build_tiling on a placement that is there already.
+void tiling(benchmark::State& state, std::size_t vertices) {
+  const Scene scene = bay(vertices);
+  const PairPlan plan = plan_pair(scene);
+  const PairGeometry geometry = displaced_pair(plan, true);
+  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Placement placement(geometry, legs.front(), scene.start);
+  double seconds = 0;
+  std::size_t held = 0, peak = 0;
+  bool first = true;
+  for (auto _ : state) {
+    reset_heap_peak();
+    const HeapUse before = heap_use();
+    const Stopwatch watch;
+    const StaticTiling result = build_tiling(placement);
+    const double lap = watch.seconds();
+    state.SetIterationTime(lap);
+    seconds += lap;
+    held = result.map.bytes();
+    peak = heap_use().peak - before.live;
+    if (result.overlap) {
+      fail(state, "overlap");
+    } else if (result.root != expected_root) {
+      fail(state, std::string("the root is ") + to_string(result.root));
+    } else if (first && vertices <= 10000) {
+      if (const std::string wrong = find_fault(result.map, placement); !wrong.empty()) fail(state, wrong);
+    }
+    first = false;
+  }
+  report(state, vertices, seconds, held, peak);
+}
+
+/// Validation, displacement, tiling, first schedule.
+void session(benchmark::State& state, std::size_t vertices) {
+  const Scene scene = bay(vertices);
+  double seconds = 0;
+  std::size_t held = 0, peak = 0, certificates = 0;
+  for (auto _ : state) {
+    reset_heap_peak();
+    const HeapUse before = heap_use();
+    const Stopwatch watch;
+    const Session s(scene, Touch::open, nullptr);
+    const double lap = watch.seconds();
+    state.SetIterationTime(lap);
+    seconds += lap;
+    held = s.engine().bytes();
+    peak = heap_use().peak - before.live;
+    certificates = s.engine().initial_certificates();
+    if (s.overlap_at_start() || s.contact()) {
+      fail(state, "not apart at the start");
+    } else if (s.engine().initial_root() != expected_root) {
+      fail(state, std::string("the root is ") + to_string(s.engine().initial_root()));
+    }
+  }
+  report(state, vertices, seconds, held, peak);
+  state.counters["certs"] = static_cast<double>(certificates);
+}
+
+void add(const char* what, void (*action)(benchmark::State&, std::size_t), bool quick) {
+  for (const std::size_t n : {1000u, 10000u, 100000u, 1000000u}) {
+    const auto guarded = [action, n](benchmark::State& state) {
+      try {
+        action(state, n);
+      } catch (const Undecidable& limit) {
+        fail(state, limit.what);
+      } catch (const std::exception& error) {
+        fail(state, error.what());
+      }
+    };
+    const std::string name = std::string("static/") + what + "/" + std::to_string(n);
+    auto* added = benchmark::RegisterBenchmark(name.c_str(), guarded);
+    added->UseManualTime()->Unit(benchmark::kMillisecond);
+    if (n >= 100000) added->Iterations(quick ? 1 : 3);
+  }
+}
+
+}  // namespace
+
+void register_static(bool quick) {
+  add("tiling", tiling, quick);
+  add("session", session, quick);
+}
+
+}  // namespace taut::bench

@@ -1,0 +1,13 @@
+// The smallest complete program: a hammer falls on an anvil.
+#include <iostream>
+#include <taut/taut.hpp>
+
+int main() {
+  taut::Scene scene;
+  scene.start = 0;
+  scene.end = 10;
+  scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
+                  {"hammer", {{1, 5}, {3, 5}, {2, 6}}, {{{{}, {0, -0.5}, taut::NoRotation{}}}}}};
+  const taut::Answer answer = taut::check(scene);
+  std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
+}

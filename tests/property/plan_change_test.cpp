@@ -1,0 +1,111 @@
+// The motion plan changes while the bodies move: the map stays, the certificates are rescheduled.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "support/audit.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "taut/error.hpp"
+#include "taut/simulation.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// From the pose that `old` has at time t: a new velocity and spin. The coefficients round, so the poses differ a
+/// little, which the engine must bridge.
+Motion new_plan(Rng& rng, const MotionPiece& old, double t, double speed) {
+  const auto value = [t](const Coefficients& c) {
+    double v = 0;
+    for (std::size_t k = c.size(); k-- > 0;) v = v * t + c[k];
+    return v;
+  };
+  MotionPiece piece;
+  const double vx = rng.real(-speed, speed), vy = rng.real(-speed, speed), w = rng.real(-1, 1);
+  piece.x = {value(old.x) - vx * t, vx};
+  piece.y = {value(old.y) - vy * t, vy};
+  const auto* r = std::get_if<AngleRotation>(&old.rotation);
+  piece.rotation = AngleRotation{{(r ? value(r->angle) : 0.0) - w * t, w}};
+  return {{piece}};
+}
+
+TEST(PlanChange, MapsStayRight) {
+  AuditCounts counts;
+  int changes = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (const Family family : {Family::apart, Family::intertwined, Family::nested, Family::corridor, Family::combs}) {
+      SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
+      Rng rng(seed * 8 + static_cast<std::uint64_t>(family));
+      SceneOptions options;
+      options.kinds = {MotionKind::rest};
+      Scene scene = random_scene(seed, family, options);
+      scene.end = 16;
+      for (Body& body : scene.bodies) {
+        if (body.motion.pieces.empty()) body.motion.pieces.emplace_back();
+        body.motion.pieces.resize(1);
+        body.motion.pieces[0].until = INFINITY;
+      }
+      double extent = 0;
+      for (const Point& v : scene.bodies[0].polygon) extent = std::max({extent, std::fabs(v.x), std::fabs(v.y)});
+      Session session(scene, Touch::open, nullptr);
+      MotionPiece current[2] = {scene.bodies[0].motion.pieces[0], scene.bodies[1].motion.pieces[0]};
+      for (double t = 0; t < 12 && !session.finished(); t += rng.real(0.05, 0.5)) {
+        while (session.step(t)) ASSERT_EQ(compare_with_static(session, counts), "");
+        if (session.finished()) break;
+        const int body = rng.below(2);
+        const Motion plan = new_plan(rng, current[body], t, extent / 20);
+        session.set_motion(body, plan);
+        current[body] = plan.pieces[0];
+        ++changes;
+        ASSERT_EQ(compare_with_static(session, counts), "");
+      }
+    }
+  }
+  std::cout << changes << " changes, " << counts.compared << " maps compared\n";
+  EXPECT_GT(changes, 1000);
+  EXPECT_GT(counts.compared, 2000u);
+}
+
+Scene two_squares() {
+  Scene scene;
+  scene.start = 0;
+  scene.end = 100;
+  scene.bodies = {{"a", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}, {"b", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}};
+  scene.bodies[1].motion.pieces = {{{3, -0.5}, {0.25}, NoRotation{}}};
+  return scene;
+}
+
+TEST(PlanChange, TurningBackInTime) {
+  Simulation simulation(two_squares());
+  EXPECT_EQ(simulation.advance_to(2), SimulationState::running);
+  EXPECT_EQ(simulation.time(), 2);
+  simulation.set_motion(1, {{{{1, 0.5}, {0.25}, NoRotation{}}}});
+  EXPECT_EQ(simulation.advance_to(1000), SimulationState::finished);
+  EXPECT_EQ(simulation.time(), 100);
+}
+
+TEST(PlanChange, GoingOnHits) {
+  Simulation simulation(two_squares());
+  EXPECT_EQ(simulation.advance_to(1000), SimulationState::contact);
+  ASSERT_TRUE(simulation.contact());
+  EXPECT_NEAR(simulation.contact()->time.lo, 4, 1e-12);
+  EXPECT_FALSE(simulation.step());
+}
+
+TEST(PlanChange, AJumpIsRefusedAndChangesNothing) {
+  Simulation simulation(two_squares());
+  simulation.advance_to(2);
+  try {
+    simulation.set_motion(1, {{{{2.5}, {0.25}, NoRotation{}}}});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("jumps by 0.5"), std::string::npos) << e.what();
+  }
+  EXPECT_EQ(simulation.advance_to(1000), SimulationState::contact);
+  EXPECT_NEAR(simulation.contact()->time.lo, 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace taut::testing

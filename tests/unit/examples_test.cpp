@@ -1,0 +1,90 @@
+// Every scene under examples/ is decided as examples/README.md says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "taut/check.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+namespace {
+
+struct Verdict {
+  Outcome outcome;
+  double time = 0;  ///< of a contact
+};
+
+struct Example {
+  std::string file;  ///< within examples/
+  Verdict open, closed;
+};
+
+void PrintTo(const Example& example, std::ostream* out) { *out << example.file; }
+
+constexpr Verdict is_free{Outcome::free};
+constexpr Verdict touches_at(double time) { return {Outcome::contact, time}; }
+Example always(const std::string& file, Verdict verdict) { return {file, verdict, verdict}; }
+
+/// The heel, 14 behind the hinge, reaches the wall 4 in front of it.
+const double lid_angle = std::acos(-4.0 / 14.0) * 180 / std::numbers::pi;
+
+const std::vector<Example> examples = {
+    always("combs.json", is_free),
+    always("continents/continents.json", touches_at(0.9623363728206296)),
+    always("dips.json", is_free),
+    always("gears.json", is_free),
+    always("gears_thick_tooth.json", touches_at(0.4422683326461688)),
+    always("hello.json", touches_at(8)),
+    always("jigsaw.json", is_free),
+    always("jigsaw_caught.json", touches_at(0.0684219926100698)),
+    // Closed, the lid rests on the rim: touching counts only if asked for.
+    {"lid.json", touches_at(lid_angle), touches_at(0)},
+    always("lock.json", is_free),
+    always("lock_wrong_key.json", touches_at(0.8477171978348304)),
+    always("maze.json", is_free),
+    always("maze_long_ship.json", touches_at(11.7498423627584215)),
+    always("rotor.json", is_free),
+    always("rotor_long_tooth.json", touches_at(0.6663450654749891)),
+    always("spiral.json", is_free),
+};
+
+const std::filesystem::path folder = "examples";
+
+class Examples : public testing::TestWithParam<Example> {};
+
+TEST_P(Examples, AreDecidedAsStated) {
+  const Scene scene = read_scene((folder / GetParam().file).string());
+  for (const Touch touch : {Touch::open, Touch::closed}) {
+    const Verdict& expected = touch == Touch::open ? GetParam().open : GetParam().closed;
+    CheckOptions options;
+    options.touch = touch;
+    const Answer answer = check(scene, options);
+    SCOPED_TRACE(std::string("touch ") + to_string(touch));
+    EXPECT_STREQ(to_string(answer.outcome), to_string(expected.outcome)) << answer.reason;
+    ASSERT_EQ(answer.contact.has_value(), expected.outcome == Outcome::contact);
+    if (!answer.contact) continue;
+    EXPECT_NEAR(answer.contact->time.lo, expected.time, 1e-9);
+    EXPECT_NEAR(answer.contact->time.hi, expected.time, 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Examples, testing::ValuesIn(examples));
+
+TEST(ExamplesFolder, HoldsNoSceneThatIsNotStated) {
+  std::vector<std::string> stated, found;
+  for (const Example& example : examples) stated.push_back(example.file);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") found.push_back(entry.path().lexically_relative(folder).generic_string());
+  }
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, stated);
+}
+
+}  // namespace
+}  // namespace taut
