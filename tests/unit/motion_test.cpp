@@ -1,0 +1,300 @@
+// Frames, legs, displacement and the functions of mixed triples.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/displaced_orientation.hpp"
+#include "geometry/displacement.hpp"
+#include "kinetic/failure_solver.hpp"
+#include "motion/mixed_function.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "support/rng.hpp"
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/validate.hpp"
+
+namespace taut::testing {
+namespace {
+
+MotionPiece random_piece(Rng& rng) {
+  const auto some = [&rng](int n) {
+    Coefficients c;
+    for (int i = 0; i < n; ++i) c.push_back(rng.real(-1, 1));
+    return c;
+  };
+  MotionPiece piece;
+  piece.x = some(1 + rng.below(4));
+  piece.y = some(1 + rng.below(4));
+  switch (rng.below(5)) {
+    case 0:
+      break;
+    case 1:
+      piece.rotation = AngleRotation{some(3)};
+      break;
+    case 2:
+      piece.rotation = DirectionRotation{{2, 0.3}, some(3)};
+      break;
+    case 3:
+      piece.rotation = HalfAngleRotation{some(3)};
+      break;
+    default:
+      piece.rotation = CosineRotation{{0.1, rng.real(-0.5, 0.5)}};
+  }
+  return piece;
+}
+
+/// World position by the definition, in long double.
+void world(const MotionPiece& piece, long double t, const DisplacedPoint& v, long double& x, long double& y) {
+  const auto value = [t](const Coefficients& c) {
+    long double s = 0;
+    for (std::size_t k = c.size(); k-- > 0;) s = s * t + c[k];
+    return s;
+  };
+  long double c = 1, s = 0;
+  if (const auto* r = std::get_if<AngleRotation>(&piece.rotation)) {
+    c = std::cos(value(r->angle));
+    s = std::sin(value(r->angle));
+  } else if (const auto* d = std::get_if<DirectionRotation>(&piece.rotation)) {
+    const long double a = value(d->a), b = value(d->b), n = std::sqrt(a * a + b * b);
+    c = a / n;
+    s = b / n;
+  } else if (const auto* h = std::get_if<HalfAngleRotation>(&piece.rotation)) {
+    const long double u = value(h->s);
+    c = (1 - u * u) / (1 + u * u);
+    s = 2 * u / (1 + u * u);
+  } else if (const auto* k = std::get_if<CosineRotation>(&piece.rotation)) {
+    c = value(k->a);
+    s = std::sqrt(1 - c * c);
+  }
+  x = value(piece.x) + c * v.x - s * v.y;
+  y = value(piece.y) + s * v.x + c * v.y;
+}
+
+PairGeometry random_pair(Rng& rng) {
+  PairGeometry g;
+  g.np = g.nq = 4;
+  for (int i = 0; i < 8; ++i) g.points.push_back({rng.real(-1, 1), rng.real(-1, 1), 0, 0});
+  return g;
+}
+
+TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
+  Rng rng(5);
+  for (int i = 0; i < 2000; ++i) {
+    const PairGeometry g = random_pair(rng);
+    const MotionPiece p = random_piece(rng), q = random_piece(rng);
+    const Leg leg = Leg::motion(p, q, -1, 1);
+    const double t = rng.real(-1, 1);
+    VertexId v[3] = {VertexId(rng.below(4)), VertexId(4 + rng.below(4)), VertexId(rng.below(8))};
+    if (v[2] == v[0] || v[2] == v[1]) continue;
+    long double x[3], y[3];
+    for (int k = 0; k < 3; ++k) world(g.in_p(v[k]) ? p : q, t, g.point(v[k]), x[k], y[k]);
+    const long double want = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    const MixedTriple triple = MixedTriple::of(g, v[0], v[1], v[2]);
+    const Jet<Real320> precise = PreciseFunction<Real320>(leg, g, triple)(Ball<Real320>::exact(t));
+    EXPECT_NEAR(RealTraits<Real320>::to_double(precise.v.mid), static_cast<double>(want), 1e-13);
+    EXPECT_LT(precise.v.rad, 1e-80);
+    LegClock clock;
+    clock.reset(leg);
+    const FastFunction fast = FastFunction::level_zero(leg, g, triple);
+    const Bounded value = fast.value(clock.at(t, fast.pp)), slope = fast.slope(clock.at(t, fast.pp));
+    EXPECT_LE(std::fabs(value.value - RealTraits<Real320>::to_double(precise.v.mid)), value.error);
+    EXPECT_LE(std::fabs(slope.value - RealTraits<Real320>::to_double(precise.d.mid)), slope.error);
+    EXPECT_LT(value.error, 1e-12);
+    const Bounded bend = fast.curvature(clock.curvature(clock.segment(t), fast.pp));
+    EXPECT_LE(std::fabs(bend.value - RealTraits<Real320>::to_double(precise.dd.mid)), bend.error);
+    // The projection is the dot product.
+    const Jet<Real320> dot = PreciseFunction<Real320>(leg, g, triple, Measure::projection)(Ball<Real320>::exact(t));
+    long double px[3], py[3];
+    const VertexId w[3] = {triple.a, triple.b, triple.c};
+    for (int k = 0; k < 3; ++k) world(g.in_p(w[k]) ? p : q, t, g.point(w[k]), px[k], py[k]);
+    const long double product = (px[1] - px[0]) * (px[2] - px[0]) + (py[1] - py[0]) * (py[2] - py[0]);
+    EXPECT_NEAR(RealTraits<Real320>::to_double(dot.v.mid), static_cast<double>(product), 1e-13);
+  }
+}
+
+TEST(Bridge, RunsFromTheOldPoseToTheNew) {
+  Rng rng(6);
+  for (int i = 0; i < 200; ++i) {
+    const PairGeometry g = random_pair(rng);
+    const MotionPiece p = random_piece(rng), q = random_piece(rng), p2 = random_piece(rng), q2 = random_piece(rng);
+    const double t = rng.real(-1, 1);
+    const MixedTriple triple = MixedTriple::of(g, VertexId(0), VertexId(1), VertexId(5));
+    const auto sign = [&](const Leg& leg, double at) {
+      return PreciseFunction<Real320>(leg, g, triple)(Ball<Real320>::exact(at)).v.sign();
+    };
+    const Leg bridge = Leg::bridging(p, q, p2, q2, t);
+    EXPECT_EQ(sign(bridge, 0), sign(Leg::motion(p, q, -1, 1), t));
+    EXPECT_EQ(sign(bridge, 1), sign(Leg::motion(p2, q2, -1, 1), t));
+  }
+}
+
+/// Both edges of every vertex move by between delta and 2 delta, to the side asked for.
+TEST(Displacement, MovesEdgesToOneSide) {
+  Rng rng(7);
+  const double delta = 0x1p-30;  // coarse, so that doubles can measure it
+  for (int i = 0; i < 300; ++i) {
+    const int n = 3 + rng.below(9);
+    std::vector<Point> polygon;
+    for (int k = 0; k < n; ++k) {
+      const double a = 2 * 3.14159265358979 * k / n, r = rng.real(0.3, 1);
+      polygon.push_back({r * std::cos(a), r * std::sin(a)});
+    }
+    for (const bool inwards : {true, false}) {
+      const auto moved = displace(polygon, inwards, delta, static_cast<std::uint64_t>(i));
+      for (int k = 0; k < n; ++k) {
+        const auto at = [&](int j) { return polygon[static_cast<std::size_t>((j + n) % n)]; };
+        const DisplacedPoint& m = moved[static_cast<std::size_t>(k)];
+        EXPECT_EQ(m.x, at(k).x);
+        for (const auto& [a, b] : {std::pair{at(k - 1), at(k)}, std::pair{at(k), at(k + 1)}}) {
+          const double length = std::hypot(b.x - a.x, b.y - a.y);
+          const double side = ((b.x - a.x) * m.dy - (b.y - a.y) * m.dx) / length / delta;
+          EXPECT_GE(inwards ? side : -side, 1.0) << n;
+          EXPECT_LE(inwards ? side : -side, 2.0) << n;
+        }
+      }
+    }
+  }
+}
+
+TEST(DisplacedOrientation, TellsWhichStageAnswered) {
+  Stage stage;
+  const DisplacedPoint a{0, 0, 0, 0}, b{1, 0, 0, 0}, c{0.5, 1, 0, 0}, straight{2, 0, 0, 0};
+  EXPECT_EQ(orientation(a, b, c, stage), 1);
+  EXPECT_EQ(stage, Stage::filter);
+  EXPECT_EQ(orientation(a, b, straight, stage), 0);
+  EXPECT_EQ(stage, Stage::displacement);
+  const DisplacedPoint up{2, 0, 0, 0x1p-200}, down{2, 0, 0x1p-190, -0x1p-201};
+  EXPECT_EQ(orientation(a, b, up, stage), 1);
+  EXPECT_EQ(stage, Stage::displacement);
+  EXPECT_EQ(orientation(a, b, down, stage), -1);
+  // Not collinear by one unit in the last place.
+  const DisplacedPoint p{0.1, 0.1, 0, 0}, q{0.2, 0.2, 0, 0}, r{0.3, std::nextafter(0.3, 1.0), 0, -0x1p-180};
+  EXPECT_EQ(orientation(p, q, r, stage), 1);
+  EXPECT_EQ(stage, Stage::exact);
+  EXPECT_EQ(orientation(q, p, r), -1);
+  EXPECT_EQ(orientation(q, r, p), 1);
+}
+
+Scene sliding_square(double y) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {{"a", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}, {"b", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}};
+  scene.bodies[1].motion.pieces = {{{-3, 1}, {y}, NoRotation{}}};
+  return scene;
+}
+
+/// Axis-aligned sliding is decided in doubles, by the part that is linear in the displacement.
+TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
+  const PairGeometry g = [] {
+    PairGeometry out;
+    out.points = displace(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true, displacement_unit, 1);
+    const auto q = displace(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true, displacement_unit, 2);
+    out.points.insert(out.points.end(), q.begin(), q.end());
+    out.np = out.nq = 4;
+    return out;
+  }();
+  const Scene scene = sliding_square(1);
+  const Leg leg = Leg::motion({}, scene.bodies[1].motion.pieces[0], 0, 10);
+  // P's upper edge (2 -> 3) and Q's lower left corner: on one line at all times.
+  const MixedTriple triple{VertexId(2), VertexId(3), VertexId(4), true};
+  FastFunction level1;
+  ASSERT_TRUE(FastFunction::level_one(leg, g, triple, level1));
+  LegClock clock;
+  clock.reset(leg);
+  const FastFunction level0 = FastFunction::level_zero(leg, g, triple);
+  const Bounded zero = level0.value(clock.at(3.0, true)), one = level1.value(clock.at(3.0, true));
+  EXPECT_LE(std::fabs(zero.value), zero.error);
+  EXPECT_GT(std::fabs(one.value), one.error);
+  const int precise = PreciseFunction<Real640>(leg, g, triple)(Ball<Real640>::exact(3.0)).v.sign();
+  EXPECT_EQ(one.value > 0 ? 1 : -1, precise);
+  // Not identically zero: there is no level one.
+  const Leg oblique = Leg::motion({}, {{-3, 1}, {1, 0x1p-60}, NoRotation{}}, 0, 10);
+  EXPECT_FALSE(FastFunction::level_one(oblique, g, triple, level1));
+  EXPECT_EQ(check(scene).outcome, Outcome::free);
+}
+
+TEST(Placement, SignsAgreeWithMultiPrecisionAndCountIt) {
+  Rng rng(8);
+  PairGeometry g = random_pair(rng);
+  const Leg leg = Leg::motion({}, {{0.25}, {0.5}, AngleRotation{{0, 1}}}, 0, 1);
+  const Placement placement(g, leg, 0.5);
+  for (std::uint32_t a = 0; a < 8; ++a) {
+    for (std::uint32_t b = 0; b < 8; ++b) {
+      for (std::uint32_t c = 0; c < 8; ++c) {
+        if (a == b || b == c || c == a) continue;
+        const VertexId u(a), v(b), w(c);
+        EXPECT_EQ(placement.orientation(u, v, w), placement.orientation(v, w, u));
+        EXPECT_EQ(placement.orientation(u, v, w), -placement.orientation(v, u, w));
+        if (g.same_body(u, v) && g.same_body(v, w)) continue;
+        const auto f = PreciseFunction<Real320>(leg, g, MixedTriple::of(g, u, v, w))(Ball<Real320>::exact(0.5));
+        EXPECT_EQ(placement.orientation(u, v, w), f.v.sign());
+      }
+    }
+  }
+  EXPECT_EQ(placement.precise_calls(), 0u);
+}
+
+// ----- what is refused -----
+
+std::string refusal(const Scene& scene) {
+  try {
+    validate(scene);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+Scene with_motion(std::vector<MotionPiece> pieces) {
+  Scene scene = sliding_square(2);
+  scene.bodies[1].motion.pieces = std::move(pieces);
+  return scene;
+}
+
+void expect_refusal(const Scene& scene, const std::string& part) {
+  EXPECT_NE(refusal(scene).find(part), std::string::npos) << "\"" << refusal(scene) << "\" lacks \"" << part << "\"";
+}
+
+TEST(MotionValidation, RefusesWhatIsNotAMotion) {
+  EXPECT_EQ(refusal(sliding_square(2)), "");
+  expect_refusal(with_motion({{{0, NAN}, {}, NoRotation{}}}), "b: motion: x[1] is not a finite number");
+  expect_refusal(with_motion({{Coefficients(18, 1.0), {}, NoRotation{}}}), "x has degree 17\nhint: the highest degree");
+  expect_refusal(with_motion({{{}, {}, DirectionRotation{{-1, 1}, {-2, 2}}}}), "the direction (a, b) vanishes near t = ");
+  expect_refusal(with_motion({{{}, {}, DirectionRotation{{}, {}}}}), "vanishes");
+  expect_refusal(with_motion({{{}, {}, CosineRotation{{0, 0.5}}}}), "the cosine is beyond 1 in magnitude");
+  expect_refusal(with_motion({{{}, {}, CosineRotation{{0, 0.5}}}}), "must stay within [-1, 1]");
+  EXPECT_EQ(refusal(with_motion({{{3}, {}, CosineRotation{{0, 0.1}}}})), "");
+  expect_refusal(with_motion({{{1e200}, {}, NoRotation{}}}), "outside the range of magnitudes");
+}
+
+TEST(MotionValidation, RefusesPiecesThatDoNotFit) {
+  expect_refusal(with_motion({{{3, -1}, {2}, NoRotation{}, 3}, {{1}, {2}, NoRotation{}}}),
+                 "b: motion piece 0: the motion jumps by 1 at t = 3");
+  expect_refusal(with_motion({{{3}, {2}, NoRotation{}, 3}, {{3}, {2}, NoRotation{}, 3}, {{3}, {2}, NoRotation{}}}),
+                 "`until` 3 does not come after");
+  expect_refusal(with_motion({{{3}, {2}, NoRotation{}, 3}}), "the motion ends at 3, before the scene does, at 10");
+  EXPECT_EQ(refusal(with_motion({{{3, -1}, {2}, NoRotation{}, 3}, {{1e-9, 0}, {2}, NoRotation{}}})), "");
+}
+
+TEST(SceneValidation, RefusesBadTimesAndBodies) {
+  Scene scene = sliding_square(2);
+  scene.end = -1;
+  expect_refusal(scene, "time: the time interval ends before it starts");
+  scene = sliding_square(2);
+  scene.start = INFINITY;
+  expect_refusal(scene, "not finite");
+  scene = sliding_square(2);
+  scene.bodies.push_back(scene.bodies[0]);
+  expect_refusal(scene, "the scene has 3 bodies\nhint: exactly two are supported now");
+  scene = sliding_square(2);
+  scene.bodies[0].polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+  expect_refusal(scene, "a: ");
+  scene = sliding_square(2);
+  scene.bodies[0].polygon[0].x = 1e-110;
+  scene.bodies[1].polygon[1].x = 1e100;
+  expect_refusal(scene, "differ in magnitude");
+}
+
+}  // namespace
+}  // namespace taut::testing
