@@ -36,15 +36,15 @@ std::string witness(const Scene& scene, const Contact& contact) {
 }
 
 std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
+  const std::string work = fmt::format("{} event{}, {}\n", answer.events, answer.events == 1 ? "" : "s",
+                                       seconds_text(answer.build_seconds + answer.run_seconds));
   std::string interval = fmt::format("[{}, {}]", scene.start, scene.end);
-  if (answer.outcome == Outcome::contact) {
-    interval = fmt::format("[{}, {})", scene.start, time_text(answer.contact->time));
-  } else if (answer.outcome == Outcome::undecided) {
-    interval = fmt::format("[{}, {})", scene.start, answer.free_until);
+  if (answer.outcome == Outcome::contact || answer.outcome == Outcome::undecided) {
+    const double until = answer.contact ? answer.contact->time.lo : answer.free_until;
+    if (!(until > scene.start)) return "  " + work;
+    interval = fmt::format("[{}, {})", scene.start, until);
   }
-  return fmt::format("  proved free on {}{}   {} event{}, {}\n", interval,
-                     touch == Touch::closed ? ", touching included" : "", answer.events, answer.events == 1 ? "" : "s",
-                     seconds_text(answer.build_seconds + answer.run_seconds));
+  return fmt::format("  proved free on {}{}   {}", interval, touch == Touch::closed ? ", touching included" : "", work);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace taut {
 
 /// Limits on what is read, so that hostile input fails early and clearly.
 struct ReadLimits {
-  std::size_t max_bytes = std::size_t{1} << 30;       ///< of one file
-  std::size_t max_vertices = std::size_t{1} << 27;    ///< of one polygon
-  std::size_t max_pieces = std::size_t{1} << 20;      ///< of one motion
+  std::size_t max_bytes = std::size_t{1} << 30;     ///< of one file
+  std::size_t max_vertices = std::size_t{1} << 27;  ///< of one polygon
+  std::size_t max_pieces = std::size_t{1} << 20;    ///< of one motion
 };
 
 /// Reads a scene in the format taut-scene/1; outlines named by {"wkt": file} or {"geojson": file} are found relative

@@ -31,8 +31,8 @@ struct TraceEvent {
   bool bridging = false;     ///< at a joint of two motion pieces, while the jump was bridged
   Repair repair = Repair::collision;
   TraceVertex u, v, w;
-  bool pinch_rule = false;        ///< a pinch edge decided the case
-  bool three_corners = false;     ///< all three corners of a triangle failed at once
+  bool pinch_rule = false;         ///< a pinch edge decided the case
+  bool three_corners = false;      ///< all three corners of a triangle failed at once
   int corners_touched = 0;         ///< corners that the repair may have changed: a small constant
   std::uint64_t certificates = 0;  ///< size of the active set after the repair
 };

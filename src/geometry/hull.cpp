@@ -1,5 +1,7 @@
 #include "geometry/hull.hpp"
 
+#include <cmath>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -75,6 +77,17 @@ double diameter_squared(const std::vector<Point>& points) {
     best = std::max(best, distance_squared(at(i), at(far)));
   }
   return best;
+}
+
+double bounding_diagonal(const std::vector<Point>& points) {
+  if (points.empty()) return 0;
+  Point lo = points[0], hi = points[0];
+  for (const Point& v : points) {
+    lo = {std::min(lo.x, v.x), std::min(lo.y, v.y)};
+    hi = {std::max(hi.x, v.x), std::max(hi.y, v.y)};
+  }
+  const double x = hi.x - lo.x, y = hi.y - lo.y, m = std::max(x, y);
+  return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
 }
 
 }  // namespace taut

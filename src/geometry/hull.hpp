@@ -21,4 +21,7 @@ int polygon_orientation(const Polygon& polygon);
 /// exactly, their distances are rounded (relative error below 2^-50). 0 for fewer than two points.
 double diameter_squared(const std::vector<Point>& points);
 
+/// The length of the diagonal of the points' bounding box (rounded).
+double bounding_diagonal(const std::vector<Point>& points);
+
 }  // namespace taut

@@ -1,6 +1,7 @@
 // Corner certificates and the queue of their failure times.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "geometry/ids.hpp"
 #include "kinetic/fast_frame.hpp"
+#include "kinetic/precise_time.hpp"
 
 namespace taut {
 
@@ -32,14 +34,16 @@ struct Certificate {
   FailureKind kind = FailureKind::not_before;
 };
 
-/// A heap of certificates keyed by the lower bound of their failure times.
+/// A heap of certificates ordered by exact lower bounds of their failure times: the double `lo`, or within one double
+/// the multi-precision enclosure. Events that coincide in the input differ only there.
 class EventQueue {
  public:
   struct Entry {
     double key;
     CertificateId id;
   };
-  explicit EventQueue(std::vector<Certificate>& certificates) : certificates_(&certificates) {}
+  EventQueue(std::vector<Certificate>& certificates, const std::vector<PreciseTime>& pool)
+      : certificates_(&certificates), pool_(&pool) {}
 
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
@@ -86,6 +90,15 @@ class EventQueue {
  private:
   static constexpr std::size_t arity = 4;
 
+  bool less(const Entry& a, const Entry& b) const {
+    return a.key < b.key || (a.key == b.key && breaks_tie((*certificates_)[a.id.value], (*certificates_)[b.id.value]));
+  }
+  bool breaks_tie(const Certificate& a, const Certificate& b) const {
+    if (b.precise < 0) return false;
+    if (a.precise < 0) return true;
+    return (*pool_)[static_cast<std::size_t>(a.precise)].lo < (*pool_)[static_cast<std::size_t>(b.precise)].lo;
+  }
+
   void place(std::size_t i, const Entry& e) {
     entries_[i] = e;
     (*certificates_)[e.id.value].heap = static_cast<std::int32_t>(i);
@@ -94,7 +107,7 @@ class EventQueue {
     const Entry e = entries_[i];
     while (i > 0) {
       const std::size_t parent = (i - 1) / arity;
-      if (!(e.key < entries_[parent].key)) break;
+      if (!less(e, entries_[parent])) break;
       place(i, entries_[parent]);
       i = parent;
     }
@@ -107,9 +120,9 @@ class EventQueue {
       if (best >= entries_.size()) break;
       const std::size_t last = std::min(best + arity, entries_.size());
       for (std::size_t k = best + 1; k < last; ++k) {
-        if (entries_[k].key < entries_[best].key) best = k;
+        if (less(entries_[k], entries_[best])) best = k;
       }
-      if (!(entries_[best].key < e.key)) break;
+      if (!less(entries_[best], e)) break;
       place(i, entries_[best]);
       i = best;
     }
@@ -117,6 +130,7 @@ class EventQueue {
   }
 
   std::vector<Certificate>* certificates_;
+  const std::vector<PreciseTime>* pool_;
   std::vector<Entry> entries_;
 };
 

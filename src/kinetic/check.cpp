@@ -45,9 +45,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Runs to the end, a contact, or a limit.
 void run(Session& session, const CheckOptions& options, Clock::time_point start, Answer& answer) {
@@ -81,8 +79,8 @@ Answer check(const Scene& scene, const CheckOptions& options) {
     run(*session, options, start, answer);
     answer.run_seconds = seconds_since(built);
   } catch (const Undecidable& limit) {
-    answer.reason = std::string("not decided at ") + std::to_string(precision_ladder[precise_stages - 1]) +
-                    " bits: " + limit.what;
+    answer.reason =
+        std::string("not decided at ") + std::to_string(precision_ladder[precise_stages - 1]) + " bits: " + limit.what;
   }
   if (!session) return answer;
   const Engine& engine = session->engine();

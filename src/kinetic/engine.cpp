@@ -11,7 +11,7 @@ Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* obs
       legs_(std::move(legs)),
       observer_(observer),
       solver_(geometry_),
-      queue_(certificates_) {
+      queue_(certificates_, solver_.pool()) {
   parameter_ = legs_.front().start;
   build();
 }
@@ -114,39 +114,41 @@ bool Engine::find_next(double limit) {
       queue_.update(top.id);
       continue;
     }
-    CertificateId best = top.id;
-    if (!resolve_overlaps(best)) continue;
-    Certificate& first = certificates_[best.value];
-    if (first.hi > limit && !solver_.fails_by(first, limit)) return false;
-    next_ = best;
+    if (!certainly_first(top.id)) continue;
+    if (c.hi > limit && !solver_.fails_by(c, limit)) return false;
+    next_ = top.id;
     return true;
   }
   return false;
 }
 
-/// Looks at everything in the queue that might fail before `best`. False if a lower bound had to move: look again.
-bool Engine::resolve_overlaps(CertificateId& best) {
-  const CertificateId top = best;
-  const double horizon = certificates_[best.value].hi;
+/// Is the head of the queue, isolated, certainly the earliest failure? If something might still come before it, that
+/// is moved or enclosed better, and the answer is no: look again.
+bool Engine::certainly_first(CertificateId head) {
+  Certificate& first = certificates_[head.value];
   scan_.clear();
   scan_.push_back(0);
   while (!scan_.empty()) {
     const std::size_t i = scan_.back();
     scan_.pop_back();
-    if (i >= queue_.size() || queue_.entry(i).key > horizon) continue;
-    for (std::size_t k = 4 * i + 1; k <= 4 * i + 4; ++k) scan_.push_back(k);
+    if (i >= queue_.size() || queue_.entry(i).key > first.hi) continue;
     const CertificateId id = queue_.entry(i).id;
-    if (id == top || id == best) continue;
     Certificate& c = certificates_[id.value];
+    // The queue is ordered by exact lower bounds: what lies below an entry that comes later comes later, too.
+    if (id != head && solver_.known_before(first, c)) continue;
+    for (std::size_t k = 4 * i + 1; k <= 4 * i + 4; ++k) scan_.push_back(k);
+    if (id == head) continue;
     if (c.kind == FailureKind::not_before) {
       solver_.advance(c);
       queue_.update(id);
       return false;
     }
-    Certificate& b = certificates_[best.value];
-    const auto in = [&b](VertexId x) { return x == b.u || x == b.v || x == b.w; };
+    const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
     if (in(c.u) && in(c.v) && in(c.w)) continue;  // the same failure, seen at another corner
-    if (c.lo <= b.hi && solver_.fails_before(c, b)) best = id;
+    solver_.separate(first, c);
+    queue_.update(id);
+    queue_.update(head);
+    return false;
   }
   return true;
 }

@@ -83,7 +83,7 @@ class Engine {
  private:
   void build();
   bool find_next(double limit);
-  bool resolve_overlaps(CertificateId& best);
+  bool certainly_first(CertificateId head);
   void process(CertificateId id);
   HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
   void update_corner(HalfedgeId h, Now& now);

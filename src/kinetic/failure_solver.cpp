@@ -56,6 +56,13 @@ PreciseTime& FailureSolver::precise_slot(Certificate& c) {
   return pool_[static_cast<std::size_t>(c.precise)];
 }
 
+PreciseTime& FailureSolver::precise_now(Now& now) const {
+  if (!now.precise) {
+    now.precise = now.pool >= 0 ? pool_[static_cast<std::size_t>(now.pool)] : PreciseTime::between(now.lo, now.hi);
+  }
+  return *now.precise;
+}
+
 void FailureSolver::release(Certificate& c) {
   if (c.precise >= 0) pool_free_.push_back(c.precise);
   c.precise = -1;
@@ -69,7 +76,7 @@ void FailureSolver::set_not_before(Certificate& c, double t) {
 void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
   precise_slot(c) = t;
   c.kind = FailureKind::isolated;
-  c.lo = double_below(t.lo);
+  c.lo = double_floor(t.lo);
   c.hi = std::min(double_above(t.hi), leg().end);
   c.monotone_until = c.lo;  // nothing is known in doubles
 }
@@ -119,7 +126,7 @@ void FailureSolver::advance_from(Certificate& c, double t) {
         c.lo = below(t + h);
         c.hi = std::min(above(t + h2), end);
         c.monotone_until = monotone == limit ? horizon : below(t + monotone);
-        refine_fast(c, slope - d.error + std::min(0.0, bend - k.error) * h2, slope_hi + std::max(0.0, bend_hi) * h2);
+        refine_fast(c);
         return;
       }
     }
@@ -129,16 +136,22 @@ void FailureSolver::advance_from(Certificate& c, double t) {
   }
 }
 
-/// Interval Newton; the slope towards failure lies in [slope_lo, slope_hi], both negative.
-void FailureSolver::refine_fast(Certificate& c, double slope_lo, double slope_hi) {
+/// Interval Newton on an isolated failure. The slope's bounds are taken anew in each step, over the enclosure at hand:
+/// bounds of the first enclosure would leave it converging linearly.
+void FailureSolver::refine_fast(Certificate& c) {
   const double sign = c.sign;
-  for (int step = 0; step < 5; ++step) {
+  const bool pp = c.function.pp;
+  for (int step = 0; step < 6; ++step) {
     const double width = c.hi - c.lo;
     const double m = c.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
-    const Bounded v = c.function.value(clock_.at(m, c.function.pp));
+    const FastSide& side = clock_.at(m, pp);
+    const Bounded v = c.function.value(side), d = c.function.slope(side);
+    const Bounded k = c.function.curvature(clock_.curvature(clock_.segment(m), pp));
+    const double spread = d.error + (std::fabs(k.value) + k.error) * (width / 2) * (1 + 0x1p-40);
+    const double steep = -sign * d.value + spread, flat = -sign * d.value - spread;
+    if (!(flat > 0)) return;
     const double lo_value = sign * v.value - v.error, hi_value = sign * v.value + v.error;
-    const double steep = -slope_lo, flat = -slope_hi;
     const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
     const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
     const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
@@ -196,12 +209,13 @@ int FailureSolver::fast_sign(const FastFunction& f, const Now& now) {
 int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
   if (const int s = fast_sign(fast, now)) return s;
   ++counts_.precise;
-  const PreciseTriple event(leg(), geometry_, MixedTriple::of(geometry_, now.u.valid() ? now.u : VertexId(0u),
-                                                             now.u.valid() ? now.v : VertexId(0u),
-                                                             now.u.valid() ? now.w : VertexId(geometry_.np)));
+  const PreciseTriple event(
+      leg(), geometry_,
+      MixedTriple::of(geometry_, now.u.valid() ? now.u : VertexId(0u), now.u.valid() ? now.v : VertexId(0u),
+                      now.u.valid() ? now.w : VertexId(geometry_.np)));
   for (int stage = 0; stage < precise_stages; ++stage) {
-    if (now.event && !event.refine(now.sign_before, now.precise, stage)) continue;
-    if (const int s = precise.sign_at(now.precise, stage)) return s;
+    if (now.event && !event.refine(now.sign_before, precise_now(now), stage)) continue;
+    if (const int s = precise.sign_at(precise_now(now), stage)) return s;
   }
   throw Undecidable{"two events at the same instant"};
 }
@@ -214,7 +228,8 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
   if (now.concerns(c.u, c.v, c.w)) {
     c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
     if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
-    advance_precise(c, {now.precise.hi, now.precise.hi, now.precise.stage});
+    const PreciseTime& t = precise_now(now);
+    advance_precise(c, {t.hi, t.hi, t.stage});
     return;
   }
   if (const int s = fast_sign(c.function, now)) {
@@ -233,26 +248,39 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
     }
   }
   c.sign = static_cast<std::int8_t>(sign_now(c.function, precise_of(c), now));
-  advance_precise(c, now.precise);
+  advance_precise(c, precise_now(now));
 }
 
-bool FailureSolver::fails_before(Certificate& a, Certificate& b) {
+bool FailureSolver::known_before(const Certificate& a, const Certificate& b) const {
   if (a.hi < b.lo) return true;
-  if (b.hi < a.lo) return false;
+  if (a.precise < 0 && b.precise < 0) return false;
+  const auto at = [this](const Certificate& c) -> const PreciseTime& {
+    return pool_[static_cast<std::size_t>(c.precise)];
+  };
+  if (b.precise < 0) return at(a).hi < RealMax(b.lo);
+  if (a.precise < 0) return RealMax(a.hi) < at(b).lo;
+  return at(a).hi < at(b).lo;
+}
+
+/// One stage further for one certificate.
+void FailureSolver::sharpen(Certificate& c, int stage) {
+  if (c.precise < 0) precise_slot(c) = PreciseTime::between(c.lo, c.hi);
+  PreciseTime& t = pool_[static_cast<std::size_t>(c.precise)];
+  precise_of(c).refine(c.sign, t, stage);
+  t.stage = std::max(t.stage, stage);  // what a stage could not improve, it will not improve next time either
+  c.lo = double_floor(t.lo);
+  c.hi = std::min(double_above(t.hi), leg().end);
+}
+
+void FailureSolver::separate(Certificate& a, Certificate& b) {
   ++counts_.compared;
-  const bool fresh_a = a.precise < 0, fresh_b = b.precise < 0;
-  if (fresh_a) precise_slot(a) = PreciseTime::between(a.lo, a.hi);
-  if (fresh_b) precise_slot(b) = PreciseTime::between(b.lo, b.hi);
-  const PreciseTriple fa = precise_of(a), fb = precise_of(b);
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    PreciseTime& ta = pool_[static_cast<std::size_t>(a.precise)];
-    PreciseTime& tb = pool_[static_cast<std::size_t>(b.precise)];
-    fa.refine(a.sign, ta, stage);
-    fb.refine(b.sign, tb, stage);
-    if (ta.hi < tb.lo) return true;
-    if (tb.hi < ta.lo) return false;
-  }
-  throw Undecidable{"the order of two events"};
+  const auto stage_of = [this](const Certificate& c) {
+    return c.precise < 0 ? -1 : pool_[static_cast<std::size_t>(c.precise)].stage;
+  };
+  const int stage = std::min(stage_of(a), stage_of(b)) + 1;
+  if (stage >= precise_stages) throw Undecidable{"the order of two events"};
+  if (stage_of(a) < stage) sharpen(a, stage);
+  if (stage_of(b) < stage) sharpen(b, stage);
 }
 
 bool FailureSolver::fails_by(Certificate& c, double t) {
@@ -292,7 +320,7 @@ Now FailureSolver::event(const Certificate& c) const {
   now.w = c.w;
   now.sign_before = c.sign;
   now.monotone_until = c.monotone_until;
-  now.precise = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
+  now.pool = c.precise;
   return now;
 }
 

@@ -1,6 +1,7 @@
 // When does a certificate fail? Lower bounds first, isolation only when it matters (DESIGN, section 4).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kinetic/certificate.hpp"
@@ -16,7 +17,9 @@ struct Now {
   VertexId u, v, w;
   int sign_before = 0;
   double monotone_until = 0;
-  PreciseTime precise;
+  /// Filled when first needed; `pool` is where the solver keeps the enclosure it has found, or -1.
+  std::optional<PreciseTime> precise;
+  std::int32_t pool = -1;
 
   /// Are these the three vertices that are collinear now?
   bool concerns(VertexId a, VertexId b, VertexId c) const {
@@ -36,11 +39,15 @@ struct StageCounts {
 /// Schedules certificates on one leg.
 class FailureSolver {
  public:
-  explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}
+  explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {
+    pool_.reserve(64);
+    pool_free_.reserve(64);
+  }
 
   void enter(const Leg& leg) { clock_.reset(leg); }
   const Leg& leg() const { return clock_.leg(); }
   const StageCounts& counts() const { return counts_; }
+  const std::vector<PreciseTime>& pool() const { return pool_; }
 
   /// Starts a certificate whose sign is known to hold at the leg's start.
   void start(Certificate& c);
@@ -51,8 +58,11 @@ class FailureSolver {
   /// Drops what the pool holds for it.
   void release(Certificate& c);
 
-  /// Of two isolated failures, does that of `a` come first? Throws Undecidable.
-  bool fails_before(Certificate& a, Certificate& b);
+  /// Is the isolated failure of `a` certainly before that of `b`, as far as is known now?
+  bool known_before(const Certificate& a, const Certificate& b) const;
+  /// Of two isolated failures whose enclosures overlap, encloses the less precise one better (or both): the queue must
+  /// be told. Throws Undecidable if no stage is left.
+  void separate(Certificate& a, Certificate& b);
   /// Does the isolated failure come no later than t (inside its enclosure)?
   bool fails_by(Certificate& c, double t);
   /// Of three vertices that are collinear now, the middle one.
@@ -66,12 +76,14 @@ class FailureSolver {
   MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
   PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
   void advance_from(Certificate& c, double t);
-  void refine_fast(Certificate& c, double slope_lo, double slope_hi);
+  void refine_fast(Certificate& c);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTime& from);
   void set_isolated(Certificate& c, const PreciseTime& t);
+  void sharpen(Certificate& c, int stage);
   void set_not_before(Certificate& c, double t);
   PreciseTime& precise_slot(Certificate& c);
+  PreciseTime& precise_now(Now& now) const;
   /// The sign of a function at `now`: fast if possible, else precise.
   int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
   int fast_sign(const FastFunction& f, const Now& now);

@@ -42,14 +42,14 @@ struct FastFunction {
 
   Bounded value(const FastSide& s) const {
     const double v = a[0] * s.f[0] + a[1] * s.f[1] + a[2] * s.f[2] + a[3] * s.f[3] + a[4] * s.f[4];
-    const double e = 0x1p-49 * (m0 * s.size_0 + w * s.size_a + m34 * s.size_b) + m0 * s.error_0 + w * s.error_a +
-                     m34 * s.error_b;
+    const double e =
+        0x1p-49 * (m0 * s.size_0 + w * s.size_a + m34 * s.size_b) + m0 * s.error_0 + w * s.error_a + m34 * s.error_b;
     return {v, e * (1 + 0x1p-40) + floor_error};
   }
   Bounded slope(const FastSide& s) const {
     const double v = a[0] * s.d[0] + a[1] * s.d[1] + a[2] * s.d[2] + a[3] * s.d[3] + a[4] * s.d[4];
-    const double e = 0x1p-49 * (m0 * s.size_0d + w * s.size_ad + m34 * s.size_bd) + m0 * s.error_0d +
-                     w * s.error_ad + m34 * s.error_bd;
+    const double e = 0x1p-49 * (m0 * s.size_0d + w * s.size_ad + m34 * s.size_bd) + m0 * s.error_0d + w * s.error_ad +
+                     m34 * s.error_bd;
     return {v, e * (1 + 0x1p-40) + floor_error};
   }
   Bounded curvature(const FastCurvature& c) const {
@@ -65,7 +65,7 @@ struct FastFunction {
   double floor_error = 0;
 };
 
-/// Evaluates a leg's frame, with bounds of its curvature over segments of the leg.
+/// Evaluates a leg's frame from Taylor models of its segments, made when first used.
 class LegClock {
  public:
   /// Prepares a leg; the reference must stay valid.
@@ -73,26 +73,52 @@ class LegClock {
   const Leg& leg() const { return *leg_; }
   /// Functions at parameter t (remembers the last instant).
   const FastSide& at(double t, bool pp) {
-    if (t != cached_t_) evaluate(t);
+    if (t != cached_t_ || !cached_) evaluate(t);
     return pp ? pp_ : qq_;
   }
-  /// The end of the segment that contains t (t < end of the leg).
+  /// The segment that contains t.
   std::size_t segment(double t) const;
   double segment_end(std::size_t i) const { return boundaries_[i + 1]; }
   double segment_start(std::size_t i) const { return boundaries_[i]; }
-  const FastCurvature& curvature(std::size_t i, bool pp) const { return pp ? curvature_pp_[i] : curvature_qq_[i]; }
+  /// Bounds of the second derivatives over a segment.
+  const FastCurvature& curvature(std::size_t i, bool pp) {
+    const Model& m = model(i);
+    return pp ? m.curvature_pp : m.curvature_qq;
+  }
+  /// The functions are linear in the parameter: there is one segment, and no curvature.
   bool linear() const { return linear_; }
 
  private:
+  /// The six functions that vary (two parts of conj(x_P) D, of conj(x_Q) D, and c, s) as polynomials about `middle`;
+  /// errors of values and of slopes by pairs, including the remainder.
+  struct Model {
+    bool ready = false;
+    bool sharp = false;  ///< exact to a few ulps; if not, the frame itself is evaluated
+    double middle = 0;
+    double c[6][model_degree];
+    double error[3], error_d[3];
+    FastCurvature curvature_pp, curvature_qq;
+  };
+
+  const Model& model(std::size_t i) {
+    if (!models_[i].ready) make_model(i);
+    return models_[i];
+  }
+  void make_model(std::size_t i);
+  void make_segments(std::size_t n);
+  bool models_are_sharp();
+  void make_bridge_model(Model& m);
   void evaluate(double t);
+  void evaluate_exactly(double t);
   std::size_t choose_segments() const;
 
   const Leg* leg_ = nullptr;
-  bool linear_ = false;
+  bool linear_ = false, cached_ = false;
   double cached_t_ = 0;
+  double segments_per_time_ = 0;
   FastSide pp_{}, qq_{};
   std::vector<double> boundaries_;
-  std::vector<FastCurvature> curvature_pp_, curvature_qq_;
+  std::vector<Model> models_;
 };
 
 }  // namespace taut

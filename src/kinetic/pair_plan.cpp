@@ -33,7 +33,7 @@ PairPlan plan_pair(const Scene& scene) {
   std::frexp(largest, &exponent);
   plan.exponent = -exponent;
   const double d0 = diameter_squared(scene.bodies[0].polygon), d1 = diameter_squared(scene.bodies[1].polygon);
-  plan.extent = std::sqrt(std::max(d0, d1));
+  plan.extent = std::max(bounding_diagonal(scene.bodies[0].polygon), bounding_diagonal(scene.bodies[1].polygon));
   // The polygon with the larger diameter plays P (section 2.1 of the paper).
   const int p = d1 > d0 ? 1 : 0;
   for (int k = 0; k < 2; ++k) {

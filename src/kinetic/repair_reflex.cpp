@@ -86,8 +86,8 @@ RepairReport repair_reflex(PlanarMap& map, HalfedgeId uv) {
   if ((second && map.is_polygon_edge(vw)) || (first && map.is_polygon_edge(uv)))
     throw StructureError("reflex failure: a polygon edge would go");
   if (!second && !first && m.code < 4) throw StructureError("reflex failure: a new face at the root");
-  RepairReport report = second ? replace_second(map, uv, vw) : (first ? replace_first(map, uv, vw)
-                                                                     : new_face(map, uv, vw, m));
+  RepairReport report =
+      second ? replace_second(map, uv, vw) : (first ? replace_first(map, uv, vw) : new_face(map, uv, vw, m));
   report.pinch_rule = pinch_first || pinch_second;
   return report;
 }

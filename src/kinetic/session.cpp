@@ -11,6 +11,9 @@
 namespace taut {
 namespace {
 
+/// The same bits on every platform, which std::hypot does not promise.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// x + i y of a pose's frame applied to a local point.
 Point place(const Pose<double>& pose, double x, double y) {
   const double c = pose.xx.v.mid, s = pose.xy.v.mid;
@@ -50,9 +53,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer) : scene_(scene
   overlap_at_start_ = true;
 }
 
-bool Session::finished() const {
-  return overlap_at_start_ || contact_ || engine_->state() != EngineState::running;
-}
+bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }
 
 bool Session::step(double t) {
   if (finished()) return false;
@@ -94,9 +95,9 @@ Point Session::outward_normal(VertexId edge, const Leg& leg, double parameter) c
   // The polygon lies to the left of its edges: outside is to the right.
   double x = b.y - a.y, y = -(b.x - a.x);
   const double c = pose.xx.v.mid, s = pose.xy.v.mid;
-  const double length = std::hypot(x, y) * std::hypot(c, s);
-  x /= length;
-  y /= length;
+  const double size = length(x, y) * length(c, s);
+  x /= size;
+  y /= size;
   return {c * x - s * y, s * x + c * y};
 }
 
@@ -124,7 +125,7 @@ void Session::contact_at_start(const Overlap& overlap) {
     const Point p = world_at(v, leg, t), a = world_at(edge, leg, t), b = world_at(g.next(edge), leg, t);
     const double ex = b.x - a.x, ey = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
     const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-    return std::hypot(px - share * ex, py - share * ey);
+    return length(px - share * ex, py - share * ey);
   };
   const VertexId e = overlap.edge_p, f = overlap.edge_q;
   const std::pair<VertexId, VertexId> candidates[] = {{e, f}, {g.next(e), f}, {f, e}, {g.next(f), e}};
@@ -148,12 +149,13 @@ void Session::set_motion(int body, const Motion& motion) {
   const Body& old = scene_.bodies[static_cast<std::size_t>(body)];
   validate_motion(motion, old.name, old.polygon, now, scene_.end, plan_.extent);
   std::vector<MotionPiece> fresh;
-  for (const MotionPiece& piece : pieces_between(motion, now, scene_.end)) fresh.push_back(scaled(piece, plan_.exponent));
+  for (const MotionPiece& piece : pieces_between(motion, now, scene_.end))
+    fresh.push_back(scaled(piece, plan_.exponent));
   const MotionPiece before = side == 0 ? engine_->leg().p : engine_->leg().q;
   const double gap = joint_gap(scaled(before, -plan_.exponent), scaled(fresh[0], -plan_.exponent), old.polygon, now);
   if (!(gap <= joint_tolerance * plan_.extent)) {
-    throw InputError(old.name, "the new motion jumps by " + std::to_string(gap) + " at the present, t = " +
-                                   std::to_string(now),
+    throw InputError(old.name,
+                     "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
                      "coefficients are in powers of the absolute time t");
   }
   plan_.pieces[side] = fresh;

@@ -101,8 +101,8 @@ Tiling Simulation::tiling() const {
     if (!map.alive(h)) continue;
     if ((i & 1u) == 0) {
       const VertexId from = map.origin(h), to = map.target(h);
-      out.edges.push_back({static_cast<int>(from.value), static_cast<int>(to.value), map.is_polygon_edge(h),
-                           !g.same_body(from, to)});
+      out.edges.push_back(
+          {static_cast<int>(from.value), static_cast<int>(to.value), map.is_polygon_edge(h), !g.same_body(from, to)});
     }
     if (!visited[i]) out.faces.push_back(copy_face(session, h, visited));
   }

@@ -45,10 +45,9 @@ void validate(const Scene& scene) {
   double extent = 0;
   for (const Body& body : scene.bodies) {
     validate_polygon(body.polygon, body.name);
-    extent = std::max(extent, diameter_squared(body.polygon));
+    extent = std::max(extent, bounding_diagonal(body.polygon));
   }
   validate_range(scene);
-  extent = std::sqrt(extent);
   for (const Body& body : scene.bodies) {
     validate_motion(body.motion, body.name, body.polygon, scene.start, scene.end, extent);
   }

@@ -21,40 +21,32 @@ namespace {
 double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
 
 /// o_Q - o_P without its constant part.
-template <class Real>
-Jet<Real> varying_difference(const Coefficients& q, const Coefficients& p, const Ball<Real>& t) {
-  using B = Ball<Real>;
-  const std::size_t n = std::max(p.size(), q.size());
-  B v = B::exact(0), d = B::exact(0), dd = B::exact(0);
-  for (std::size_t i = n; i-- > 0;) {
-    dd = dd * t + d;
-    d = d * t + v;
-    v = v * t;
-    if (i > 0) v = v + (B::exact(coefficient(q, i)) - B::exact(coefficient(p, i)));
-  }
-  return {v, d, dd * 2.0};
+template <class J>
+J varying_difference(const Coefficients& q, const Coefficients& p, const Ball<typename J::Number>& t) {
+  Coefficients from_q = q, from_p = p;
+  if (!from_q.empty()) from_q[0] = 0;
+  if (!from_p.empty()) from_p[0] = 0;
+  return J::polynomial(from_q, t) - J::polynomial(from_p, t);
 }
 
 /// (re, im) of conj(a) b.
-template <class Real>
-void conjugate_product(const Jet<Real>& ax, const Jet<Real>& ay, const Jet<Real>& bx, const Jet<Real>& by,
-                       Jet<Real>& re, Jet<Real>& im) {
+template <class J>
+void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re, J& im) {
   re = ax * bx + ay * by;
   im = ax * by - ay * bx;
 }
 
-template <class Real>
-Frame<Real> motion_frame(const Leg& leg, const Ball<Real>& t) {
-  using J = Jet<Real>;
-  Frame<Real> f;
+template <class J>
+FrameOf<J> motion_frame(const Leg& leg, const Ball<typename J::Number>& t) {
+  FrameOf<J> f;
   const bool shifted = leg.shift_p || leg.shift_q;
   J dx, dy;
   if (shifted) {
-    dx = varying_difference<Real>(leg.q.x, leg.p.x, t);
-    dy = varying_difference<Real>(leg.q.y, leg.p.y, t);
+    dx = varying_difference<J>(leg.q.x, leg.p.x, t);
+    dy = varying_difference<J>(leg.q.y, leg.p.y, t);
   } else {
-    dx = polynomial<Real>(leg.q.x, t) - polynomial<Real>(leg.p.x, t);
-    dy = polynomial<Real>(leg.q.y, t) - polynomial<Real>(leg.p.y, t);
+    dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
+    dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);
   }
   const J one = J::constant(1.0), zero = J::constant(0.0);
   f.for_pp[0] = f.for_qq[0] = one;
@@ -110,7 +102,7 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
 
 template <class Real>
 Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame(leg, t);
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<Real>>(leg, t);
 }
 
 int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
@@ -159,5 +151,7 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(le
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
+
+FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "motion/pose.hpp"
+#include "numeric/series.hpp"
 
 namespace taut {
 
@@ -13,10 +14,16 @@ namespace taut {
 ///   two vertices of P:  |x_P|^2, conj(x_P) D (two parts), and conj(x_P) x_Q = c + i s;
 ///   two vertices of Q:  |x_Q|^2, conj(x_Q) D (two parts), and the same c and s.
 /// On a bridge the frames are similarities, so |x| may differ from 1 by rounding; elsewhere it is exactly 1.
-template <class Real>
-struct Frame {
-  std::array<Jet<Real>, 5> for_pp, for_qq;
+template <class J>
+struct FrameOf {
+  std::array<J, 5> for_pp, for_qq;
 };
+template <class Real>
+using Frame = FrameOf<Jet<Real>>;
+
+/// Enough terms that a model of a segment that turns by an eighth of a radian is exact to a few ulps.
+inline constexpr int model_degree = 9;
+using ModelSeries = Series<double, model_degree>;
 
 /// A constant vector known exactly as two doubles per coordinate.
 struct ExactVector {
@@ -30,7 +37,7 @@ struct Leg {
   /// On a bridge, the pieces after the joint.
   MotionPiece p_next, q_next;
   bool bridge = false;
-  double joint = 0;  ///< the time of the bridge
+  double joint = 0;           ///< the time of the bridge
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
 
   bool translation = false;  ///< neither body turns
@@ -54,5 +61,7 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t);
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
+/// Its Taylor series about the ball t (not of a bridge).
+FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
 
 }  // namespace taut

@@ -67,7 +67,8 @@ class PreciseFunction {
   /// On a translation the function is a polynomial: its own coefficients show roots that those of x and y hide.
   void expand() {
     using B = Ball<Real>;
-    polynomial_.assign(1, coefficients_[0]);
+    polynomial_.size = 0;
+    polynomial_.push_back(coefficients_[0]);
     const auto at = [](const Coefficients& c, int k) {
       return B::exact(static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0);
     };
@@ -102,7 +103,7 @@ class PreciseFunction {
   const Leg& leg_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
-  std::vector<Ball<Real>> polynomial_;  ///< of a translation
+  BallPolynomial<Real> polynomial_;  ///< of a translation
 };
 
 }  // namespace taut

@@ -53,8 +53,9 @@ class PieceCheck {
       if (!std::isfinite(c[i]))
         throw InputError(place_, std::string(what) + "[" + std::to_string(i) + "] is not a finite number");
       if (std::fabs(c[i]) > 0x1p400 || (c[i] != 0 && std::fabs(c[i]) < 0x1p-400))
-        throw InputError(place_, std::string(what) + "[" + std::to_string(i) + "] = " + number(c[i]) +
-                                     " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
+        throw InputError(place_,
+                         std::string(what) + "[" + std::to_string(i) + "] = " + number(c[i]) +
+                             " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
                          "choose other units");
     }
     if (c.size() > max_degree + 1)
@@ -66,14 +67,18 @@ class PieceCheck {
     coefficients("rotation.direction.a", r.a);
     coefficients("rotation.direction.b", r.b);
     const auto square = [&r](const Ball<double>& t) {
-      const Ball<double> a = polynomial<double>(r.a, t).v, b = polynomial<double>(r.b, t).v;
+      const Ball<double> a = Jet<double>::polynomial(r.a, t).v, b = Jet<double>::polynomial(r.b, t).v;
       return a * a + b * b;
     };
     const double size = square(Ball<double>::between(start_, end_)).magnitude();
     double t = 0;
     // Zero is never certain in rounded arithmetic: shorter than 2^-40 of the longest is refused as well.
-    const auto fine = [&](const Ball<double>& x) { return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() > 0; };
-    const auto wrong = [&](const Ball<double>& x) { return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() <= 0; };
+    const auto fine = [&](const Ball<double>& x) {
+      return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() > 0;
+    };
+    const auto wrong = [&](const Ball<double>& x) {
+      return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() <= 0;
+    };
     const double middle = start_ + (end_ - start_) / 2;
     if (!(size > 0) || find_vanishing(start_, end_, fine, wrong, t)) {
       throw InputError(place_, "the direction (a, b) vanishes near t = " + number(size > 0 ? t : middle),
@@ -95,9 +100,9 @@ class PieceCheck {
 
   void cosine(const CosineRotation& r) const {
     coefficients("rotation.cosine", r.a);
-    std::vector<Ball<double>> coefficient_balls;
+    BallPolynomial<double> coefficient_balls;
     for (const double c : r.a) coefficient_balls.push_back(Ball<double>::exact(c));
-    if (coefficient_balls.empty()) return;
+    if (coefficient_balls.size == 0) return;
     // An excess below 2^-40 is taken for rounding of the coefficients; the sine is 0 there.
     const auto excess = [&](const Ball<double>& t) {
       const Ball<double> a = polynomial_range(coefficient_balls, t).v;
@@ -107,8 +112,9 @@ class PieceCheck {
     const auto fine = [&](const Ball<double>& x) { return excess(x).sign() < 0; };
     const auto wrong = [&](const Ball<double>& x) { return excess(x).sign() > 0; };
     if (find_time(start_, end_, fine, wrong, t)) {
-      throw InputError(place_, "the cosine is beyond 1 in magnitude at t = " + number(t) + ": " +
-                                   number(polynomial<double>(r.a, Ball<double>::exact(t)).v.mid),
+      throw InputError(place_,
+                       "the cosine is beyond 1 in magnitude at t = " + number(t) + ": " +
+                           number(Jet<double>::polynomial(r.a, Ball<double>::exact(t)).v.mid),
                        "a cosine must stay within [-1, 1] at all times of its piece");
     }
   }
@@ -131,13 +137,14 @@ void validate_motion(const Motion& motion, const std::string& body, const Polygo
     const MotionPiece& piece = motion.pieces[i];
     if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
     if (i > 0 && piece.until <= motion.pieces[i - 1].until)
-      throw InputError(place(i), "`until` " + number(piece.until) + " does not come after that of the piece before, " +
-                                     number(motion.pieces[i - 1].until),
+      throw InputError(place(i),
+                       "`until` " + number(piece.until) + " does not come after that of the piece before, " +
+                           number(motion.pieces[i - 1].until),
                        "pieces are in order of time");
     const bool last = i + 1 == n;
     if (last && piece.until < end)
-      throw InputError(place(i), "the motion ends at " + number(piece.until) + ", before the scene does, at " +
-                                     number(end),
+      throw InputError(place(i),
+                       "the motion ends at " + number(piece.until) + ", before the scene does, at " + number(end),
                        "leave out `until` in the last piece, or add a piece");
     if (piece.until <= start && !last) {
       PieceCheck(piece, place(i), from, from).run();
@@ -149,10 +156,12 @@ void validate_motion(const Motion& motion, const std::string& body, const Polygo
     if (!last && piece.until < end) {
       const double gap = joint_gap(piece, motion.pieces[i + 1], polygon, piece.until);
       if (!(gap <= joint_tolerance * extent))
-        throw InputError(place(i), "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
-                                       ", where the next piece takes over",
-                         "pieces must join up to rounding (" + number(joint_tolerance * extent) +
-                             " here): coefficients are in powers of the absolute time t, not of the time since the joint");
+        throw InputError(
+            place(i),
+            "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
+                ", where the next piece takes over",
+            "pieces must join up to rounding (" + number(joint_tolerance * extent) +
+                " here): coefficients are in powers of the absolute time t, not of the time since the joint");
     }
     from = to;
   }

@@ -10,8 +10,7 @@ constexpr double tilt = 0.4390625173;
 
 }  // namespace
 
-Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t)
-    : geometry_(&geometry), leg_(&leg), t_(t) {
+Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : geometry_(&geometry), leg_(&leg), t_(t) {
   const Frame<double> f = frame(leg, Ball<double>::exact(t));
   const std::uint32_t n = geometry.size();
   positions_.resize(n + 4);
@@ -39,8 +38,9 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t)
   // Rounding: each coordinate is a sum of at most five terms, each at most `size`, after at most six operations; the
   // displacement is far below. The frame's own error is added.
   const double size = local + std::fabs(shift.x) + std::fabs(shift.y) + std::fabs(ax) + std::fabs(ay);
-  const double frame_error = std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
-                             (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + std::fabs(shift.x) + std::fabs(shift.y));
+  const double frame_error =
+      std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
+      (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + std::fabs(shift.x) + std::fabs(shift.y));
   error_ = 16 * 0x1p-53 * size + frame_error + 0x1p-150;
   // A box around everything, with irregular corners.
   const double w = std::max({hi_x - lo_x, hi_y - lo_y, 1e-3 * size}), x0 = lo_x, y0 = lo_y;

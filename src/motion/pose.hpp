@@ -13,23 +13,23 @@ struct Pose {
   Jet<Real> xx, xy;
 };
 
-template <class Real>
-void rotation_jet(const Rotation& rotation, const Ball<Real>& t, Jet<Real>& xx, Jet<Real>& xy) {
-  using J = Jet<Real>;
+/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>.
+template <class J>
+void rotation_jet(const Rotation& rotation, const Ball<typename J::Number>& t, J& xx, J& xy) {
   if (const auto* r = std::get_if<AngleRotation>(&rotation)) {
-    sin_cos(polynomial<Real>(r->angle, t), xy, xx);
+    sin_cos(J::polynomial(r->angle, t), xy, xx);
   } else if (const auto* d = std::get_if<DirectionRotation>(&rotation)) {
-    const J a = polynomial<Real>(d->a, t), b = polynomial<Real>(d->b, t);
+    const J a = J::polynomial(d->a, t), b = J::polynomial(d->b, t);
     const J length = sqrt(a * a + b * b);
     xx = a / length;
     xy = b / length;
   } else if (const auto* h = std::get_if<HalfAngleRotation>(&rotation)) {
-    const J s = polynomial<Real>(h->s, t), square = s * s, one = J::constant(1.0);
+    const J s = J::polynomial(h->s, t), square = s * s, one = J::constant(1.0);
     const J below = one + square;
     xx = (one - square) / below;
     xy = (s + s) / below;
   } else if (const auto* c = std::get_if<CosineRotation>(&rotation)) {
-    xx = polynomial<Real>(c->a, t);
+    xx = J::polynomial(c->a, t);
     xy = sqrt(J::constant(1.0) - xx * xx);
   } else {
     xx = J::constant(1.0);
@@ -40,8 +40,8 @@ void rotation_jet(const Rotation& rotation, const Ball<Real>& t, Jet<Real>& xx, 
 template <class Real>
 Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
   Pose<Real> p;
-  p.ox = polynomial<Real>(piece.x, t);
-  p.oy = polynomial<Real>(piece.y, t);
+  p.ox = Jet<Real>::polynomial(piece.x, t);
+  p.oy = Jet<Real>::polynomial(piece.y, t);
   rotation_jet(piece.rotation, t, p.xx, p.xy);
   return p;
 }

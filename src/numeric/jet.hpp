@@ -1,7 +1,8 @@
 // Values with first and second derivatives in time, over balls.
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 #include "numeric/ball.hpp"
 #include "numeric/trig.hpp"
@@ -11,10 +12,24 @@ namespace taut {
 /// f, f' and f'' over a ball of times: if t is a ball, each member encloses the range over it.
 template <class Real>
 struct Jet {
+  using Number = Real;
   Ball<Real> v, d, dd;
 
   static Jet constant(const Ball<Real>& c) { return {c, Ball<Real>::exact(0), Ball<Real>::exact(0)}; }
   static Jet constant(double c) { return constant(Ball<Real>::exact(c)); }
+  /// A polynomial with the given coefficients (ascending) at the ball t, by Horner's rule.
+  template <class Coefficients>
+  static Jet polynomial(const Coefficients& c, const Ball<Real>& t) {
+    using B = Ball<Real>;
+    if (c.empty()) return constant(0.0);
+    B v = B::exact(c[c.size() - 1]), d = B::exact(0), dd = B::exact(0);
+    for (std::size_t i = c.size() - 1; i-- > 0;) {
+      dd = dd * t + d;
+      d = d * t + v;
+      v = v * t + B::exact(c[i]);
+    }
+    return {v, d, dd * 2.0};
+  }
 };
 
 template <class Real>
@@ -62,12 +77,24 @@ void sin_cos(const Jet<Real>& a, Jet<Real>& sine, Jet<Real>& cosine) {
   cosine = {sc.cos, -(sc.sin * a.d), -(sc.sin * a.dd) - sc.cos * square};
 }
 
+/// Coefficients of a polynomial (ascending), without memory of its own to allocate.
+template <class Real>
+struct BallPolynomial {
+  static constexpr std::size_t capacity = 17;  // taut::max_degree + 1
+  std::array<Ball<Real>, capacity> c;
+  std::size_t size = 0;
+
+  void push_back(const Ball<Real>& x) { c[size++] = x; }
+  Ball<Real>& operator[](std::size_t k) { return c[k]; }
+  const Ball<Real>& operator[](std::size_t k) const { return c[k]; }
+};
+
 /// A polynomial given by balls (ascending) over the ball t. It is expanded about the middle first, so that the range is
 /// tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k, even powers on one side only.
 template <class Real>
-Jet<Real> polynomial_range(std::vector<Ball<Real>> c, const Ball<Real>& t) {
+Jet<Real> polynomial_range(BallPolynomial<Real> c, const Ball<Real>& t) {
   using B = Ball<Real>;
-  const std::size_t n = c.size();
+  const std::size_t n = c.size;
   const B middle(t.mid, 0.0);
   for (std::size_t k = 0; k + 1 < n; ++k) {
     for (std::size_t i = n - 1; i-- > k;) c[i] = c[i] + c[i + 1] * middle;
@@ -89,20 +116,6 @@ Jet<Real> polynomial_range(std::vector<Ball<Real>> c, const Ball<Real>& t) {
     return sum;
   };
   return {range(0), range(1), range(2)};
-}
-
-/// A polynomial with the given coefficients (ascending) at the ball t, by Horner's rule.
-template <class Real, class Coefficients>
-Jet<Real> polynomial(const Coefficients& c, const Ball<Real>& t) {
-  using B = Ball<Real>;
-  if (c.empty()) return Jet<Real>::constant(0.0);
-  B v = B::exact(c[c.size() - 1]), d = B::exact(0), dd = B::exact(0);
-  for (std::size_t i = c.size() - 1; i-- > 0;) {
-    dd = dd * t + d;
-    d = d * t + v;
-    v = v * t + B::exact(c[i]);
-  }
-  return {v, d, dd * 2.0};
 }
 
 }  // namespace taut

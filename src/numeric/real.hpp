@@ -75,6 +75,12 @@ double double_below(const Real& x) {
   const double d = RealTraits<Real>::to_double(x);
   return std::nextafter(d, -std::numeric_limits<double>::infinity());
 }
+/// The largest double not above x.
+template <class Real>
+double double_floor(const Real& x) {
+  const double d = RealTraits<Real>::to_double(x);
+  return Real(d) > x ? std::nextafter(d, -std::numeric_limits<double>::infinity()) : d;
+}
 template <class Real>
 double double_above(const Real& x) {
   const double d = RealTraits<Real>::to_double(x);

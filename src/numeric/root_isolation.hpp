@@ -1,8 +1,8 @@
 // The first change of sign of a twice differentiable function, certified.
 #pragma once
 
+#include <array>
 #include <optional>
-#include <vector>
 
 #include "numeric/jet.hpp"
 
@@ -42,13 +42,16 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   struct Interval {
     Real lo, hi;
   };
-  std::vector<Interval> todo{{a, b}};
-  const double tiny = unit_roundoff<Real>() * 64 *
-                      (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
-  for (int budget = 200000; !todo.empty(); --budget) {
+  // Halving depth first: at most one interval waits per level, and there are no more levels than bits.
+  constexpr std::size_t room = 2 * RealTraits<Real>::bits + 64;
+  std::array<Interval, room> todo;
+  std::size_t waiting = 0;
+  todo[waiting++] = {a, b};
+  const double tiny =
+      unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
+  for (int budget = 200000; waiting > 0; --budget) {
     if (budget == 0) throw PrecisionExhausted{};
-    const Interval i = todo.back();
-    todo.pop_back();
+    const Interval i = todo[--waiting];
     if (!(i.hi > i.lo)) continue;
     const B whole = B::between(i.lo, i.hi);
     const Jet<Real> wide = f(whole);
@@ -64,8 +67,9 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
     }
     if (!(RealTraits<Real>::magnitude(Real(i.hi - i.lo)) > tiny)) throw PrecisionExhausted{};
     const Real middle_point = whole.mid;
-    todo.push_back({middle_point, i.hi});
-    todo.push_back({i.lo, middle_point});
+    if (waiting + 2 > room) throw PrecisionExhausted{};
+    todo[waiting++] = {middle_point, i.hi};
+    todo[waiting++] = {i.lo, middle_point};
   }
   return std::nullopt;
 }

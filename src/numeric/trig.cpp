@@ -96,7 +96,8 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   B c = B::exact(1) - v;
   s.rad = detail::inflate(s.rad + x.rad);
   c.rad = detail::inflate(c.rad + x.rad);
-  const int quadrant = static_cast<int>((k - boost::multiprecision::floor(Real(k / 4)) * 4).template convert_to<long>());
+  const int quadrant =
+      static_cast<int>((k - boost::multiprecision::floor(Real(k / 4)) * 4).template convert_to<long>());
   return quarter_turns(s, c, quadrant);
 }
 

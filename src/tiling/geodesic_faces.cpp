@@ -134,11 +134,9 @@ class Builder {
     const std::size_t end = paths_.size(), left = middle - begin, right = end - middle, own = path_.size() - 1;
     std::size_t prefix = 0, suffix = 0, tail = 0;
     while (prefix < own && prefix < left && path_[prefix + 1] == map_.target(paths_[begin + prefix])) ++prefix;
-    while (suffix < own - prefix && suffix < right &&
-           path_[own - 1 - suffix] == map_.origin(paths_[end - 1 - suffix]))
+    while (suffix < own - prefix && suffix < right && path_[own - 1 - suffix] == map_.origin(paths_[end - 1 - suffix]))
       ++suffix;
-    while (tail < left && tail < right &&
-           map_.origin(paths_[middle - 1 - tail]) == map_.target(paths_[middle + tail]))
+    while (tail < left && tail < right && map_.origin(paths_[middle - 1 - tail]) == map_.target(paths_[middle + tail]))
       ++tail;
     top_.clear();
     for (std::size_t i = prefix; i < own - suffix; ++i) {

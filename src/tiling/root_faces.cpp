@@ -54,9 +54,7 @@ class RootBuilder {
   /// All other vertices of the convex cycle on side `side` of the line from -> cycle[i]?
   bool tangent(VertexId from, const std::vector<VertexId>& cycle, std::size_t i, int side, bool reversed) const {
     const std::size_t n = cycle.size();
-    const auto turn_of = [&](VertexId v) {
-      return reversed ? turn(cycle[i], from, v) : turn(from, cycle[i], v);
-    };
+    const auto turn_of = [&](VertexId v) { return reversed ? turn(cycle[i], from, v) : turn(from, cycle[i], v); };
     return turn_of(cycle[(i + 1) % n]) == side && turn_of(cycle[(i + n - 1) % n]) == side;
   }
   /// Moves i to the vertex of the cycle where the line from `from` touches it, the cycle on side `side`.
@@ -139,7 +137,7 @@ class RootBuilder {
   }
 
   HalfedgeId edge_a(std::size_t k) const { return edges_p_[(exit_ + k) % p_.size()]; }  ///< a_[k] -> a_[k+1]
-  HalfedgeId edge_b(std::size_t k) const {                                             ///< b_[k+1] -> b_[k]
+  HalfedgeId edge_b(std::size_t k) const {                                              ///< b_[k+1] -> b_[k]
     return edges_q_[(exit_q_ + q_.size() - 1 - k) % q_.size()];
   }
 

@@ -12,8 +12,8 @@
 namespace taut::testing {
 namespace {
 
-constexpr Family families[] = {Family::apart,  Family::intertwined, Family::nested, Family::corridor,
-                               Family::combs,  Family::spirals,     Family::stars,  Family::convex};
+constexpr Family families[] = {Family::apart, Family::intertwined, Family::nested, Family::corridor,
+                               Family::combs, Family::spirals,     Family::stars,  Family::convex};
 
 struct OracleCounts {
   int agreed = 0, skipped = 0;

@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "motion/motion_plan.hpp"
-#include "support/random_scenes.hpp"
 #include "kinetic/session.hpp"
+#include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
+#include "support/random_scenes.hpp"
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/static_tiling.hpp"
 
@@ -186,7 +186,8 @@ TEST(Lasso, GivesTheRootEdgesInAllStates) {
         }
         for (const Edge& e : drawn) EXPECT_TRUE(known.count(e)) << e.first << "-" << e.second << " is not in the map";
         for (const Edge& e : root_edges(tiling.map))
-          EXPECT_TRUE(drawn.count(e)) << e.first << "-" << e.second << " is not on the lasso, " << to_string(tiling.root);
+          EXPECT_TRUE(drawn.count(e)) << e.first << "-" << e.second << " is not on the lasso, "
+                                      << to_string(tiling.root);
         if (HasFailure()) return;
       }
     }

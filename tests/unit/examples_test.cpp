@@ -65,7 +65,7 @@ TEST_P(Examples, AreDecidedAsStated) {
     CheckOptions options;
     options.touch = touch;
     const Answer answer = check(scene, options);
-    SCOPED_TRACE(std::string("touch ") + to_string(touch));
+    SCOPED_TRACE(GetParam().file + ", touch " + to_string(touch));
     EXPECT_STREQ(to_string(answer.outcome), to_string(expected.outcome)) << answer.reason;
     ASSERT_EQ(answer.contact.has_value(), expected.outcome == Outcome::contact);
     if (!answer.contact) continue;

@@ -260,7 +260,8 @@ TEST(MotionValidation, RefusesWhatIsNotAMotion) {
   EXPECT_EQ(refusal(sliding_square(2)), "");
   expect_refusal(with_motion({{{0, NAN}, {}, NoRotation{}}}), "b: motion: x[1] is not a finite number");
   expect_refusal(with_motion({{Coefficients(18, 1.0), {}, NoRotation{}}}), "x has degree 17\nhint: the highest degree");
-  expect_refusal(with_motion({{{}, {}, DirectionRotation{{-1, 1}, {-2, 2}}}}), "the direction (a, b) vanishes near t = ");
+  expect_refusal(with_motion({{{}, {}, DirectionRotation{{-1, 1}, {-2, 2}}}}),
+                 "the direction (a, b) vanishes near t = ");
   expect_refusal(with_motion({{{}, {}, DirectionRotation{{}, {}}}}), "vanishes");
   expect_refusal(with_motion({{{}, {}, CosineRotation{{0, 0.5}}}}), "the cosine is beyond 1 in magnitude");
   expect_refusal(with_motion({{{}, {}, CosineRotation{{0, 0.5}}}}), "must stay within [-1, 1]");

@@ -55,7 +55,8 @@ void ball_containment() {
   Rng rng(2);
   for (int i = 0; i < 3000; ++i) {
     const double a = wild(rng, 3), b = wild(rng, 3);
-    const double ra = rng.chance(0.3) ? 0 : std::fabs(wild(rng, 2)) * 1e-4, rb = rng.chance(0.3) ? 0 : 1e-3 * rng.unit();
+    const double ra = rng.chance(0.3) ? 0 : std::fabs(wild(rng, 2)) * 1e-4,
+                 rb = rng.chance(0.3) ? 0 : 1e-3 * rng.unit();
     const Ball<Real> x(Real(a), ra), y(Real(b), rb);
     const Real960 p = Real960(a) + Real960(ra) * rng.real(-1, 1), q = Real960(b) + Real960(rb) * rng.real(-1, 1);
     EXPECT_TRUE(contains<Real>(x + y, p + q));
@@ -141,7 +142,9 @@ TEST(Jet, EnclosesOverIntervals) {
   };
   for (int i = 0; i < 500; ++i) {
     const double m = rng.real(-1, 1), r = rng.real(0, 0.2), p = m + r * rng.real(-1, 1);
-    const auto at = [](const Ball<double>& t) { return Jet<double>{t, Ball<double>::exact(1), Ball<double>::exact(0)}; };
+    const auto at = [](const Ball<double>& t) {
+      return Jet<double>{t, Ball<double>::exact(1), Ball<double>::exact(0)};
+    };
     const Jet<double> wide = f(at(Ball<double>(m, r))), point = f(at(Ball<double>::exact(p)));
     EXPECT_TRUE(contains(wide.v, Real960(point.v.mid)));
     EXPECT_TRUE(contains(wide.d, Real960(point.d.mid)));
@@ -156,12 +159,12 @@ TEST(Jet, EnclosesOverIntervals) {
 
 TEST(Polynomial, RangeIsTightAtARootOfOrderSix) {
   using B = Ball<Real320>;
-  std::vector<B> c;
+  BallPolynomial<Real320> c;
   for (const double x : {64.0, -192.0, 240.0, -160.0, 60.0, -12.0, 1.0}) c.push_back(B::exact(x));  // (t - 2)^6
   const Jet<Real320> over = polynomial_range(c, B(Real320(2), 0x1p-20));
   EXPECT_LT(over.v.magnitude(), 0x1p-115);
   const Jet<Real320> plain =
-      polynomial<Real320>(std::vector<double>{64, -192, 240, -160, 60, -12, 1}, B(Real320(2), 0x1p-20));
+      Jet<Real320>::polynomial(std::vector<double>{64, -192, 240, -160, 60, -12, 1}, B(Real320(2), 0x1p-20));
   EXPECT_GT(plain.v.magnitude(), 0x1p-20);  // Horner's rule would hide it
 }
 
