@@ -1,8 +1,8 @@
 // The first change of sign of a twice differentiable function, certified.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <vector>
 
 #include "numeric/jet.hpp"
 
@@ -39,37 +39,37 @@ int sign_over(const Jet<Real>& wide, const Jet<Real>& at_middle, double reach) {
 template <class Real, class Function>
 std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b) {
   using B = Ball<Real>;
-  struct Interval {
-    Real lo, hi;
-  };
-  // Halving depth first: at most one interval waits per level, and there are no more levels than bits.
-  constexpr std::size_t room = 2 * RealTraits<Real>::bits + 64;
-  std::array<Interval, room> todo;
-  std::size_t waiting = 0;
-  todo[waiting++] = {a, b};
+  // Depth first from the left: `lo` is where everything before is done, `ends` the right ends of what is left. The
+  // buffer outlives the call, so that the event loop allocates nothing.
+  thread_local std::vector<Real> ends;
+  ends.assign(1, b);
+  Real lo = a;
   const double tiny =
       unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
-  for (int budget = 200000; waiting > 0; --budget) {
+  for (int budget = 200000; !ends.empty(); --budget) {
     if (budget == 0) throw PrecisionExhausted{};
-    const Interval i = todo[--waiting];
-    if (!(i.hi > i.lo)) continue;
-    const B whole = B::between(i.lo, i.hi);
-    const Jet<Real> wide = f(whole);
-    if (wide.v.sign() == sign) continue;
-    const Jet<Real> middle = f(B(whole.mid, 0.0));
-    if (detail::sign_over(wide, middle, whole.rad) == sign) continue;
-    const int slope = wide.d.sign();
-    if (slope == sign) continue;  // it moves away from zero, and started with `sign`
-    if (slope == -sign) {
-      const int at_end = f(B(i.hi, 0.0)).v.sign();
-      if (at_end == sign) continue;
-      if (at_end == -sign) return RootEnclosure<Real>{i.lo, i.hi};
+    const Real hi = ends.back();
+    bool excluded = !(hi > lo);
+    if (!excluded) {
+      const B whole = B::between(lo, hi);
+      const Jet<Real> wide = f(whole);
+      const int slope = wide.d.sign();
+      // A slope of the same sign leads away from zero.
+      excluded =
+          wide.v.sign() == sign || slope == sign || detail::sign_over(wide, f(B(whole.mid, 0.0)), whole.rad) == sign;
+      if (!excluded && slope == -sign) {
+        const int at_end = f(B(hi, 0.0)).v.sign();
+        if (at_end == -sign) return RootEnclosure<Real>{lo, hi};
+        excluded = at_end == sign;
+      }
+      if (!excluded) {
+        if (!(RealTraits<Real>::magnitude(Real(hi - lo)) > tiny)) throw PrecisionExhausted{};
+        ends.push_back(whole.mid);
+        continue;
+      }
     }
-    if (!(RealTraits<Real>::magnitude(Real(i.hi - i.lo)) > tiny)) throw PrecisionExhausted{};
-    const Real middle_point = whole.mid;
-    if (waiting + 2 > room) throw PrecisionExhausted{};
-    todo[waiting++] = {middle_point, i.hi};
-    todo[waiting++] = {i.lo, middle_point};
+    lo = hi;
+    ends.pop_back();
   }
   return std::nullopt;
 }
