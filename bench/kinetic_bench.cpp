@@ -68,8 +68,15 @@ struct Totals {
   }
 };
 
+/// Buffers that belong to the thread grow when first used.
+void warm_up(const Case& c) {
+  Session session(c.scene, Touch::open, nullptr);
+  while (!session.finished()) session.step(c.scene.end);
+}
+
 void events(benchmark::State& state, const Case& c) {
   Totals totals;
+  warm_up(c);
   for (auto _ : state) {
     Session session(c.scene, Touch::open, nullptr);
     const StageCounts stages = session.engine().stages();
@@ -87,6 +94,7 @@ void events(benchmark::State& state, const Case& c) {
     if (const std::string wrong = fault(c, session); !wrong.empty()) fail(state, wrong);
   }
   totals.report(state);
+  if (totals.allocations > 0) fail(state, "the event loop allocates");
 }
 
 /// A comb wanders in the slots of another one; a new velocity each unit of time.

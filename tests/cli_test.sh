@@ -50,6 +50,24 @@ scene free.json '{"y":[0,0.5]}' 10
 scene touch.json '{"y":[0,-0.5]}' 8
 scene overlap.json '{"y":[-4.5]}' 10
 
+# Hostile sizes and numbers.
+polygon_scene() { # polygon_scene NAME AWK_PROGRAM: a first body with the vertices that awk prints, one "x,y" a line
+  { printf '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"big","polygon":['
+    awk "BEGIN { $2 }" | sed 's/.*/[&]/' | paste -sd,
+    printf ']},{"name":"small","polygon":[[-9,-9],[-8,-9],[-8,-8]]}]}'; } >"$1"
+}
+# 100 MB: the upper side of a ring is traced twice.
+polygon_scene huge.json 'for (i = 0; i < 3300000; i++) printf "%.14f,%.14f\n", cos(i / 500000), sin(i / 500000)'
+[ "$(stat -c %s huge.json)" -gt 100000000 ] || { echo "FAILED: huge.json is too small"; failures=$((failures + 1)); }
+expect 2 '' 'huge.json: big: the boundary is not simple' check huge.json
+polygon_scene million.json 'for (i = 0; i < 1000000; i++) print i "," (i % 2); print "500000.5,-1"; print "500000.5,3"'
+expect 2 '' 'million.json: big: the boundary is not simple: edges [0-9]+-[0-9]+ and [0-9]+-[0-9]+ (cross|touch)' check million.json
+polygon_scene range.json 'print "0,0"; print "1e308,0"; print "0,1e308"'
+expect 2 '' 'range.json: big: .*1e\+308.*(2\^400|magnitude)' check range.json
+polygon_scene infinite.json 'print "0,0"; print "1e999,0"; print "0,1"'
+expect 2 '' 'infinite.json:[0-9]+:[0-9]+: .*1e999' check infinite.json
+rm -f huge.json million.json
+
 # Help and usage.
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help

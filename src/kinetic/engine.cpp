@@ -43,6 +43,7 @@ void Engine::build() {
     queue_.update(id);
   }
   initial_ = max_active_ = active_;
+  solver_.expect(active_);
 }
 
 bool Engine::is_mixed_corner(HalfedgeId h) const {
@@ -252,7 +253,7 @@ void Engine::process(CertificateId id) {
 std::size_t Engine::bytes() const {
   return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
          certificates_.capacity() * sizeof(Certificate) + (free_.capacity() + certificate_of_.capacity()) * 4 +
-         queue_.bytes();
+         queue_.bytes() + solver_.bytes();
 }
 
 }  // namespace taut

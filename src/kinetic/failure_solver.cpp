@@ -98,42 +98,54 @@ void FailureSolver::start(Certificate& c) {
 
 void FailureSolver::advance(Certificate& c) { advance_from(c, c.lo); }
 
+/// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around.
+double FailureSolver::positive_beyond(const ClockCell& cell, const Certificate& c, double t, double value,
+                                      double slope) {
+  double reached = cell.end;
+  for (const ClockCell* wide = clock_.wider(cell); wide; wide = clock_.wider(*wide)) {
+    if (wide->end <= reached) continue;
+    const double limit = wide->end - t;
+    const Bounded k = c.function.curvature(wide->curvature(c.function.pp));
+    const double h = positive_until(value, slope, c.sign * k.value - k.error, limit);
+    if (!(h >= limit)) return std::max(reached, below(t + h));
+    reached = wide->end;
+  }
+  return reached;
+}
+
 void FailureSolver::advance_from(Certificate& c, double t) {
   const double sign = c.sign;
   const double end = leg().end;
-  for (;;) {
-    if (t >= end) return set_not_before(c, t);
-    const FastSide& side = clock_.at(t, c.function.pp);
-    const Bounded v = c.function.value(side), d = c.function.slope(side);
-    const double a = sign * v.value - v.error;
-    if (!(a > 0)) return advance_hard(c, t);
-    const std::size_t segment = clock_.segment(t);
-    const double horizon = clock_.segment_end(segment), limit = horizon - t;
-    const Bounded k = c.function.curvature(clock_.curvature(segment, c.function.pp));
-    const double slope = sign * d.value, bend = sign * k.value;
-    const double h = positive_until(a, slope - d.error, bend - k.error, limit);
-    if (h >= limit) {  // never true of a NaN
-      t = horizon;
-      continue;
-    }
-    ++counts_.fast;
-    const double slope_hi = slope + d.error, bend_hi = bend + k.error;
-    if (slope_hi < 0) {
-      const double h2 = negative_from(sign * v.value + v.error, slope_hi, bend_hi);
-      const double monotone = bend_hi > 0 ? std::min(limit, -slope_hi / bend_hi * (1 - 0x1p-48)) : limit;
-      if (h2 < monotone) {
-        c.kind = FailureKind::isolated;
-        c.lo = below(t + h);
-        c.hi = std::min(above(t + h2), end);
-        c.monotone_until = monotone == limit ? horizon : below(t + monotone);
-        refine_fast(c);
-        return;
-      }
-    }
-    const double next = below(t + h);
-    if (!(next > t + 0x1p-46 * limit)) return advance_hard(c, t);
-    return set_not_before(c, next);
+  if (t >= end) return set_not_before(c, t);
+  const FastSide& side = clock_.at(t, c.function.pp);
+  const Bounded v = c.function.value(side), d = c.function.slope(side);
+  const double a = sign * v.value - v.error;
+  if (!(a > 0)) return advance_hard(c, t);
+  const ClockCell& cell = clock_.cell(t);
+  const double horizon = cell.end, limit = horizon - t;
+  const Bounded k = c.function.curvature(cell.curvature(c.function.pp));
+  const double slope = sign * d.value, bend = sign * k.value;
+  const double h = positive_until(a, slope - d.error, bend - k.error, limit);
+  ++counts_.fast;
+  if (h >= limit) {  // never true of a NaN
+    return set_not_before(c, positive_beyond(cell, c, t, a, slope - d.error));
   }
+  const double slope_hi = slope + d.error, bend_hi = bend + k.error;
+  if (slope_hi < 0) {
+    const double h2 = negative_from(sign * v.value + v.error, slope_hi, bend_hi);
+    const double monotone = bend_hi > 0 ? std::min(limit, -slope_hi / bend_hi * (1 - 0x1p-48)) : limit;
+    if (h2 < monotone) {
+      c.kind = FailureKind::isolated;
+      c.lo = below(t + h);
+      c.hi = std::min(above(t + h2), end);
+      c.monotone_until = monotone == limit ? horizon : below(t + monotone);
+      refine_fast(c);
+      return;
+    }
+  }
+  const double next = below(t + h);
+  if (!(next > t + 0x1p-46 * limit)) return advance_hard(c, t);
+  return set_not_before(c, next);
 }
 
 /// Interval Newton on an isolated failure. The slope's bounds are taken anew in each step, over the enclosure at hand:
@@ -147,7 +159,7 @@ void FailureSolver::refine_fast(Certificate& c) {
     if (!(width > 0x1p-50 * std::fabs(m))) return;
     const FastSide& side = clock_.at(m, pp);
     const Bounded v = c.function.value(side), d = c.function.slope(side);
-    const Bounded k = c.function.curvature(clock_.curvature(clock_.segment(m), pp));
+    const Bounded k = c.function.curvature(clock_.cell(m).curvature(pp));
     const double spread = d.error + (std::fabs(k.value) + k.error) * (width / 2) * (1 + 0x1p-40);
     const double steep = -sign * d.value + spread, flat = -sign * d.value - spread;
     if (!(flat > 0)) return;
@@ -182,7 +194,7 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
   // Events may crowd closer to the end of the leg than doubles can tell.
   if (from.hi >= RealMax(leg().end)) return set_not_before(c, leg().end);
   const double t = RealTraits<RealMax>::to_double(from.hi);
-  const double to = clock_.segment_end(clock_.segment(std::clamp(t, leg().start, leg().end)));
+  const double to = clock_.cell(std::clamp(t, leg().start, leg().end)).end;
   if (const auto found = precise_of(c).first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
@@ -197,9 +209,10 @@ int FailureSolver::fast_sign(const FastFunction& f, const Now& now) {
   const double width = now.hi - now.lo;
   double drift = 0;
   if (width > 0) {
-    const std::size_t segment = clock_.segment(now.hi);
-    if (clock_.segment_start(segment) > now.lo) return 0;
-    const Bounded d = f.slope(side), k = f.curvature(clock_.curvature(segment, f.pp));
+    const ClockCell* cell = &clock_.cell(now.hi);
+    while (cell && cell->start > now.lo) cell = clock_.wider(*cell);
+    if (!cell) return 0;
+    const Bounded d = f.slope(side), k = f.curvature(cell->curvature(f.pp));
     drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error)) * (1 + 0x1p-40);
   }
   if (std::fabs(v.value) > v.error + drift) return v.value > 0 ? 1 : -1;

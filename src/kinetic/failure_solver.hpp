@@ -39,11 +39,17 @@ struct StageCounts {
 /// Schedules certificates on one leg.
 class FailureSolver {
  public:
-  explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {
-    pool_.reserve(64);
-    pool_free_.reserve(64);
-  }
+  explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}
 
+  /// Makes room for the failure times of this many certificates, so that events allocate nothing. The memory is touched
+  /// only when events coincide within double precision.
+  void expect(std::size_t certificates) {
+    pool_.reserve(64 + certificates);
+    pool_free_.reserve(64 + certificates);
+  }
+  std::size_t bytes() const {
+    return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
+  }
   void enter(const Leg& leg) { clock_.reset(leg); }
   const Leg& leg() const { return clock_.leg(); }
   const StageCounts& counts() const { return counts_; }
@@ -76,6 +82,7 @@ class FailureSolver {
   MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
   PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
   void advance_from(Certificate& c, double t);
+  double positive_beyond(const ClockCell& cell, const Certificate& c, double t, double value, double slope);
   void refine_fast(Certificate& c);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTime& from);

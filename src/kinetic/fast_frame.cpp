@@ -152,200 +152,135 @@ void LegClock::evaluate_exactly(double t) {
 
 namespace {
 
-/// Value and slope of two polynomials about the same middle.
-struct PairValue {
-  double x, y, dx, dy;
-};
-PairValue horner(const double* x, const double* y, double h) {
-  PairValue r{x[model_degree - 1], y[model_degree - 1], 0, 0};
-  for (int k = model_degree - 1; k-- > 0;) {
-    r.dx = r.dx * h + r.x;
-    r.x = r.x * h + x[k];
-    r.dy = r.dy * h + r.y;
-    r.y = r.y * h + y[k];
-  }
-  return r;
+/// Shorter cells than this share of the leg lie at a singular instant.
+constexpr int deepest = 40;
+
+/// Two functions of a model as one row of a side: `at` is 1 or 3.
+void fill(FastSide& s, int at, const FrameModel& m, int i, double t) {
+  for (int k = 0; k < 2; ++k) m.evaluate(i + k, t, s.f[at + k], s.d[at + k]);
 }
 
-void fill(FastSide& s, const PairValue& a, const PairValue& b, const double* error, const double* error_d,
-          double error_b, double error_bd) {
+void measure(FastSide& s, const FrameModel& m, int moving) {
   s.f[0] = 1;
   s.d[0] = 0;
-  s.f[1] = a.x;
-  s.f[2] = a.y;
-  s.f[3] = b.x;
-  s.f[4] = b.y;
-  s.d[1] = a.dx;
-  s.d[2] = a.dy;
-  s.d[3] = b.dx;
-  s.d[4] = b.dy;
   s.size_0 = 1;
   s.size_0d = s.error_0 = s.error_0d = 0;
-  s.size_a = std::fabs(a.x) + std::fabs(a.y);
-  s.size_b = std::fabs(b.x) + std::fabs(b.y);
-  s.size_ad = std::fabs(a.dx) + std::fabs(a.dy);
-  s.size_bd = std::fabs(b.dx) + std::fabs(b.dy);
-  s.error_a = *error;
-  s.error_ad = *error_d;
-  s.error_b = error_b;
-  s.error_bd = error_bd;
+  s.size_a = std::fabs(s.f[1]) + std::fabs(s.f[2]);
+  s.size_b = std::fabs(s.f[3]) + std::fabs(s.f[4]);
+  s.size_ad = std::fabs(s.d[1]) + std::fabs(s.d[2]);
+  s.size_bd = std::fabs(s.d[3]) + std::fabs(s.d[4]);
+  s.error_a = m.error[moving] + m.error[moving + 1];
+  s.error_ad = m.error_d[moving] + m.error_d[moving + 1];
+  s.error_b = m.error[4] + m.error[5];
+  s.error_bd = m.error_d[4] + m.error_d[5];
+}
+
+FastCurvature curvature_of(const FrameModel& m, int moving) {
+  FastCurvature c{};
+  const int source[4] = {moving, moving + 1, 4, 5};
+  for (int k = 0; k < 4; ++k) {
+    c.mid[k + 1] = m.bend[source[k]];
+    c.rad[k + 1] = m.bend_rad[source[k]];
+  }
+  return c;
 }
 
 }  // namespace
+
+void LegClock::reset(const Leg& leg) {
+  leg_ = &leg;
+  cached_ = false;
+  level_ = 0;
+  index_ = 0;
+  last_start_ = last_end_ = 0;
+  keys_.fill(0);
+}
+
+/// The same number for the same instant at every level, and growing with the index.
+double LegClock::boundary(int level, std::uint64_t index) const {
+  if (index == std::uint64_t{1} << level) return leg_->end;
+  return leg_->start + (leg_->end - leg_->start) * std::ldexp(static_cast<double>(index), -level);
+}
+
+std::uint64_t LegClock::index_of(int level, double t) const {
+  const std::uint64_t last = (std::uint64_t{1} << level) - 1;
+  const double share = (t - leg_->start) / (leg_->end - leg_->start);
+  const double guess = std::ldexp(share, level);
+  std::uint64_t i = guess > 0 ? static_cast<std::uint64_t>(std::min(guess, static_cast<double>(last))) : 0;
+  while (i > 0 && t < boundary(level, i)) --i;
+  while (i < last && t >= boundary(level, i + 1)) ++i;
+  return i;
+}
+
+void LegClock::make(ClockCell& cell) {
+  cell.leaf = true;
+  cell.sharp = false;
+  if (leg_->bridge) {
+    const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
+    cell.pp = fast_curvature(f.for_pp);
+    cell.qq = fast_curvature(f.for_qq);
+    return;
+  }
+  cell.model = FrameModel::over(*leg_, cell.start, cell.end);
+  cell.sharp = cell.model.sharp();
+  const bool divisible = cell.level < deepest && boundary(cell.level + 1, 2 * cell.index + 1) > cell.start &&
+                         boundary(cell.level + 1, 2 * cell.index + 1) < cell.end;
+  cell.leaf = !divisible || (cell.sharp && cell.model.straight()) || cell.model.hopeless();
+  cell.pp = curvature_of(cell.model, 0);
+  cell.qq = curvature_of(cell.model, 2);
+}
+
+const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
+  const std::uint64_t key = (std::uint64_t{1} << level) + index;
+  ClockCell& cell = cells_[key % slots];
+  if (keys_[key % slots] != key) {
+    keys_[key % slots] = key;
+    cell.level = level;
+    cell.index = index;
+    cell.start = boundary(level, index);
+    cell.end = boundary(level, index + 1);
+    make(cell);
+  }
+  return cell;
+}
+
+const ClockCell& LegClock::cell(double t) {
+  if (t >= last_start_ && t < last_end_) return at_level(level_, index_);
+  const ClockCell& found = find_leaf(t);
+  level_ = found.level;
+  index_ = found.index;
+  last_start_ = found.start;
+  last_end_ = found.end;
+  return found;
+}
+
+/// The largest leaf around t; the last one found is near, so the way starts there.
+const ClockCell& LegClock::find_leaf(double t) {
+  int level = level_;
+  while (!at_level(level, index_of(level, t)).leaf) ++level;
+  while (level > 0 && at_level(level - 1, index_of(level - 1, t)).leaf) --level;
+  return at_level(level, index_of(level, t));
+}
+
+const ClockCell* LegClock::wider(const ClockCell& cell) {
+  return cell.level > 0 ? &at_level(cell.level - 1, cell.index / 2) : nullptr;
+}
 
 void LegClock::evaluate(double t) {
   cached_t_ = t;
   cached_ = true;
-  if (leg_->bridge) return evaluate_exactly(t);
-  const Model& m = model(segment(t));
-  if (!m.sharp) return evaluate_exactly(t);
-  const double h = t - m.middle;
-  const PairValue a = horner(m.c[0], m.c[1], h), c = horner(m.c[2], m.c[3], h), b = horner(m.c[4], m.c[5], h);
-  fill(pp_, a, b, m.error, m.error_d, m.error[2], m.error_d[2]);
-  fill(qq_, c, b, m.error + 1, m.error_d + 1, m.error[2], m.error_d[2]);
-}
-
-namespace {
-
-/// Bounds of one function over a segment of half width r, from its series at the middle and over the segment.
-struct FunctionModel {
-  double error = 0, error_d = 0, bend = 0, bend_rad = 0;
-};
-
-FunctionModel bound_function(const ModelSeries& at_middle, const ModelSeries& over, double r, double size_t,
-                             double* coefficients) {
-  constexpr int n = model_degree;
-  FunctionModel f;
-  double size = 0, size_d = 0, power = 1, power_d = 0, power_dd = 0;  // r^k, k r^(k-1), k (k-1) r^(k-2)
-  for (int k = 0; k <= n; ++k) {
-    const Ball<double>& c = k < n ? at_middle.c[k] : over.c[n];
-    const double whole = k < n ? std::fabs(c.mid) : 0.0;
-    const double unknown = k < n ? c.rad : std::fabs(c.mid) + c.rad;
-    if (k < n) coefficients[k] = c.mid;
-    f.error += unknown * power;
-    f.error_d += unknown * power_d;
-    size += whole * power;
-    size_d += whole * power_d;
-    if (k == 2) f.bend = 2 * c.mid;
-    f.bend_rad += (k == 2 ? unknown : whole + unknown) * power_dd;
-    power_dd = k >= 1 ? (k + 1.0) * k * std::pow(r, k - 1) : 0.0;
-    power_d = (k + 1) * power;
-    power *= r;
+  const ClockCell& here = cell(t);
+  if (!here.sharp) return evaluate_exactly(t);
+  const FrameModel& m = here.model;
+  fill(pp_, 1, m, 0, t);
+  fill(qq_, 1, m, 2, t);
+  fill(pp_, 3, m, 4, t);
+  for (int k = 3; k < 5; ++k) {
+    qq_.f[k] = pp_.f[k];
+    qq_.d[k] = pp_.d[k];
   }
-  // Horner rounds 2 n times; h = t - middle rounds once, relative to the size of t: a shift of the instant.
-  const double shift = size_t * 0x1p-52;
-  f.error += 0x1p-53 * (2 * n + 4) * size + shift * (size_d + f.error_d);
-  f.error_d += 0x1p-53 * (3 * n + 4) * size_d + shift * (std::fabs(f.bend) + f.bend_rad);
-  f.error = f.error * (1 + 0x1p-40) + underflow_slack;
-  f.error_d = f.error_d * (1 + 0x1p-40) + underflow_slack;
-  f.bend_rad = (f.bend_rad + 0x1p-50 * std::fabs(f.bend)) * (1 + 0x1p-40) + underflow_slack;
-  return f;
-}
-
-}  // namespace
-
-void LegClock::make_bridge_model(Model& m) {
-  const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
-  m.curvature_pp = fast_curvature(f.for_pp);
-  m.curvature_qq = fast_curvature(f.for_qq);
-}
-
-void LegClock::make_model(std::size_t i) {
-  Model& m = models_[i];
-  m.ready = true;
-  if (leg_->bridge) return make_bridge_model(m);
-  const Ball<double> segment = Ball<double>::between(boundaries_[i], boundaries_[i + 1]);
-  m.middle = segment.mid;
-  const FrameOf<ModelSeries> at_middle = frame_series(*leg_, Ball<double>::exact(m.middle));
-  const FrameOf<ModelSeries> over = frame_series(*leg_, segment);
-  m.curvature_pp = m.curvature_qq = FastCurvature{};
-  const double size_t = std::fabs(m.middle) + segment.rad;
-  m.sharp = true;
-  for (int k = 0; k < 6; ++k) {
-    const bool second = k == 2 || k == 3;
-    const std::size_t index = static_cast<std::size_t>(k < 2 ? k + 1 : (k < 4 ? k - 1 : k - 1));
-    const auto& point = second ? at_middle.for_qq[index] : at_middle.for_pp[index];
-    const auto& wide = second ? over.for_qq[index] : over.for_pp[index];
-    const FunctionModel f = bound_function(point, wide, segment.rad, size_t, m.c[k]);
-    double &error = m.error[k / 2], &error_d = m.error_d[k / 2];
-    error = (k % 2 ? error : 0) + f.error;
-    error_d = (k % 2 ? error_d : 0) + f.error_d;
-    // Comparisons that a NaN fails: where the motion is singular there is no model.
-    const double fair =
-        0x1p-46 * (std::fabs(m.c[k][0]) + std::fabs(m.c[k][1]) * (segment.rad + 0x1p-6 * size_t)) + 0x1p-46;
-    const double fair_d = 0x1p-42 * (1 + std::fabs(m.c[k][1])) / std::min(1.0, segment.rad);
-    m.sharp = m.sharp && f.error <= fair && f.error_d <= fair_d;
-    const bool known = std::isfinite(f.bend) && f.bend_rad < INFINITY;
-    const double mid = known ? f.bend : 0, rad = known ? f.bend_rad : INFINITY;
-    if (!second) m.curvature_pp.mid[index] = mid, m.curvature_pp.rad[index] = rad;
-    if (k >= 2) m.curvature_qq.mid[index] = mid, m.curvature_qq.rad[index] = rad;
-  }
-}
-
-/// Enough segments that the frame turns by little in each; only speed depends on the choice.
-std::size_t LegClock::choose_segments() const {
-  if (linear_ || leg_->bridge) return 1;
-  if (leg_->translation) return 16;
-  constexpr int samples = 32;
-  double turn = 0;
-  for (int i = 0; i < samples; ++i) {
-    const double t = leg_->start + (leg_->end - leg_->start) * ((i + 0.5) / samples);
-    const Frame<double> f = frame(*leg_, Ball<double>::exact(t));
-    double speed = 0;
-    for (const auto* side : {&f.for_pp, &f.for_qq}) {
-      for (int k = 1; k < 5; ++k) {
-        const double scale = k < 3 ? std::fabs((*side)[1].v.mid) + std::fabs((*side)[2].v.mid) + 1e-3 : 1.0;
-        const double d = std::fabs((*side)[k].d.mid) / scale;
-        if (std::isfinite(d)) speed = std::max(speed, d);
-      }
-    }
-    turn += speed * (leg_->end - leg_->start) / samples;
-  }
-  return static_cast<std::size_t>(std::clamp(turn * 8, 8.0, 20000.0));
-}
-
-void LegClock::make_segments(std::size_t n) {
-  boundaries_.clear();
-  for (std::size_t i = 0; i <= n; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(n);
-    const double b = i == n ? leg_->end : leg_->start + (leg_->end - leg_->start) * share;
-    if (boundaries_.empty() || b > boundaries_.back()) boundaries_.push_back(b);
-  }
-  if (boundaries_.size() < 2) boundaries_.push_back(leg_->end);
-  boundaries_.back() = leg_->end;
-  models_.assign(boundaries_.size() - 1, Model());
-  const double span = leg_->end - leg_->start;
-  segments_per_time_ = span > 0 ? static_cast<double>(models_.size()) / span : 0;
-}
-
-/// Looks at a few segments inside the leg (its ends may be singular).
-bool LegClock::models_are_sharp() {
-  const std::size_t n = models_.size();
-  for (const std::size_t i : {n / 4, n / 2, (3 * n) / 4}) {
-    if (!model(i).sharp) return false;
-  }
-  return true;
-}
-
-void LegClock::reset(const Leg& leg) {
-  leg_ = &leg;
-  linear_ = leg.translation && leg.degree <= 1;
-  cached_ = false;
-  std::size_t n = choose_segments();
-  make_segments(n);
-  if (leg.bridge || linear_) return;
-  for (int halvings = 0; halvings < 4 && !models_are_sharp(); ++halvings) make_segments(n *= 2);
-}
-
-std::size_t LegClock::segment(double t) const {
-  const std::size_t n = models_.size();
-  if (n == 1) return 0;
-  const double guess = (t - boundaries_[0]) * segments_per_time_;
-  std::size_t i = guess > 0 ? static_cast<std::size_t>(guess) : 0;
-  i = std::min(i, n - 1);
-  while (i > 0 && t < boundaries_[i]) --i;
-  while (i + 1 < n && t >= boundaries_[i + 1]) ++i;
-  return i;
+  measure(pp_, m, 0);
+  measure(qq_, m, 2);
 }
 
 }  // namespace taut

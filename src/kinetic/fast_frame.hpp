@@ -1,8 +1,11 @@
 // A leg's frame functions in doubles with error bounds: the first stage of every certificate evaluation.
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstdint>
+#include <memory>
 
+#include "motion/frame_model.hpp"
 #include "motion/mixed_function.hpp"
 
 namespace taut {
@@ -65,7 +68,24 @@ struct FastFunction {
   double floor_error = 0;
 };
 
-/// Evaluates a leg's frame from Taylor models of its segments, made when first used.
+/// A dyadic part of a leg's interval, with a model of the frame over it.
+struct ClockCell {
+  int level;            ///< the leg is cut into 2^level parts,
+  std::uint64_t index;  ///< and this is one of them
+  double start, end;
+  bool leaf;   ///< fine enough: values come from this cell
+  bool sharp;  ///< the model's values are good; if not, the frame itself is evaluated
+  FrameModel model;
+  FastCurvature pp, qq;
+
+  /// Bounds of the second derivatives over the cell.
+  const FastCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
+};
+
+/// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
+/// asks for: cells shrink towards an instant at which the motion is singular. Cells are made when first used, and the
+/// last ones are kept, so that memory does not depend on
+/// the leg.
 class LegClock {
  public:
   /// Prepares a leg; the reference must stay valid.
@@ -76,49 +96,34 @@ class LegClock {
     if (t != cached_t_ || !cached_) evaluate(t);
     return pp ? pp_ : qq_;
   }
-  /// The segment that contains t.
-  std::size_t segment(double t) const;
-  double segment_end(std::size_t i) const { return boundaries_[i + 1]; }
-  double segment_start(std::size_t i) const { return boundaries_[i]; }
-  /// Bounds of the second derivatives over a segment.
-  const FastCurvature& curvature(std::size_t i, bool pp) {
-    const Model& m = model(i);
-    return pp ? m.curvature_pp : m.curvature_qq;
-  }
-  /// The functions are linear in the parameter: there is one segment, and no curvature.
-  bool linear() const { return linear_; }
+  /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
+  const ClockCell& cell(double t);
+  /// The next larger cell around this one; none around the whole leg.
+  const ClockCell* wider(const ClockCell& cell);
 
  private:
-  /// The six functions that vary (two parts of conj(x_P) D, of conj(x_Q) D, and c, s) as polynomials about `middle`;
-  /// errors of values and of slopes by pairs, including the remainder.
-  struct Model {
-    bool ready = false;
-    bool sharp = false;  ///< exact to a few ulps; if not, the frame itself is evaluated
-    double middle = 0;
-    double c[6][model_degree];
-    double error[3], error_d[3];
-    FastCurvature curvature_pp, curvature_qq;
-  };
+  /// Cells down to the eighth level never get into each other's way.
+  static constexpr std::size_t slots = 512;
 
-  const Model& model(std::size_t i) {
-    if (!models_[i].ready) make_model(i);
-    return models_[i];
-  }
-  void make_model(std::size_t i);
-  void make_segments(std::size_t n);
-  bool models_are_sharp();
-  void make_bridge_model(Model& m);
+  const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& find_leaf(double t);
+  double boundary(int level, std::uint64_t index) const;
+  std::uint64_t index_of(int level, double t) const;
+  void make(ClockCell& cell);
   void evaluate(double t);
   void evaluate_exactly(double t);
-  std::size_t choose_segments() const;
 
   const Leg* leg_ = nullptr;
-  bool linear_ = false, cached_ = false;
+  bool cached_ = false;
   double cached_t_ = 0;
-  double segments_per_time_ = 0;
+  int level_ = 0;  ///< of the leaf last used, with its place
+  std::uint64_t index_ = 0;
+  double last_start_ = 0, last_end_ = 0;
   FastSide pp_{}, qq_{};
-  std::vector<double> boundaries_;
-  std::vector<Model> models_;
+  /// Cell (level, index) is number 2^level + index, and lies in the slot of its number modulo `slots` if that is what
+  /// keys_ says. The cells' memory is not touched before it is used.
+  std::array<std::uint64_t, slots> keys_{};
+  std::unique_ptr<ClockCell[]> cells_{new ClockCell[slots]};
 };
 
 }  // namespace taut

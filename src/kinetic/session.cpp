@@ -38,6 +38,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer) : scene_(scene
   };
   start_engine(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
+  if (engine_->overlap()->one_body) refuse_fine_features(*engine_->overlap());
   if (touch == Touch::closed) {
     // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
     const Overlap overlap = *engine_->overlap();
@@ -51,6 +52,19 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer) : scene_(scene
     }
   }
   overlap_at_start_ = true;
+}
+
+void Session::refuse_fine_features(const Overlap& overlap) const {
+  const Feature e = edge_feature(overlap.edge_p), f = edge_feature(overlap.edge_q);
+  const Body& body = scene_.bodies[static_cast<std::size_t>(e.body)];
+  const auto edge = [&body](const Feature& x) {
+    return std::to_string(x.index) + "-" +
+           std::to_string((static_cast<std::size_t>(x.index) + 1) % body.polygon.size());
+  };
+  throw InputError(body.name,
+                   "edges " + edge(e) + " and " + edge(f) +
+                       " come closer than the displacement that taut computes with, 2^-199 of the largest coordinate",
+                   "features that small can only be rounding noise: remove them");
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }

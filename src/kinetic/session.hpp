@@ -63,6 +63,7 @@ class Session : private EngineObserver {
 
  private:
   void on_event(const EngineEvent& event) override;
+  [[noreturn]] void refuse_fine_features(const Overlap& overlap) const;
   void contact_at_start(const Overlap& overlap);
   void note_contact();
   Feature vertex_feature(VertexId v) const;

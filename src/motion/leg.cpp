@@ -20,15 +20,6 @@ namespace {
 
 double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
 
-/// o_Q - o_P without its constant part.
-template <class J>
-J varying_difference(const Coefficients& q, const Coefficients& p, const Ball<typename J::Number>& t) {
-  Coefficients from_q = q, from_p = p;
-  if (!from_q.empty()) from_q[0] = 0;
-  if (!from_p.empty()) from_p[0] = 0;
-  return J::polynomial(from_q, t) - J::polynomial(from_p, t);
-}
-
 /// (re, im) of conj(a) b.
 template <class J>
 void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re, J& im) {
@@ -42,8 +33,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Ball<typename J::Number>& t) {
   const bool shifted = leg.shift_p || leg.shift_q;
   J dx, dy;
   if (shifted) {
-    dx = varying_difference<J>(leg.q.x, leg.p.x, t);
-    dy = varying_difference<J>(leg.q.y, leg.p.y, t);
+    dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
+    dy = J::polynomial(VaryingPart{leg.q.y}, t) - J::polynomial(VaryingPart{leg.p.y}, t);
   } else {
     dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
     dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);

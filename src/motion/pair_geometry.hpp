@@ -14,6 +14,8 @@ namespace taut {
 struct PairGeometry {
   std::vector<DisplacedPoint> points;
   std::uint32_t np = 0, nq = 0;
+  /// Some feature may be smaller than the displacement: then the displaced polygons must be checked to be simple.
+  bool fine_features = false;
 
   std::uint32_t size() const { return np + nq; }
   bool in_p(VertexId v) const { return v.value < np; }

@@ -13,6 +13,14 @@ struct Pose {
   Jet<Real> xx, xy;
 };
 
+/// A polynomial's coefficients with 0 for the constant.
+struct VaryingPart {
+  const Coefficients& whole;
+  std::size_t size() const { return whole.size(); }
+  bool empty() const { return whole.empty(); }
+  double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
+};
+
 /// x(t) of a rotation; J is Jet<Real> or Series<Real, N>.
 template <class J>
 void rotation_jet(const Rotation& rotation, const Ball<typename J::Number>& t, J& xx, J& xy) {
@@ -29,8 +37,11 @@ void rotation_jet(const Rotation& rotation, const Ball<typename J::Number>& t, J
     xx = (one - square) / below;
     xy = (s + s) / below;
   } else if (const auto* c = std::get_if<CosineRotation>(&rotation)) {
-    xx = J::polynomial(c->a, t);
-    xy = sqrt(J::constant(1.0) - xx * xx);
+    // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or ends at 1 or -1.
+    const J change = J::polynomial(VaryingPart{c->a}, t);
+    const J one = J::constant(1.0), start = J::constant(c->a.empty() ? 0.0 : c->a[0]);
+    xx = start + change;
+    xy = sqrt(((one - start) - change) * ((one + start) + change));
   } else {
     xx = J::constant(1.0);
     xy = J::constant(0.0);

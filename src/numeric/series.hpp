@@ -1,9 +1,9 @@
 // Taylor series in time, over balls: for models of the motion that are cheap to evaluate many times.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "numeric/trig.hpp"
 
@@ -21,16 +21,14 @@ struct Series {
     s.c[0] = Ball<Real>::exact(x);
     return s;
   }
-  /// A polynomial with the given coefficients (ascending) about the ball t: repeated synthetic division.
+  /// A polynomial with the given coefficients (ascending) about the ball t: Horner's rule with t + h for t.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const Ball<Real>& t) {
-    std::vector<Ball<Real>> a;
-    a.reserve(coefficients.size());
-    for (const auto& x : coefficients) a.push_back(Ball<Real>::exact(x));
     Series s = constant(0.0);
-    for (std::size_t k = 0; k < a.size() && k <= N; ++k) {
-      for (std::size_t i = a.size() - 1; i-- > k;) a[i] = a[i] + a[i + 1] * t;
-      s.c[k] = a[k];
+    int degree = -1;
+    for (std::size_t i = coefficients.size(); i-- > 0; ++degree) {
+      for (int k = std::min(degree + 1, N); k > 0; --k) s.c[k] = s.c[k] * t + s.c[k - 1];
+      s.c[0] = s.c[0] * t + Ball<Real>::exact(coefficients[i]);
     }
     return s;
   }

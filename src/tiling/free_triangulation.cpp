@@ -15,8 +15,12 @@ constexpr std::uint32_t none = FreeTriangulation::none;
 /// runs leftwards has free space above it and carries the chain of that free interval.
 class Sweep {
  public:
-  Sweep(const Placement& placement, FreeTriangulation& out)
-      : place_(placement), geometry_(placement.geometry()), out_(out), n_(placement.size()) {}
+  Sweep(const Placement& placement, FreeTriangulation& out, bool check_bodies)
+      : place_(placement),
+        geometry_(placement.geometry()),
+        out_(out),
+        n_(placement.size()),
+        check_bodies_(check_bodies) {}
 
   std::optional<Overlap> run() {
     const std::uint32_t total = n_ + 4;
@@ -94,15 +98,18 @@ class Sweep {
 
   void report(std::uint32_t e, std::uint32_t f) {
     if (overlap_) return;
+    if (owner(f) == 2) f = e;  // a vertex that ought to start inside its own polygon lies outside of it
     overlap_ = owner(e) == 0 ? Overlap{VertexId(e), VertexId(f)} : Overlap{VertexId(f), VertexId(e)};
+    overlap_->one_body = owner(e) == owner(f);
   }
-  /// Edges of different bodies that become neighbours must not cross.
+  /// Edges of different bodies that become neighbours must not cross (nor, if asked for, those of one body).
   void check_neighbours(Slot low, Slot high) {
     if (low == SweepStatus::nil || high == SweepStatus::nil) return;
     const std::uint32_t e = status_.edge(low), f = status_.edge(high);
     const int oe = owner(e), of = owner(f);
-    if (oe == of || oe == 2 || of == 2) return;
+    if ((oe == of && !check_bodies_) || oe == 2 || of == 2) return;
     const VertexId a(e), b = ring_next(a), c(f), d = ring_next(c);
+    if (a == d || b == c) return;
     if (place_.orientation(a, b, c) == place_.orientation(a, b, d)) return;
     if (place_.orientation(c, d, a) == place_.orientation(c, d, b)) return;
     report(e, f);
@@ -286,6 +293,7 @@ class Sweep {
   const PairGeometry& geometry_;
   FreeTriangulation& out_;
   std::uint32_t n_;
+  bool check_bodies_;
   std::vector<std::uint32_t> rank_;
   SweepStatus status_;
   std::vector<Slot> slot_of_;  ///< of an edge
@@ -297,8 +305,9 @@ class Sweep {
 
 }  // namespace
 
-std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result) {
-  return Sweep(placement, result).run();
+std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
+                                              bool check_bodies) {
+  return Sweep(placement, result, check_bodies).run();
 }
 
 }  // namespace taut

@@ -12,6 +12,7 @@ namespace taut {
 /// an edge at the leftmost vertex of the inner one, and the edge of the outer one just below it).
 struct Overlap {
   VertexId edge_p, edge_q;  ///< named by their first vertices
+  bool one_body = false;    ///< both are edges of one polygon, which is not simple once displaced
 };
 
 /// Triangle t has the half-edges 3t, 3t+1, 3t+2, counterclockwise.
@@ -29,6 +30,9 @@ struct FreeTriangulation {
 /// Triangulates by a plane sweep, O(n log n); returns the overlap instead if the polygons are not disjoint.
 /// (Hertel and Mehlhorn's sweep: each free interval of the sweep line keeps a reflex chain of vertices that wait for
 /// triangles; every new vertex closes what it can see.)
-std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result);
+/// With `check_bodies` it also looks for edges of one polygon that cross: the displacement can bring that about where
+/// features are smaller than it is.
+std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
+                                              bool check_bodies = false);
 
 }  // namespace taut

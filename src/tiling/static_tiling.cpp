@@ -23,9 +23,9 @@ void add_polygon(const ChainTree& tree, std::uint32_t first, PlanarMap& map) {
 StaticTiling build_tiling(const Placement& placement) {
   StaticTiling result;
   FreeTriangulation triangulation;
-  result.overlap = triangulate_free_space(placement, triangulation);
-  if (result.overlap) return result;
   const PairGeometry& g = placement.geometry();
+  result.overlap = triangulate_free_space(placement, triangulation, g.fine_features);
+  if (result.overlap) return result;
   result.map.reset(g.size());
   const ChainTree tree_p(g.np, node::p_tree), tree_q(g.nq, node::q_tree);
   add_polygon(tree_p, 0, result.map);

@@ -1,0 +1,95 @@
+#include "motion/frame_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
+
+/// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for f' and f''.
+void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries& over) {
+  constexpr int n = model_degree;
+  double noise = 0, size = 0, size_d = 0, size_dd = 0, vague = 0, vague_d = 0, vague_dd = 0;
+  double power[3] = {1, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2)
+  for (int k = 0; k <= n; ++k) {
+    const double known = k < n ? std::fabs(at_middle.c[k].mid) : 0;
+    const double open = k < n ? at_middle.c[k].rad : over.c[n].magnitude();
+    if (k < n) m.c[i][k] = at_middle.c[k].mid;
+    if (k < n && at_middle.c[k].mid != 0) m.terms = std::max(m.terms, k + 1);
+    if (k < n) noise += open * power[0];
+    size += known * power[0];
+    size_d += known * power[1];
+    vague += open * power[0];
+    vague_d += open * power[1];
+    vague_dd += open * power[2];
+    if (k != 2) size_dd += known * power[2];
+    if (k == n) m.remainder[i] = known_or_infinite(open * power[0]);
+    for (int order = 2; order > 0; --order) power[order] = (k + 1) * power[order - 1];
+    power[0] *= m.radius;
+  }
+  m.size[i] = size;
+  m.noise[i] = known_or_infinite(noise);
+  m.bend[i] = std::isfinite(m.c[i][2]) ? 2 * m.c[i][2] : 0;
+  // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
+  const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
+  const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.bend[i])));
+  m.error[i] = known_or_infinite(error + underflow_slack);
+  m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
+  m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
+  if (!std::isfinite(m.c[i][2])) m.bend_rad[i] = INFINITY;
+}
+
+}  // namespace
+
+FrameModel FrameModel::over(const Leg& leg, double start, double end) {
+  FrameModel m;
+  const Ball<double> whole = Ball<double>::between(start, end);
+  m.start = start;
+  m.end = end;
+  m.middle = whole.mid;
+  m.radius = whole.rad;
+  m.terms = 1;
+  const FrameOf<ModelSeries> point = frame_series(leg, Ball<double>::exact(m.middle));
+  const FrameOf<ModelSeries> range = frame_series(leg, whole);
+  bound(m, 0, point.for_pp[1], range.for_pp[1]);
+  bound(m, 1, point.for_pp[2], range.for_pp[2]);
+  bound(m, 2, point.for_qq[1], range.for_qq[1]);
+  bound(m, 3, point.for_qq[2], range.for_qq[2]);
+  bound(m, 4, point.for_pp[3], range.for_pp[3]);
+  bound(m, 5, point.for_pp[4], range.for_pp[4]);
+  return m;
+}
+
+bool FrameModel::finite() const {
+  for (int i = 0; i < functions; ++i) {
+    if (!(error[i] < INFINITY && error_d[i] < INFINITY && bend_rad[i] < INFINITY)) return false;
+  }
+  return true;
+}
+
+bool FrameModel::sharp() const {
+  for (int i = 0; i < functions; ++i) {
+    if (!(remainder[i] <= std::max(0x1p-47 * scale(i), noise[i]) + underflow_slack)) return false;
+  }
+  return finite();
+}
+
+bool FrameModel::hopeless() const {
+  for (const double bound : noise) {
+    if (!(bound < INFINITY)) return true;
+  }
+  return false;
+}
+
+bool FrameModel::straight() const {
+  constexpr double share = 0x1p-4, least = 0x1p-10;
+  for (int i = 0; i < functions; ++i) {
+    const double way = share * std::fabs(c[i][1]) * radius + least * scale(i);
+    if (!(bend_rad[i] * radius * radius <= way + underflow_slack)) return false;
+  }
+  return true;
+}
+
+}  // namespace taut

@@ -1,0 +1,56 @@
+// A vertex that crosses an edge: the roots that may be contacts, at any precision.
+#pragma once
+
+#include <optional>
+
+#include "motion/mixed_function.hpp"
+
+namespace taut::spacetime {
+
+/// A vertex of one body and an edge of the other, by its first vertex.
+struct VertexEdge {
+  VertexId vertex, edge;
+
+  /// The edge from its first vertex.
+  MixedTriple forwards(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
+  /// And from its second.
+  MixedTriple backwards(const PairGeometry& g) const { return {g.next(edge), edge, vertex, g.in_p(edge)}; }
+};
+
+/// An instant at which the vertex passes from outside to inside through the edge: the only one in [lo, hi] at which it
+/// is on the edge's line. `stage` is the index into precision_ladder that found it, -1 for doubles.
+struct Crossing {
+  VertexEdge pair;
+  double lo = 0, hi = 0;
+  RealMax exact_lo, exact_hi;  ///< within [lo, hi]; only from stage 0 on
+  int stage = -1;
+};
+
+/// Is the vertex beside the edge, or beyond one of its ends?
+enum class Beside : unsigned char { yes, no, unknown };
+
+/// The precise stages for one leg. All members throw Undecidable where the last stage does not suffice.
+class PreciseCrossings {
+ public:
+  PreciseCrossings(const PairGeometry& geometry, const Leg& leg) : geometry_(geometry), leg_(leg) {}
+
+  /// The first crossing in (from, to] into the edge.
+  std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
+  /// Is the vertex beside the edge at this root of the orientation, whose sign changes from `sign`? The root needs not
+  /// be a crossing.
+  Beside beside(Crossing& root, int sign);
+  /// Is the first crossing before the second? Refines both until that is certain.
+  bool before(Crossing& a, Crossing& b);
+  /// Encloses within a few ulps.
+  void tighten(Crossing& c);
+  std::uint64_t calls() const { return calls_; }
+
+ private:
+  void refine(Crossing& c, int sign, int stage);
+
+  const PairGeometry& geometry_;
+  const Leg& leg_;
+  std::uint64_t calls_ = 0;
+};
+
+}  // namespace taut::spacetime

@@ -1,0 +1,37 @@
+// The second engine: bounding boxes over the edges, followed through time. It shares no idea with the tiling, and its
+// purpose is to disagree with it if either is wrong.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "motion/leg.hpp"
+#include "motion/pair_geometry.hpp"
+
+namespace taut::spacetime {
+
+struct SpacetimeResult {
+  enum Outcome : unsigned char {
+    free,       ///< proved: no vertex of one body meets an edge of the other on any leg
+    contact,    ///< the first contact, certainly
+    undecided,  ///< the precision of the last stage did not suffice: nothing is claimed
+  };
+  Outcome outcome = undecided;
+  /// Of a contact: the vertex, the edge by its first vertex, the leg, and an enclosure of its parameter. No contact
+  /// certainly happens before `lo` on that leg, or on the legs before it.
+  VertexId vertex, edge;
+  double lo = 0, hi = 0;
+  std::size_t leg = 0;
+  /// Pairs of boxes looked at, roots isolated in doubles, questions to multi-precision.
+  std::uint64_t pairs = 0, roots = 0, precise = 0;
+};
+
+/// The first contact of the two displaced polygons along the legs (as made by make_legs), given that they are disjoint
+/// at the start of the first (see overlapping(); if they are not, the answer means nothing).
+/// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
+SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Leg>& legs);
+
+/// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
+bool overlapping(const PairGeometry& geometry, const Leg& leg, double t);
+
+}  // namespace taut::spacetime

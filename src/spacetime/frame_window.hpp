@@ -1,0 +1,57 @@
+// A short stretch of a leg, with bounds of everything that moves in it.
+#pragma once
+
+#include "motion/frame_model.hpp"
+
+namespace taut::spacetime {
+
+/// The five functions of Frame for one kind of triple: values, slopes, and bounds of their errors.
+struct FrameSample {
+  double f[5], d[5];
+  double error[5], error_d[5];
+};
+
+/// Second derivatives over a window: middle and radius of each.
+struct FrameBend {
+  double mid[5], rad[5];
+};
+
+/// A window of the leg's parameter. The laws:
+///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; bend() encloses the second derivatives
+///      over the whole window; all bounds are finite.
+///   2. not smooth() (the motion is singular near by): only range() may be used; it encloses the values over the
+///      window.
+class FrameWindow {
+ public:
+  /// The window from `start`, as long as its bounds are good, and not beyond `limit` (> start). It tries `length`
+  /// first.
+  FrameWindow(const Leg& leg, double start, double limit, double length);
+
+  double start() const { return start_; }
+  double end() const { return end_; }
+  double length() const { return end_ - start_; }
+  bool smooth() const { return smooth_; }
+  const FrameSample& at(double t, bool pp) {
+    if (!(t == cached_)) evaluate(t);
+    return pp ? pp_ : qq_;
+  }
+  const FrameBend& bend(bool pp) const { return pp ? bend_pp_ : bend_qq_; }
+  const FrameSample& range(bool pp) const { return pp ? pp_ : qq_; }
+
+ private:
+  bool make_smooth();
+  void make_bridge();
+  bool make_range();
+  void evaluate(double t);
+  void fill(FrameSample& sample, int varying, double t) const;
+
+  const Leg* leg_;
+  double start_, end_;
+  bool smooth_ = true;
+  double cached_;
+  FrameModel model_;
+  FrameSample pp_{}, qq_{};
+  FrameBend bend_pp_{}, bend_qq_{};
+};
+
+}  // namespace taut::spacetime

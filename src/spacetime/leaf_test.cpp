@@ -1,0 +1,125 @@
+#include "spacetime/leaf_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::spacetime {
+namespace {
+
+double below(double x) { return std::nextafter(x, -INFINITY); }
+double above(double x) { return std::nextafter(x, INFINITY); }
+
+/// Steps shorter than this share of the window do not get on.
+constexpr double least_step = 0x1p-36;
+/// The first stretch that multi-precision searches, as a share of the window, and how it grows.
+constexpr double first_stride = 0x1p-16, stride_growth = 32;
+
+/// The sign over all of [lo, hi], if certain: first order about the middle, second order beyond.
+int sign_between(const DirectedDistance& f, FrameWindow& window, double lo, double hi) {
+  const Course c(f, window, lo + (hi - lo) / 2, 1);
+  const double reach = (hi - lo) * (0.5 + 0x1p-40) + 0x1p-1000;
+  const double steep = std::fabs(c.slope.value) + c.slope.error;
+  const double bent = std::fabs(c.bend.value) + c.bend.error;
+  const Bounded wide{c.value.value, (c.value.error + reach * (steep + reach * bent)) * (1 + 0x1p-40)};
+  return wide.sign();
+}
+
+}  // namespace
+
+LeafTest::Functions LeafTest::functions(const VertexEdge& pair) const {
+  const DisplacedPoint &a = geometry_.point(pair.edge), &b = geometry_.point(geometry_.next(pair.edge)),
+                       &c = geometry_.point(pair.vertex);
+  const bool pp = geometry_.in_p(pair.edge);
+  const double ex = b.x - a.x, ey = b.y - a.y;
+  const Point start{a.x, a.y}, end{b.x, b.y}, vertex{c.x, c.y};
+  return {DirectedDistance(leg_, pp, {-ey, ex}, start, vertex), DirectedDistance(leg_, pp, {ex, ey}, start, vertex),
+          DirectedDistance(leg_, pp, {-ex, -ey}, end, vertex)};
+}
+
+bool LeafTest::excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const {
+  const Functions f = functions(pair);
+  const FrameSample& s = window.range(f.line.pp());
+  return f.line.value(s).sign() != 0 || f.from_start.value(s).sign() < 0 || f.from_end.value(s).sign() < 0;
+}
+
+/// Encloses the next root of the line's function, which has `sign` at t, if it is certain that there is one.
+bool LeafTest::isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
+                       double& falls_until) {
+  const Course c(f.line, window, t, sign);
+  const double after = c.negative_from(limit - t, falls_until);
+  if (!(after < limit - t)) return false;
+  root.lo = std::max(t, below(t + c.positive_until(limit - t)));
+  root.hi = std::min(above(t + after), window.end());
+  falls_until = std::max(root.hi, below(t + falls_until));
+  ++roots_;
+  newton(window, f.line, sign, root);
+  return true;
+}
+
+/// Interval Newton, with bounds of the slope over the enclosure at hand.
+void LeafTest::newton(FrameWindow& window, const DirectedDistance& line, int sign, Crossing& root) const {
+  for (int step = 0; step < 6; ++step) {
+    const double width = root.hi - root.lo, m = root.lo + width / 2;
+    if (!(width > 0x1p-50 * std::fabs(m))) return;
+    const Course c(line, window, m, sign);
+    const double spread = c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * (width / 2) * (1 + 0x1p-40);
+    const double steep = -c.slope.value + spread, flat = -c.slope.value - spread;
+    if (!(flat > 0)) return;
+    const double least = c.value.lower(), most = c.value.upper();
+    const double lo = m + least / (least > 0 ? steep : flat), hi = m + most / (most > 0 ? flat : steep);
+    const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
+    root.lo = std::max(root.lo, lo - slack);
+    root.hi = std::min(root.hi, hi + slack);
+    if (!(root.hi - root.lo < 0.5 * width)) return;
+  }
+}
+
+Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing& root) const {
+  const int a = sign_between(f.from_start, window, root.lo, root.hi);
+  const int b = sign_between(f.from_end, window, root.lo, root.hi);
+  if (a < 0 || b < 0) return Beside::no;
+  return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
+}
+
+LeafProgress LeafTest::advance(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
+  if (!window.smooth()) {
+    if (excluded_in_range(window, pair)) return {limit, std::nullopt};
+    return {limit, precise_.first(pair, t, limit)};
+  }
+  const Functions f = functions(pair);
+  for (double stride = window.length() * first_stride; t < limit;) {
+    const double left = limit - t;
+    // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
+    double step = std::max(Course(f.from_start, window, t, -1).positive_until(left),
+                           Course(f.from_end, window, t, -1).positive_until(left));
+    if (step >= left) return {limit, std::nullopt};
+    const int sign = f.line.value(window.at(t, f.line.pp())).sign();
+    const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
+    if (on_side >= left) return {limit, std::nullopt};
+    if (on_side > step) {
+      step = on_side;
+      Crossing root;
+      root.pair = pair;
+      double falls_until = 0;
+      if (isolate(window, f, t, limit, sign, root, falls_until)) {
+        Beside at_root = beside(window, f, root);
+        if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
+        if (at_root == Beside::yes && sign < 0) return {root.lo, root};
+        // After the root the line's function keeps its new sign until it may turn.
+        t = std::max(root.hi, falls_until);
+        continue;
+      }
+    }
+    if (step > least_step * window.length()) {
+      const double next = below(t + step);
+      if (next > t) return {next, std::nullopt};
+    }
+    const double to = std::min(limit, std::max(above(t), t + stride));
+    if (auto found = precise_.first(pair, t, to)) return {found->lo, std::move(found)};
+    t = to;
+    stride *= stride_growth;
+  }
+  return {limit, std::nullopt};
+}
+
+}  // namespace taut::spacetime

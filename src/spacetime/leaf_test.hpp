@@ -1,0 +1,47 @@
+// Does a vertex cross an edge? In doubles with error bounds, step by step; in multi-precision where these get stuck.
+#pragma once
+
+#include <optional>
+
+#include "spacetime/crossing.hpp"
+#include "spacetime/motion_bound.hpp"
+
+namespace taut::spacetime {
+
+/// What one advance of a leaf found.
+struct LeafProgress {
+  /// Certainly no contact of this pair on [t, free_until); the window's limit if there is nothing more to find.
+  double free_until = 0;
+  /// Then its first contact in the window, certainly.
+  std::optional<Crossing> contact;
+};
+
+/// The tests on one window of a leg.
+class LeafTest {
+ public:
+  LeafTest(const PairGeometry& geometry, const Leg& leg) : geometry_(geometry), leg_(leg), precise_(geometry, leg) {}
+
+  /// From t on. `limit` lies within the window; later contacts do not matter.
+  LeafProgress advance(FrameWindow& window, const VertexEdge& pair, double t, double limit);
+  PreciseCrossings& precise() { return precise_; }
+  std::uint64_t roots() const { return roots_; }
+
+ private:
+  /// Positive to the left of the edge's line; beyond its start, and its end, negative.
+  struct Functions {
+    DirectedDistance line, from_start, from_end;
+  };
+  Functions functions(const VertexEdge& pair) const;
+  bool excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const;
+  bool isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
+               double& falls_until);
+  void newton(FrameWindow& window, const DirectedDistance& line, int sign, Crossing& root) const;
+  Beside beside(FrameWindow& window, const Functions& f, const Crossing& root) const;
+
+  const PairGeometry& geometry_;
+  const Leg& leg_;
+  PreciseCrossings precise_;
+  std::uint64_t roots_ = 0;
+};
+
+}  // namespace taut::spacetime

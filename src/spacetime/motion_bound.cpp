@@ -1,0 +1,78 @@
+#include "spacetime/motion_bound.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace taut::spacetime {
+namespace {
+
+/// A point as the leg sees it: the shift of a body that does not turn is part of its coordinates.
+Point seen(const Leg& leg, const Point& v, bool of_p) {
+  if (of_p && leg.shift_p) return {v.x - leg.shift.x, v.y - leg.shift.y};
+  if (!of_p && leg.shift_q) return {v.x + leg.shift.x, v.y + leg.shift.y};
+  return v;
+}
+
+double size_of(const Point& v) { return std::fabs(v.x) + std::fabs(v.y); }
+
+}  // namespace
+
+DirectedDistance::DirectedDistance(const Leg& leg, bool pp, const Point& n, const Point& fixed, const Point& moving)
+    : pp_(pp) {
+  const Point a = seen(leg, fixed, pp), c = seen(leg, moving, !pp);
+  const double side = pp ? 1 : -1;
+  const double shift = leg.shift_p || leg.shift_q ? std::fabs(leg.shift.x) + std::fabs(leg.shift.y) : 0;
+  const double w = size_of(n), size_a = size_of(fixed) + shift, size_c = size_of(moving) + shift;
+  a_[1] = side * n.x;
+  a_[2] = side * n.y;
+  m_[1] = m_[2] = w;
+  if (leg.translation) {
+    a_[0] = n.x * (c.x - a.x) + n.y * (c.y - a.y);
+    a_[3] = a_[4] = m_[3] = m_[4] = 0;
+    m_[0] = w * (size_a + size_c);
+  } else {
+    a_[0] = -(n.x * a.x + n.y * a.y);
+    a_[3] = n.x * c.x + n.y * c.y;
+    a_[4] = side * (n.y * c.x - n.x * c.y);
+    m_[0] = w * size_a;
+    m_[3] = m_[4] = w * size_c;
+  }
+  // The displacement is at most 2^-158 a coordinate; combine() multiplies by 2^-49.
+  for (double& m : m_) m += 0x1p-100 * (1 + size_a + size_c + w);
+}
+
+Course::Course(const DirectedDistance& f, FrameWindow& window, double t, int sign)
+    : value(f.value(window.at(t, f.pp()))), slope(f.slope(window.at(t, f.pp()))), bend(f.bend(window.bend(f.pp()))) {
+  value.value *= sign;
+  slope.value *= sign;
+  bend.value *= sign;
+}
+
+double Course::positive_until(double limit) const {
+  const double a = value.lower(), b = slope.lower(), c = bend.lower();
+  if (!(a > 0)) return 0;
+  if (b >= 0 && c >= 0) return limit;
+  // The first root of a + b h + c h^2/2; the discriminant rounded up makes it smaller.
+  const double square = b * b, product = 2 * a * c;
+  const double discriminant = (square - product) + 0x1p-50 * (square + std::fabs(product));
+  if (discriminant < 0) return limit;
+  const double below_line = std::sqrt(discriminant) - b;
+  if (!(below_line > 0)) return 0;
+  const double h = 2 * a / below_line * (1 - 0x1p-48);
+  return h < limit ? h : (h >= limit ? limit : 0);
+}
+
+double Course::negative_from(double limit, double& falls_until) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double a = value.upper(), b = slope.upper(), c = bend.upper();
+  falls_until = 0;
+  if (!(b < 0)) return never;
+  falls_until = c > 0 ? std::fmin(limit, -b / c * (1 - 0x1p-48)) : limit;
+  const double square = b * b, product = 2 * a * c;
+  const double discriminant = (square - product) - 0x1p-50 * (square + std::fabs(product));
+  if (!(discriminant > 0)) return never;
+  const double h = 2 * a / (std::sqrt(discriminant) - b) * (1 + 0x1p-47);
+  return h < falls_until ? h : never;
+}
+
+}  // namespace taut::spacetime

@@ -1,0 +1,55 @@
+// Do the bodies overlap in one placement? Boxes first, then exact signs.
+#include <utility>
+#include <vector>
+
+#include "motion/placement.hpp"
+#include "spacetime/box_separation.hpp"
+#include "spacetime/first_contact.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+bool edges_cross(const Placement& place, VertexId a, VertexId b) {
+  const PairGeometry& g = place.geometry();
+  const VertexId a2 = g.next(a), b2 = g.next(b);
+  return place.orientation(a, a2, b) != place.orientation(a, a2, b2) &&
+         place.orientation(b, b2, a) != place.orientation(b, b2, a2);
+}
+
+/// Is a vertex of one body inside the other? A ray along the sweep's "up" crosses its boundary an odd number of times.
+bool inside(const Placement& place, VertexId v, std::uint32_t first, std::uint32_t count) {
+  const PairGeometry& g = place.geometry();
+  bool odd = false;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const VertexId a(first + k), b = g.next(a);
+    const bool forwards = place.before(a, v);
+    if (forwards == place.before(b, v)) continue;
+    if (place.orientation(forwards ? a : b, forwards ? b : a, v) < 0) odd = !odd;
+  }
+  return odd;
+}
+
+}  // namespace
+
+bool overlapping(const PairGeometry& g, const Leg& leg, double t) {
+  const Placement place(g, leg, t);
+  const Hierarchy p(g, true), q(g, false);
+  FrameWindow window(leg, t, leg.end, leg.end - t);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    const BoxNode &a = p.node(i), &b = q.node(j);
+    if (apart_at(leg, window, a.box, b.box, t)) continue;
+    if (a.count == 1 && b.count == 1) {
+      if (edges_cross(place, VertexId(a.first), VertexId(b.first))) return true;
+    } else if (b.count == 1 || (a.count > 1 && a.box.size >= b.box.size)) {
+      stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
+    } else {
+      stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
+    }
+  }
+  return inside(place, VertexId(0u), g.np, g.nq) || inside(place, VertexId(g.np), 0, g.np);
+}
+
+}  // namespace taut::spacetime

@@ -1,0 +1,144 @@
+// Two engines that share no idea, one answer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "kinetic/session.hpp"
+#include "motion/motion_plan.hpp"
+#include "spacetime/first_contact.hpp"
+#include "support/random_scenes.hpp"
+#include "taut/check.hpp"
+#include "taut/io.hpp"
+
+namespace taut::testing {
+namespace {
+
+using spacetime::SpacetimeResult;
+
+/// Infinite speed, where the cosine reaches one, costs the first engine seconds: fewer of these.
+const std::vector<MotionKind> quick_kinds = {MotionKind::rest,  MotionKind::linear,    MotionKind::polynomial,
+                                             MotionKind::angle, MotionKind::direction, MotionKind::half_angle,
+                                             MotionKind::orbit, MotionKind::pieces};
+
+struct Counts {
+  int free = 0, contact = 0, overlap = 0, other_pair = 0;
+};
+
+bool same(const Feature& f, int body, int index) { return f.body == body && f.index == index; }
+
+/// The enclosures overlap, or nearly; and where they are those of one pair, it is the same pair.
+void compare_contacts(const PairPlan& plan, const PairGeometry& g, const Leg& leg, const SpacetimeResult& second,
+                      const Contact& first, Counts& counts) {
+  const double lo = leg.time(second.lo), hi = leg.time(second.hi);
+  const double scale = std::max(1.0, std::fabs(hi));
+  EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
+  EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
+  EXPECT_LE(hi - lo, 1e-11 * scale);
+  const auto side = [&](VertexId v) { return g.in_p(v) ? 0u : 1u; };
+  const auto local = [&](VertexId v) { return g.in_p(v) ? v.value : v.value - g.np; };
+  const BodyMap &vertex = plan.maps[side(second.vertex)], &edge = plan.maps[side(second.edge)];
+  const bool agree = same(first.vertex, vertex.body, vertex.vertex(local(second.vertex))) &&
+                     same(first.edge, edge.body, edge.edge(local(second.edge)));
+  if (!agree) ++counts.other_pair;
+  EXPECT_TRUE(agree) << "vertex " << second.vertex.value << " edge " << second.edge.value;
+}
+
+void compare(const Scene& scene, Touch touch, Counts& counts) {
+  CheckOptions options;
+  options.touch = touch;
+  const Answer first = check(scene, options);
+  const PairPlan plan = plan_pair(scene);
+  const PairGeometry geometry = displaced_pair(plan, touch == Touch::open);
+  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  if (spacetime::overlapping(geometry, legs[0], scene.start)) {
+    ++counts.overlap;
+    const bool at_start = first.contact && first.contact->time.hi == scene.start;
+    EXPECT_TRUE(first.outcome == Outcome::overlap_at_start || (touch == Touch::closed && at_start));
+    return;
+  }
+  const SpacetimeResult second = spacetime::first_contact(geometry, legs);
+  if (first.outcome == Outcome::free) {
+    ++counts.free;
+    EXPECT_EQ(second.outcome, SpacetimeResult::free);
+    return;
+  }
+  ASSERT_EQ(first.outcome, Outcome::contact);
+  ++counts.contact;
+  ASSERT_EQ(second.outcome, SpacetimeResult::contact) << "kinetic: contact at " << first.contact->time.lo;
+  compare_contacts(plan, geometry, legs[second.leg], second, *first.contact, counts);
+}
+
+TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {
+  for (const bool grid : {false, true}) {
+    Counts counts;
+    for (const Family family : all_families) {
+      for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
+        SceneOptions options;
+        options.grid = grid;
+        if (seed % 4 != 0) options.kinds = quick_kinds;
+        const Scene scene = random_scene(5000 + seed, family, options);
+        for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, counts);
+        if (HasFatalFailure()) return;
+      }
+    }
+    EXPECT_GT(counts.free, 40);
+    EXPECT_GT(counts.contact, 60);
+    EXPECT_EQ(counts.other_pair, 0);
+  }
+}
+
+/// Uncertified programs of this kind go wrong where coordinates are large and gaps small.
+TEST(SpacetimeKinetic, FarFromTheOrigin) {
+  Counts counts;
+  for (const Family family : all_families) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
+      SceneOptions options;
+      options.kinds = {MotionKind::linear, MotionKind::polynomial, MotionKind::angle};
+      Scene scene = random_scene(7000 + seed, family, options);
+      for (Body& body : scene.bodies) {
+        if (body.motion.pieces.empty()) body.motion.pieces.emplace_back();
+        for (MotionPiece& piece : body.motion.pieces) {
+          piece.x.resize(std::max<std::size_t>(piece.x.size(), 1));
+          piece.y.resize(std::max<std::size_t>(piece.y.size(), 1));
+          piece.x[0] += 1e7;
+          piece.y[0] -= 3e7;
+        }
+      }
+      for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, counts);
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(counts.contact, 15);
+}
+
+TEST(SpacetimeKinetic, CertifiedScenes) {
+  const std::filesystem::path folder = "../shared/scenes";
+  if (!std::filesystem::exists(folder)) {
+    GTEST_SKIP() << "the scenes with certified answers are not here (../shared/scenes)";
+  }
+  Counts counts;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".answer") continue;
+    SCOPED_TRACE(entry.path().string());
+    const Scene scene = read_scene(entry.path().string());
+    for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, counts);
+  }
+  EXPECT_GT(counts.free + counts.contact, 250);
+}
+
+TEST(SpacetimeKinetic, Corpus) {
+  Counts counts;
+  for (const auto& entry : std::filesystem::directory_iterator("tests/corpus")) {
+    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".answer") continue;
+    SCOPED_TRACE(entry.path().string());
+    const Scene scene = read_scene(entry.path().string());
+    for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, counts);
+  }
+  EXPECT_GE(counts.free + counts.contact + counts.overlap, 10);
+}
+
+}  // namespace
+}  // namespace taut::testing
