@@ -97,9 +97,28 @@ expect 1 '"timing":\{"read":' '' check --json --timing hit.json
 expect 1 'read .*, build .*, run ' '' check --timing hit.json
 expect 3 '^UNDECIDED  anvil x hammer' '' check --max-events 0 hit.json
 expect 3 '"outcome":"undecided","free_until":' '' check --json --max-events 0 hit.json
+for engine in kinetic spacetime both; do
+  expect 1 '"outcome":"contact","t":\[(8|7\.99999).*"engine":"'$engine'"' '' check --json --engine $engine hit.json
+  expect 0 '^FREE' '' check --engine $engine free.json
+  expect 1 '^OVERLAP AT START' '' check --engine $engine overlap.json
+  expect 1 '^CONTACT' '' check --engine $engine --touch closed touch.json
+  expect 3 'the time limit was reached' '' check --engine $engine --max-seconds 0 free.json
+done
+expect 2 '' '--engine' check --engine steam hit.json
 "$taut" check --json hit.json >one
 "$taut" check --json - <hit.json >two
 cmp -s one two || { echo "FAILED: the same scene gives different bytes"; failures=$((failures + 1)); }
+
+# An interrupted run says what it has proved.
+"$taut" gen rotor -n 4000 -o long.json
+for signal in INT TERM; do
+  timeout --preserve-status -s $signal 0.7 "$taut" check long.json >out 2>err
+  got=$?
+  if [ $got != 3 ] || ! grep -q '^UNDECIDED' out || ! grep -q '  interrupted' out || ! grep -q 'proved free on' out; then
+    echo "FAILED: SIG$signal gives exit code $got" && cat out err
+    failures=$((failures + 1))
+  fi
+done
 
 # Bad scenes.
 expect 2 '' 'no\.json: cannot open the file' check no.json

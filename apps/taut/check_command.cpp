@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "io/answer_json.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -26,18 +27,29 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// All that is needed to see a disagreement again. On standard error, and whole: the scene may have come from a pipe.
+void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreement& error) {
+  fmt::print(stderr, "taut: {}\nkinetic:   {}\nspacetime: {}\nscene:\n{}\n", error.what(),
+             answer_json(scene, error.kinetic, touch), answer_json(scene, error.spacetime, touch), write_scene(scene));
+}
+
 int run_check(CheckArguments arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = load_scene(arguments.path);
   const double read_seconds = seconds_since(start);
   Progress progress(scene);
   arguments.options.tracer = &progress;
+  arguments.options.stop = stop_on_signals();
   Answer answer;
   try {
     answer = check(scene, arguments.options);
   } catch (const InputError& error) {
     progress.clear();
     throw error.within(display_name(arguments.path));
+  } catch (const EngineDisagreement& error) {
+    progress.clear();
+    print_disagreement(scene, arguments.options.touch, error);
+    throw;
   }
   progress.clear();
   const AnswerTiming timing{read_seconds, answer.build_seconds, answer.run_seconds};
@@ -63,6 +75,7 @@ void add_check(CLI::App& app, Action& action) {
   command->add_flag("--json", arguments->json, "print one JSON object");
   command->add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
   add_touch(*command, arguments->options.touch);
+  add_engine(*command, arguments->options.engine);
   add_limits(*command, arguments->options);
   command->footer(
       "Example:\n"

@@ -35,16 +35,23 @@ std::string witness(const Scene& scene, const Contact& contact) {
                      contact.point.x, contact.point.y);
 }
 
+/// What it took: events, engines, seconds.
+std::string work(const Answer& answer) {
+  const std::string seconds = seconds_text(answer.build_seconds + answer.run_seconds);
+  if (answer.engine == EngineChoice::spacetime) return fmt::format("spacetime engine, {}\n", seconds);
+  return fmt::format("{} event{}, {}{}\n", answer.events, answer.events == 1 ? "" : "s",
+                     answer.engine == EngineChoice::both ? "two engines agree, " : "", seconds);
+}
+
 std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
-  const std::string work = fmt::format("{} event{}, {}\n", answer.events, answer.events == 1 ? "" : "s",
-                                       seconds_text(answer.build_seconds + answer.run_seconds));
   std::string interval = fmt::format("[{}, {}]", scene.start, scene.end);
   if (answer.outcome == Outcome::contact || answer.outcome == Outcome::undecided) {
     const double until = answer.contact ? answer.contact->time.lo : answer.free_until;
-    if (!(until > scene.start)) return "  " + work;
+    if (!(until > scene.start)) return "  " + work(answer);
     interval = fmt::format("[{}, {})", scene.start, until);
   }
-  return fmt::format("  proved free on {}{}   {}", interval, touch == Touch::closed ? ", touching included" : "", work);
+  return fmt::format("  proved free on {}{}   {}", interval, touch == Touch::closed ? ", touching included" : "",
+                     work(answer));
 }
 
 }  // namespace

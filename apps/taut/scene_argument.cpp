@@ -1,6 +1,7 @@
 #include "scene_argument.hpp"
 
 #include <cstdio>
+#include <map>
 
 #include "commands.hpp"
 #include "taut/io.hpp"
@@ -19,6 +20,19 @@ void add_touch(CLI::App& command, Touch& touch) {
                                         "closed: touching counts")
       ->check(CLI::IsMember({"open", "closed"}))
       ->option_text("open|closed");
+}
+
+void add_engine(CLI::App& command, EngineChoice& engine) {
+  static const std::map<std::string, EngineChoice> names = {
+      {"kinetic", EngineChoice::kinetic}, {"spacetime", EngineChoice::spacetime}, {"both", EngineChoice::both}};
+  const auto set = [&engine](const std::string& name) { engine = names.at(name); };
+  command
+      .add_option_function<std::string>("--engine", set,
+                                        "kinetic: a tiling of the free space, event by event (default)\n"
+                                        "spacetime: bounding volumes over time, for a second opinion\n"
+                                        "both: ask both, and compare")
+      ->check(CLI::IsMember({"kinetic", "spacetime", "both"}))
+      ->option_text("NAME");
 }
 
 void add_limits(CLI::App& command, CheckOptions& options) {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "io/json_text.hpp"
 #include "scene_argument.hpp"
 #include "taut/check.hpp"
@@ -51,6 +52,7 @@ int run_trace(TraceArguments arguments) {
   const Scene scene = load_scene(arguments.path);
   LineTracer tracer(scene);
   arguments.options.tracer = &tracer;
+  arguments.options.stop = stop_on_signals();
   try {
     const Answer answer = check(scene, arguments.options);
     fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch));

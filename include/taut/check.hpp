@@ -1,9 +1,12 @@
 // The question taut answers: when do two moving polygons first touch?
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
@@ -21,6 +24,16 @@ enum class Outcome {
 const char* to_string(Outcome outcome);
 /// "open" or "closed".
 const char* to_string(Touch touch);
+
+/// Who answers. The engines share the arithmetic and the description of motion, and no idea beyond these.
+enum class EngineChoice {
+  kinetic,    ///< the kinetic data structure: a tiling of the free space, kept valid from event to event
+  spacetime,  ///< bounding volumes over the edges, followed through time
+  both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
+};
+
+/// "kinetic", "spacetime" or "both".
+const char* to_string(EngineChoice engine);
 
 /// A vertex or an edge of a body, with the index of the input.
 struct Feature {
@@ -45,20 +58,25 @@ struct Contact {
 
 struct CheckOptions {
   Touch touch = Touch::open;
-  /// Stop with `undecided` after this many events.
+  EngineChoice engine = EngineChoice::kinetic;
+  /// Stop with `undecided` after this many events (of the kinetic engine).
   std::uint64_t max_events = UINT64_MAX;
-  /// Stop with `undecided` after this much wall time, in seconds.
+  /// Stop with `undecided` after this much wall time, in seconds (for each engine).
   double max_seconds = 1e300;
-  /// Told of every event; may be null. Not owned.
+  /// Stop with `undecided` soon after this becomes true, from a signal handler, say; may be null. Not owned.
+  const std::atomic<bool>* stop = nullptr;
+  /// Told of every event of the kinetic engine; may be null. Not owned.
   Tracer* tracer = nullptr;
 };
 
 struct Answer {
   Outcome outcome = Outcome::undecided;
+  EngineChoice engine = EngineChoice::kinetic;
   /// Present for `contact`, and for nothing else.
   std::optional<Contact> contact;
   /// The motion is proved free of collisions before this time.
   double free_until = 0;
+  /// Of the kinetic engine; the other one has neither events nor certificates.
   std::uint64_t events = 0;
   std::uint64_t certificates_initial = 0;
   std::uint64_t certificates_max = 0;
@@ -69,9 +87,16 @@ struct Answer {
   std::string reason;
 };
 
+/// The two engines contradict each other: one of them is wrong, and taut has a defect.
+struct EngineDisagreement : std::logic_error {
+  EngineDisagreement(const std::string& what, Answer first, Answer second)
+      : std::logic_error(what), kinetic(std::move(first)), spacetime(std::move(second)) {}
+  Answer kinetic, spacetime;
+};
+
 /// Decides whether and when the two bodies of `scene` first collide.
 /// `free` and `contact` are proofs: every sign and every order of events behind them is certified.
-/// Throws InputError if the scene is not valid.
+/// Throws InputError if the scene is not valid; EngineDisagreement with EngineChoice::both.
 Answer check(const Scene& scene, const CheckOptions& options = {});
 
 }  // namespace taut

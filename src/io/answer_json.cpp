@@ -34,7 +34,7 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
   if (answer.outcome == Outcome::undecided) {
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }
-  s += ",\"engine\":\"kinetic\",\"events\":" + std::to_string(answer.events) +
+  s += std::string(",\"engine\":\"") + to_string(answer.engine) + "\",\"events\":" + std::to_string(answer.events) +
        ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +
        ",\"max\":" + std::to_string(answer.certificates_max) + "},\"scope\":" + scope_text(scene, touch);
   if (timing) {

@@ -12,7 +12,7 @@ Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* obs
       observer_(observer),
       solver_(geometry_),
       queue_(certificates_, solver_.pool()) {
-  parameter_ = legs_.front().start;
+  parameter_ = reached_ = legs_.front().start;
   build();
 }
 
@@ -177,12 +177,13 @@ bool Engine::step(double t) {
     return state_ != EngineState::contact;
   }
   parameter_ = leg().bridge ? leg().end : std::max(parameter_, std::min(t, leg().end));
+  reached_ = parameter_;
   if (current_ + 1 == legs_.size() && parameter_ >= leg().end) state_ = EngineState::finished;
   return false;
 }
 
 void Engine::enter_leg() {
-  parameter_ = leg().start;
+  parameter_ = reached_ = leg().start;
   queue_.clear();
   solver_.enter(leg());
   for (std::size_t i = 0; i < certificates_.size(); ++i) {
@@ -191,6 +192,12 @@ void Engine::enter_leg() {
     solver_.start(c);
     queue_.update(CertificateId(i));
   }
+}
+
+double Engine::proved_until() const {
+  if (state_ != EngineState::running) return time();
+  const double first = queue_.empty() ? leg().end : std::min(queue_.top().key, leg().end);
+  return leg().time(std::max(first, reached_));
 }
 
 void Engine::replan(std::vector<Leg> legs) {
@@ -214,6 +221,7 @@ HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& midd
 void Engine::process(CertificateId id) {
   Certificate& c = certificates_[id.value];
   Now now = solver_.event(c);
+  reached_ = now.lo;
   ++events_;
   EngineEvent event;
   event.leg = &leg();

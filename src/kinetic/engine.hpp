@@ -52,6 +52,10 @@ class Engine {
   /// The parameter of the current leg up to which everything is proved and processed.
   double parameter() const { return parameter_; }
   double time() const { return leg().time(parameter_); }
+  /// Between events: a time before which no certificate fails, as far as is known now. Everything up to it is proved.
+  double proved_until() const;
+  /// The same in the middle of an event, after an exception.
+  double reached() const { return leg().time(reached_); }
 
   /// Processes the next event whose failure time is at most t; false if there is none (then the engine stands at t),
   /// or after a contact.
@@ -62,8 +66,6 @@ class Engine {
   const Certificate& upcoming() const { return certificates_[next_.value]; }
   /// Replaces all legs from the present on; the first one must start at time().
   void replan(std::vector<Leg> legs);
-  /// A lower bound of all failure times that lie ahead on the current leg.
-  double next_bound() const { return queue_.empty() ? leg().end : std::min(leg().end, queue_.top().key); }
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }
@@ -105,6 +107,7 @@ class Engine {
   std::vector<std::size_t> scan_;
   CertificateId next_;
   double parameter_ = 0;
+  double reached_ = 0;  ///< a lower bound of the last event's time
   EngineState state_ = EngineState::running;
   std::optional<Overlap> overlap_;
   std::optional<EngineContact> contact_;

@@ -1,6 +1,9 @@
 #include "motion/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <iterator>
 
 namespace taut {
 namespace {
@@ -9,6 +12,10 @@ namespace {
 constexpr double tilt = 0.4390625173;
 
 }  // namespace
+
+std::string not_decided(const Undecidable& limit) {
+  return fmt::format("not decided at {} bits: {}", precision_ladder[std::size(precision_ladder) - 1], limit.what);
+}
 
 Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : geometry_(&geometry), leg_(&leg), t_(t) {
   const Frame<double> f = frame(leg, Ball<double>::exact(t));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "motion/leg.hpp"
@@ -14,6 +15,8 @@ namespace taut {
 struct Undecidable {
   const char* what;
 };
+/// The message for the user.
+std::string not_decided(const Undecidable& limit);
 
 /// Positions in P's frame at parameter t of a leg (not a bridge), and the predicates that the static construction
 /// needs. Four corners of a large box around both bodies are vertices size() .. size()+3, counterclockwise.

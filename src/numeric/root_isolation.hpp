@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "numeric/interruption.hpp"
 #include "numeric/jet.hpp"
 
 namespace taut {
@@ -48,6 +49,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
       unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
   for (int budget = 200000; !ends.empty(); --budget) {
     if (budget == 0) throw PrecisionExhausted{};
+    interruption_point();
     const Real hi = ends.back();
     bool excluded = !(hi > lo);
     if (!excluded) {

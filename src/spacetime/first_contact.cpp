@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/leaf_test.hpp"
 
@@ -34,7 +35,7 @@ class LegSearch {
  public:
   LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg,
             std::vector<Item>& heap)
-      : p_(p), q_(q), leg_(leg), leaves_(geometry, leg), heap_(heap) {}
+      : p_(p), q_(q), leg_(leg), leaves_(geometry, leg), heap_(heap), proved_(leg.start) {}
 
   /// The first contact on the leg.
   std::optional<Crossing> run() {
@@ -48,6 +49,8 @@ class LegSearch {
     if (best_) leaves_.precise().tighten(*best_);
     return best_;
   }
+  /// Up to when there is certainly no contact on the leg.
+  double proved() const { return proved_; }
   void count(SpacetimeResult& result) {
     result.pairs += pairs_;
     result.roots += leaves_.roots();
@@ -68,7 +71,9 @@ class LegSearch {
     heap_.clear();
     push({window.start(), 0, 0, false});
     while (!heap_.empty()) {
+      interruption_point();
       const Item item = heap_.front();
+      proved_ = item.free_until;
       std::pop_heap(heap_.begin(), heap_.end());
       heap_.pop_back();
       const double end = limit(window);
@@ -112,6 +117,7 @@ class LegSearch {
   LeafTest leaves_;
   std::vector<Item>& heap_;
   std::optional<Crossing> best_;
+  double proved_;
   std::uint64_t pairs_ = 0;
 };
 
@@ -138,12 +144,16 @@ SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Le
       if (!found) continue;
       note(*found, i, legs[i].end, result);
       return result;
-    } catch (const Undecidable&) {
-      search.count(result);
-      result.outcome = SpacetimeResult::undecided;
-      result.leg = i;
-      return result;
+    } catch (const Undecidable& limit) {
+      result.reason = not_decided(limit);
+    } catch (const Interrupted& limit) {
+      result.reason = limit.reason;
     }
+    search.count(result);
+    result.outcome = SpacetimeResult::undecided;
+    result.leg = i;
+    result.lo = search.proved();
+    return result;
   }
   result.outcome = SpacetimeResult::free;
   return result;

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "motion/leg.hpp"
@@ -14,7 +17,7 @@ struct SpacetimeResult {
   enum Outcome : unsigned char {
     free,       ///< proved: no vertex of one body meets an edge of the other on any leg
     contact,    ///< the first contact, certainly
-    undecided,  ///< the precision of the last stage did not suffice: nothing is claimed
+    undecided,  ///< the precision of the last stage did not suffice, or the run was interrupted
   };
   Outcome outcome = undecided;
   /// Of a contact: the vertex, the edge by its first vertex, the leg, and an enclosure of its parameter. No contact
@@ -22,6 +25,8 @@ struct SpacetimeResult {
   VertexId vertex, edge;
   double lo = 0, hi = 0;
   std::size_t leg = 0;
+  /// If undecided: why; and no contact happens before `lo` on leg `leg`.
+  std::string reason;
   /// Pairs of boxes looked at, roots isolated in doubles, questions to multi-precision.
   std::uint64_t pairs = 0, roots = 0, precise = 0;
 };
@@ -31,7 +36,17 @@ struct SpacetimeResult {
 /// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
 SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Leg>& legs);
 
+/// How two polygons overlap: two of their edges cross, or one lies inside the other.
+struct StartOverlap {
+  bool crossing = false;
+  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
+};
+
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
-bool overlapping(const PairGeometry& geometry, const Leg& leg, double t);
+std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Leg& leg, double t);
+
+/// Two edges of one displaced polygon that cross, because the polygon has features finer than the displacement (see
+/// PairGeometry::fine_features).
+std::optional<std::pair<VertexId, VertexId>> crossing_within_body(const PairGeometry& geometry);
 
 }  // namespace taut::spacetime

@@ -16,11 +16,6 @@ namespace {
 
 using spacetime::SpacetimeResult;
 
-/// Infinite speed, where the cosine reaches one, costs the first engine seconds: fewer of these.
-const std::vector<MotionKind> quick_kinds = {MotionKind::rest,  MotionKind::linear,    MotionKind::polynomial,
-                                             MotionKind::angle, MotionKind::direction, MotionKind::half_angle,
-                                             MotionKind::orbit, MotionKind::pieces};
-
 struct Counts {
   int free = 0, contact = 0, overlap = 0, other_pair = 0;
 };
@@ -77,7 +72,6 @@ TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {
         SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
         SceneOptions options;
         options.grid = grid;
-        if (seed % 4 != 0) options.kinds = quick_kinds;
         const Scene scene = random_scene(5000 + seed, family, options);
         for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, counts);
         if (HasFatalFailure()) return;

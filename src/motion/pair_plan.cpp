@@ -1,8 +1,9 @@
+#include "motion/pair_plan.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/hull.hpp"
-#include "kinetic/session.hpp"
 #include "motion/motion_plan.hpp"
 
 namespace taut {

@@ -1,0 +1,52 @@
+// Two engines, one answer, or an alarm.
+#include <algorithm>
+#include <cmath>
+
+#include "check/run.hpp"
+
+namespace taut {
+namespace {
+
+bool decided(const Answer& a) { return a.outcome != Outcome::undecided; }
+
+bool same(const Feature& a, const Feature& b) { return a.body == b.body && a.index == b.index; }
+
+bool apart(const TimeInterval& a, const TimeInterval& b) { return a.hi < b.lo || b.hi < a.lo; }
+
+/// What contradicts what; null if nothing does.
+const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
+  for (const auto& [claim, other] : {std::pair(&kinetic, &spacetime), std::pair(&spacetime, &kinetic)}) {
+    if (claim->outcome == Outcome::contact && claim->contact->time.hi < other->free_until)
+      return "one engine finds a contact where the other one has proved the motion free";
+  }
+  if (!decided(kinetic) || !decided(spacetime)) return nullptr;
+  if (kinetic.outcome != spacetime.outcome) return "the outcomes differ";
+  if (!kinetic.contact) return nullptr;
+  const Contact &a = *kinetic.contact, &b = *spacetime.contact;
+  if (apart(a.time, b.time)) return "the times of contact differ";
+  // Bodies that touch at the start may do so in many places; later, the displacement lets only one be the first.
+  if (a.time.lo == a.time.hi) return nullptr;
+  if (!same(a.vertex, b.vertex) || !same(a.edge, b.edge)) return "the features in contact differ";
+  return nullptr;
+}
+
+}  // namespace
+
+Answer agreed(const Answer& kinetic, const Answer& spacetime) {
+  if (const char* what = contradiction(kinetic, spacetime)) throw EngineDisagreement(what, kinetic, spacetime);
+  Answer answer = decided(kinetic) || !decided(spacetime) ? kinetic : spacetime;
+  answer.engine = EngineChoice::both;
+  answer.events = kinetic.events;
+  answer.certificates_initial = kinetic.certificates_initial;
+  answer.certificates_max = kinetic.certificates_max;
+  answer.free_until = std::max(kinetic.free_until, spacetime.free_until);
+  if (kinetic.contact && spacetime.contact) {
+    const TimeInterval &a = kinetic.contact->time, &b = spacetime.contact->time;
+    answer.contact->time = {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+  }
+  answer.build_seconds = kinetic.build_seconds + spacetime.build_seconds;
+  answer.run_seconds = kinetic.run_seconds + spacetime.run_seconds;
+  return answer;
+}
+
+}  // namespace taut

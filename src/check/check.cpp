@@ -1,0 +1,18 @@
+#include "taut/check.hpp"
+
+#include "check/run.hpp"
+
+namespace taut {
+
+Answer check(const Scene& scene, const CheckOptions& options) {
+  switch (options.engine) {
+    case EngineChoice::kinetic:
+      return run_kinetic(scene, options);
+    case EngineChoice::spacetime:
+      return run_spacetime(scene, options);
+    default:
+      return agreed(run_kinetic(scene, options), run_spacetime(scene, options));
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "check/run.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "motion/witness.hpp"
+#include "numeric/interruption.hpp"
+#include "spacetime/first_contact.hpp"
+#include "taut/validate.hpp"
+
+namespace taut {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using spacetime::SpacetimeResult;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// One question with all that it is asked about.
+class SpacetimeRun {
+ public:
+  SpacetimeRun(const Scene& scene, Touch touch)
+      : scene_(scene),
+        touch_(touch),
+        plan_(plan_pair(scene)),
+        geometry_(displaced_pair(plan_, touch == Touch::open)),
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {
+    if (!geometry_.fine_features) return;
+    if (const auto pair = spacetime::crossing_within_body(geometry_)) {
+      refuse_fine_features(scene, witness().edge(pair->first), witness().edge(pair->second));
+    }
+  }
+
+  /// Answers for the start; true if there is more to ask.
+  bool start(Answer& answer) const {
+    const auto overlap = spacetime::overlapping(geometry_, legs_[0], scene_.start);
+    if (!overlap) return true;
+    if (touch_ == Touch::closed && overlap->crossing) {
+      const PairGeometry inner = displaced_pair(plan_, true);
+      if (!spacetime::overlapping(inner, legs_[0], scene_.start)) {
+        answer.outcome = Outcome::contact;
+        answer.contact = witness().contact_of_crossing(overlap->edge_p, overlap->edge_q, legs_[0], scene_.start);
+        return false;
+      }
+    }
+    answer.outcome = Outcome::overlap_at_start;
+    return false;
+  }
+
+  void run(Answer& answer) const {
+    const SpacetimeResult found = spacetime::first_contact(geometry_, legs_);
+    answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
+    if (found.outcome == SpacetimeResult::free) {
+      answer.outcome = Outcome::free;
+      answer.free_until = scene_.end;
+    } else if (found.outcome == SpacetimeResult::contact) {
+      answer.outcome = Outcome::contact;
+      answer.contact = witness().contact(found.vertex, found.edge, legs_[found.leg], found.lo, found.hi);
+      answer.contact->time.lo = std::max(answer.contact->time.lo, scene_.start);
+      answer.free_until = answer.contact->time.lo;
+    } else {
+      answer.reason = found.reason;
+    }
+  }
+
+ private:
+  Witness witness() const { return {plan_, geometry_}; }
+
+  const Scene& scene_;
+  Touch touch_;
+  PairPlan plan_;
+  PairGeometry geometry_;
+  std::vector<Leg> legs_;
+};
+
+}  // namespace
+
+Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
+  Answer answer;
+  answer.engine = EngineChoice::spacetime;
+  answer.free_until = scene.start;
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Clock::time_point start = Clock::now();
+  validate(scene);
+  try {
+    const SpacetimeRun question(scene, options.touch);
+    const bool more = question.start(answer);
+    answer.build_seconds = seconds_since(start);
+    const Clock::time_point built = Clock::now();
+    scope.check();
+    if (more) question.run(answer);
+    answer.run_seconds = seconds_since(built);
+  } catch (const Undecidable& limit) {
+    answer.reason = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    answer.reason = limit.reason;
+  }
+  return answer;
+}
+
+}  // namespace taut

@@ -1,0 +1,49 @@
+// How the public enumerations are called in answers and on the command line.
+#include "taut/check.hpp"
+
+namespace taut {
+
+const char* to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::free:
+      return "free";
+    case Outcome::contact:
+      return "contact";
+    case Outcome::overlap_at_start:
+      return "overlap_at_start";
+    default:
+      return "undecided";
+  }
+}
+
+const char* to_string(Touch touch) { return touch == Touch::open ? "open" : "closed"; }
+
+const char* to_string(EngineChoice engine) {
+  switch (engine) {
+    case EngineChoice::kinetic:
+      return "kinetic";
+    case EngineChoice::spacetime:
+      return "spacetime";
+    default:
+      return "both";
+  }
+}
+
+const char* to_string(Repair repair) {
+  switch (repair) {
+    case Repair::convex_flip:
+      return "convex_flip";
+    case Repair::convex_triangle:
+      return "convex_triangle";
+    case Repair::reflex_new_face:
+      return "reflex_a";
+    case Repair::reflex_right:
+      return "reflex_b";
+    case Repair::reflex_left:
+      return "reflex_c";
+    default:
+      return "collision";
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,111 @@
+// Two engines behind one function: what counts as a disagreement, and how runs are stopped.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "check/run.hpp"
+#include "gen/generators.hpp"
+#include "taut/check.hpp"
+
+namespace taut {
+namespace {
+
+Answer free_answer(double end = 10) {
+  Answer a;
+  a.outcome = Outcome::free;
+  a.free_until = end;
+  return a;
+}
+
+Answer contact_answer(double lo, double hi, int vertex = 3) {
+  Answer a;
+  a.outcome = Outcome::contact;
+  a.free_until = lo;
+  a.contact = Contact{{lo, hi}, {0, vertex}, {1, 5}, {}, {}};
+  return a;
+}
+
+Answer undecided_answer(double until) {
+  Answer a;
+  a.free_until = until;
+  a.reason = "a limit";
+  return a;
+}
+
+TEST(Agreed, WhatBothSay) {
+  EXPECT_EQ(agreed(free_answer(), free_answer()).outcome, Outcome::free);
+  const Answer both = agreed(contact_answer(1, 1.5), contact_answer(1.25, 2));
+  EXPECT_EQ(both.outcome, Outcome::contact);
+  EXPECT_EQ(both.engine, EngineChoice::both);
+  EXPECT_EQ(both.contact->time.lo, 1.25);
+  EXPECT_EQ(both.contact->time.hi, 1.5);
+  EXPECT_EQ(both.free_until, 1.25);
+}
+
+TEST(Agreed, OneMayGiveUp) {
+  EXPECT_EQ(agreed(undecided_answer(3), free_answer()).outcome, Outcome::free);
+  EXPECT_EQ(agreed(contact_answer(4, 4), undecided_answer(3)).outcome, Outcome::contact);
+  const Answer neither = agreed(undecided_answer(3), undecided_answer(4));
+  EXPECT_EQ(neither.outcome, Outcome::undecided);
+  EXPECT_EQ(neither.free_until, 4);
+}
+
+TEST(Agreed, ContradictionsAreThrown) {
+  EXPECT_THROW(agreed(free_answer(), contact_answer(1, 1)), EngineDisagreement);
+  EXPECT_THROW(agreed(contact_answer(1, 1.25), contact_answer(1.5, 2)), EngineDisagreement);
+  EXPECT_THROW(agreed(contact_answer(1, 1.5, 3), contact_answer(1, 1.5, 4)), EngineDisagreement);
+  Answer overlap;
+  overlap.outcome = Outcome::overlap_at_start;
+  EXPECT_THROW(agreed(overlap, free_answer()), EngineDisagreement);
+  // An engine that gave up has still proved something.
+  EXPECT_THROW(agreed(undecided_answer(5), contact_answer(4, 4.5)), EngineDisagreement);
+  try {
+    agreed(free_answer(), contact_answer(1, 1));
+  } catch (const EngineDisagreement& error) {
+    EXPECT_EQ(error.kinetic.outcome, Outcome::free);
+    EXPECT_EQ(error.spacetime.outcome, Outcome::contact);
+  }
+}
+
+/// Bodies that touch at the start may do so in several places.
+TEST(Agreed, FeaturesAtTheStartMayDiffer) {
+  EXPECT_EQ(agreed(contact_answer(0, 0, 1), contact_answer(0, 0, 2)).outcome, Outcome::contact);
+}
+
+TEST(Stop, EveryEngineSaysHowFarItCame) {
+  const Scene scene = gen::make_rotor({});
+  const std::atomic<bool> stop{true};
+  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both}) {
+    CheckOptions options;
+    options.engine = engine;
+    options.stop = &stop;
+    const Answer stopped = check(scene, options);
+    EXPECT_EQ(stopped.outcome, Outcome::undecided);
+    EXPECT_EQ(stopped.reason, "interrupted");
+    EXPECT_GE(stopped.free_until, scene.start);
+    EXPECT_LT(stopped.free_until, scene.end);
+  }
+}
+
+/// The limit of events: what is proved grows with it, and is never beyond the contact.
+TEST(Stop, ProvedTimesGrowUpToTheContact) {
+  gen::GearOptions gears;
+  gears.hit = true;
+  const Scene scene = gen::make_gears(gears);
+  const Answer whole = check(scene);
+  ASSERT_EQ(whole.outcome, Outcome::contact);
+  double before = scene.start;
+  for (std::uint64_t events = 0; events < whole.events; events += 17) {
+    CheckOptions options;
+    options.max_events = events;
+    const Answer part = check(scene, options);
+    ASSERT_EQ(part.outcome, Outcome::undecided);
+    EXPECT_GE(part.free_until, before);
+    EXPECT_LE(part.free_until, whole.contact->time.hi);
+    before = part.free_until;
+  }
+  EXPECT_GT(before, scene.start);
+}
+
+}  // namespace
+}  // namespace taut
