@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geometry/ids.hpp"
-#include "kinetic/fast_frame.hpp"
-#include "kinetic/precise_time.hpp"
+#include "motion/fast_function.hpp"
+#include "motion/precise_triple.hpp"
 
 namespace taut {
 

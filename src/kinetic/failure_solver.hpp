@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "kinetic/certificate.hpp"
-#include "kinetic/precise_time.hpp"
+#include "motion/leg_clock.hpp"
+#include "motion/precise_triple.hpp"
 
 namespace taut {
 

@@ -7,6 +7,7 @@
 
 #include "support/audit.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {
@@ -48,7 +49,7 @@ void print(const AuditCounts& counts) {
 TEST(KineticEqualsStatic, RandomScenes) {
   AuditCounts counts;
   OracleCounts oracle;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(300); ++seed) {
     for (const Family family : families) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       const Scene scene = random_scene(seed, family);
@@ -58,19 +59,20 @@ TEST(KineticEqualsStatic, RandomScenes) {
     }
   }
   print(counts);
-  EXPECT_GE(counts.scenes, 2000u);
-  EXPECT_GE(oracle.agreed, 2000);
-  for (const char* root : {"disjoint", "bridged", "mouth", "pinched"}) EXPECT_GT(counts.roots[root], 20u) << root;
+  EXPECT_GE(counts.scenes, effort(2000));
+  EXPECT_GE(static_cast<std::uint64_t>(oracle.agreed), effort(2000));
+  for (const char* root : {"disjoint", "bridged", "mouth", "pinched"})
+    EXPECT_GT(counts.roots[root], effort(20)) << root;
   for (const char* repair : {"convex_flip", "convex_triangle", "reflex_a", "reflex_b", "reflex_c", "collision"})
-    EXPECT_GT(counts.repairs[repair], 20u) << repair;
+    EXPECT_GT(counts.repairs[repair], effort(20)) << repair;
   for (const char* corner : {"convex", "reflex"}) {
     for (const char* face : {"P", "Q", "PT", "F"}) {
       const std::string key = std::string(corner) + " at face " + face;
-      EXPECT_GT(counts.repairs[key], 20u) << key;
+      EXPECT_GT(counts.repairs[key], effort(20)) << key;
     }
   }
-  EXPECT_GT(counts.pinch_rule, 20u);
-  EXPECT_GT(counts.three_corners, 20u);
+  EXPECT_GT(counts.pinch_rule, effort(20));
+  EXPECT_GT(counts.three_corners, effort(20));
   // Responsiveness: a repair touches a constant number of corners.
   EXPECT_LE(counts.largest_repair, 5u);
 }
@@ -81,7 +83,7 @@ TEST(KineticEqualsStatic, DegenerateScenes) {
   OracleCounts oracle;
   SceneOptions options;
   options.grid = true;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(60); ++seed) {
     for (const Family family : families) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       const Scene scene = random_scene(seed, family, options);
@@ -91,7 +93,7 @@ TEST(KineticEqualsStatic, DegenerateScenes) {
     }
   }
   print(counts);
-  EXPECT_GT(oracle.agreed, 300);
+  EXPECT_GT(static_cast<std::uint64_t>(oracle.agreed), effort(300));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "kinetic/session.hpp"
 #include "motion/motion_plan.hpp"
 #include "spacetime/first_contact.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
@@ -68,7 +69,7 @@ TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {
   for (const bool grid : {false, true}) {
     Counts counts;
     for (const Family family : all_families) {
-      for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      for (std::uint64_t seed = 0; seed < effort(20); ++seed) {
         SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
         SceneOptions options;
         options.grid = grid;
@@ -77,8 +78,8 @@ TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {
         if (HasFatalFailure()) return;
       }
     }
-    EXPECT_GT(counts.free, 40);
-    EXPECT_GT(counts.contact, 60);
+    EXPECT_GT(counts.free, static_cast<int>(effort(40)));
+    EXPECT_GT(counts.contact, static_cast<int>(effort(60)));
     EXPECT_EQ(counts.other_pair, 0);
   }
 }

@@ -1,4 +1,4 @@
-#include "kinetic/precise_time.hpp"
+#include "motion/precise_triple.hpp"
 
 #include "motion/placement.hpp"
 #include "numeric/root_isolation.hpp"

@@ -1,0 +1,112 @@
+#include "motion/fast_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/exact_sum.hpp"
+
+namespace taut {
+namespace {
+
+/// A vertex as the leg sees it: the shift of a body that does not turn is part of its coordinates.
+Point seen(const Leg& leg, const DisplacedPoint& v, bool of_p) {
+  if (of_p && leg.shift_p) return {v.x - leg.shift.x, v.y - leg.shift.y};
+  if (!of_p && leg.shift_q) return {v.x + leg.shift.x, v.y + leg.shift.y};
+  return {v.x, v.y};
+}
+
+double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
+
+/// Is (b - a) x (c - a + D(t)) the zero polynomial? D's constant part is the shift.
+bool vanishes(const Leg& leg, const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, bool pp) {
+  const double side = pp ? 1 : -1;
+  // a x b + (b - a) x c with c shifted: see MixedTriple; the shift of P is minus that of Q.
+  ExactSum<32> constant;
+  constant.add_product(a.x, b.y);
+  constant.subtract_product(a.y, b.x);
+  const double xs[3] = {c.x, side * leg.shift.x, side * leg.shift.x_low};
+  const double ys[3] = {c.y, side * leg.shift.y, side * leg.shift.y_low};
+  for (int i = 0; i < 3; ++i) {
+    constant.add_product(b.x, ys[i]);
+    constant.subtract_product(a.x, ys[i]);
+    constant.subtract_product(b.y, xs[i]);
+    constant.add_product(a.y, xs[i]);
+  }
+  if (!constant.is_zero()) return false;
+  const std::size_t n = std::max({leg.p.x.size(), leg.p.y.size(), leg.q.x.size(), leg.q.y.size()});
+  for (std::size_t k = 1; k < n; ++k) {
+    ExactSum<16> sum;
+    for (const bool of_q : {false, true}) {
+      const double x = coefficient(of_q ? leg.q.x : leg.p.x, k), y = coefficient(of_q ? leg.q.y : leg.p.y, k);
+      const double s = of_q ? 1 : -1;
+      sum.add_product(b.x, s * y);
+      sum.subtract_product(a.x, s * y);
+      sum.subtract_product(b.y, s * x);
+      sum.add_product(a.y, s * x);
+    }
+    if (!sum.is_zero()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, const MixedTriple& triple,
+                                      Measure measure) {
+  const DisplacedPoint &pa = g.point(triple.a), &pb = g.point(triple.b), &pc = g.point(triple.c);
+  double ex = pb.x - pa.x, ey = pb.y - pa.y;
+  if (measure == Measure::projection) {
+    const double turn = ex;
+    ex = ey;
+    ey = -turn;
+  }
+  const Point a = seen(leg, pa, triple.pp), c = seen(leg, pc, !triple.pp);
+  const double side = triple.pp ? 1 : -1;
+  FastFunction f;
+  f.pp = triple.pp;
+  f.a[1] = -ey * side;
+  f.a[2] = ex * side;
+  f.w = std::fabs(ex) + std::fabs(ey);
+  const double shift = leg.shift_p || leg.shift_q ? std::fabs(leg.shift.x) + std::fabs(leg.shift.y) : 0;
+  const double size_a = std::fabs(pa.x) + std::fabs(pa.y) + shift, size_c = std::fabs(pc.x) + std::fabs(pc.y) + shift;
+  if (leg.translation) {
+    f.a[0] = ex * (c.y - a.y) - ey * (c.x - a.x);
+    f.a[3] = f.a[4] = 0;
+    f.m34 = 0;
+    f.m0 = f.w * (size_a + size_c);
+  } else {
+    f.a[0] = ey * a.x - ex * a.y;
+    f.a[3] = ex * c.y - ey * c.x;
+    f.a[4] = (ex * c.x + ey * c.y) * side;
+    f.m0 = f.w * size_a;
+    f.m34 = f.w * size_c;
+  }
+  f.floor_error = 0x1p-150 * (size_a + size_c + f.w);
+  return f;
+}
+
+bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, FastFunction& f) {
+  if (!leg.translation) return false;
+  const DisplacedPoint &pa = g.point(triple.a), &pb = g.point(triple.b), &pc = g.point(triple.c);
+  if (!vanishes(leg, pa, pb, pc, triple.pp)) return false;
+  constexpr double up = 0x1p200;
+  const double ex = pb.x - pa.x, ey = pb.y - pa.y;
+  const double dex = (pb.dx - pa.dx) * up, dey = (pb.dy - pa.dy) * up;
+  const double dcx = (pc.dx - pa.dx) * up, dcy = (pc.dy - pa.dy) * up;
+  const Point a = seen(leg, pa, triple.pp), c = seen(leg, pc, !triple.pp);
+  const double side = triple.pp ? 1 : -1;
+  f.pp = triple.pp;
+  f.level1 = true;
+  f.a[0] = dex * (c.y - a.y) - dey * (c.x - a.x) + ex * dcy - ey * dcx;
+  f.a[1] = -dey * side;
+  f.a[2] = dex * side;
+  f.a[3] = f.a[4] = f.m34 = 0;
+  f.w = std::fabs(dex) + std::fabs(dey);
+  const double shift = std::fabs(leg.shift.x) + std::fabs(leg.shift.y);
+  const double size = std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pc.x) + std::fabs(pc.y) + 2 * shift;
+  f.m0 = f.w * size + (std::fabs(ex) + std::fabs(ey)) * (std::fabs(dcx) + std::fabs(dcy));
+  f.floor_error = 0x1p-150 * (size + f.w) * (1 + f.w);
+  return true;
+}
+
+}  // namespace taut

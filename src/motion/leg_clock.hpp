@@ -1,0 +1,71 @@
+// A leg's frame functions at any instant, in doubles with error bounds, from models made once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "motion/fast_function.hpp"
+#include "motion/frame_model.hpp"
+
+namespace taut {
+
+/// A dyadic part of a leg's interval, with a model of the frame over it.
+struct ClockCell {
+  int level;            ///< the leg is cut into 2^level parts,
+  std::uint64_t index;  ///< and this is one of them
+  double start, end;
+  bool leaf;   ///< fine enough: values come from this cell
+  bool sharp;  ///< the model's values are good; if not, the frame itself is evaluated
+  FrameModel model;
+  FastCurvature pp, qq;
+
+  /// Bounds of the second derivatives over the cell.
+  const FastCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
+};
+
+/// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
+/// asks for: cells shrink towards an instant at which the motion is singular. Cells are made when first used, and the
+/// last ones are kept, so that memory does not depend on
+/// the leg.
+class LegClock {
+ public:
+  /// Prepares a leg; the reference must stay valid.
+  void reset(const Leg& leg);
+  const Leg& leg() const { return *leg_; }
+  /// Functions at parameter t (remembers the last instant).
+  const FastSide& at(double t, bool pp) {
+    if (t != cached_t_ || !cached_) evaluate(t);
+    return pp ? pp_ : qq_;
+  }
+  /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
+  const ClockCell& cell(double t);
+  /// The next larger cell around this one; none around the whole leg.
+  const ClockCell* wider(const ClockCell& cell);
+
+ private:
+  /// Cells down to the eighth level never get into each other's way.
+  static constexpr std::size_t slots = 512;
+
+  const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& find_leaf(double t);
+  double boundary(int level, std::uint64_t index) const;
+  std::uint64_t index_of(int level, double t) const;
+  void make(ClockCell& cell);
+  void evaluate(double t);
+  void evaluate_exactly(double t);
+
+  const Leg* leg_ = nullptr;
+  bool cached_ = false;
+  double cached_t_ = 0;
+  int level_ = 0;  ///< of the leaf last used, with its place
+  std::uint64_t index_ = 0;
+  double last_start_ = 0, last_end_ = 0;
+  FastSide pp_{}, qq_{};
+  /// Cell (level, index) is number 2^level + index, and lies in the slot of its number modulo `slots` if that is what
+  /// keys_ says. The cells' memory is not touched before it is used.
+  std::array<std::uint64_t, slots> keys_{};
+  std::unique_ptr<ClockCell[]> cells_{new ClockCell[slots]};
+};
+
+}  // namespace taut
