@@ -20,6 +20,8 @@ using Action = std::function<int()>;
 
 void add_check(CLI::App& app, Action& action);
 void add_trace(CLI::App& app, Action& action);
+void add_prove(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_gen(CLI::App& app, Action& action);
 

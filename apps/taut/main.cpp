@@ -58,6 +58,8 @@ int main(int argc, char** argv) {
   taut::cli::Action action;
   taut::cli::add_check(app, action);
   taut::cli::add_trace(app, action);
+  taut::cli::add_prove(app, action);
+  taut::cli::add_verify(app, action);
   taut::cli::add_draw(app, action);
   taut::cli::add_gen(app, action);
   try {

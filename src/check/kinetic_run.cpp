@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "check/run.hpp"
-#include "kinetic/session.hpp"
+#include "check/run_watcher.hpp"
 #include "motion/placement.hpp"
 #include "numeric/interruption.hpp"
 
@@ -68,7 +67,7 @@ void conclude(const Session& session, Answer& answer) {
 
 }  // namespace
 
-Answer run_kinetic(const Scene& scene, const CheckOptions& options) {
+Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
   Answer answer;
   answer.engine = EngineChoice::kinetic;
   answer.free_until = scene.start;
@@ -76,7 +75,7 @@ Answer run_kinetic(const Scene& scene, const CheckOptions& options) {
   const Clock::time_point start = Clock::now();
   std::unique_ptr<Session> session;
   try {
-    session = std::make_unique<Session>(scene, options.touch, options.tracer);
+    session = std::make_unique<Session>(scene, options.touch, options.tracer, watcher);
   } catch (const Undecidable& limit) {
     answer.reason = not_decided(limit);
     return answer;
@@ -85,10 +84,12 @@ Answer run_kinetic(const Scene& scene, const CheckOptions& options) {
     return answer;
   }
   answer.build_seconds = seconds_since(start);
+  if (watcher) watcher->started(*session);
   const Clock::time_point built = Clock::now();
   answer.reason = run(*session, options, scope, answer);
   answer.run_seconds = seconds_since(built);
   conclude(*session, answer);
+  if (watcher) watcher->ended(*session, answer);
   return answer;
 }
 

@@ -5,8 +5,10 @@
 
 namespace taut {
 
-/// By the kinetic data structure. Throws InputError.
-Answer run_kinetic(const Scene& scene, const CheckOptions& options);
+class RunWatcher;
+
+/// By the kinetic data structure. The watcher may be null. Throws InputError.
+Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 
 /// By bounding volumes over time. Throws InputError. It has no events, and no certificates.
 Answer run_spacetime(const Scene& scene, const CheckOptions& options);

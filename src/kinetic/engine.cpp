@@ -225,6 +225,7 @@ void Engine::process(CertificateId id) {
   ++events_;
   EngineEvent event;
   event.leg = &leg();
+  event.leg_index = current_;
   event.u = c.u;
   event.v = c.v;
   event.w = c.w;
@@ -232,8 +233,10 @@ void Engine::process(CertificateId id) {
   if (c.sign > 0) {
     VertexId middle;
     const HalfedgeId h = closing_corner(c, now, middle, event.three_corners);
+    event.corner = h;
     event.report = repair_convex(map_, h, middle);
   } else {
+    event.corner = c.corner;
     event.report = repair_reflex(map_, c.corner);
   }
   parameter_ = now.hi;

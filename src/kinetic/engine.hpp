@@ -21,7 +21,9 @@ struct EngineContact {
 struct EngineEvent {
   double lo = 0, hi = 0;  ///< of the leg's parameter
   const Leg* leg = nullptr;
+  std::size_t leg_index = 0;
   VertexId u, v, w;
+  HalfedgeId corner;  ///< enters the corner that the repair went by
   RepairReport report;
   bool three_corners = false;
   NodeId face;  ///< of the failed corner, before the repair
@@ -49,6 +51,7 @@ class Engine {
   const PairGeometry& geometry() const { return geometry_; }
   const PlanarMap& map() const { return map_; }
   const Leg& leg() const { return legs_[current_]; }
+  std::size_t leg_index() const { return current_; }
   /// The parameter of the current leg up to which everything is proved and processed.
   double parameter() const { return parameter_; }
   double time() const { return leg().time(parameter_); }

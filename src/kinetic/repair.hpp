@@ -9,9 +9,13 @@
 
 namespace taut {
 
+enum class Gone : unsigned char { none, first, second };
+
 /// What a repair did, and the corners that may have changed: each named by its first half-edge.
 struct RepairReport {
   Repair repair = Repair::collision;
+  /// Of the two edges of the corner, the one that goes (or would, if it were not a polygon's).
+  Gone gone = Gone::none;
   bool pinch_rule = false;
   std::array<HalfedgeId, 6> corners{};
   std::uint32_t corner_count = 0;

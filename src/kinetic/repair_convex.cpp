@@ -13,6 +13,7 @@ void mark_pinch(PlanarMap& map, NodeId face, HalfedgeId uv) {
 /// The far end comes first: h = w -> u, next = u -> v. The edge u -> w goes, w -> v comes.
 RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
   RepairReport report;
+  report.gone = Gone::first;
   const HalfedgeId uw = PlanarMap::twin(wu);
   const NodeId face = map.node(wu), across = map.node(uw);
   const VertexId v = map.target(uv);
@@ -47,6 +48,7 @@ RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
 /// The near end comes first: h = v -> u, next = u -> w. The edge u -> w goes, v -> w comes.
 RepairReport near_end_first(PlanarMap& map, HalfedgeId vu, HalfedgeId uw) {
   RepairReport report;
+  report.gone = Gone::second;
   const HalfedgeId wu = PlanarMap::twin(uw);
   const NodeId face = map.node(vu), across = map.node(wu);
   const VertexId v = map.origin(vu);
@@ -85,6 +87,7 @@ RepairReport repair_convex(PlanarMap& map, HalfedgeId h, VertexId nearer) {
   const HalfedgeId far_edge = far_first ? h : n;
   if (map.is_polygon_edge(far_edge)) {
     RepairReport report;
+    report.gone = far_first ? Gone::first : Gone::second;
     report.hitting = nearer;
     report.hit = HalfedgeId(far_edge.value & ~1u);
     return report;

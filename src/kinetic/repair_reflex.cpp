@@ -21,6 +21,7 @@ void unpinch(PlanarMap& map, HalfedgeId h) {
 RepairReport replace_second(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
   RepairReport report;
   report.repair = Repair::reflex_right;
+  report.gone = Gone::second;
   const HalfedgeId p = map.previous(uv), x = map.next(PlanarMap::twin(vw)), y = map.previous(PlanarMap::twin(vw));
   const HalfedgeId uw = vw, wu = PlanarMap::twin(vw);  // the edge is reused
   map.set_origin(uw, map.origin(uv));
@@ -38,6 +39,7 @@ RepairReport replace_second(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
 RepairReport replace_first(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
   RepairReport report;
   report.repair = Repair::reflex_left;
+  report.gone = Gone::first;
   const HalfedgeId vu = PlanarMap::twin(uv), p = map.previous(uv), n = map.next(vw), x = map.previous(vu);
   const VertexId w = map.target(vw);
   const HalfedgeId uw = uv, wu = vu;  // the edge is reused

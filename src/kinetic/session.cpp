@@ -9,7 +9,8 @@
 
 namespace taut {
 
-Session::Session(const Scene& scene, Touch touch, Tracer* tracer) : scene_(scene), tracer_(tracer) {
+Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
+    : scene_(scene), tracer_(tracer), observer_(observer) {
   validate(scene_);
   plan_ = plan_pair(scene_);
   build(touch == Touch::open);
@@ -85,6 +86,7 @@ void Session::set_motion(int body, const Motion& motion) {
 }
 
 void Session::on_event(const EngineEvent& event) {
+  if (observer_) observer_->on_event(event);
   if (!tracer_) return;
   TraceEvent out;
   out.number = engine_ ? engine_->events() : 1;

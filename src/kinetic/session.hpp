@@ -14,8 +14,8 @@ namespace taut {
 /// The engine and the translation of its findings.
 class Session : private EngineObserver {
  public:
-  /// Throws InputError.
-  Session(const Scene& scene, Touch touch, Tracer* tracer);
+  /// The observer is told of events before the tracer; either may be null. Throws InputError.
+  Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr);
 
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
@@ -43,6 +43,7 @@ class Session : private EngineObserver {
   Scene scene_;
   PairPlan plan_;
   Tracer* tracer_;
+  EngineObserver* observer_;
   std::unique_ptr<Engine> engine_;
   std::optional<Contact> contact_;
   bool overlap_at_start_ = false;

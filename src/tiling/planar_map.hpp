@@ -91,6 +91,8 @@ class PlanarMap {
     merge_into(a, b);
     return a;
   }
+  /// Edges that are not in use, by their even half-edges; the last one is used next.
+  const std::vector<HalfedgeId>& unused() const { return free_; }
   /// Bytes held.
   std::size_t bytes() const {
     return halfedges_.capacity() * sizeof(Halfedge) + pinch_.capacity() + free_.capacity() * sizeof(HalfedgeId);

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "io/answer_json.hpp"
+#include "io/atomic_file.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "scene_argument.hpp"
+#include "taut/error.hpp"
+#include "taut/proof.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+struct ProveArguments {
+  std::string path, output;
+  CheckOptions options;
+  bool json = false;
+};
+
+int run_prove(ProveArguments arguments) {
+  const Scene scene = load_scene(arguments.path);
+  Progress progress(scene);
+  arguments.options.tracer = &progress;
+  arguments.options.stop = stop_on_signals();
+  io::AtomicFile file(arguments.output);
+  Answer answer;
+  try {
+    answer = prove(scene, file.stream(), arguments.options);
+  } catch (const InputError& error) {
+    progress.clear();
+    throw error.within(display_name(arguments.path));
+  }
+  progress.clear();
+  // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
+  const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
+  if (proof) file.commit();
+  if (arguments.json) {
+    fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch, std::nullopt));
+  } else {
+    fmt::print("{}", report(scene, answer, arguments.options.touch));
+    fmt::print("{}\n", proof ? "  proof in " + arguments.output : "  no proof was written");
+  }
+  return exit_code(answer.outcome);
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("prove", "Check a scene and write a proof of the answer");
+  const auto arguments = std::make_shared<ProveArguments>();
+  add_scene(*command, arguments->path);
+  command->add_option("-o,--output", arguments->output, "the proof log to write")->required()->option_text("FILE");
+  command->add_flag("--json", arguments->json, "print the answer as one JSON object");
+  add_touch(*command, arguments->options.touch);
+  add_limits(*command, arguments->options);
+  command->footer(
+      "Example:\n"
+      "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
+      "\n"
+      "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
+  command->callback([&action, arguments] { action = [arguments] { return run_prove(*arguments); }; });
+}
+
+}  // namespace taut::cli

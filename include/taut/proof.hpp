@@ -1,0 +1,45 @@
+// Proofs that can be checked by a program that knows nothing of how they were found.
+#pragma once
+
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// Answers as check() does (by the kinetic engine), and writes a proof log for `free` and `contact`, and for what an
+/// `undecided` run has proved; nothing useful for `overlap_at_start`. The log is written event by event, so that
+/// memory does not grow with it. Format: docs/proof-format.md. Throws InputError.
+Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
+
+/// What a log proves about the scene that it was checked against.
+struct Verified {
+  /// free: on the whole interval. contact: `contact` is the first one. undecided: free before `free_until`, no more.
+  Outcome outcome = Outcome::undecided;
+  Touch touch = Touch::open;
+  std::optional<Contact> contact;
+  double free_until = 0;
+  std::uint64_t events = 0;
+  /// Identifies the scene's numbers: see scene_fingerprint().
+  std::uint64_t fingerprint = 0;
+};
+
+/// The log does not prove what it claims, or belongs to another scene.
+struct ProofError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Checks a log: that the tiling at the start is one of pseudo-triangles around both bodies, that every corner of it
+/// keeps its sign until an event changes the corner, and that each event turns one such tiling into the next. It
+/// accepts any such tiling, whoever made it. Throws ProofError if the proof fails, InputError if the scene is not
+/// valid. A Verified result is a proof, as far as this function, the validation of scenes and the arithmetic of
+/// src/numeric, src/geometry and src/motion can be trusted; src/tiling and src/kinetic are not used.
+Verified verify(const Scene& scene, std::istream& log);
+
+/// A hash (64-bit FNV-1a) of all numbers of a scene: time, polygons, motions; not of the names. It tells scenes apart;
+/// it is no defence against forgery, which needs none: a log is checked against the scene itself.
+std::uint64_t scene_fingerprint(const Scene& scene);
+
+}  // namespace taut

@@ -1,0 +1,29 @@
+// A file that appears whole or not at all.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+namespace taut::io {
+
+/// Writes to a temporary file next to `path`, which commit() renames; without commit() nothing is left behind. Devices
+/// and pipes (/dev/stdout, say) are written to directly. Throws InputError.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::string path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  std::ostream& stream() { return stream_; }
+  void commit();
+
+ private:
+  [[noreturn]] void fail();
+
+  std::string path_, written_;
+  bool direct_, done_ = false;
+  std::ofstream stream_;
+};
+
+}  // namespace taut::io

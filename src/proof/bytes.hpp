@@ -1,0 +1,94 @@
+// The bytes of a proof log: little-endian numbers, and a checksum of all of them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+
+#include "taut/proof.hpp"
+
+namespace taut::proof {
+
+/// 64-bit FNV-1a.
+class Checksum {
+ public:
+  void add(std::uint8_t byte) { value_ = (value_ ^ byte) * 0x100000001b3u; }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+/// Writes through a buffer of its own; close() must come last.
+class ByteWriter {
+ public:
+  explicit ByteWriter(std::ostream& out) : out_(out) {}
+
+  void u8(std::uint8_t x) {
+    checksum_.add(x);
+    buffer_.push_back(static_cast<char>(x));
+    if (buffer_.size() >= buffer_size) flush();
+  }
+  void u32(std::uint32_t x) { little_endian(x, 4); }
+  void u64(std::uint64_t x) { little_endian(x, 8); }
+  void f64(double x) { u64(std::bit_cast<std::uint64_t>(x)); }
+  /// Writes the checksum of everything before it.
+  void close() {
+    u64(checksum_.value());
+    flush();
+  }
+
+ private:
+  static constexpr std::size_t buffer_size = 1 << 16;
+
+  void little_endian(std::uint64_t x, int bytes) {
+    for (int i = 0; i < bytes; ++i) u8(static_cast<std::uint8_t>(x >> (8 * i)));
+  }
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+  std::ostream& out_;
+  std::string buffer_;
+  Checksum checksum_;
+};
+
+/// Reads; throws ProofError where the log ends too soon.
+class ByteReader {
+ public:
+  explicit ByteReader(std::istream& in) : in_(*in.rdbuf()) {}
+
+  std::uint8_t u8() {
+    const int c = in_.sbumpc();
+    if (c == std::char_traits<char>::eof()) throw ProofError("the log is cut off at byte " + std::to_string(offset_));
+    ++offset_;
+    checksum_.add(static_cast<std::uint8_t>(c));
+    return static_cast<std::uint8_t>(c);
+  }
+  std::uint32_t u32() { return static_cast<std::uint32_t>(little_endian(4)); }
+  std::uint64_t u64() { return little_endian(8); }
+  double f64() { return std::bit_cast<double>(u64()); }
+  /// Reads the checksum, after which nothing may come.
+  void close() {
+    const std::uint64_t expected = checksum_.value();
+    if (u64() != expected) throw ProofError("the checksum is wrong: the log was damaged");
+    if (in_.sgetc() != std::char_traits<char>::eof()) throw ProofError("there is something after the end of the log");
+  }
+  std::uint64_t offset() const { return offset_; }
+
+ private:
+  std::uint64_t little_endian(int bytes) {
+    std::uint64_t x = 0;
+    for (int i = 0; i < bytes; ++i) x |= static_cast<std::uint64_t>(u8()) << (8 * i);
+    return x;
+  }
+
+  std::streambuf& in_;
+  std::uint64_t offset_ = 0;
+  Checksum checksum_;
+};
+
+}  // namespace taut::proof

@@ -1,0 +1,30 @@
+// What a proof log is made of; docs/proof-format.md tells it in full.
+#pragma once
+
+#include <cstdint>
+
+namespace taut::proof {
+
+inline constexpr char magic[8] = {'t', 'a', 'u', 't', 'p', 'r', 'f', '1'};
+
+/// The third byte after the magic number: which polygons the tiling surrounds.
+enum class Shapes : std::uint8_t { inwards, outwards };
+
+/// The first byte of a record. An event has the time (f64, of the leg's parameter, within a few units in the last
+/// place) and the half-edge that enters the failing corner (u32).
+enum class Record : std::uint8_t {
+  event,           ///< an edge across the corner comes, none goes
+  event_first,     ///< the edge before the corner goes
+  event_second,    ///< the edge after the corner goes
+  contact_first,   ///< the same, but the edge to go is a body's: the first contact. The log ends.
+  contact_second,  ///< likewise
+  next_leg,        ///< the leg is over: on to the next one
+  free,            ///< no event until the end of the scene. The log ends.
+  free_until,      ///< no event before a time (f64, of the leg's parameter). The log ends.
+  touching,        ///< the outward shapes overlap at the start, where two edges (u32 each) cross. The log ends.
+};
+
+/// Stands for the origin of a half-edge that is not in use.
+inline constexpr std::uint32_t unused = 0xffffffffu;
+
+}  // namespace taut::proof

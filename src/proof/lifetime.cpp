@@ -1,0 +1,199 @@
+#include "proof/lifetime.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/placement.hpp"
+#include "numeric/quadratic_bound.hpp"
+#include "taut/proof.hpp"
+
+namespace taut::proof {
+namespace {
+
+double below(double x) { return std::nextafter(x, -INFINITY); }
+double above(double x) { return std::nextafter(x, INFINITY); }
+
+/// Steps back in time that doubles may take before high precision is asked.
+constexpr int patience = 200;
+
+}  // namespace
+
+bool Lifetimes::at_stage(const Instant& i, int stage, PreciseTime& t) const {
+  t = i.fine ? *i.fine : PreciseTime::between(i.lo, i.hi);
+  return !i.event || precise(triple(i.u, i.v, i.w)).refine(i.sign, t, stage);
+}
+
+/// From a guess in root.lo: an interval in which f is strictly monotone and changes from `sign` to -`sign`.
+bool Lifetimes::enclose(const FastFunction& f, int sign, Instant& root) {
+  const double t = root.lo;
+  const FastSide& side = clock_.at(t, f.pp);
+  const Bounded v = f.value(side), d = f.slope(side);
+  const double flat = -sign * d.value - d.error;
+  if (!(flat > 0)) return false;
+  const ClockCell& cell = clock_.cell(t);
+  const Bounded k = f.curvature(cell.curvature(f.pp));
+  const double radius = 4 * (std::fabs(v.value) + v.error) / flat;
+  const double slack = radius * (std::fabs(k.value) + k.error);
+  if (!(slack <= flat / 2)) return false;
+  // |f(t)| < slope * radius, so the root is inside, at t - f(t)/slope for some slope in [flat / 2, steep].
+  const double steep = -sign * d.value + d.error + slack;
+  const double most = sign * v.value + v.error, least = sign * v.value - v.error;
+  const double after = most / (most > 0 ? flat - slack : steep), before = least / (least > 0 ? steep : flat - slack);
+  const double room = 0x1p-50 * (std::fabs(before) + std::fabs(after));
+  root.lo = below(t + (before - room));
+  root.hi = above(t + (after + room));
+  return root.lo >= cell.start && root.hi <= cell.end;
+}
+
+/// From t, at which the sign must be certain, back to the corner's birth.
+bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double t) {
+  const bool from_root = corner.birth.concerns(corner.u, corner.v, corner.w);
+  const double stop = corner.birth.lo;
+  for (int step = 0; step < patience; ++step) {
+    const FastSide& side = clock_.at(t, f.pp);
+    const Bounded v = f.value(side), d = f.slope(side);
+    const double a = corner.sign * v.value - v.error;
+    if (!(a > 0)) return false;
+    if (t <= stop) return !from_root;
+    double reached = t;
+    for (const ClockCell* cell = &clock_.cell(below(t)); cell; cell = clock_.wider(*cell)) {
+      if (cell->start >= reached) continue;
+      const double limit = t - std::max(cell->start, stop);
+      const Bounded k = f.curvature(cell->curvature(f.pp));
+      const double slope = corner.sign * d.value, bend = corner.sign * k.value;
+      // Growing since its birth at a root.
+      if (from_root && cell->start <= stop && slope - d.error - (bend + k.error) * limit > 0) return true;
+      const double h = positive_until(a, -slope - d.error, bend - k.error, limit);
+      const bool whole = h >= limit;
+      reached = whole ? t - limit : std::min(reached, above(t - h));
+      if (!whole || reached <= stop) break;
+    }
+    if (reached <= stop && !from_root) return true;
+    if (!(reached < t)) return false;
+    t = reached;
+  }
+  return false;
+}
+
+/// Near the root the function falls; before that, see above.
+bool Lifetimes::holds_before_root(const FastFunction& f, const Corner& corner, const Instant& root) {
+  const double t = root.hi;
+  const Bounded d = f.slope(clock_.at(t, f.pp));
+  const ClockCell& cell = clock_.cell(below(t));
+  const Bounded k = f.curvature(cell.curvature(f.pp));
+  const double falling = -corner.sign * d.value - d.error, turning = k.error - corner.sign * k.value;
+  if (!(falling > 0)) return false;
+  const double limit = t - cell.start;
+  const double length = turning > 0 ? std::min(limit, falling / turning * (1 - 0x1p-48)) : limit;
+  if (!(t - length < root.lo)) return false;
+  if (corner.birth.lo >= t - length) return !corner.birth.concerns(corner.u, corner.v, corner.w);
+  return holds_back(f, corner, std::max(above(t - length), cell.start));
+}
+
+bool Lifetimes::holds(const Corner& c, const Instant& until) {
+  const MixedTriple t = triple(c.u, c.v, c.w);
+  const bool own = until.concerns(c.u, c.v, c.w);
+  const auto try_fast = [&](const FastFunction& f) {
+    return own ? holds_before_root(f, c, until) : holds_back(f, c, until.hi);
+  };
+  if (try_fast(FastFunction::level_zero(leg(), geometry_, t))) return true;
+  FastFunction first_order;
+  if (FastFunction::level_one(leg(), geometry_, t, first_order) && try_fast(first_order)) return true;
+  return holds_precisely(c, until);
+}
+
+bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
+  const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
+  const PreciseTriple f = precise(triple(c.u, c.v, c.w));
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    PreciseTime birth, end;
+    if (!at_stage(c.birth, stage, birth) || !at_stage(until, stage, end)) continue;
+    birth.stage = stage;
+    if (!from_root) {
+      const int s = f.sign_at(birth, stage);
+      if (s == -c.sign) return false;
+      if (s == 0) continue;
+    }
+    const std::optional<PreciseTime> root = f.first_failure(c.sign, birth, until.hi);
+    if (!root) return !own;
+    // The first root since the birth: with its own vertices it must be the very instant, and an enclosure holds one.
+    if (own) return root->hi >= end.lo && root->lo <= end.hi;
+    if (root->lo > end.hi) return true;
+    if (root->hi < end.lo) return false;
+  }
+  throw Undecidable{"whether a corner lasts until an event"};
+}
+
+double Lifetimes::nearness() const { return 0x1p-40 * (std::fabs(leg().start) + std::fabs(leg().end)); }
+
+Instant Lifetimes::failure(const Corner& c, double about) {
+  Instant root;
+  root.event = true;
+  root.u = c.u;
+  root.v = c.v;
+  root.w = c.w;
+  root.sign = c.sign;
+  root.lo = root.hi = about;
+  const MixedTriple t = triple(c.u, c.v, c.w);
+  if (!(about >= leg().start && about <= leg().end)) throw ProofError("an event is not within its leg");
+  if (enclose(FastFunction::level_zero(leg(), geometry_, t), c.sign, root) && root.hi <= leg().end) return root;
+  const PreciseTriple f = precise(t);
+  PreciseTime birth;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (!at_stage(c.birth, stage, birth)) continue;
+    birth.stage = stage;
+    const std::optional<PreciseTime> found = f.first_failure(c.sign, birth, std::min(leg().end, about + nearness()));
+    if (!found) throw ProofError("a corner does not fail where the log says");
+    root.lo = double_floor(found->lo);
+    root.hi = std::min(double_above(found->hi), leg().end);
+    root.fine = std::make_shared<const PreciseTime>(*found);
+    return root;
+  }
+  throw Undecidable{"the instant of an event"};
+}
+
+Instant Lifetimes::tightened(Instant event) const {
+  PreciseTime t;
+  if (!at_stage(event, 0, t)) return event;
+  event.lo = std::max(event.lo, double_floor(t.lo));
+  event.hi = std::min(event.hi, double_above(t.hi));
+  return event;
+}
+
+bool Lifetimes::in_order(const Instant& a, const Instant& b) {
+  if (a.hi <= b.lo) return true;
+  if (b.event && a.concerns(b.u, b.v, b.w)) return b.hi >= a.lo;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    PreciseTime x, y;
+    if (!at_stage(a, stage, x) || !at_stage(b, stage, y)) continue;
+    if (x.hi <= y.lo) return true;
+    if (y.hi < x.lo) return false;
+  }
+  throw Undecidable{"the order of two events"};
+}
+
+int Lifetimes::sign_at(const MixedTriple& t, Measure measure, const Instant& now) {
+  const FastFunction f = FastFunction::level_zero(leg(), geometry_, t, measure);
+  const FastSide& side = clock_.at(now.hi, f.pp);
+  const Bounded v = f.value(side), d = f.slope(side);
+  const ClockCell& cell = clock_.cell(now.hi);
+  const double width = now.hi - now.lo;
+  const Bounded k = f.curvature(cell.curvature(f.pp));
+  const double drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error));
+  if (cell.start <= now.lo && std::fabs(v.value) > v.error + drift * (1 + 0x1p-40)) return v.value > 0 ? 1 : -1;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    PreciseTime instant;
+    if (!at_stage(now, stage, instant)) continue;
+    if (const int s = precise(t, measure).sign_at(instant, stage)) return s;
+  }
+  throw Undecidable{"which of three vertices is between the others"};
+}
+
+VertexId Lifetimes::middle(const Instant& now) {
+  const MixedTriple m = triple(now.u, now.v, now.w);
+  if (sign_at(m, Measure::projection, now) < 0) return m.a;
+  if (sign_at({m.b, m.a, m.c, m.pp}, Measure::projection, now) < 0) return m.b;
+  return m.c;
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,81 @@
+// When a corner fails, and that it keeps its sign until then.
+#pragma once
+
+#include <memory>
+
+#include "motion/leg_clock.hpp"
+#include "motion/precise_triple.hpp"
+
+namespace taut::proof {
+
+/// The start of a leg, its end, a time between, or the failure of a corner.
+struct Instant {
+  double lo = 0, hi = 0;  ///< of the leg's parameter
+  bool event = false;
+  /// Of a failure: the corner, and its sign before.
+  VertexId u, v, w;
+  int sign = 0;
+  /// Set if doubles cannot tell the failure from others of the same corner.
+  std::shared_ptr<const PreciseTime> fine;
+
+  static Instant exactly(double t) {
+    Instant i;
+    i.lo = i.hi = t;
+    return i;
+  }
+  /// Are these the three vertices that are on one line then?
+  bool concerns(VertexId a, VertexId b, VertexId c) const {
+    const auto in = [this](VertexId x) { return x == u || x == v || x == w; };
+    return event && in(a) && in(b) && in(c);
+  }
+};
+
+/// A corner of vertices of both bodies, with the sign that it has from `birth` on.
+struct Corner {
+  VertexId u, v, w;
+  int sign = 0;
+  Instant birth;
+};
+
+/// Answers about one leg at a time. Every sign is certified: in doubles with bounds, else at high precision. Where that
+/// does not suffice, it throws Undecidable.
+class Lifetimes {
+ public:
+  explicit Lifetimes(const PairGeometry& geometry) : geometry_(geometry) {}
+
+  void enter(const Leg& leg) { clock_.reset(leg); }
+  const Leg& leg() const { return clock_.leg(); }
+
+  /// The instant close to `about` at which the corner fails: for the first time since its birth if holds() says so.
+  /// Throws ProofError if there is none.
+  Instant failure(const Corner& corner, double about);
+  /// How far from the time in the log a failure may be.
+  double nearness() const;
+  /// Does the corner keep its sign from its birth up to `until`, that included? Where its own three vertices are those
+  /// of `until`: up to then, not included.
+  bool holds(const Corner& corner, const Instant& until);
+  /// Is `a` certainly before `b`, or are they one?
+  bool in_order(const Instant& a, const Instant& b);
+  /// A failure enclosed within a few units in the last place, if that can be done.
+  Instant tightened(Instant event) const;
+  /// Of the three vertices that are on one line at `now`: which one is between?
+  VertexId middle(const Instant& now);
+
+ private:
+  MixedTriple triple(VertexId u, VertexId v, VertexId w) const { return MixedTriple::of(geometry_, u, v, w); }
+  PreciseTriple precise(const MixedTriple& t, Measure m = Measure::orientation) const {
+    return {leg(), geometry_, t, m};
+  }
+  /// The instant at a stage; false if that cannot enclose it.
+  bool at_stage(const Instant& i, int stage, PreciseTime& t) const;
+  bool enclose(const FastFunction& f, int sign, Instant& root);
+  bool holds_before_root(const FastFunction& f, const Corner& corner, const Instant& root);
+  bool holds_back(const FastFunction& f, const Corner& corner, double t);
+  bool holds_precisely(const Corner& corner, const Instant& until);
+  int sign_at(const MixedTriple& t, Measure measure, const Instant& now);
+
+  const PairGeometry& geometry_;
+  LegClock clock_;
+};
+
+}  // namespace taut::proof

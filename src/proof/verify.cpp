@@ -1,0 +1,260 @@
+// Goes through a log event by event. What a valid log proves, and why: docs/proof-format.md.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "motion/body_crossing.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/witness.hpp"
+#include "proof/lifetime.hpp"
+#include "proof/proof_map.hpp"
+#include "taut/validate.hpp"
+
+namespace taut {
+namespace proof {
+namespace {
+
+struct Header {
+  Touch touch = Touch::open;
+  Shapes shapes = Shapes::inwards;
+};
+
+Header read_header(ByteReader& in, const Scene& scene) {
+  for (const char c : magic) {
+    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut, version 1");
+  }
+  if (in.u64() != scene_fingerprint(scene)) throw ProofError("the log belongs to another scene");
+  const std::uint8_t touch = in.u8(), shapes = in.u8();
+  if (touch > 1 || shapes > 1) throw ProofError("the log's header makes no sense");
+  return {touch ? Touch::closed : Touch::open, shapes ? Shapes::outwards : Shapes::inwards};
+}
+
+class Verifier {
+ public:
+  Verifier(const Scene& scene, std::istream& log)
+      : scene_(scene),
+        in_(log),
+        header_(read_header(in_, scene)),
+        plan_(plan_pair(scene)),
+        geometry_(displaced_pair(plan_, header_.shapes == Shapes::inwards)),
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        map_(in_, Placement(geometry_, legs_[0], scene.start)),
+        lifetimes_(geometry_),
+        births_(map_.size()),
+        place_(map_.size(), nowhere) {
+    if (geometry_.fine_features && crossing_within_body(geometry_)) throw ProofError("a displaced body is not simple");
+    enter(0);
+    for (std::uint32_t i = 0; i < map_.size(); ++i) begin(HalfedgeId(i), Instant::exactly(leg().start));
+  }
+
+  Verified run() {
+    result_.touch = header_.touch;
+    result_.fingerprint = scene_fingerprint(scene_);
+    try {
+      while (record()) {
+      }
+    } catch (const ProofError& error) {
+      throw ProofError("event " + std::to_string(result_.events) + ", before byte " + std::to_string(in_.offset()) +
+                       ": " + error.what());
+    }
+    in_.close();
+    return result_;
+  }
+
+ private:
+  static constexpr std::uint32_t nowhere = 0xffffffffu;
+
+  const Leg& leg() const { return legs_[current_]; }
+  Witness witness() const { return {plan_, geometry_}; }
+
+  /// One record; false after the last.
+  bool record() {
+    const std::uint8_t kind = in_.u8();
+    if (kind > static_cast<std::uint8_t>(Record::touching)) throw ProofError("unknown record");
+    switch (static_cast<Record>(kind)) {
+      case Record::next_leg:
+        end_leg();
+        return true;
+      case Record::free:
+        if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
+        while (current_ + 1 < legs_.size()) end_leg();
+        all_hold(Instant::exactly(leg().end));
+        result_.outcome = Outcome::free;
+        result_.free_until = scene_.end;
+        return false;
+      case Record::free_until:
+        free_until(in_.f64());
+        return false;
+      case Record::touching: {
+        const VertexId e(in_.u32());
+        touching(e, VertexId(in_.u32()));
+        return false;
+      }
+      default:
+        return event(static_cast<Record>(kind));
+    }
+  }
+
+  /// Polygons displaced outwards must stay apart for `closed`; inwards will do for `open`.
+  bool claims_motion() const { return (header_.touch == Touch::closed) == (header_.shapes == Shapes::outwards); }
+
+  void enter(std::size_t leg) {
+    current_ = leg;
+    lifetimes_.enter(legs_[leg]);
+    last_ = Instant::exactly(legs_[leg].start);
+  }
+
+  void end_leg() {
+    if (current_ + 1 == legs_.size()) throw ProofError("there is no further leg");
+    all_hold(Instant::exactly(leg().end));
+    enter(current_ + 1);
+    for (const HalfedgeId h : active_) births_[h.value] = Instant::exactly(leg().start);
+  }
+
+  bool event(Record kind) {
+    const double about = in_.f64();
+    const HalfedgeId h(in_.u32());
+    if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
+    ++result_.events;
+    if (!map_.alive(h) || place_[h.value] == nowhere) throw ProofError("no corner of both bodies is there");
+    const Corner corner = corner_at(h);
+    const Instant now = lifetimes_.failure(corner, about);
+    const double near = lifetimes_.nearness();
+    if (!(now.lo - near <= about && about <= now.hi + near)) throw ProofError("the corner fails at another time");
+    if (!lifetimes_.in_order(last_, now)) throw ProofError("the event comes before the one before it");
+    check_sides(corner, now, kind);
+    last_ = now;
+    if (kind == Record::contact_first || kind == Record::contact_second) {
+      contact(corner, now, kind == Record::contact_first ? h : map_.next(h), kind);
+      return false;
+    }
+    change(h, now, kind);
+    return true;
+  }
+
+  /// The map's rules speak of what is between what.
+  void check_sides(const Corner& c, const Instant& now, Record kind) {
+    const VertexId middle = lifetimes_.middle(now);
+    if (c.sign < 0) {
+      if (middle != c.v) throw ProofError("a reflex corner does not straighten");
+      return;
+    }
+    const bool first = kind == Record::event_first || kind == Record::contact_first;
+    if (middle != (first ? c.w : c.u)) throw ProofError("a convex corner closes otherwise");
+  }
+
+  void change(HalfedgeId h, const Instant& now, Record kind) {
+    const Change before = map_.ending(h, kind);
+    for (int i = 0; i < before.count; ++i) end(before.corners[static_cast<std::size_t>(i)], now);
+    const Change after = map_.apply(h, kind);
+    if (map_.size() > place_.size()) {
+      place_.resize(map_.size(), nowhere);
+      births_.resize(map_.size());
+    }
+    for (int i = 0; i < after.count; ++i) begin(after.corners[static_cast<std::size_t>(i)], now);
+  }
+
+  /// The edge at `hit` is a body's, and the corner's other end reaches it.
+  void contact(const Corner& c, const Instant& now, HalfedgeId hit, Record kind) {
+    if (c.sign < 0 || !map_.is_body_edge(hit)) throw ProofError("no vertex meets an edge of a body");
+    all_hold(now);
+    const Instant fine = lifetimes_.tightened(now);
+    const VertexId vertex = kind == Record::contact_first ? c.w : c.u;
+    result_.contact = witness().contact(vertex, map_.origin(HalfedgeId(hit.value & ~1u)), leg(), fine.lo,
+                                        std::min(fine.hi, leg().end));
+    result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
+    result_.free_until = result_.contact->time.lo;
+    result_.outcome = Outcome::contact;
+  }
+
+  void free_until(double t) {
+    if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
+    if (!(t >= leg().start && t <= leg().end)) throw ProofError("the end of the proof is not within its leg");
+    // The tiling was followed up to the last event at least.
+    const Instant until = Instant::exactly(std::max(t, last_.hi));
+    if (until.hi > leg().end) throw ProofError("the end of the proof is not within its leg");
+    all_hold(until);
+    result_.free_until = leg().time(t);
+  }
+
+  /// The inward shapes do not overlap at the start, as the tiling shows; two edges of the outward ones do cross.
+  void touching(VertexId e, VertexId f) {
+    if (header_.touch != Touch::closed || header_.shapes != Shapes::inwards || result_.events > 0 || current_ > 0)
+      throw ProofError("a contact at the start needs a tiling around the inward shapes, and nothing else");
+    if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
+      throw ProofError("the edges that cross do not exist");
+    const PairGeometry outer = displaced_pair(plan_, false);
+    const Placement place(outer, legs_[0], scene_.start);
+    const VertexId e2 = outer.next(e), f2 = outer.next(f);
+    if (place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
+        place.orientation(f, f2, e) == place.orientation(f, f2, e2))
+      throw ProofError("the edges do not cross");
+    result_.contact = Witness(plan_, outer).contact_of_crossing(e, f, legs_[0], scene_.start);
+    result_.free_until = scene_.start;
+    result_.outcome = Outcome::contact;
+  }
+
+  Corner corner_at(HalfedgeId h) const {
+    return {map_.origin(h), map_.target(h), map_.target(map_.next(h)), map_.sign(h), births_[h.value]};
+  }
+
+  void check_holds(HalfedgeId h, const Instant& until) {
+    if (!lifetimes_.holds(corner_at(h), until)) throw ProofError("a corner does not last until it is changed");
+  }
+  void all_hold(const Instant& until) {
+    for (const HalfedgeId h : active_) check_holds(h, until);
+  }
+
+  /// The corner that h enters begins: if its vertices are of both bodies, it must be watched.
+  void begin(HalfedgeId h, const Instant& birth) {
+    if (!map_.alive(h) || map_.is_inside(h)) return;
+    const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
+    if (u == w) throw ProofError("a face turns back on an edge");
+    if (geometry_.same_body(u, v) && geometry_.same_body(v, w)) return;
+    if (place_[h.value] == nowhere) {
+      place_[h.value] = static_cast<std::uint32_t>(active_.size());
+      active_.push_back(h);
+    }
+    births_[h.value] = birth;
+  }
+  void end(HalfedgeId h, const Instant& now) {
+    const std::uint32_t place = place_[h.value];
+    if (place == nowhere) return;
+    check_holds(h, now);
+    const HalfedgeId last = active_.back();
+    active_[place] = last;
+    place_[last.value] = place;
+    active_.pop_back();
+    place_[h.value] = nowhere;
+  }
+
+  const Scene& scene_;
+  ByteReader in_;
+  Header header_;
+  PairPlan plan_;
+  PairGeometry geometry_;
+  std::vector<Leg> legs_;
+  std::size_t current_ = 0;
+  ProofMap map_;
+  Lifetimes lifetimes_;
+  std::vector<Instant> births_;       ///< by half-edge
+  std::vector<std::uint32_t> place_;  ///< by half-edge, in active_
+  std::vector<HalfedgeId> active_;    ///< half-edges that enter a corner of both bodies
+  Instant last_;
+  Verified result_;
+};
+
+}  // namespace
+}  // namespace proof
+
+Verified verify(const Scene& scene, std::istream& log) {
+  validate(scene);
+  try {
+    return proof::Verifier(scene, log).run();
+  } catch (const Undecidable& limit) {
+    throw ProofError(not_decided(limit));
+  }
+}
+
+}  // namespace taut
