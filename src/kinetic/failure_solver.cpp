@@ -100,6 +100,7 @@ void FailureSolver::advance_from(Certificate& c, double t) {
   if (!(a > 0)) return advance_hard(c, t);
   const ClockCell& cell = clock_.cell(t);
   const double horizon = cell.end, limit = horizon - t;
+  const bool good = cell.sharp || leg().bridge;
   const Bounded k = c.function.curvature(cell.curvature(c.function.pp));
   const double slope = sign * d.value, bend = sign * k.value;
   const double h = positive_until(a, slope - d.error, bend - k.error, limit);
@@ -121,7 +122,8 @@ void FailureSolver::advance_from(Certificate& c, double t) {
     }
   }
   const double next = below(t + h);
-  if (!(next > t + 0x1p-46 * limit)) return advance_hard(c, t);
+  // Where the motion is singular, bounds are loose and steps short: one search at high precision is quicker than those.
+  if (!(next > t + (good ? 0x1p-46 : 0x1p-8) * limit)) return advance_hard(c, t);
   return set_not_before(c, next);
 }
 

@@ -27,6 +27,42 @@ void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re
   im = ax * by - ay * bx;
 }
 
+/// The parts that depend on how the bodies turn; most scenes have one that does not.
+template <class J>
+void turning_frame(const Leg& leg, const Ball<typename J::Number>& t, const J& dx, const J& dy, FrameOf<J>& f) {
+  J px, py, qx, qy;
+  const bool p_turns = turns(leg.p), q_turns = turns(leg.q);
+  if (p_turns) {
+    rotation_jet(leg.p.rotation, t, px, py);
+    conjugate_product(px, py, dx, dy, f.for_pp[1], f.for_pp[2]);
+  } else {
+    f.for_pp[1] = dx;
+    f.for_pp[2] = dy;
+  }
+  if (leg.aligned) {
+    f.for_pp[3] = J::constant(1.0);
+    f.for_pp[4] = J::constant(0.0);
+    f.for_qq[1] = f.for_pp[1];
+    f.for_qq[2] = f.for_pp[2];
+    return;
+  }
+  if (!q_turns) {
+    f.for_pp[3] = px;
+    f.for_pp[4] = -py;
+    f.for_qq[1] = dx;
+    f.for_qq[2] = dy;
+    return;
+  }
+  rotation_jet(leg.q.rotation, t, qx, qy);
+  conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  if (p_turns) {
+    conjugate_product(px, py, qx, qy, f.for_pp[3], f.for_pp[4]);
+  } else {
+    f.for_pp[3] = qx;
+    f.for_pp[4] = qy;
+  }
+}
+
 template <class J>
 FrameOf<J> motion_frame(const Leg& leg, const Ball<typename J::Number>& t) {
   FrameOf<J> f;
@@ -46,19 +82,7 @@ FrameOf<J> motion_frame(const Leg& leg, const Ball<typename J::Number>& t) {
     f.for_qq = f.for_pp;
     return f;
   }
-  J px, py, qx, qy;
-  rotation_jet(leg.p.rotation, t, px, py);
-  if (leg.aligned) {
-    qx = px;
-    qy = py;
-    f.for_pp[3] = one;
-    f.for_pp[4] = zero;
-  } else {
-    rotation_jet(leg.q.rotation, t, qx, qy);
-    conjugate_product(px, py, qx, qy, f.for_pp[3], f.for_pp[4]);
-  }
-  conjugate_product(px, py, dx, dy, f.for_pp[1], f.for_pp[2]);
-  conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  turning_frame(leg, t, dx, dy, f);
   f.for_qq[3] = f.for_pp[3];
   f.for_qq[4] = f.for_pp[4];
   return f;

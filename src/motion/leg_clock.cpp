@@ -131,9 +131,10 @@ void LegClock::make(ClockCell& cell) {
 
 const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   const std::uint64_t key = (std::uint64_t{1} << level) + index;
-  ClockCell& cell = cells_[key % slots];
-  if (keys_[key % slots] != key) {
-    keys_[key % slots] = key;
+  const std::size_t slot = slot_of(key);
+  ClockCell& cell = cells_[slot];
+  if (keys_[slot] != key) {
+    keys_[slot] = key;
     cell.level = level;
     cell.index = index;
     cell.start = boundary(level, index);
@@ -153,12 +154,18 @@ const ClockCell& LegClock::cell(double t) {
   return found;
 }
 
-/// The largest leaf around t; the last one found is near, so the way starts there.
+/// The largest leaf around t. The way starts at the smallest cell around it and the leaf last found, which is no leaf
+/// (or that very leaf): everything larger is none either.
 const ClockCell& LegClock::find_leaf(double t) {
   int level = level_;
-  while (!at_level(level, index_of(level, t)).leaf) ++level;
-  while (level > 0 && at_level(level - 1, index_of(level - 1, t)).leaf) --level;
-  return at_level(level, index_of(level, t));
+  std::uint64_t index = index_of(level, t), last = index_;
+  for (; index != last; index /= 2, last /= 2) --level;
+  const ClockCell* cell = &at_level(level, index);
+  while (!cell->leaf) {
+    ++level;
+    cell = &at_level(level, index_of(level, t));
+  }
+  return *cell;
 }
 
 const ClockCell* LegClock::wider(const ClockCell& cell) {

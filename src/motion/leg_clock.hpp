@@ -44,8 +44,13 @@ class LegClock {
   const ClockCell* wider(const ClockCell& cell);
 
  private:
-  /// Cells down to the eighth level never get into each other's way.
-  static constexpr std::size_t slots = 512;
+  /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
+  /// hundreds around a singular instant) scattered over the others.
+  static constexpr std::size_t own = 512, scattered = 4096;
+  static std::size_t slot_of(std::uint64_t key) {
+    return key < own ? static_cast<std::size_t>(key)
+                     : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 52);
+  }
 
   const ClockCell& at_level(int level, std::uint64_t index);
   const ClockCell& find_leaf(double t);
@@ -62,10 +67,9 @@ class LegClock {
   std::uint64_t index_ = 0;
   double last_start_ = 0, last_end_ = 0;
   FastSide pp_{}, qq_{};
-  /// Cell (level, index) is number 2^level + index, and lies in the slot of its number modulo `slots` if that is what
-  /// keys_ says. The cells' memory is not touched before it is used.
-  std::array<std::uint64_t, slots> keys_{};
-  std::unique_ptr<ClockCell[]> cells_{new ClockCell[slots]};
+  /// Which cell lies in which slot. The cells' memory is not touched before it is used.
+  std::array<std::uint64_t, own + scattered> keys_{};
+  std::unique_ptr<ClockCell[]> cells_{new ClockCell[own + scattered]};
 };
 
 }  // namespace taut

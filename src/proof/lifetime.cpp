@@ -14,7 +14,7 @@ double below(double x) { return std::nextafter(x, -INFINITY); }
 double above(double x) { return std::nextafter(x, INFINITY); }
 
 /// Steps back in time that doubles may take before high precision is asked.
-constexpr int patience = 200;
+constexpr int patience = 1000;
 
 }  // namespace
 
@@ -45,8 +45,8 @@ bool Lifetimes::enclose(const FastFunction& f, int sign, Instant& root) {
   return root.lo >= cell.start && root.hi <= cell.end;
 }
 
-/// From t, at which the sign must be certain, back to the corner's birth.
-bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double t) {
+/// From t back towards the corner's birth; t becomes how far it came. True if that is all the way.
+bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& t) {
   const bool from_root = corner.birth.concerns(corner.u, corner.v, corner.w);
   const double stop = corner.birth.lo;
   for (int step = 0; step < patience; ++step) {
@@ -75,8 +75,8 @@ bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double t
   return false;
 }
 
-/// Near the root the function falls; before that, see above.
-bool Lifetimes::holds_before_root(const FastFunction& f, const Corner& corner, const Instant& root) {
+/// Before the root, the function certainly falls since `since`: up to the root, the sign is that at `since`.
+bool Lifetimes::falls_to_root(const FastFunction& f, const Corner& corner, const Instant& root, double& since) {
   const double t = root.hi;
   const Bounded d = f.slope(clock_.at(t, f.pp));
   const ClockCell& cell = clock_.cell(below(t));
@@ -85,21 +85,30 @@ bool Lifetimes::holds_before_root(const FastFunction& f, const Corner& corner, c
   if (!(falling > 0)) return false;
   const double limit = t - cell.start;
   const double length = turning > 0 ? std::min(limit, falling / turning * (1 - 0x1p-48)) : limit;
-  if (!(t - length < root.lo)) return false;
-  if (corner.birth.lo >= t - length) return !corner.birth.concerns(corner.u, corner.v, corner.w);
-  return holds_back(f, corner, std::max(above(t - length), cell.start));
+  since = std::max(above(t - length), cell.start);
+  return since < root.lo;
 }
 
 bool Lifetimes::holds(const Corner& c, const Instant& until) {
   const MixedTriple t = triple(c.u, c.v, c.w);
-  const bool own = until.concerns(c.u, c.v, c.w);
-  const auto try_fast = [&](const FastFunction& f) {
-    return own ? holds_before_root(f, c, until) : holds_back(f, c, until.hi);
+  const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
+  // What is certain in doubles is certain; the rest, from the birth on, is left to high precision.
+  Instant rest = until;
+  const auto done = [&](const FastFunction& f) {
+    double reached = rest.hi;
+    if (own && rest.event) {
+      if (!falls_to_root(f, c, until, reached)) return false;
+      if (c.birth.lo >= reached) return !from_root;
+    }
+    const double from = reached;
+    if (holds_back(f, c, reached)) return true;
+    if (reached < from) rest = Instant::exactly(reached);
+    return false;
   };
-  if (try_fast(FastFunction::level_zero(leg(), geometry_, t))) return true;
+  if (done(FastFunction::level_zero(leg(), geometry_, t))) return true;
   FastFunction first_order;
-  if (FastFunction::level_one(leg(), geometry_, t, first_order) && try_fast(first_order)) return true;
-  return holds_precisely(c, until);
+  if (FastFunction::level_one(leg(), geometry_, t, first_order) && done(first_order)) return true;
+  return holds_precisely(c, rest);
 }
 
 bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {

@@ -69,8 +69,8 @@ class Lifetimes {
   /// The instant at a stage; false if that cannot enclose it.
   bool at_stage(const Instant& i, int stage, PreciseTime& t) const;
   bool enclose(const FastFunction& f, int sign, Instant& root);
-  bool holds_before_root(const FastFunction& f, const Corner& corner, const Instant& root);
-  bool holds_back(const FastFunction& f, const Corner& corner, double t);
+  bool falls_to_root(const FastFunction& f, const Corner& corner, const Instant& root, double& since);
+  bool holds_back(const FastFunction& f, const Corner& corner, double& t);
   bool holds_precisely(const Corner& corner, const Instant& until);
   int sign_at(const MixedTriple& t, Measure measure, const Instant& now);
 
