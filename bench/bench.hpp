@@ -13,6 +13,7 @@ void fail(benchmark::State& state, const std::string& what);
 
 /// `quick`: as few repetitions as make sense.
 void register_kinetic(bool quick);
+void register_spacetime(bool quick);
 void register_static(bool quick);
 
 /// Processor time of this process, which has one thread: what else the machine does hardly matters.

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   benchmark::Initialize(&count, args.data());
   if (benchmark::ReportUnrecognizedArguments(count, args.data())) return 2;
   register_kinetic(quick);
+  register_spacetime(quick);
   register_static(quick);
   Table table(isatty(STDOUT_FILENO) ? Table::OO_ColorTabular : Table::OO_Tabular);
   const std::size_t matched = benchmark::RunSpecifiedBenchmarks(&table);

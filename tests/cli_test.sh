@@ -72,8 +72,8 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in check trace draw gen; do expect 0 'Example' '' "$command" --help; done
-[ "$("$taut" --help | wc -l)" -le 24 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
+for command in check trace prove verify draw gen; do expect 0 'Example' '' "$command" --help; done
+[ "$("$taut" --help | wc -l)" -le 26 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
 expect 2 '' 'did you mean `taut check`' chek x
@@ -112,13 +112,42 @@ cmp -s one two || { echo "FAILED: the same scene gives different bytes"; failure
 # An interrupted run says what it has proved.
 "$taut" gen rotor -n 4000 -o long.json
 for signal in INT TERM; do
-  timeout --preserve-status -s $signal 0.7 "$taut" check long.json >out 2>err
+  timeout --foreground --preserve-status -s $signal 0.7 "$taut" check long.json >out 2>err
   got=$?
   if [ $got != 3 ] || ! grep -q '^UNDECIDED' out || ! grep -q '  interrupted' out || ! grep -q 'proved free on' out; then
     echo "FAILED: SIG$signal gives exit code $got" && cat out err
     failures=$((failures + 1))
   fi
 done
+
+# Proofs.
+prove() { # prove SCENE CODE: writes a proof that taut and taut-verify accept
+  expect "$2" 'proof in a\.proof' '' prove "$1" -o a.proof
+  expect 0 '^VALID' '' verify "$1" a.proof
+  "$(dirname "$taut")/taut-verify" "$1" a.proof >out 2>err || { echo "FAILED: taut-verify $1" && cat out err; failures=$((failures + 1)); }
+}
+prove free.json 0
+expect 0 'free on \[0, 10\]' '' verify free.json a.proof
+expect 0 '"valid":true,"outcome":"free"' '' verify --json free.json a.proof
+is_json_lines
+expect 1 'NOT VALID' '' verify hit.json a.proof
+expect 1 'another scene' '' verify hit.json a.proof
+head -c 100 a.proof >cut.proof
+expect 1 'cut off' '' verify free.json cut.proof
+expect 1 '"valid":false' '' verify --json free.json cut.proof
+prove hit.json 1
+expect 0 'contact within \[.*: vertex [01] of hammer meets edge 2-3 of anvil' '' verify hit.json a.proof
+expect 1 '"outcome":"contact"' '' prove --json --touch closed touch.json -o a.proof
+expect 0 'touch closed' '' verify touch.json a.proof
+expect 3 'proof in' '' prove --max-seconds 0.2 long.json -o a.proof
+expect 0 'nothing after that' '' verify long.json a.proof
+rm -f a.proof
+expect 1 'no proof was written' '' prove overlap.json -o a.proof
+[ -e a.proof ] && { echo "FAILED: a proof of nothing"; failures=$((failures + 1)); }
+expect 2 '' 'no/a.proof: cannot write' prove free.json -o no/a.proof
+expect 2 '' 'missing.proof: cannot open' verify free.json missing.proof
+expect 2 '' 'no.json: cannot open' verify no.json cut.proof
+if ls | grep -q '\.tmp'; then echo "FAILED: temporary files are left"; failures=$((failures + 1)); fi
 
 # Bad scenes.
 expect 2 '' 'no\.json: cannot open the file' check no.json

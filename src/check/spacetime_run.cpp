@@ -3,6 +3,7 @@
 #include <string>
 
 #include "check/run.hpp"
+#include "motion/body_crossing.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
 #include "motion/witness.hpp"
@@ -28,7 +29,7 @@ class SpacetimeRun {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {
     if (!geometry_.fine_features) return;
-    if (const auto pair = spacetime::crossing_within_body(geometry_)) {
+    if (const auto pair = crossing_within_body(geometry_)) {
       refuse_fine_features(scene, witness().edge(pair->first), witness().edge(pair->second));
     }
   }

@@ -6,6 +6,9 @@
 namespace taut {
 namespace {
 
+/// Slack for underflow, as it adds up in a relative motion that is exactly zero.
+constexpr double negligible = 0x1p-900;
+
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
 /// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for f' and f''.
@@ -71,7 +74,7 @@ bool FrameModel::finite() const {
 
 bool FrameModel::sharp() const {
   for (int i = 0; i < functions; ++i) {
-    if (!(remainder[i] <= std::max(0x1p-47 * scale(i), noise[i]) + underflow_slack)) return false;
+    if (!(remainder[i] <= std::max(0x1p-47 * scale(i), noise[i]) + negligible)) return false;
   }
   return finite();
 }
@@ -86,8 +89,9 @@ bool FrameModel::hopeless() const {
 bool FrameModel::straight() const {
   constexpr double share = 0x1p-4, least = 0x1p-10;
   for (int i = 0; i < functions; ++i) {
-    const double way = share * std::fabs(c[i][1]) * radius + least * scale(i);
-    if (!(bend_rad[i] * radius * radius <= way + underflow_slack)) return false;
+    // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
+    const double way = share * std::fabs(c[i][1]) * radius + least * scale(i) + 72 * noise[i];
+    if (!(bend_rad[i] * radius * radius <= way + negligible)) return false;
   }
   return true;
 }

@@ -1,16 +1,22 @@
-// How long two boxes on different bodies certainly stay apart.
+// Are two boxes on different bodies apart for a stretch of time?
 #pragma once
 
 #include "spacetime/hierarchy.hpp"
-#include "spacetime/motion_bound.hpp"
+#include "spacetime/stretch.hpp"
 
 namespace taut::spacetime {
 
-/// The largest t' found such that the boxes are certainly disjoint on [t, t'), t <= t' <= limit; t itself if they may
-/// not be disjoint at t. `limit` lies within the window. In a window that is not smooth: limit or t.
-double apart_until(const Leg& leg, FrameWindow& window, const Box& p, const Box& q, double t, double limit);
+/// Certainly apart at all times of the stretch.
+bool apart(const Stretch& stretch, const Box& p, const Box& q);
 
-/// Are the boxes certainly disjoint at t?
-bool apart_at(const Leg& leg, FrameWindow& window, const Box& p, const Box& q, double t);
+/// Apart within that share of the stretch around its middle, as far as one can tell. No proof.
+bool apart_around_middle(const Stretch& stretch, double share, const Box& p, const Box& q);
+
+/// About how far the boxes move relative to each other within the stretch, turning included.
+double motion(const Stretch& stretch, const Box& p, const Box& q);
+
+/// A vertex and an edge, both as input: is it certain that the displaced vertex does not meet the displaced edge in the
+/// stretch? `carriage` is the one into the edge's frame.
+bool misses(const Stretch& stretch, const Carriage& carriage, Vector vertex, Vector from, Vector to);
 
 }  // namespace taut::spacetime

@@ -13,38 +13,43 @@
 namespace taut::spacetime {
 namespace {
 
-/// Two boxes, or a vertex and an edge, that are certainly apart before `free_until`.
-struct Item {
-  double free_until;
-  std::uint32_t first, second;  ///< nodes of P's and Q's trees, or a vertex and an edge
-  bool leaf;
-
-  /// The heap's top is the earliest; ties by name, so that runs repeat.
-  friend bool operator<(const Item& a, const Item& b) {
-    if (a.free_until != b.free_until) return a.free_until > b.free_until;
-    if (a.leaf != b.leaf) return a.leaf;
-    return a.first != b.first ? a.first > b.first : a.second > b.second;
-  }
+/// Two boxes, as nodes of P's and Q's trees.
+struct BoxPair {
+  std::uint32_t p, q;
 };
 
-/// A step shorter than this share of the window is not worth taking: smaller boxes see farther.
-constexpr double worthwhile = 0x1p-4;
+/// Boxes that move farther than this share of their size are left to shorter stretches of time; others are divided.
+constexpr double patience = 0.75;
+/// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
+constexpr double hopeful = 0x1p-5;
+/// Stretches as short as this share of the leg are not divided any more.
+constexpr double shortest = 0x1p-40;
+/// After a window could not be made longer than the one before, this many do not try to be.
+constexpr int windows_before_growing = 8;
 
-/// The search on one leg, window by window.
+/// The search on one leg. Stretches of time are halved, each with the pairs of boxes that are not yet proved apart in
+/// it, and worked on in their order: the motion is evaluated once for all pairs of a stretch.
 class LegSearch {
  public:
-  LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg,
-            std::vector<Item>& heap)
-      : p_(p), q_(q), leg_(leg), leaves_(geometry, leg), heap_(heap), proved_(leg.start) {}
+  LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg)
+      : geometry_(geometry),
+        p_(p),
+        q_(q),
+        leg_(leg),
+        leaves_(geometry, leg),
+        polynomial_(leg),
+        shortest_(shortest * (leg.end - leg.start)),
+        proved_(leg.start) {}
 
   /// The first contact on the leg.
   std::optional<Crossing> run() {
-    double length = leg_.end - leg_.start;
-    for (double t = leg_.start; t < leg_.end && !best_;) {
-      FrameWindow window(leg_, t, leg_.end, length);
-      search(window);
-      length = window.length() * 2;
-      t = window.end();
+    if (leg_.translation) {
+      start(leg_.start, leg_.end);
+    } else {
+      for (double t = leg_.start; t < leg_.end && !best_; t = window_->end()) {
+        next_window(t);
+        start(t, window_->end());
+      }
     }
     if (best_) leaves_.precise().tighten(*best_);
     return best_;
@@ -52,73 +57,113 @@ class LegSearch {
   /// Up to when there is certainly no contact on the leg.
   double proved() const { return proved_; }
   void count(SpacetimeResult& result) {
-    result.pairs += pairs_;
+    result.pairs += looks_;
     result.roots += leaves_.roots();
     result.precise += leaves_.precise().calls();
   }
 
  private:
-  void push(const Item& item) {
-    heap_.push_back(item);
-    std::push_heap(heap_.begin(), heap_.end());
+  /// The next window of a leg that turns. Motions seldom change their character: the last length will do.
+  void next_window(double start) {
+    const double whole = leg_.end - leg_.start;
+    double wanted = whole;
+    if (window_) wanted = std::min(whole, window_->length() * (window_->smooth() && resting_ > 0 ? 1 : 2));
+    window_.emplace(leg_, start, leg_.end, wanted);
+    resting_ = window_->length() < 0.75 * wanted ? windows_before_growing : std::max(0, resting_ - 1);
+  }
+  /// The window around t for the leaves of the stretch that ends at `end`.
+  FrameWindow& window_at(double t, double end) {
+    if (!leg_.translation) return *window_;
+    for (FrameWindow& w : leaf_windows_) {
+      if (w.start() <= t && t < w.end()) return w;
+    }
+    return leaf_windows_.emplace_back(leg_, t, end, end - t);
+  }
+  void start(double from, double to) {
+    pairs_.assign(1, {0, 0});
+    cover(0, from, to);
+  }
+  Stretch stretch(double start, double end) {
+    if (leg_.translation) return Stretch::of_translation(leg_, polynomial_, start, end);
+    return window_->smooth() ? Stretch::of_window(leg_, *window_, start, end) : Stretch::of_range(leg_, *window_);
   }
   /// What happens after this does not matter.
-  double limit(const FrameWindow& window) const {
-    return best_ ? std::min(window.end(), std::nextafter(best_->hi, std::numeric_limits<double>::infinity()))
-                 : window.end();
+  double limit(double end) const {
+    return best_ ? std::min(end, std::nextafter(best_->hi, std::numeric_limits<double>::infinity())) : end;
   }
-  void search(FrameWindow& window) {
-    heap_.clear();
-    push({window.start(), 0, 0, false});
-    while (!heap_.empty()) {
-      interruption_point();
-      const Item item = heap_.front();
-      proved_ = item.free_until;
-      std::pop_heap(heap_.begin(), heap_.end());
-      heap_.pop_back();
-      const double end = limit(window);
-      if (item.free_until >= end) return;
-      item.leaf ? advance_leaf(window, item, end) : advance_boxes(window, item, end);
+
+  /// All of [start, end], for the pairs from `first` on. Those before belong to longer stretches.
+  void cover(std::size_t first, double start, double end) {
+    if (best_ && start > best_->hi) return;
+    proved_ = best_ ? proved_ : start;
+    const Stretch s = stretch(start, end);
+    const double middle = start + (end - start) / 2;
+    const bool divisible = s.r > shortest_ && start < middle && middle < end;
+    const std::size_t last = pairs_.size();
+    leaf_windows_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      todo_.assign(1, pairs_[i]);
+      while (!todo_.empty()) {
+        interruption_point();
+        const BoxPair pair = todo_.back();
+        todo_.pop_back();
+        look(s, pair, start, end, divisible);
+      }
     }
-  }
-  void advance_leaf(FrameWindow& window, const Item& item, double end) {
-    const VertexEdge pair{VertexId(item.first), VertexId(item.second)};
-    LeafProgress progress = leaves_.advance(window, pair, item.free_until, end);
-    if (progress.contact) {
-      if (!best_ || leaves_.precise().before(*progress.contact, *best_)) best_ = std::move(progress.contact);
-    } else if (progress.free_until < end) {
-      push({progress.free_until, item.first, item.second, true});
+    if (pairs_.size() > last) {
+      cover(last, start, middle);
+      cover(last, middle, end);
     }
+    pairs_.resize(last);
   }
-  void advance_boxes(FrameWindow& window, const Item& item, double end) {
-    ++pairs_;
-    const BoxNode &p = p_.node(item.first), &q = q_.node(item.second);
-    const double t = apart_until(leg_, window, p.box, q.box, item.free_until, end);
-    if (t >= end) return;
-    if (t - item.free_until > worthwhile * window.length()) return push({t, item.first, item.second, false});
-    split(item, p, q, t);
-  }
-  /// Of the two, the larger is divided. Two single edges become two leaves: each edge stands for its first vertex.
-  void split(const Item& item, const BoxNode& p, const BoxNode& q, double t) {
-    if (p.count == 1 && q.count == 1) {
-      push({t, p.first, q.first, true});
-      push({t, q.first, p.first, true});
-    } else if (q.count == 1 || (p.count > 1 && p.box.size >= q.box.size)) {
-      push({t, p.left, item.second, false});
-      push({t, p.right, item.second, false});
+  /// Drops the pair if it is apart throughout, else divides it, or leaves it to the halves of the stretch.
+  void look(const Stretch& s, const BoxPair& pair, double start, double end, bool divisible) {
+    ++looks_;
+    const BoxNode &p = p_.node(pair.p), &q = q_.node(pair.q);
+    if (apart(s, p.box, q.box)) return;
+    const bool leaf = p.count == 1 && q.count == 1;
+    if (divisible && (motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius) ||
+                      (leaf && apart_around_middle(s, hopeful, p.box, q.box)))) {
+      pairs_.push_back(pair);
+    } else if (leaf) {
+      // Each edge stands for its first vertex.
+      settle(s, s.in_q, {VertexId(p.first), VertexId(q.first)}, start, end);
+      settle(s, s.in_p, {VertexId(q.first), VertexId(p.first)}, start, end);
+    } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+      todo_.push_back({p.right, pair.q});
+      todo_.push_back({p.left, pair.q});
     } else {
-      push({t, item.first, q.left, false});
-      push({t, item.first, q.right, false});
+      todo_.push_back({pair.p, q.right});
+      todo_.push_back({pair.p, q.left});
+    }
+  }
+  /// The pair's first contact within [start, end] becomes the best if it is.
+  void settle(const Stretch& s, const Carriage& carriage, const VertexEdge& pair, double start, double end) {
+    const DisplacedPoint &v = geometry_.point(pair.vertex), &a = geometry_.point(pair.edge),
+                         &b = geometry_.point(geometry_.next(pair.edge));
+    if (misses(s, carriage, {v.x, v.y}, {a.x, a.y}, {b.x, b.y})) return;
+    for (double t = start, next = end; t < limit(end); t = next) {
+      FrameWindow& window = window_at(t, end);
+      next = std::min(end, window.end());
+      std::optional<Crossing> found = leaves_.first(window, pair, t, limit(next));
+      if (!found) continue;
+      if (!best_ || leaves_.precise().before(*found, *best_)) best_ = std::move(found);
+      return;
     }
   }
 
+  const PairGeometry& geometry_;
   const Hierarchy &p_, &q_;
   const Leg& leg_;
   LeafTest leaves_;
-  std::vector<Item>& heap_;
+  TranslationPolynomial polynomial_;
+  std::optional<FrameWindow> window_;      ///< around the stretch at hand, unless the leg is a translation:
+  std::vector<FrameWindow> leaf_windows_;  ///< then the leaves of a stretch make their own
+  int resting_ = 0;
+  std::vector<BoxPair> pairs_, todo_;
   std::optional<Crossing> best_;
-  double proved_;
-  std::uint64_t pairs_ = 0;
+  double shortest_, proved_;
+  std::uint64_t looks_ = 0;
 };
 
 void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& result) {
@@ -135,9 +180,8 @@ void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& r
 SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Leg>& legs) {
   SpacetimeResult result;
   const Hierarchy p(geometry, true), q(geometry, false);
-  std::vector<Item> heap;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    LegSearch search(geometry, p, q, legs[i], heap);
+    LegSearch search(geometry, p, q, legs[i]);
     try {
       const std::optional<Crossing> found = search.run();
       search.count(result);

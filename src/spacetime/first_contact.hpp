@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "motion/leg.hpp"
@@ -44,9 +43,5 @@ struct StartOverlap {
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Leg& leg, double t);
-
-/// Two edges of one displaced polygon that cross, because the polygon has features finer than the displacement (see
-/// PairGeometry::fine_features).
-std::optional<std::pair<VertexId, VertexId>> crossing_within_body(const PairGeometry& geometry);
 
 }  // namespace taut::spacetime

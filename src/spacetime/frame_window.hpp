@@ -36,6 +36,8 @@ class FrameWindow {
     return pp ? pp_ : qq_;
   }
   const FrameBend& bend(bool pp) const { return pp ? bend_pp_ : bend_qq_; }
+  /// What a smooth window's bounds come from (not of a bridge).
+  const FrameModel& model() const { return model_; }
   const FrameSample& range(bool pp) const { return pp ? pp_ : qq_; }
 
  private:

@@ -7,7 +7,7 @@ namespace taut::spacetime {
 namespace {
 
 /// About the unit vector from a to b; (1, 0) if they are the same.
-Point direction(const DisplacedPoint& a, const DisplacedPoint& b) {
+Vector direction(const DisplacedPoint& a, const DisplacedPoint& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   const double m = std::max(std::fabs(x), std::fabs(y));
   if (!(m > 0)) return {1, 0};
@@ -30,30 +30,30 @@ struct Extent {
 }  // namespace
 
 Box box_of_run(const PairGeometry& g, std::uint32_t first, std::uint32_t count) {
-  VertexId last(first);
-  for (std::uint32_t k = 0; k < count; ++k) last = g.next(last);
-  Box box;
-  const Point u = direction(g.point(VertexId(first)), g.point(last)), v{-u.y, u.x};
+  const std::uint32_t begin = first < g.np ? 0 : g.np, end = first < g.np ? g.np : g.size();
+  const std::uint32_t last = first + count < end ? first + count : first + count - (end - begin);
+  const Vector u = direction(g.points[first], g.points[last]);
   Extent along, across;
-  double size = 0;
-  VertexId id(first);
-  for (std::uint32_t k = 0; k <= count; ++k, id = g.next(id)) {
-    const DisplacedPoint& p = g.point(id);
+  double largest = 0;
+  const auto add = [&](const DisplacedPoint& p) {
     along.add(u.x * p.x + u.y * p.y);
-    across.add(v.x * p.x + v.y * p.y);
-    size = std::max(size, std::fabs(p.x) + std::fabs(p.y));
-  }
-  // Projections and corners round a few times each, relative to the size of the coordinates; u is a unit vector up to
-  // rounding; the displacement is below 2^-157.
-  const double padding = 0x1p-47 * size + 0x1p-150;
+    across.add(u.x * p.y - u.y * p.x);
+    largest = std::max(largest, std::fabs(p.x) + std::fabs(p.y));
+  };
+  for (std::uint32_t i = first; i < first + count; ++i) add(g.points[i]);
+  add(g.points[last]);
+  // Projections and the centre round a few times each, relative to the size of the coordinates; u is a unit vector up
+  // to rounding; the displacement is below 2^-157.
+  const double padding = 0x1p-47 * largest + 0x1p-150;
   along.pad(padding);
   across.pad(padding);
-  const auto corner = [&](double s, double t) { return Point{u.x * s + v.x * t, u.y * s + v.y * t}; };
-  box.corners = {corner(along.lo, across.lo), corner(along.hi, across.lo), corner(along.hi, across.hi),
-                 corner(along.lo, across.hi)};
+  Box box;
   box.along = u;
-  box.across = v;
-  box.size = (along.hi - along.lo) + (across.hi - across.lo);
+  box.half_length = (along.hi - along.lo) / 2;
+  box.half_width = (across.hi - across.lo) / 2;
+  box.centre = u * Vector{along.lo + box.half_length, across.lo + box.half_width};
+  const double square = box.half_length * box.half_length + box.half_width * box.half_width;
+  box.radius = std::sqrt(square) * (1 + 0x1p-48) + underflow_slack;
   return box;
 }
 

@@ -1,18 +1,18 @@
 // A tree of oriented boxes over the edges of one polygon, in its own frame.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "motion/pair_geometry.hpp"
+#include "spacetime/stretch.hpp"
 
 namespace taut::spacetime {
 
-/// A rectangle, its corners counterclockwise, and the directions of its sides (about unit length).
+/// A rectangle: all centre + s along + t turned(along) with |s| <= half_length and |t| <= half_width.
 struct Box {
-  std::array<Point, 4> corners;
-  Point along, across;
-  double size = 0;  ///< about its diameter
+  Vector centre, along;  ///< along is a unit vector up to rounding
+  double half_length = 0, half_width = 0;
+  double radius = 0;  ///< of a disc around the centre that contains the box
 };
 
 /// A run of consecutive edges. The box certainly contains all of them, as displaced.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/interruption.hpp"
+
 namespace taut::spacetime {
 namespace {
 
@@ -81,21 +83,22 @@ Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing&
   return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
 }
 
-LeafProgress LeafTest::advance(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
+std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
   if (!window.smooth()) {
-    if (excluded_in_range(window, pair)) return {limit, std::nullopt};
-    return {limit, precise_.first(pair, t, limit)};
+    if (excluded_in_range(window, pair)) return std::nullopt;
+    return precise_.first(pair, t, limit);
   }
   const Functions f = functions(pair);
   for (double stride = window.length() * first_stride; t < limit;) {
+    interruption_point();
     const double left = limit - t;
     // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
     double step = std::max(Course(f.from_start, window, t, -1).positive_until(left),
                            Course(f.from_end, window, t, -1).positive_until(left));
-    if (step >= left) return {limit, std::nullopt};
+    if (step >= left) return std::nullopt;
     const int sign = f.line.value(window.at(t, f.line.pp())).sign();
     const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
-    if (on_side >= left) return {limit, std::nullopt};
+    if (on_side >= left) return std::nullopt;
     if (on_side > step) {
       step = on_side;
       Crossing root;
@@ -104,22 +107,23 @@ LeafProgress LeafTest::advance(FrameWindow& window, const VertexEdge& pair, doub
       if (isolate(window, f, t, limit, sign, root, falls_until)) {
         Beside at_root = beside(window, f, root);
         if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
-        if (at_root == Beside::yes && sign < 0) return {root.lo, root};
+        if (at_root == Beside::yes && sign < 0) return root;
         // After the root the line's function keeps its new sign until it may turn.
         t = std::max(root.hi, falls_until);
         continue;
       }
     }
-    if (step > least_step * window.length()) {
-      const double next = below(t + step);
-      if (next > t) return {next, std::nullopt};
+    const double next = below(t + step);
+    if (step > least_step * window.length() && next > t) {
+      t = next;
+      continue;
     }
     const double to = std::min(limit, std::max(above(t), t + stride));
-    if (auto found = precise_.first(pair, t, to)) return {found->lo, std::move(found)};
+    if (auto found = precise_.first(pair, t, to)) return found;
     t = to;
     stride *= stride_growth;
   }
-  return {limit, std::nullopt};
+  return std::nullopt;
 }
 
 }  // namespace taut::spacetime

@@ -8,21 +8,13 @@
 
 namespace taut::spacetime {
 
-/// What one advance of a leaf found.
-struct LeafProgress {
-  /// Certainly no contact of this pair on [t, free_until); the window's limit if there is nothing more to find.
-  double free_until = 0;
-  /// Then its first contact in the window, certainly.
-  std::optional<Crossing> contact;
-};
-
 /// The tests on one window of a leg.
 class LeafTest {
  public:
   LeafTest(const PairGeometry& geometry, const Leg& leg) : geometry_(geometry), leg_(leg), precise_(geometry, leg) {}
 
-  /// From t on. `limit` lies within the window; later contacts do not matter.
-  LeafProgress advance(FrameWindow& window, const VertexEdge& pair, double t, double limit);
+  /// The pair's first contact in (t, limit], which lies within the window.
+  std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
   PreciseCrossings& precise() { return precise_; }
   std::uint64_t roots() const { return roots_; }
 

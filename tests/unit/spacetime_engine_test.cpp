@@ -1,12 +1,16 @@
 // The second engine's parts: boxes that contain, and bounds of motion that hold.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "kinetic/session.hpp"
 #include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
+#include "spacetime/motion_bound.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {
@@ -19,6 +23,10 @@ using spacetime::Course;
 using spacetime::DirectedDistance;
 using spacetime::FrameWindow;
 using spacetime::Hierarchy;
+using spacetime::Parabola;
+using spacetime::Stretch;
+using spacetime::TranslationPolynomial;
+using spacetime::Vector;
 
 struct Setting {
   PairGeometry geometry;
@@ -32,11 +40,21 @@ Setting setting(const Scene& scene, bool inwards = true) {
 
 DisplacedPoint exactly(const Point& p) { return {p.x, p.y, 0, 0}; }
 
+/// Counterclockwise.
+std::array<Point, 4> corners(const Box& box) {
+  const Vector u = Vector{box.half_length, 0} * box.along, v = Vector{0, box.half_width} * box.along;
+  const Vector at[4] = {box.centre - u - v, box.centre + u - v, box.centre + u + v, box.centre - u + v};
+  std::array<Point, 4> out;
+  for (std::size_t i = 0; i < 4; ++i) out[i] = {at[i].x, at[i].y};
+  return out;
+}
+
 void expect_inside(const PairGeometry& g, const BoxNode& node) {
+  const std::array<Point, 4> around = corners(node.box);
   VertexId v(node.first);
   for (std::uint32_t k = 0; k <= node.count; ++k, v = g.next(v)) {
     for (std::size_t i = 0; i < 4; ++i) {
-      const Point &a = node.box.corners[i], &b = node.box.corners[(i + 1) % 4];
+      const Point &a = around[i], &b = around[(i + 1) % 4];
       ASSERT_GT(orientation(exactly(a), exactly(b), g.point(v)), 0) << "vertex " << v.value;
     }
   }
@@ -117,27 +135,101 @@ TEST(SpacetimeMotionBound, HoldsForEveryFormOfMotion) {
   }
 }
 
-/// Boxes that are said to be apart: their corners, placed at samples of time, are separated by a side of one box.
-TEST(SpacetimeBoxes, ApartUntilIsTrue) {
+/// Calls action(stretch, start, end) with stretches of several lengths all over the leg.
+template <class Action>
+void for_stretches(const Leg& leg, const Action& action) {
+  const TranslationPolynomial polynomial(leg);
+  double length = leg.end - leg.start;
+  for (double t = leg.start; t < leg.end;) {
+    FrameWindow window(leg, t, leg.end, length);
+    length = window.length() * 2;
+    const double start = window.start(), end = window.end();
+    if (!window.smooth()) {
+      action(Stretch::of_range(leg, window), start, end);
+    } else {
+      for (const auto& [from, to] : {std::pair(0.0, 1.0), std::pair(0.5, 0.75), std::pair(0.9, 0.91)}) {
+        const double lo = start + from * (end - start), hi = std::min(end, start + to * (end - start));
+        action(Stretch::of_window(leg, window, lo, hi), lo, hi);
+        if (leg.translation) action(Stretch::of_translation(leg, polynomial, lo, hi), lo, hi);
+      }
+    }
+    t = end;
+  }
+}
+
+/// A distance along an edge as a parabola against 320 bits.
+void check_stretches(const Setting& s, const Leg& leg, const MixedTriple& m) {
+  const PreciseFunction<Real320> truth(leg, s.geometry, m, Measure::projection);
+  const DisplacedPoint &a = s.geometry.point(m.a), &b = s.geometry.point(m.b), &c = s.geometry.point(m.c);
+  const Vector edge{b.x - a.x, b.y - a.y};
+  for_stretches(leg, [&](const Stretch& stretch, double start, double end) {
+    const spacetime::Carriage& carriage = m.pp ? stretch.in_p : stretch.in_q;
+    const Parabola f = along(edge, carriage.place({c.x, c.y}, {a.x, a.y}));
+    const double error = carriage.error * size(edge) + 0x1p-150 * (1 + carriage.reach);
+    for (const double share : {0.0, 0.3, 0.5, 0.8, 1.0}) {
+      const double at = std::min(end, start + share * (end - start));
+      const Ball<Real320> exact = truth(Ball<Real320>(Real320(at), 0.0)).v;
+      const Real320 h = Real320(at) - stretch.middle;
+      const Real320 found = f.a + h * (f.b + h * f.c);
+      ASSERT_LE(std::fabs(Real320(exact.mid - found).convert_to<double>()), error + exact.rad) << at;
+      ASSERT_GE(Real320(exact.mid + error).convert_to<double>(), f.least(stretch.r)) << at;
+    }
+  });
+}
+
+TEST(SpacetimeStretch, HoldsForEveryFormOfMotion) {
+  for (const MotionKind kind : all_motions) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE(std::string(to_string(kind)) + " seed " + std::to_string(seed));
+      const Setting s = setting(random_scene(seed, Family::stars, {seed % 2 == 0, {kind}}));
+      const std::uint32_t np = s.geometry.np;
+      for (const Leg& leg : s.legs) {
+        check_stretches(s, leg, {VertexId(1u), VertexId(2u), VertexId(np + 1), true});
+        check_stretches(s, leg, {VertexId(np), VertexId(np + 1), VertexId(0u), false});
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+/// Some side of one box has all of the other box on its right.
+bool separated(const Placement& place) {
+  for (std::uint32_t side = 0; side < 8; ++side) {
+    const VertexId a(side), b = place.geometry().next(a);
+    bool beyond = true;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      beyond = beyond && place.orientation(a, b, VertexId((side < 4 ? 4 : 0) + k)) < 0;
+    }
+    if (beyond) return true;
+  }
+  return false;
+}
+
+/// Boxes that are said to be apart, at samples of time.
+TEST(SpacetimeBoxes, ApartIsTrue) {
   int apart = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Setting s = setting(random_scene(seed, all_families[seed % 8]));
     const Hierarchy p(s.geometry, true), q(s.geometry, false);
     for (const Leg& leg : s.legs) {
       if (leg.bridge) continue;
-      FrameWindow window(leg, leg.start, leg.end, leg.end - leg.start);
-      if (!window.smooth()) continue;
-      for (std::uint32_t k = 0; k < 12; ++k) {
+      std::uint32_t k = 0;
+      for_stretches(leg, [&](const Stretch& stretch, double start, double end) {
+        ++k;
         const Box& a = p.node((k * 7 + 1) % static_cast<std::uint32_t>(p.size())).box;
         const Box& b = q.node((k * 5 + 2) % static_cast<std::uint32_t>(q.size())).box;
-        const double t = spacetime::apart_until(leg, window, a, b, window.start(), window.end());
-        if (!(t > window.start())) continue;
+        if (!spacetime::apart(stretch, a, b)) return;
         ++apart;
-        for (int i = 0; i < 8; ++i) {
-          const double at = window.start() + (t - window.start()) * (i / 8.0);
-          EXPECT_TRUE(spacetime::apart_at(leg, window, a, b, at)) << "seed " << seed << " at " << at;
+        PairGeometry boxes;
+        boxes.np = boxes.nq = 4;
+        for (const Box* box : {&a, &b}) {
+          for (const Point& corner : corners(*box)) boxes.points.push_back(exactly(corner));
         }
-      }
+        for (const double share : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+          const double at = std::min(end, start + share * (end - start));
+          EXPECT_TRUE(separated(Placement(boxes, leg, at))) << "seed " << seed << " at " << at;
+        }
+      });
     }
   }
   EXPECT_GT(apart, 200);

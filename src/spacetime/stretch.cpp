@@ -1,0 +1,172 @@
+#include "spacetime/stretch.hpp"
+
+#include <algorithm>
+
+namespace taut::spacetime {
+namespace {
+
+double coefficient(const Coefficients& c, int k) {
+  return static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0;
+}
+
+void set_interval(Stretch& s, double start, double end) {
+  s.middle = start + (end - start) / 2;
+  s.r = std::max(end - s.middle, s.middle - start) * (1 + 0x1p-50);
+}
+
+/// Rounding in a polynomial's expansion about another point and in the sum of its bounds, relative to the sum of its
+/// terms' magnitudes: for degree 16 each term passes through at most 2 * 16 + 8 operations, and 2^-53 more for its
+/// coefficient and 16 for the distance to the new point.
+constexpr double expansion_rounding = 0x1p-47;
+
+/// c becomes the coefficients about h; the sum of |c_k| r^k for k >= 3 is returned.
+double expand(double* c, int n, double h, double r) {
+  for (int k = 0; k + 1 < n; ++k) {
+    for (int i = n - 2; i >= k; --i) c[i] += h * c[i + 1];
+  }
+  double rest = 0;
+  for (int k = n - 1; k >= 3; --k) rest = r * (rest + std::fabs(c[k]));
+  return rest * r * r;
+}
+
+/// A vector's two coordinates as polynomials; what the first three terms leave out.
+struct Expanded {
+  Path path;
+  double rest = 0, error = 0;
+};
+
+Expanded expanded(const double* cx, const double* cy, int n, double h, double r) {
+  double x[max_degree + 1] = {}, y[max_degree + 1] = {};
+  std::copy(cx, cx + n, x);
+  std::copy(cy, cy + n, y);
+  Expanded e;
+  e.rest = e.error = expand(x, n, h, r) + expand(y, n, h, r);
+  e.path = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}};
+  return e;
+}
+
+double reach_of(const Path& p, double r) { return p.x.reach(r) + p.y.reach(r); }
+
+/// The relative motion in one frame before the shift of a body that does not turn is taken in.
+struct RawCarriage {
+  Path shift, turn;
+  double shift_error = 0, turn_error = 0, scale_error = 0;
+};
+
+/// A body that does not turn has its vertices at v + shift (Q) or v - shift (P), up to rounding.
+Carriage finish(const Leg& leg, RawCarriage raw, bool in_p, double r) {
+  const Vector s = in_p ? Vector{leg.shift.x, leg.shift.y} : Vector{-leg.shift.x, -leg.shift.y};
+  const bool fixed_shifts = in_p ? leg.shift_p : leg.shift_q, moving_shifts = in_p ? leg.shift_q : leg.shift_p;
+  if (fixed_shifts) raw.shift.x.a += s.x, raw.shift.y.a += s.y;
+  if (moving_shifts) raw.shift = raw.shift + raw.turn * s;
+  const double shift = fixed_shifts || moving_shifts ? size(s) : 0;
+  // Bounds of lengths: of points as they are, and of the shift.
+  constexpr double points = 5;
+  Carriage out;
+  out.shift = raw.shift;
+  out.turn = raw.turn;
+  out.swing = (raw.turn.x.swing(r) + raw.turn.y.swing(r) + raw.turn_error) * (1 + 0x1p-40);
+  out.reach = (reach_of(raw.shift, r) + shift + (points + shift) * (1 + reach_of(raw.turn, r))) * (1 + 0x1p-40);
+  // Each operation rounds by 2^-53 of a result that is sums of two coordinates at most: 2^-44 is enough for 200.
+  out.error = raw.shift_error + (points + shift) * raw.turn_error + points * raw.scale_error + 0x1p-44 * out.reach;
+  out.error = out.error * (1 + 0x1p-40) + underflow_slack;
+  return out;
+}
+
+/// In Q's frame, with `moving` the functions conj(x_Q) D, and `turn` conj(x_P) x_Q.
+RawCarriage seen_from_q(const Path& moving, double error, const Path& turn, double turn_error) {
+  RawCarriage raw;
+  raw.shift = {-moving.x, -moving.y};
+  raw.turn = conj(turn);
+  raw.shift_error = error;
+  raw.turn_error = turn_error;
+  return raw;
+}
+
+/// Functions i and i + 1 of the window's model.
+Expanded from_model(const FrameModel& m, int i, double h, double r) {
+  Expanded e = expanded(m.c[i], m.c[i + 1], m.terms, h, r);
+  e.error += m.error[i] + m.error[i + 1] + expansion_rounding * (m.size[i] + m.size[i + 1]);
+  return e;
+}
+
+/// Functions i and i + 1 of a frame, by Taylor's formula with the second derivative's bounds.
+Expanded from_sample(const FrameSample& s, const FrameBend& b, int i, double r) {
+  Expanded e;
+  e.path = {{s.f[i], s.d[i], b.mid[i] / 2}, {s.f[i + 1], s.d[i + 1], b.mid[i + 1] / 2}};
+  for (int k = i; k < i + 2; ++k) e.error += s.error[k] + r * (s.error_d[k] + r * b.rad[k]);
+  return e;
+}
+
+/// How far the frame's scale is from 1.
+double scale_error(const FrameSample& s, const FrameBend& b, double r) {
+  return std::fabs(s.f[0] - 1) + s.error[0] +
+         r * (std::fabs(s.d[0]) + s.error_d[0] + r * (std::fabs(b.mid[0]) + b.rad[0]));
+}
+
+/// From samples in both frames, which vary as the bends tell.
+void assemble(Stretch& out, const Leg& leg, const FrameSample& pp, const FrameBend& bend_pp, const FrameSample& qq,
+              const FrameBend& bend_qq) {
+  const Expanded p = from_sample(pp, bend_pp, 1, out.r), q = from_sample(qq, bend_qq, 1, out.r);
+  const Expanded turn = from_sample(pp, bend_pp, 3, out.r);
+  RawCarriage in_q = seen_from_q(q.path, q.error, turn.path, turn.error);
+  in_q.scale_error = scale_error(qq, bend_qq, out.r);
+  out.in_p = finish(leg, {p.path, turn.path, p.error, turn.error, scale_error(pp, bend_pp, out.r)}, true, out.r);
+  out.in_q = finish(leg, in_q, false, out.r);
+}
+
+}  // namespace
+
+TranslationPolynomial::TranslationPolynomial(const Leg& leg) {
+  x[0] = y[0] = magnitude[0] = 0;
+  if (!leg.translation) return;
+  size = leg.degree + 1;
+  for (int k = 1; k < size; ++k) {
+    x[k] = coefficient(leg.q.x, k) - coefficient(leg.p.x, k);
+    y[k] = coefficient(leg.q.y, k) - coefficient(leg.p.y, k);
+    magnitude[k] = std::fabs(x[k]) + std::fabs(y[k]);
+  }
+}
+
+Stretch Stretch::of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end) {
+  Stretch out;
+  set_interval(out, start, end);
+  const Expanded e = expanded(polynomial.x, polynomial.y, polynomial.size, out.middle, out.r);
+  const double farthest = std::fabs(out.middle) + out.r;
+  double terms = 0;
+  for (int k = polynomial.size; k-- > 0;) terms = terms * farthest + polynomial.magnitude[k];
+  const double error = e.error + expansion_rounding * terms;
+  out.rest = e.rest;
+  const Path rests{{1, 0, 0}, {}};
+  out.in_p = finish(leg, {e.path, rests, error, 0, 0}, true, out.r);
+  out.in_q = finish(leg, seen_from_q(e.path, error, rests, 0), false, out.r);
+  return out;
+}
+
+Stretch Stretch::of_window(const Leg& leg, FrameWindow& window, double start, double end) {
+  Stretch out;
+  set_interval(out, start, end);
+  if (leg.bridge) {
+    const FrameSample pp = window.at(out.middle, true), qq = window.at(out.middle, false);
+    assemble(out, leg, pp, window.bend(true), qq, window.bend(false));
+    return out;
+  }
+  const FrameModel& m = window.model();
+  const double h = out.middle - m.middle;
+  const Expanded p = from_model(m, 0, h, out.r), q = from_model(m, 2, h, out.r), turn = from_model(m, 4, h, out.r);
+  out.rest = std::max(p.rest, q.rest) + turn.rest;
+  out.in_p = finish(leg, {p.path, turn.path, p.error, turn.error, 0}, true, out.r);
+  out.in_q = finish(leg, seen_from_q(q.path, q.error, turn.path, turn.error), false, out.r);
+  return out;
+}
+
+Stretch Stretch::of_range(const Leg& leg, const FrameWindow& window) {
+  Stretch out;
+  out.middle = window.start();
+  FrameSample pp = window.range(true), qq = window.range(false);
+  for (int i = 0; i < 5; ++i) pp.d[i] = qq.d[i] = pp.error_d[i] = qq.error_d[i] = 0;
+  assemble(out, leg, pp, FrameBend{}, qq, FrameBend{});
+  return out;
+}
+
+}  // namespace taut::spacetime

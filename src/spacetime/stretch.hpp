@@ -1,0 +1,90 @@
+// A stretch of a leg on which every point moves along a parabola, up to a certified error that is the same for all.
+#pragma once
+
+#include <cmath>
+
+#include "spacetime/frame_window.hpp"
+
+namespace taut::spacetime {
+
+/// A point or a direction; products are those of complex numbers.
+struct Vector {
+  double x = 0, y = 0;
+};
+inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+inline Vector operator-(Vector a) { return {-a.x, -a.y}; }
+inline Vector operator*(Vector a, Vector b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+inline Vector conj(Vector a) { return {a.x, -a.y}; }
+/// By +90 degrees.
+inline Vector turned(Vector a) { return {-a.y, a.x}; }
+inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+inline double size(Vector a) { return std::fabs(a.x) + std::fabs(a.y); }
+
+/// A coordinate or a distance as a function of the time h from the stretch's middle: a + b h + c h^2.
+struct Parabola {
+  double a = 0, b = 0, c = 0;
+  /// The least value for |h| <= r.
+  double least(double r) const {
+    return c > 0 && std::fabs(b) < 2 * c * r ? a - b * b / (4 * c) : a - std::fabs(b) * r + c * r * r;
+  }
+  /// These bound, up to rounding, how far it gets from its middle, and its magnitude, for |h| <= r.
+  double swing(double r) const { return r * (std::fabs(b) + r * std::fabs(c)); }
+  double reach(double r) const { return std::fabs(a) + swing(r); }
+};
+inline Parabola operator-(const Parabola& f) { return {-f.a, -f.b, -f.c}; }
+inline Parabola operator+(const Parabola& f, const Parabola& g) { return {f.a + g.a, f.b + g.b, f.c + g.c}; }
+inline Parabola operator-(const Parabola& f, const Parabola& g) { return {f.a - g.a, f.b - g.b, f.c - g.c}; }
+inline Parabola operator*(double k, const Parabola& f) { return {k * f.a, k * f.b, k * f.c}; }
+
+/// A moving point or direction. Functions of a coordinate lie side by side: so they are computed side by side.
+struct Path {
+  Parabola x, y;
+};
+inline Path operator+(const Path& p, const Path& q) { return {p.x + q.x, p.y + q.y}; }
+inline Path operator*(const Path& p, Vector v) { return {v.x * p.x - v.y * p.y, v.y * p.x + v.x * p.y}; }
+inline Path conj(const Path& p) { return {p.x, -p.y}; }
+inline Parabola along(Vector n, const Path& p) { return n.x * p.x + n.y * p.y; }
+
+/// How one body moves in the other's frame: its point v is at shift + turn v.
+struct Carriage {
+  Path shift, turn;
+  double swing = 0;  ///< bounds how far `turn` gets from its middle
+  double error = 0;  ///< see Stretch
+  double reach = 0;  ///< bounds the size of every vector that turns up on the way
+
+  /// v as seen from a point of the other body.
+  Path place(Vector v, Vector from) const {
+    Path p = shift + turn * v;
+    p.x.a -= from.x;
+    p.y.a -= from.y;
+    return p;
+  }
+};
+
+/// What a translation's relative motion is, apart from its constant part, in doubles: one for each leg.
+struct TranslationPolynomial {
+  explicit TranslationPolynomial(const Leg& leg);
+  int size = 0;  ///< number of coefficients
+  double x[max_degree + 1], y[max_degree + 1];
+  double magnitude[max_degree + 1];  ///< of each pair of coefficients
+};
+
+/// The parameters t with |t - middle| <= r. The law, for either carriage, points v of the moving body and a of the
+/// fixed one (both of length 5 at most), a direction n no longer than 1 + 2^-40, and t of the stretch:
+///   |n . (shift(h) + turn(h) v - a) - n . (where v truly is at t - a)| <= error, on a bridge up to its scale;
+/// error covers the rounding of at most 40 operations that follow, too, as long as their results are no larger than
+/// reach.
+struct Stretch {
+  double middle = 0, r = 0;
+  double rest = 0;      ///< the part of the errors that shrinks with the stretch
+  Carriage in_p, in_q;  ///< Q's points in P's frame, and P's points in Q's frame
+
+  static Stretch of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end);
+  /// Part of a smooth window.
+  static Stretch of_window(const Leg& leg, FrameWindow& window, double start, double end);
+  /// All of a window that is not smooth: everything rests, up to the error.
+  static Stretch of_range(const Leg& leg, const FrameWindow& window);
+};
+
+}  // namespace taut::spacetime
