@@ -14,6 +14,7 @@
 //   }
 //
 // taut/check.hpp       the question and its answer
+// taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/scene.hpp       bodies, motions, time
 // taut/validate.hpp    is the input valid?
@@ -25,6 +26,7 @@
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 #include "taut/motion.hpp"
+#include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/simulation.hpp"
 #include "taut/tracer.hpp"

@@ -1,8 +1,8 @@
 // The bytes of a proof log: little-endian numbers, and a checksum of all of them.
 #pragma once
 
-#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <istream>
 #include <ostream>
 #include <string>
@@ -10,6 +10,12 @@
 #include "taut/proof.hpp"
 
 namespace taut::proof {
+
+inline std::uint64_t bits_of(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
 
 /// 64-bit FNV-1a.
 class Checksum {
@@ -33,7 +39,7 @@ class ByteWriter {
   }
   void u32(std::uint32_t x) { little_endian(x, 4); }
   void u64(std::uint64_t x) { little_endian(x, 8); }
-  void f64(double x) { u64(std::bit_cast<std::uint64_t>(x)); }
+  void f64(double x) { u64(bits_of(x)); }
   /// Writes the checksum of everything before it.
   void close() {
     u64(checksum_.value());
@@ -70,7 +76,12 @@ class ByteReader {
   }
   std::uint32_t u32() { return static_cast<std::uint32_t>(little_endian(4)); }
   std::uint64_t u64() { return little_endian(8); }
-  double f64() { return std::bit_cast<double>(u64()); }
+  double f64() {
+    const std::uint64_t bits = u64();
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  }
   /// Reads the checksum, after which nothing may come.
   void close() {
     const std::uint64_t expected = checksum_.value();

@@ -1,4 +1,3 @@
-#include <bit>
 #include <variant>
 
 #include "proof/bytes.hpp"
@@ -12,7 +11,7 @@ class Hasher {
     for (int i = 0; i < 8; ++i) sum_.add(static_cast<std::uint8_t>(x >> (8 * i)));
   }
   /// Both zeros are one number.
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)); }
+  void add(double x) { add(proof::bits_of(x == 0 ? 0.0 : x)); }
   void add(const Coefficients& c) {
     add(static_cast<std::uint64_t>(c.size()));
     for (const double x : c) add(x);

@@ -23,6 +23,10 @@ struct Instant {
     i.lo = i.hi = t;
     return i;
   }
+  /// The same instant of the same leg?
+  bool is(const Instant& o) const {
+    return lo == o.lo && hi == o.hi && event == o.event && u == o.u && v == o.v && w == o.w;
+  }
   /// Are these the three vertices that are on one line then?
   bool concerns(VertexId a, VertexId b, VertexId c) const {
     const auto in = [this](VertexId x) { return x == u || x == v || x == w; };

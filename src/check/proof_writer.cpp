@@ -1,0 +1,87 @@
+#include "check/proof_writer.hpp"
+
+#include "motion/placement.hpp"
+#include "spacetime/first_contact.hpp"
+#include "taut/proof.hpp"
+#include "tiling/static_tiling.hpp"
+
+namespace taut {
+
+using proof::Record;
+using proof::Shapes;
+
+void ProofWriter::started(const Session& session) {
+  if (session.overlap_at_start()) return;
+  if (session.contact()) return contact_at_start(session);
+  header(touch_ == Touch::open ? Shapes::inwards : Shapes::outwards);
+  tiling(session.engine().map());
+}
+
+void ProofWriter::on_event(const EngineEvent& event) {
+  to_leg(event.leg_index);
+  const bool hit = event.report.repair == Repair::collision;
+  switch (event.report.gone) {
+    case Gone::none:
+      kind(Record::event);
+      break;
+    case Gone::first:
+      kind(hit ? Record::contact_first : Record::event_first);
+      break;
+    case Gone::second:
+      kind(hit ? Record::contact_second : Record::event_second);
+      break;
+  }
+  out_.f64(event.lo + (event.hi - event.lo) / 2);
+  out_.u32(event.corner.value);
+}
+
+void ProofWriter::ended(const Session& session, const Answer& answer) {
+  const Engine& engine = session.engine();
+  if (answer.outcome == Outcome::free) kind(Record::free);
+  if (answer.outcome == Outcome::undecided) {
+    to_leg(engine.leg_index());
+    kind(Record::free_until);
+    out_.f64(engine.leg().bridge ? 0.0 : answer.free_until);
+  }
+  out_.close();
+}
+
+void ProofWriter::to_leg(std::size_t leg) {
+  for (; leg_ < leg; ++leg_) kind(Record::next_leg);
+}
+
+void ProofWriter::header(Shapes shapes) {
+  for (const char c : proof::magic) out_.u8(static_cast<std::uint8_t>(c));
+  out_.u64(scene_fingerprint(scene_));
+  out_.u8(touch_ == Touch::closed);
+  out_.u8(static_cast<std::uint8_t>(shapes));
+}
+
+void ProofWriter::tiling(const PlanarMap& map) {
+  const std::uint32_t count = map.halfedge_count();
+  out_.u32(count);
+  for (std::uint32_t i = 2 * map.vertices(); i < count; ++i) out_.u32(map.origin(HalfedgeId(i)).value);
+  for (std::uint32_t i = 0; i < count; ++i) out_.u32(map.next(HalfedgeId(i)).value);
+  out_.u32(static_cast<std::uint32_t>(map.unused().size()));
+  for (const HalfedgeId h : map.unused()) out_.u32(h.value);
+}
+
+/// The outward shapes overlap already, the inward ones do not: a tiling of these shows it.
+void ProofWriter::contact_at_start(const Session& session) {
+  const PairGeometry inner = displaced_pair(session.plan(), true), outer = displaced_pair(session.plan(), false);
+  const Leg& leg = session.engine().leg();
+  const auto overlap = spacetime::overlapping(outer, leg, scene_.start);
+  if (!overlap || !overlap->crossing) throw StructureError("bodies that touch without a crossing of their outlines");
+  header(Shapes::inwards);
+  tiling(build_tiling(Placement(inner, leg, scene_.start)).map);
+  kind(Record::touching);
+  out_.u32(overlap->edge_p.value);
+  out_.u32(overlap->edge_q.value);
+}
+
+Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  ProofWriter writer(scene, options.touch, log);
+  return run_kinetic(scene, options, &writer);
+}
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+// Writes down what the kinetic engine does. Format: docs/proof-format.md.
+#pragma once
+
+#include <iosfwd>
+
+#include "check/run_watcher.hpp"
+#include "proof/bytes.hpp"
+#include "proof/format.hpp"
+
+namespace taut {
+
+/// Watches one run; the log is complete when ended() returns.
+class ProofWriter : public RunWatcher {
+ public:
+  ProofWriter(const Scene& scene, Touch touch, std::ostream& log) : scene_(scene), touch_(touch), out_(log) {}
+
+  void started(const Session& session) override;
+  void on_event(const EngineEvent& event) override;
+  void ended(const Session& session, const Answer& answer) override;
+
+ private:
+  void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
+  void to_leg(std::size_t leg);
+  void header(proof::Shapes shapes);
+  void tiling(const PlanarMap& map);
+  void contact_at_start(const Session& session);
+
+  const Scene& scene_;
+  Touch touch_;
+  proof::ByteWriter out_;
+  std::size_t leg_ = 0;
+};
+
+}  // namespace taut
