@@ -15,19 +15,6 @@ Ball<Real> as_ball(const PreciseTime& t) {
   return b;
 }
 
-/// Runs the generic lambda with a value of the stage's number type.
-template <class Action>
-auto with_stage(int stage, const Action& action) {
-  switch (stage) {
-    case 0:
-      return action(Real320());
-    case 1:
-      return action(Real640());
-    default:
-      return action(Real960());
-  }
-}
-
 }  // namespace
 
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {

@@ -23,6 +23,19 @@ using RealMax = Real960;
 /// The precisions of the multi-precision stages, in order. Beyond the last one the answer is `undecided`.
 inline constexpr int precision_ladder[] = {320, 640, 960};
 
+/// Runs the generic lambda with a value of the number type of a stage (an index into the ladder).
+template <class Action>
+auto with_stage(int stage, const Action& action) {
+  switch (stage) {
+    case 0:
+      return action(Real320());
+    case 1:
+      return action(Real640());
+    default:
+      return action(Real960());
+  }
+}
+
 /// Absolute error added by every operation on balls, so that underflow (of a double, or of a radius) is harmless.
 /// Coordinates are scaled to about 1, and the smallest quantity that ever decides is the square of the displacement,
 /// about 2^-400.

@@ -12,19 +12,6 @@ namespace {
 
 constexpr int stages = static_cast<int>(std::size(precision_ladder));
 
-/// Runs the generic lambda with a value of the stage's number type.
-template <class Action>
-auto with_stage(int stage, const Action& action) {
-  switch (stage) {
-    case 0:
-      return action(Real320());
-    case 1:
-      return action(Real640());
-    default:
-      return action(Real960());
-  }
-}
-
 /// A pair's three functions.
 template <class Real>
 struct Functions {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/quadratic_bound.hpp"
+
 namespace taut::spacetime {
 namespace {
 
@@ -49,30 +51,16 @@ Course::Course(const DirectedDistance& f, FrameWindow& window, double t, int sig
 }
 
 double Course::positive_until(double limit) const {
-  const double a = value.lower(), b = slope.lower(), c = bend.lower();
-  if (!(a > 0)) return 0;
-  if (b >= 0 && c >= 0) return limit;
-  // The first root of a + b h + c h^2/2; the discriminant rounded up makes it smaller.
-  const double square = b * b, product = 2 * a * c;
-  const double discriminant = (square - product) + 0x1p-50 * (square + std::fabs(product));
-  if (discriminant < 0) return limit;
-  const double below_line = std::sqrt(discriminant) - b;
-  if (!(below_line > 0)) return 0;
-  const double h = 2 * a / below_line * (1 - 0x1p-48);
-  return h < limit ? h : (h >= limit ? limit : 0);
+  return value.lower() > 0 ? taut::positive_until(value.lower(), slope.lower(), bend.lower(), limit) : 0;
 }
 
 double Course::negative_from(double limit, double& falls_until) const {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const double a = value.upper(), b = slope.upper(), c = bend.upper();
+  const double b = slope.upper(), c = bend.upper();
   falls_until = 0;
-  if (!(b < 0)) return never;
+  if (!(b < 0)) return std::numeric_limits<double>::infinity();
   falls_until = c > 0 ? std::fmin(limit, -b / c * (1 - 0x1p-48)) : limit;
-  const double square = b * b, product = 2 * a * c;
-  const double discriminant = (square - product) - 0x1p-50 * (square + std::fabs(product));
-  if (!(discriminant > 0)) return never;
-  const double h = 2 * a / (std::sqrt(discriminant) - b) * (1 + 0x1p-47);
-  return h < falls_until ? h : never;
+  const double h = taut::negative_from(value.upper(), b, c);
+  return h < falls_until ? h : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace taut::spacetime
