@@ -2,6 +2,8 @@
 // none may be undecided. `./dev soak --minutes N` builds and runs it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -12,32 +14,13 @@
 
 #include "check/proof_writer.hpp"
 #include "soak_scene.hpp"
+#include "soak_totals.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::testing {
 namespace {
-
-struct Tally {
-  std::uint64_t scenes = 0, free = 0, contact = 0, at_start = 0, invalid = 0, events = 0, proofs = 0;
-
-  void add(const Tally& o) {
-    scenes += o.scenes;
-    free += o.free;
-    contact += o.contact;
-    at_start += o.at_start;
-    invalid += o.invalid;
-    events += o.events;
-    proofs += o.proofs;
-  }
-};
-
-struct Totals {
-  std::map<std::string, Tally> by_family, by_injection;
-  StageCounts stages;
-  std::vector<std::string> findings;
-};
 
 /// A writer that also counts which stage answered.
 class CountingWriter : public ProofWriter {
@@ -69,10 +52,7 @@ std::string examine(const SoakScene& s, Tally& tally, StageCounts& stages) {
   try {
     const Answer kinetic = run_kinetic(s.scene, options, &writer);
     const Answer answer = agreed(kinetic, run_spacetime(s.scene, options));
-    stages.fast += writer.stages.fast;
-    stages.level1 += writer.stages.level1;
-    stages.precise += writer.stages.precise;
-    stages.compared += writer.stages.compared;
+    stages += writer.stages;
     tally.events += kinetic.events;
     if (kinetic.outcome == Outcome::undecided) return "undecided: " + kinetic.reason;
     if (answer.outcome == Outcome::overlap_at_start) {
@@ -94,99 +74,84 @@ std::string examine(const SoakScene& s, Tally& tally, StageCounts& stages) {
 
 class Soak {
  public:
-  Soak(std::uint64_t first, double minutes, std::string folder)
-      : next_(first),
-        folder_(std::move(folder)),
-        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes))) {}
+  struct Limits {
+    double minutes = 1;
+    unsigned jobs = 2;
+  };
 
-  void work() {
-    Totals mine;
-    while (Clock::now() < end_) {
-      const std::uint64_t number = next_++;
-      const SoakScene s = soak_scene(number);
-      Tally tally;
-      const std::string wrong = examine(s, tally, mine.stages);
-      mine.by_family[s.family].add(tally);
-      mine.by_injection[to_string(s.injection)].add(tally);
-      if (!wrong.empty()) note(number, s, wrong);
+  Soak(std::string totals_file, std::string folder) : totals_file_(std::move(totals_file)), folder_(std::move(folder)) {
+    if (!totals_file_.empty()) totals_ = read_soak_totals(totals_file_);
+  }
+
+  void skip_to(std::uint64_t scene) { totals_.next_scene = scene; }
+
+  /// In rounds of a minute, each saved: a soak that is ended early loses one.
+  void run(const Limits& limits) {
+    const Clock::time_point end = after(Clock::now(), limits.minutes);
+    while (Clock::now() < end) {
+      round(limits.jobs, std::min(end, after(Clock::now(), 1)));
+      if (!totals_file_.empty()) write_soak_totals(totals_file_, totals_);
     }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (const auto& [name, tally] : mine.by_family) totals_.by_family[name].add(tally);
-    for (const auto& [name, tally] : mine.by_injection) totals_.by_injection[name].add(tally);
-    totals_.stages.fast += mine.stages.fast;
-    totals_.stages.level1 += mine.stages.level1;
-    totals_.stages.precise += mine.stages.precise;
-    totals_.stages.compared += mine.stages.compared;
   }
 
-  /// 0 if nothing was found.
-  int report() const {
-    Tally all;
-    for (const auto& [name, tally] : totals_.by_family) all.add(tally);
-    table("family", totals_.by_family);
-    table("injection", totals_.by_injection);
-    fmt::print(
-        "steps decided in doubles: {}; by first order in the displacement: {}; searches and comparisons in\n"
-        "multi-precision: {} and {}\n",
-        totals_.stages.fast, totals_.stages.level1, totals_.stages.precise, totals_.stages.compared);
-    fmt::print("{} scenes, {} findings; the next scene is {}\n", all.scenes, totals_.findings.size(), next_.load());
-    for (const std::string& finding : totals_.findings) fmt::print("  {}\n", finding);
-    return totals_.findings.empty() ? 0 : 1;
-  }
+  const SoakTotals& totals() const { return totals_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void note(std::uint64_t number, const SoakScene& s, const std::string& wrong) {
+  static Clock::time_point after(Clock::time_point start, double minutes) {
+    return start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes));
+  }
+
+  void round(unsigned jobs, Clock::time_point end) {
+    std::atomic<std::uint64_t> next{totals_.next_scene};
+    std::vector<SoakTotals> parts(jobs);
+    std::vector<std::thread> threads;
+    for (SoakTotals& part : parts) {
+      threads.emplace_back([this, end, &next, &part] {
+        while (Clock::now() < end) look_at(next++, part);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const SoakTotals& part : parts) totals_ += part;
+    totals_.next_scene = next;
+  }
+
+  void look_at(std::uint64_t number, SoakTotals& part) {
+    const SoakScene s = soak_scene(number);
+    Tally tally;
+    const std::string wrong = examine(s, tally, part.stages);
+    part.by_family[s.family] += tally;
+    part.by_injection[to_string(s.injection)] += tally;
+    if (wrong.empty()) return;
     const std::string file = fmt::format("{}/{}.json", folder_, number);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    totals_.findings.push_back(
+    part.findings.push_back(
         fmt::format("{}, {}, {}, touch {}: {}", file, s.family, to_string(s.injection), to_string(s.touch), wrong));
-    fmt::print(stderr, "{}\n", totals_.findings.back());
+    fmt::print(stderr, "{}\n", part.findings.back());
     write_file(file, write_scene(s.scene));
   }
 
-  static void table(const char* what, const std::map<std::string, Tally>& rows) {
-    fmt::print("| {} | scenes | free | contact | overlap at the start | invalid | proofs verified | events |\n", what);
-    fmt::print("|---|---|---|---|---|---|---|---|\n");
-    Tally all;
-    const auto row = [](const std::string& name, const Tally& t) {
-      fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} |\n", name, t.scenes, t.free, t.contact, t.at_start,
-                 t.invalid, t.proofs, t.events);
-    };
-    for (const auto& [name, tally] : rows) {
-      row(name, tally);
-      all.add(tally);
-    }
-    row("all", all);
-    fmt::print("\n");
-  }
-
-  std::atomic<std::uint64_t> next_;
-  std::string folder_;
-  Clock::time_point end_;
-  std::mutex mutex_;
-  Totals totals_;
+  std::string totals_file_, folder_;
+  SoakTotals totals_;
 };
 
 }  // namespace
 }  // namespace taut::testing
 
 int main(int argc, char** argv) {
-  double minutes = 1;
+  CLI::App app("Compares both engines and verified proofs on random scenes.", "taut_soak");
+  taut::testing::Soak::Limits limits;
   std::uint64_t first = 0;
-  unsigned jobs = 2;
-  std::string folder = ".";
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string name = argv[i];
-    if (name == "--minutes") minutes = std::atof(argv[i + 1]);
-    if (name == "--first") first = std::strtoull(argv[i + 1], nullptr, 10);
-    if (name == "--jobs") jobs = static_cast<unsigned>(std::atoi(argv[i + 1]));
-    if (name == "--findings") folder = argv[i + 1];
-  }
-  taut::testing::Soak soak(first, minutes, folder);
-  std::vector<std::thread> threads;
-  for (unsigned k = 0; k < jobs; ++k) threads.emplace_back([&soak] { soak.work(); });
-  for (std::thread& thread : threads) thread.join();
-  return soak.report();
+  std::string folder = ".", totals;
+  app.add_option("--minutes", limits.minutes, "How long")->check(CLI::PositiveNumber);
+  app.add_option("--jobs", limits.jobs, "Threads")->check(CLI::Range(1, 1024));
+  const CLI::Option* from = app.add_option("--first", first, "Number of the first scene; default: after the totals'");
+  app.add_option("--findings", folder, "Folder for the scenes with findings")->check(CLI::ExistingDirectory);
+  app.add_option("--totals", totals, "File in which the counts of all runs are added up");
+  CLI11_PARSE(app, argc, argv);
+  taut::testing::Soak soak(totals, folder);
+  if (*from) soak.skip_to(first);
+  soak.run(limits);
+  fmt::print("{}", soak.totals().report());
+  return soak.totals().findings.empty() ? 0 : 1;
 }

@@ -1,0 +1,125 @@
+#include "soak_totals.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "taut/io.hpp"
+
+namespace taut::testing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Column {
+  const char* key;
+  const char* title;
+  std::uint64_t Tally::*value;
+};
+
+constexpr Column columns[] = {
+    {"scenes", "scenes", &Tally::scenes},    {"free", "free", &Tally::free},
+    {"contact", "contact", &Tally::contact}, {"overlap_at_start", "overlap at the start", &Tally::at_start},
+    {"invalid", "invalid", &Tally::invalid}, {"proofs", "proofs verified", &Tally::proofs},
+    {"events", "events", &Tally::events}};
+
+std::string row(const std::string& name, const Tally& tally) {
+  std::string line = "| " + name + " |";
+  for (const Column& c : columns) line += fmt::format(" {} |", tally.*c.value);
+  return line + '\n';
+}
+
+std::string table(const char* what, const std::map<std::string, Tally>& rows, const Tally& all) {
+  std::string text = fmt::format("| {} |", what), rule = "|---|";
+  for (const Column& c : columns) {
+    text += fmt::format(" {} |", c.title);
+    rule += "---:|";
+  }
+  text += '\n' + rule + '\n';
+  for (const auto& [name, tally] : rows) text += row(name, tally);
+  return text + row("all", all) + '\n';
+}
+
+Json to_json(const std::map<std::string, Tally>& rows) {
+  Json json = Json::object();
+  for (const auto& [name, tally] : rows) {
+    for (const Column& c : columns) json[name][c.key] = tally.*c.value;
+  }
+  return json;
+}
+
+std::map<std::string, Tally> tallies(const Json& json) {
+  std::map<std::string, Tally> rows;
+  for (const auto& [name, row] : json.items()) {
+    for (const Column& c : columns) rows[name].*c.value = row.at(c.key).get<std::uint64_t>();
+  }
+  return rows;
+}
+
+}  // namespace
+
+Tally& Tally::operator+=(const Tally& o) {
+  for (const Column& c : columns) this->*c.value += o.*c.value;
+  return *this;
+}
+
+SoakTotals& SoakTotals::operator+=(const SoakTotals& o) {
+  for (const auto& [name, tally] : o.by_family) by_family[name] += tally;
+  for (const auto& [name, tally] : o.by_injection) by_injection[name] += tally;
+  stages += o.stages;
+  findings.insert(findings.end(), o.findings.begin(), o.findings.end());
+  return *this;
+}
+
+Tally SoakTotals::all() const {
+  Tally sum;
+  for (const auto& [name, tally] : by_family) sum += tally;
+  return sum;
+}
+
+std::string SoakTotals::report() const {
+  const Tally sum = all();
+  std::string text = table("family", by_family, sum) + table("injection", by_injection, sum);
+  text += fmt::format(
+      "| steps and comparisons of the kinetic engine decided | |\n|---|---:|\n"
+      "| in doubles, with a bound on the error | {} |\n| by first order in the displacement, in doubles | {} |\n"
+      "| by a search in multi-precision | {} |\n| by comparing two instants in multi-precision | {} |\n\n",
+      stages.fast, stages.level1, stages.precise, stages.compared);
+  text += fmt::format("{} scenes, of which {} are valid; {} findings; the next scene is {}\n", sum.scenes,
+                      sum.scenes - sum.invalid, findings.size(), next_scene);
+  for (const std::string& finding : findings) text += "  " + finding + '\n';
+  return text;
+}
+
+SoakTotals read_soak_totals(const std::string& file) {
+  SoakTotals totals;
+  if (!std::filesystem::exists(file)) return totals;
+  const Json json = Json::parse(std::ifstream(file));
+  totals.next_scene = json.at("next_scene").get<std::uint64_t>();
+  totals.by_family = tallies(json.at("by_family"));
+  totals.by_injection = tallies(json.at("by_injection"));
+  const Json& stages = json.at("stages");
+  totals.stages.fast = stages.at("doubles").get<std::uint64_t>();
+  totals.stages.level1 = stages.at("first_order").get<std::uint64_t>();
+  totals.stages.precise = stages.at("multi_precision_searches").get<std::uint64_t>();
+  totals.stages.compared = stages.at("multi_precision_comparisons").get<std::uint64_t>();
+  totals.findings = json.at("findings").get<std::vector<std::string>>();
+  return totals;
+}
+
+void write_soak_totals(const std::string& file, const SoakTotals& totals) {
+  const Json json = {{"next_scene", totals.next_scene},
+                     {"by_family", to_json(totals.by_family)},
+                     {"by_injection", to_json(totals.by_injection)},
+                     {"stages",
+                      {{"doubles", totals.stages.fast},
+                       {"first_order", totals.stages.level1},
+                       {"multi_precision_searches", totals.stages.precise},
+                       {"multi_precision_comparisons", totals.stages.compared}}},
+                     {"findings", totals.findings}};
+  write_file(file, json.dump(2) + '\n');
+}
+
+}  // namespace taut::testing

@@ -1,0 +1,35 @@
+// What a soak has seen, by family and by injection, over as many runs as it takes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kinetic/failure_solver.hpp"
+
+namespace taut::testing {
+
+struct Tally {
+  std::uint64_t scenes = 0, free = 0, contact = 0, at_start = 0, invalid = 0, events = 0, proofs = 0;
+
+  Tally& operator+=(const Tally& o);
+};
+
+struct SoakTotals {
+  std::uint64_t next_scene = 0;
+  std::map<std::string, Tally> by_family, by_injection;
+  StageCounts stages;
+  std::vector<std::string> findings;
+
+  SoakTotals& operator+=(const SoakTotals& o);
+  Tally all() const;
+  /// Tables and totals, as docs/evidence.md has them.
+  std::string report() const;
+};
+
+/// Totals of earlier runs; none if there is no such file.
+SoakTotals read_soak_totals(const std::string& file);
+void write_soak_totals(const std::string& file, const SoakTotals& totals);
+
+}  // namespace taut::testing
