@@ -151,6 +151,8 @@ Instant Lifetimes::failure(const Corner& c, double about) {
   for (int stage = 0; stage < precise_stages; ++stage) {
     if (!at_stage(c.birth, stage, birth)) continue;
     birth.stage = stage;
+    // The enclosure of the birth must end before the corner fails.
+    if (!c.birth.concerns(c.u, c.v, c.w) && f.sign_at(birth, stage) != c.sign) continue;
     const std::optional<PreciseTime> found = f.first_failure(c.sign, birth, std::min(leg().end, about + nearness()));
     if (!found) throw ProofError("a corner does not fail where the log says");
     root.lo = double_floor(found->lo);
