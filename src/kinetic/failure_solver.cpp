@@ -13,6 +13,11 @@ namespace {
 double below(double x) { return std::nextafter(x, -never); }
 double above(double x) { return std::nextafter(x, never); }
 
+/// The sign of a value that may still change by `drift`; 0 if unknown.
+int sign_of(const Bounded& v, double drift) {
+  return std::fabs(v.value) > v.error + drift ? (v.value > 0 ? 1 : -1) : 0;
+}
+
 /// Is (u, v, w) the event's corner up to turning around?
 bool same_order(const Now& now, VertexId u, VertexId v) {
   return (u == now.u && v == now.v) || (u == now.v && v == now.w) || (u == now.w && v == now.u);
@@ -58,25 +63,45 @@ void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
   c.monotone_until = c.lo;  // nothing is known in doubles
 }
 
+FailureSolver::Course FailureSolver::course(const FastFunction& f, double t) {
+  const FastSide& side = clock_.at(t, f.pp);
+  Course now;
+  now.t = t;
+  now.value = f.value(side);
+  now.slope = f.slope(side);
+  const ClockCell& cell = clock_.cell(t);
+  now.cell = cell;
+  now.bend = f.curvature(cell.curvature(f.pp));
+  return now;
+}
+
 void FailureSolver::start(Certificate& c) {
   release(c);
   c.function = FastFunction::level_zero(leg(), geometry_, triple_of(c));
   c.kind = FailureKind::not_before;
   c.lo = leg().start;
-  const Bounded v = c.function.value(clock_.at(c.lo, c.function.pp));
-  if (c.sign * v.value > v.error) {
-    advance_from(c, c.lo);
-  } else if (-c.sign * v.value > v.error) {
-    throw StructureError("a certificate is invalid at the start of a leg");
-  } else {
-    advance_hard(c, c.lo);
-  }
+  if (c.lo >= leg().end) return set_not_before(c, c.lo);
+  const Course now = course(c.function, c.lo);
+  const int sign = sign_of(now.value, 0);
+  if (sign == 0) return advance_hard(c, c.lo);
+  if (sign != c.sign) throw StructureError("a certificate is invalid at the start of a leg");
+  advance_along(c, now);
 }
 
 void FailureSolver::advance(Certificate& c) { advance_from(c, c.lo); }
 
+void FailureSolver::advance_from(Certificate& c, double t) {
+  if (t >= leg().end) return set_not_before(c, t);
+  const Course now = course(c.function, t);
+  if (sign_of(now.value, 0) == c.sign) {
+    advance_along(c, now);
+  } else {
+    advance_hard(c, t);
+  }
+}
+
 /// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around.
-double FailureSolver::positive_beyond(const ClockCell& cell, const Certificate& c, double t, double value,
+double FailureSolver::positive_beyond(const ClockPlace& cell, const Certificate& c, double t, double value,
                                       double slope) {
   double reached = cell.end;
   for (const ClockCell* wide = clock_.wider(cell); wide; wide = clock_.wider(*wide)) {
@@ -90,41 +115,71 @@ double FailureSolver::positive_beyond(const ClockCell& cell, const Certificate& 
   return reached;
 }
 
-void FailureSolver::advance_from(Certificate& c, double t) {
+double FailureSolver::lasts(const Certificate& c, const Course& now, double least) const {
   const double sign = c.sign;
-  const double end = leg().end;
-  if (t >= end) return set_not_before(c, t);
-  const FastSide& side = clock_.at(t, c.function.pp);
-  const Bounded v = c.function.value(side), d = c.function.slope(side);
-  const double a = sign * v.value - v.error;
-  if (!(a > 0)) return advance_hard(c, t);
-  const ClockCell& cell = clock_.cell(t);
-  const double horizon = cell.end, limit = horizon - t;
-  const bool good = cell.sharp || leg().bridge;
-  const Bounded k = c.function.curvature(cell.curvature(c.function.pp));
-  const double slope = sign * d.value, bend = sign * k.value;
-  const double h = positive_until(a, slope - d.error, bend - k.error, limit);
-  ++counts_.fast;
-  if (h >= limit) {  // never true of a NaN
-    return set_not_before(c, positive_beyond(cell, c, t, a, slope - d.error));
+  return positive_until(least, sign * now.slope.value - now.slope.error, sign * now.bend.value - now.bend.error,
+                        now.cell.end - now.t);
+}
+
+/// The certificate's sign holds for `lasting` from now.t on, where its value is `least` at least, and perhaps longer.
+/// False if doubles cannot tell.
+bool FailureSolver::holds_on(Certificate& c, const Course& now, double least, double lasting) {
+  const double limit = now.cell.end - now.t;
+  if (lasting >= limit) {  // never true of a NaN
+    const double slope = c.sign * now.slope.value - now.slope.error;
+    set_not_before(c, positive_beyond(now.cell, c, now.t, least, slope));
+    return true;
   }
-  const double slope_hi = slope + d.error, bend_hi = bend + k.error;
-  if (slope_hi < 0) {
-    const double h2 = negative_from(sign * v.value + v.error, slope_hi, bend_hi);
-    const double monotone = bend_hi > 0 ? std::min(limit, -slope_hi / bend_hi * (1 - 0x1p-48)) : limit;
-    if (h2 < monotone) {
-      c.kind = FailureKind::isolated;
-      c.lo = below(t + h);
-      c.hi = std::min(above(t + h2), end);
-      c.monotone_until = monotone == limit ? horizon : below(t + monotone);
-      refine_fast(c);
-      return;
-    }
-  }
-  const double next = below(t + h);
+  const double next = below(now.t + lasting);
   // Where the motion is singular, bounds are loose and steps short: one search at high precision is quicker than those.
-  if (!(next > t + (good ? 0x1p-46 : 0x1p-8) * limit)) return advance_hard(c, t);
-  return set_not_before(c, next);
+  const bool good = now.cell.sharp || leg().bridge;
+  if (!(next > now.t + (good ? 0x1p-46 : 0x1p-8) * limit)) return false;
+  set_not_before(c, next);
+  return true;
+}
+
+/// Isolates the failure after `from` (at most now.t), if the function certainly falls to it.
+bool FailureSolver::isolate(Certificate& c, const Course& now, double from) {
+  const double sign = c.sign, t = now.t;
+  const double limit = now.cell.end - t;
+  const double most = sign * now.value.value + now.value.error;
+  const double slope = sign * now.slope.value + now.slope.error, bend = sign * now.bend.value + now.bend.error;
+  if (!(slope < 0)) return false;
+  const double h = most > 0 ? negative_from(most, slope, bend) : 0;
+  const double falls = bend > 0 ? std::min(limit, -slope / bend * (1 - 0x1p-48)) : limit;
+  if (!(h < falls)) return false;
+  c.kind = FailureKind::isolated;
+  c.lo = from;
+  c.hi = std::min(above(t + h), leg().end);
+  c.monotone_until = falls == limit ? now.cell.end : below(t + falls);
+  return true;
+}
+
+void FailureSolver::advance_along(Certificate& c, const Course& now) {
+  ++counts_.fast;
+  const double least = c.sign * now.value.value - now.value.error;
+  const double h = lasts(c, now, least);
+  if (h < now.cell.end - now.t && isolate(c, now, below(now.t + h))) return refine_fast(c);
+  if (!holds_on(c, now, least, h)) advance_hard(c, now.t);
+}
+
+/// The certificate's sign was found in high precision at `instant`, where in doubles the function may be zero: it was
+/// just born, and another one fails at the same instant, or it did so itself. If it certainly rises or falls there,
+/// doubles are good enough to go on.
+bool FailureSolver::advance_from_zero(Certificate& c, const Now& instant) {
+  if (instant.hi >= leg().end) return false;
+  Course now = course(c.function, instant.hi);
+  const double width = instant.hi - instant.lo;
+  if (!widen(c.function, now, instant.lo)) return false;
+  // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
+  const double drift = width * (std::fabs(now.bend.value) + now.bend.error) * (1 + 0x1p-40);
+  const double slope = c.sign * now.slope.value, error = now.slope.error + drift;
+  if (slope > error) return holds_on(c, now, 0, lasts(c, now, 0));
+  if (-slope > error && !instant.concerns(c.u, c.v, c.w) && isolate(c, now, instant.lo)) {
+    // Reports show this enclosure: where doubles see little, as near t = 0, high precision is worth its price.
+    return c.hi - c.lo <= 0x1p-44 * std::fabs(c.hi);
+  }
+  return false;
 }
 
 /// Interval Newton on an isolated failure. The slope's bounds are taken anew in each step, over the enclosure at hand:
@@ -182,24 +237,33 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
   }
 }
 
-int FailureSolver::fast_sign(const FastFunction& f, const Now& now) {
-  const FastSide& side = clock_.at(now.hi, f.pp);
-  const Bounded v = f.value(side);
-  const double width = now.hi - now.lo;
-  double drift = 0;
-  if (width > 0) {
-    const ClockCell* cell = &clock_.cell(now.hi);
-    while (cell && cell->start > now.lo) cell = clock_.wider(*cell);
-    if (!cell) return 0;
-    const Bounded d = f.slope(side), k = f.curvature(cell->curvature(f.pp));
-    drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error)) * (1 + 0x1p-40);
+/// Takes the bend over a cell that reaches back to `start`; false if there is none.
+bool FailureSolver::widen(const FastFunction& f, Course& course, double start) {
+  while (course.cell.start > start) {
+    const ClockCell* cell = clock_.wider(course.cell);
+    if (!cell) return false;
+    course.cell = *cell;
+    course.bend = f.curvature(cell->curvature(f.pp));
   }
-  if (std::fabs(v.value) > v.error + drift) return v.value > 0 ? 1 : -1;
-  return 0;
+  return true;
+}
+
+/// The sign over [now.lo, now.hi], where `course` is taken at now.hi.
+int FailureSolver::sign_during(const FastFunction& f, Course course, const Now& now) {
+  const double width = now.hi - now.lo;
+  if (!(width > 0)) return sign_of(course.value, 0);
+  if (!widen(f, course, now.lo)) return 0;
+  const double steepest =
+      std::fabs(course.slope.value) + course.slope.error + width * (std::fabs(course.bend.value) + course.bend.error);
+  return sign_of(course.value, width * steepest * (1 + 0x1p-40));
 }
 
 int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
-  if (const int s = fast_sign(fast, now)) return s;
+  if (const int s = sign_during(fast, course(fast, now.hi), now)) return s;
+  return precise_sign(precise, now);
+}
+
+int FailureSolver::precise_sign(const PreciseTriple& precise, Now& now) {
   ++counts_.precise;
   const PreciseTriple event(
       leg(), geometry_,
@@ -220,27 +284,35 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
   if (now.concerns(c.u, c.v, c.w)) {
     c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
     if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
+    if (advance_from_zero(c, now)) return;
     const PreciseTime& t = precise_now(now);
     advance_precise(c, {t.hi, t.hi, t.stage});
     return;
   }
-  if (const int s = fast_sign(c.function, now)) {
-    c.sign = static_cast<std::int8_t>(s);
-    advance_from(c, now.hi);
-    return;
-  }
+  if (start_in_doubles(c, now)) return;
   FastFunction next;
   if (FastFunction::level_one(leg(), geometry_, triple, next)) {
-    if (const int s = fast_sign(next, now)) {
-      ++counts_.level1;
-      c.function = next;
-      c.sign = static_cast<std::int8_t>(s);
-      advance_from(c, now.hi);
-      return;
-    }
+    ++counts_.level1;
+    std::swap(c.function, next);
+    if (start_in_doubles(c, now)) return;
+    std::swap(c.function, next);
   }
-  c.sign = static_cast<std::int8_t>(sign_now(c.function, precise_of(c), now));
-  advance_precise(c, precise_now(now));
+  c.sign = static_cast<std::int8_t>(precise_sign(precise_of(c), now));
+  if (!advance_from_zero(c, now)) advance_precise(c, precise_now(now));
+}
+
+/// By the certificate's function as it stands, if that shows a sign at the present.
+bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
+  const Course here = course(c.function, now.hi);
+  const int sign = sign_during(c.function, here, now);
+  if (sign == 0) return false;
+  c.sign = static_cast<std::int8_t>(sign);
+  if (now.hi >= leg().end) {
+    set_not_before(c, now.hi);
+  } else {
+    advance_along(c, here);
+  }
+  return true;
 }
 
 bool FailureSolver::known_before(const Certificate& a, const Certificate& b) const {

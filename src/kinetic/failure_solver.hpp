@@ -90,8 +90,22 @@ class FailureSolver {
  private:
   MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
   PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
+  /// A function at one instant, with bounds of its second derivative over the cell around.
+  struct Course {
+    double t;
+    Bounded value, slope, bend;
+    ClockPlace cell;
+  };
+  Course course(const FastFunction& f, double t);
   void advance_from(Certificate& c, double t);
-  double positive_beyond(const ClockCell& cell, const Certificate& c, double t, double value, double slope);
+  void advance_along(Certificate& c, const Course& now);
+  bool advance_from_zero(Certificate& c, const Now& instant);
+  /// How long the certificate's sign certainly lasts from now.t on within the cell, if its value is `least` at least.
+  double lasts(const Certificate& c, const Course& now, double least) const;
+  bool holds_on(Certificate& c, const Course& now, double least, double lasting);
+  bool isolate(Certificate& c, const Course& now, double from);
+  bool start_in_doubles(Certificate& c, const Now& now);
+  double positive_beyond(const ClockPlace& cell, const Certificate& c, double t, double value, double slope);
   void refine_fast(Certificate& c);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTime& from);
@@ -102,7 +116,9 @@ class FailureSolver {
   PreciseTime& precise_now(Now& now) const;
   /// The sign of a function at `now`: fast if possible, else precise.
   int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
-  int fast_sign(const FastFunction& f, const Now& now);
+  int precise_sign(const PreciseTriple& precise, Now& now);
+  bool widen(const FastFunction& f, Course& course, double start);
+  int sign_during(const FastFunction& f, Course course, const Now& now);
 
   const PairGeometry& geometry_;
   LegClock clock_;

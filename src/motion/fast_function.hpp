@@ -8,15 +8,15 @@ namespace taut {
 /// The five functions of Leg::Frame for one kind of triple, at one instant.
 struct FastSide {
   double f[5], d[5];
-  double size_a, size_b, size_0;        ///< bounds of |f1|+|f2|, |f3|+|f4|, |f0|
-  double size_ad, size_bd, size_0d;     ///< of the derivatives
-  double error_a, error_b, error_0;     ///< bounds of the errors of f
-  double error_ad, error_bd, error_0d;  ///< and of d
+  /// Bounds of the errors of f0, of f1 and f2 together, and of f3 and f4, with what a sum of products of them rounds.
+  double error_0, error_a, error_b;
+  double error_0d, error_ad, error_bd;  ///< the same for d
 };
 
-/// Second derivatives over a segment: middle and radius of each.
+/// Second derivatives over a segment: middles, and bounds as in FastSide.
 struct FastCurvature {
-  double mid[5], rad[5];
+  double mid[5];
+  double error_0, error_a, error_b;
 };
 
 /// A value with a bound of its error.
@@ -38,29 +38,17 @@ struct FastFunction {
   /// The next level if level 0 is exactly zero at all times of a translation leg; false otherwise.
   static bool level_one(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, FastFunction& result);
 
-  Bounded value(const FastSide& s) const {
-    const double v = a[0] * s.f[0] + a[1] * s.f[1] + a[2] * s.f[2] + a[3] * s.f[3] + a[4] * s.f[4];
-    const double e =
-        0x1p-49 * (m0 * s.size_0 + w * s.size_a + m34 * s.size_b) + m0 * s.error_0 + w * s.error_a + m34 * s.error_b;
-    return {v, e * (1 + 0x1p-40) + floor_error};
-  }
-  Bounded slope(const FastSide& s) const {
-    const double v = a[0] * s.d[0] + a[1] * s.d[1] + a[2] * s.d[2] + a[3] * s.d[3] + a[4] * s.d[4];
-    const double e = 0x1p-49 * (m0 * s.size_0d + w * s.size_ad + m34 * s.size_bd) + m0 * s.error_0d + w * s.error_ad +
-                     m34 * s.error_bd;
-    return {v, e * (1 + 0x1p-40) + floor_error};
-  }
-  Bounded curvature(const FastCurvature& c) const {
-    double v = 0, e = 0;
-    for (int i = 0; i < 5; ++i) {
-      const double m = i == 0 ? m0 : (i < 3 ? w : m34);
-      v += a[i] * c.mid[i];
-      e += m * (c.rad[i] + 0x1p-49 * (c.mid[i] < 0 ? -c.mid[i] : c.mid[i]));
-    }
-    return {v, e * (1 + 0x1p-40) + floor_error};
-  }
+  Bounded value(const FastSide& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
+  Bounded slope(const FastSide& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
+  Bounded curvature(const FastCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
   /// Covers the displacement at level 0, its square at level 1, and underflow.
   double floor_error = 0;
+
+ private:
+  Bounded combine(const double (&f)[5], double error_0, double error_a, double error_b) const {
+    const double v = a[0] * f[0] + a[1] * f[1] + a[2] * f[2] + a[3] * f[3] + a[4] * f[4];
+    return {v, (m0 * error_0 + w * error_a + m34 * error_b) * (1 + 0x1p-40) + floor_error};
+  }
 };
 
 }  // namespace taut

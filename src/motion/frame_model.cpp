@@ -19,7 +19,7 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
   for (int k = 0; k <= n; ++k) {
     const double known = k < n ? std::fabs(at_middle.c[k].mid) : 0;
     const double open = k < n ? at_middle.c[k].rad : over.c[n].magnitude();
-    if (k < n) m.c[i][k] = at_middle.c[k].mid;
+    if (k < n) m.c[k][i] = at_middle.c[k].mid;
     if (k < n && at_middle.c[k].mid != 0) m.terms = std::max(m.terms, k + 1);
     if (k < n) noise += open * power[0];
     size += known * power[0];
@@ -34,14 +34,14 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
   }
   m.size[i] = size;
   m.noise[i] = known_or_infinite(noise);
-  m.bend[i] = std::isfinite(m.c[i][2]) ? 2 * m.c[i][2] : 0;
+  m.bend[i] = std::isfinite(m.c[2][i]) ? 2 * m.c[2][i] : 0;
   // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
   const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
   const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.bend[i])));
   m.error[i] = known_or_infinite(error + underflow_slack);
   m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
   m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
-  if (!std::isfinite(m.c[i][2])) m.bend_rad[i] = INFINITY;
+  if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = INFINITY;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ bool FrameModel::straight() const {
   constexpr double share = 0x1p-4, least = 0x1p-10;
   for (int i = 0; i < functions; ++i) {
     // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
-    const double way = share * std::fabs(c[i][1]) * radius + least * scale(i) + 72 * noise[i];
+    const double way = share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i];
     if (!(bend_rad[i] * radius * radius <= way + negligible)) return false;
   }
   return true;

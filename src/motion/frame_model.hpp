@@ -2,6 +2,7 @@
 #pragma once
 
 #include "motion/leg.hpp"
+#include "numeric/lanes.hpp"
 
 namespace taut {
 
@@ -9,24 +10,34 @@ namespace taut {
 /// parameter: conj(x_P) D (two parts), conj(x_Q) D (two parts), c and s (see FrameOf; not for bridges).
 ///
 /// For every t in [start, end] and h = t - middle in doubles:
-///   |sum_k c[i][k] h^k - f_i(t)| <= error[i], and the same for slopes with error_d[i], by Horner's rule in doubles;
+///   |sum_k c[k][i] h^k - f_i(t)| <= error[i], and the same for slopes with error_d[i], by Horner's rule in doubles;
 ///   |bend[i] - f_i''(t)| <= bend_rad[i].
 /// Bounds may be infinite where the motion is singular; they are never NaN.
 struct FrameModel {
   static constexpr int functions = 6;
   static FrameModel over(const Leg& leg, double start, double end);
 
-  /// f and f' of function i at t.
-  void evaluate(int i, double t, double& value, double& slope) const {
-    const double* a = c[i];
-    const double h = t - middle;
-    double v = a[terms - 1], d = 0;
+  /// f and f' of all functions at t, side by side: six chains of dependent operations take little longer than one.
+  void evaluate(double t, double (&value)[functions], double (&slope)[functions]) const {
+    const Lanes h = both(t - middle);
+    const double* at = c[terms - 1];
+    Lanes v0 = load_lanes(at), v1 = load_lanes(at + 2), v2 = load_lanes(at + 4);
+    Lanes d0 = {}, d1 = {}, d2 = {};
     for (int k = terms - 1; k-- > 0;) {
-      d = d * h + v;
-      v = v * h + a[k];
+      at -= functions;
+      d0 = d0 * h + v0;
+      d1 = d1 * h + v1;
+      d2 = d2 * h + v2;
+      v0 = v0 * h + load_lanes(at);
+      v1 = v1 * h + load_lanes(at + 2);
+      v2 = v2 * h + load_lanes(at + 4);
     }
-    value = v;
-    slope = d;
+    store_lanes(value, v0);
+    store_lanes(value + 2, v1);
+    store_lanes(value + 4, v2);
+    store_lanes(slope, d0);
+    store_lanes(slope + 2, d1);
+    store_lanes(slope + 4, d2);
   }
   /// All bounds are finite.
   bool finite() const;
@@ -38,8 +49,8 @@ struct FrameModel {
   bool straight() const;
 
   double start, end, middle, radius;
-  int terms;  ///< coefficients in use, the same for all functions
-  double c[functions][model_degree];
+  int terms;                          ///< coefficients in use, the same for all functions
+  double c[model_degree][functions];  ///< by power, then function
   double error[functions], error_d[functions];
   double bend[functions], bend_rad[functions];
   double remainder[functions];  ///< the part of the error that shrinks with the interval

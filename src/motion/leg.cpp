@@ -120,6 +120,24 @@ Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
   return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<Real>>(leg, t);
 }
 
+/// Without derivatives: a series of one term.
+template <class Real>
+FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
+  FrameValues<Real> values;
+  const auto copy = [&values](const auto& f, const auto& value) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      values.for_pp[i] = value(f.for_pp[i]);
+      values.for_qq[i] = value(f.for_qq[i]);
+    }
+  };
+  if (leg.bridge) {
+    copy(bridge_frame(leg, t), [](const Jet<Real>& j) { return j.v; });
+  } else {
+    copy(motion_frame<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
+  }
+  return values;
+}
+
 int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
   for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
     if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
@@ -166,6 +184,10 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(le
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
+
+FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t) { return any_values(leg, t); }
+FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { return any_values(leg, t); }
+FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }
 
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
 

@@ -20,6 +20,9 @@ struct FrameOf {
 };
 template <class Real>
 using Frame = FrameOf<Jet<Real>>;
+/// The functions without their derivatives.
+template <class Real>
+using FrameValues = FrameOf<Ball<Real>>;
 
 /// Enough terms that a model of a segment that turns by an eighth of a radian is exact to a few ulps.
 inline constexpr int model_degree = 9;
@@ -61,6 +64,9 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t);
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
+FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t);
+FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
+FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
 /// Its Taylor series about the ball t (not of a bridge).
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
 

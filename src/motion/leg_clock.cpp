@@ -6,38 +6,37 @@
 namespace taut {
 namespace {
 
+/// A sum of five products rounds by no more than this share of each.
+constexpr double rounding = 0x1p-49;
+
+double error_of(const Ball<double>& b) { return b.rad + rounding * std::fabs(b.mid); }
+
 FastSide fast_side(const std::array<Jet<double>, 5>& j) {
   FastSide s{};
   for (int i = 0; i < 5; ++i) {
     s.f[i] = j[i].v.mid;
     s.d[i] = j[i].d.mid;
   }
-  const auto size = [](const Ball<double>& b) { return std::fabs(b.mid); };
-  s.size_0 = size(j[0].v);
-  s.size_a = size(j[1].v) + size(j[2].v);
-  s.size_b = size(j[3].v) + size(j[4].v);
-  s.size_0d = size(j[0].d);
-  s.size_ad = size(j[1].d) + size(j[2].d);
-  s.size_bd = size(j[3].d) + size(j[4].d);
-  s.error_0 = j[0].v.rad;
-  s.error_a = j[1].v.rad + j[2].v.rad;
-  s.error_b = j[3].v.rad + j[4].v.rad;
-  s.error_0d = j[0].d.rad;
-  s.error_ad = j[1].d.rad + j[2].d.rad;
-  s.error_bd = j[3].d.rad + j[4].d.rad;
+  s.error_0 = error_of(j[0].v);
+  s.error_a = error_of(j[1].v) + error_of(j[2].v);
+  s.error_b = error_of(j[3].v) + error_of(j[4].v);
+  s.error_0d = error_of(j[0].d);
+  s.error_ad = error_of(j[1].d) + error_of(j[2].d);
+  s.error_bd = error_of(j[3].d) + error_of(j[4].d);
   return s;
 }
 
 FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
   FastCurvature c{};
+  double error[5];
   for (int i = 0; i < 5; ++i) {
-    c.mid[i] = j[i].dd.mid;
-    c.rad[i] = j[i].dd.rad;
-    if (!(c.rad[i] < INFINITY) || !std::isfinite(c.mid[i])) {
-      c.mid[i] = 0;
-      c.rad[i] = INFINITY;
-    }
+    const bool known = j[i].dd.rad < INFINITY && std::isfinite(j[i].dd.mid);
+    c.mid[i] = known ? j[i].dd.mid : 0;
+    error[i] = known ? error_of(j[i].dd) : INFINITY;
   }
+  c.error_0 = error[0];
+  c.error_a = error[1] + error[2];
+  c.error_b = error[3] + error[4];
   return c;
 }
 
@@ -46,7 +45,7 @@ FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
 void LegClock::evaluate_exactly(double t) {
   const Frame<double> f = frame(*leg_, Ball<double>::exact(t));
   pp_ = fast_side(f.for_pp);
-  qq_ = fast_side(f.for_qq);
+  if (!leg_->translation) qq_ = fast_side(f.for_qq);
 }
 
 namespace {
@@ -54,33 +53,33 @@ namespace {
 /// Shorter cells than this share of the leg lie at a singular instant.
 constexpr int deepest = 40;
 
-/// Two functions of a model as one row of a side: `at` is 1 or 3.
-void fill(FastSide& s, int at, const FrameModel& m, int i, double t) {
-  for (int k = 0; k < 2; ++k) m.evaluate(i + k, t, s.f[at + k], s.d[at + k]);
-}
-
-void measure(FastSide& s, const FrameModel& m, int moving) {
+/// The side whose first two functions are the model's functions `first` and `first` + 1.
+void assemble(FastSide& s, const FrameModel& m, int first, const double* value, const double* slope) {
   s.f[0] = 1;
   s.d[0] = 0;
-  s.size_0 = 1;
-  s.size_0d = s.error_0 = s.error_0d = 0;
-  s.size_a = std::fabs(s.f[1]) + std::fabs(s.f[2]);
-  s.size_b = std::fabs(s.f[3]) + std::fabs(s.f[4]);
-  s.size_ad = std::fabs(s.d[1]) + std::fabs(s.d[2]);
-  s.size_bd = std::fabs(s.d[3]) + std::fabs(s.d[4]);
-  s.error_a = m.error[moving] + m.error[moving + 1];
-  s.error_ad = m.error_d[moving] + m.error_d[moving + 1];
-  s.error_b = m.error[4] + m.error[5];
-  s.error_bd = m.error_d[4] + m.error_d[5];
+  s.error_0 = rounding;
+  s.error_0d = 0;
+  const int source[4] = {first, first + 1, 4, 5};
+  for (int k = 0; k < 4; ++k) {
+    s.f[k + 1] = value[source[k]];
+    s.d[k + 1] = slope[source[k]];
+  }
+  s.error_a = m.error[first] + m.error[first + 1] + rounding * (std::fabs(s.f[1]) + std::fabs(s.f[2]));
+  s.error_b = m.error[4] + m.error[5] + rounding * (std::fabs(s.f[3]) + std::fabs(s.f[4]));
+  s.error_ad = m.error_d[first] + m.error_d[first + 1] + rounding * (std::fabs(s.d[1]) + std::fabs(s.d[2]));
+  s.error_bd = m.error_d[4] + m.error_d[5] + rounding * (std::fabs(s.d[3]) + std::fabs(s.d[4]));
 }
 
-FastCurvature curvature_of(const FrameModel& m, int moving) {
+FastCurvature curvature_of(const FrameModel& m, int first) {
   FastCurvature c{};
-  const int source[4] = {moving, moving + 1, 4, 5};
+  const int source[4] = {first, first + 1, 4, 5};
+  double error[4];
   for (int k = 0; k < 4; ++k) {
     c.mid[k + 1] = m.bend[source[k]];
-    c.rad[k + 1] = m.bend_rad[source[k]];
+    error[k] = m.bend_rad[source[k]] + rounding * std::fabs(c.mid[k + 1]);
   }
+  c.error_a = error[0] + error[1];
+  c.error_b = error[2] + error[3];
   return c;
 }
 
@@ -168,7 +167,7 @@ const ClockCell& LegClock::find_leaf(double t) {
   return *cell;
 }
 
-const ClockCell* LegClock::wider(const ClockCell& cell) {
+const ClockCell* LegClock::wider(const ClockPlace& cell) {
   return cell.level > 0 ? &at_level(cell.level - 1, cell.index / 2) : nullptr;
 }
 
@@ -177,16 +176,10 @@ void LegClock::evaluate(double t) {
   cached_ = true;
   const ClockCell& here = cell(t);
   if (!here.sharp) return evaluate_exactly(t);
-  const FrameModel& m = here.model;
-  fill(pp_, 1, m, 0, t);
-  fill(qq_, 1, m, 2, t);
-  fill(pp_, 3, m, 4, t);
-  for (int k = 3; k < 5; ++k) {
-    qq_.f[k] = pp_.f[k];
-    qq_.d[k] = pp_.d[k];
-  }
-  measure(pp_, m, 0);
-  measure(qq_, m, 2);
+  double value[FrameModel::functions], slope[FrameModel::functions];
+  here.model.evaluate(t, value, slope);
+  assemble(pp_, here.model, 0, value, slope);
+  if (!leg_->translation) assemble(qq_, here.model, 2, value, slope);
 }
 
 }  // namespace taut

@@ -10,13 +10,17 @@
 
 namespace taut {
 
-/// A dyadic part of a leg's interval, with a model of the frame over it.
-struct ClockCell {
-  int level;            ///< the leg is cut into 2^level parts,
-  std::uint64_t index;  ///< and this is one of them
-  double start, end;
-  bool leaf;   ///< fine enough: values come from this cell
-  bool sharp;  ///< the model's values are good; if not, the frame itself is evaluated
+/// A dyadic part of a leg's interval.
+struct ClockPlace {
+  int level = 0;            ///< the leg is cut into 2^level parts,
+  std::uint64_t index = 0;  ///< and this is one of them
+  double start = 0, end = 0;
+  bool leaf = false;   ///< fine enough: values come from this cell
+  bool sharp = false;  ///< the model's values are good; if not, the frame itself is evaluated
+};
+
+/// The same with a model of the frame over it.
+struct ClockCell : ClockPlace {
   FrameModel model;
   FastCurvature pp, qq;
 
@@ -26,8 +30,7 @@ struct ClockCell {
 
 /// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
 /// asks for: cells shrink towards an instant at which the motion is singular. Cells are made when first used, and the
-/// last ones are kept, so that memory does not depend on
-/// the leg.
+/// last ones are kept, so that memory does not depend on the leg.
 class LegClock {
  public:
   /// Prepares a leg; the reference must stay valid.
@@ -36,12 +39,12 @@ class LegClock {
   /// Functions at parameter t (remembers the last instant).
   const FastSide& at(double t, bool pp) {
     if (t != cached_t_ || !cached_) evaluate(t);
-    return pp ? pp_ : qq_;
+    return pp || leg_->translation ? pp_ : qq_;
   }
   /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
   const ClockCell& cell(double t);
   /// The next larger cell around this one; none around the whole leg.
-  const ClockCell* wider(const ClockCell& cell);
+  const ClockCell* wider(const ClockPlace& cell);
 
  private:
   /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
@@ -66,7 +69,7 @@ class LegClock {
   int level_ = 0;  ///< of the leaf last used, with its place
   std::uint64_t index_ = 0;
   double last_start_ = 0, last_end_ = 0;
-  FastSide pp_{}, qq_{};
+  FastSide pp_{}, qq_{};  ///< the first one serves both on a translation
   /// Which cell lies in which slot. The cells' memory is not touched before it is used.
   std::array<std::uint64_t, own + scattered> keys_{};
   std::unique_ptr<ClockCell[]> cells_{new ClockCell[own + scattered]};

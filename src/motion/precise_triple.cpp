@@ -20,7 +20,7 @@ Ball<Real> as_ball(const PreciseTime& t) {
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
-    return PreciseFunction<Real>(leg_, geometry_, triple_, measure_)(as_ball<Real>(t)).v.sign();
+    return PreciseFunction<Real>(leg_, geometry_, triple_, measure_).value(as_ball<Real>(t)).sign();
   });
 }
 

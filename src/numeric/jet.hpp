@@ -89,33 +89,58 @@ struct BallPolynomial {
   const Ball<Real>& operator[](std::size_t k) const { return c[k]; }
 };
 
+namespace detail {
+
+/// c becomes the coefficients about `middle`.
+template <class Real>
+void expand_about(BallPolynomial<Real>& c, const Ball<Real>& middle) {
+  for (std::size_t k = 0; k + 1 < c.size; ++k) {
+    for (std::size_t i = c.size - 1; i-- > k;) c[i] = c[i] + c[i + 1] * middle;
+  }
+}
+
+/// The range of a derivative of sum c_k h^k over |h| <= r: even powers are on one side only.
+template <class Real>
+Ball<Real> range_about_zero(const BallPolynomial<Real>& c, std::size_t derivative, double r) {
+  using B = Ball<Real>;
+  B sum = B::exact(0);
+  double power = 1;  // r^(k - derivative)
+  for (std::size_t k = derivative; k < c.size; ++k) {
+    double factor = 1;
+    for (std::size_t i = 0; i < derivative; ++i) factor *= static_cast<double>(k - i);
+    const std::size_t e = k - derivative;
+    // The range of h^e.
+    B step = B::exact(1);
+    if (e % 2 == 1) step = B(Real(0), power);
+    if (e > 0 && e % 2 == 0) step = B(Real(power / 2), power / 2 * (1 + 0x1p-40));
+    sum = sum + (e == 0 ? c[k] : c[k] * step) * factor;
+    power = inflate(power * r);
+  }
+  return sum;
+}
+
+}  // namespace detail
+
 /// A polynomial given by balls (ascending) over the ball t. It is expanded about the middle first, so that the range is
-/// tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k, even powers on one side only.
+/// tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k.
 template <class Real>
 Jet<Real> polynomial_range(BallPolynomial<Real> c, const Ball<Real>& t) {
-  using B = Ball<Real>;
-  const std::size_t n = c.size;
-  const B middle(t.mid, 0.0);
-  for (std::size_t k = 0; k + 1 < n; ++k) {
-    for (std::size_t i = n - 1; i-- > k;) c[i] = c[i] + c[i + 1] * middle;
+  detail::expand_about(c, Ball<Real>(t.mid, 0.0));
+  return {detail::range_about_zero(c, 0, t.rad), detail::range_about_zero(c, 1, t.rad),
+          detail::range_about_zero(c, 2, t.rad)};
+}
+
+/// Its value alone.
+template <class Real>
+Ball<Real> polynomial_value(const BallPolynomial<Real>& c, const Ball<Real>& t) {
+  if (t.rad == 0) {
+    Ball<Real> v = c[c.size - 1];
+    for (std::size_t k = c.size - 1; k-- > 0;) v = v * t + c[k];
+    return v;
   }
-  const auto range = [&](std::size_t derivative) {
-    B sum = B::exact(0);
-    double power = 1;  // r^(k - derivative)
-    for (std::size_t k = derivative; k < n; ++k) {
-      double factor = 1;
-      for (std::size_t i = 0; i < derivative; ++i) factor *= static_cast<double>(k - i);
-      const std::size_t e = k - derivative;
-      // The range of (t - m)^e.
-      B step = B::exact(1);
-      if (e % 2 == 1) step = B(Real(0), power);
-      if (e > 0 && e % 2 == 0) step = B(Real(power / 2), power / 2 * (1 + 0x1p-40));
-      sum = sum + c[k] * step * factor;
-      power = detail::inflate(power * t.rad);
-    }
-    return sum;
-  };
-  return {range(0), range(1), range(2)};
+  BallPolynomial<Real> about = c;
+  detail::expand_about(about, Ball<Real>(t.mid, 0.0));
+  return detail::range_about_zero(about, 0, t.rad);
 }
 
 }  // namespace taut

@@ -20,6 +20,16 @@ struct RootEnclosure {
 
 namespace detail {
 
+/// The value alone, where the function has a cheaper way to it.
+template <class Function, class Real>
+Ball<Real> value_of(const Function& f, const Ball<Real>& t) {
+  if constexpr (requires { f.value(t); }) {
+    return f.value(t);
+  } else {
+    return f(t).v;
+  }
+}
+
 /// The range over [a, b] by the better of three forms: direct, mean value, and second order about the middle.
 template <class Real>
 int sign_over(const Jet<Real>& wide, const Jet<Real>& at_middle, double reach) {
@@ -60,7 +70,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
       excluded =
           wide.v.sign() == sign || slope == sign || detail::sign_over(wide, f(B(whole.mid, 0.0)), whole.rad) == sign;
       if (!excluded && slope == -sign) {
-        const int at_end = f(B(hi, 0.0)).v.sign();
+        const int at_end = detail::value_of(f, B(hi, 0.0)).sign();
         if (at_end == -sign) return RootEnclosure<Real>{lo, hi};
         excluded = at_end == sign;
       }
@@ -84,7 +94,7 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r) {
   for (int step = 0; step < 4000; ++step) {
     const B whole = B::between(r.lo, r.hi);
     const B slope = f(whole).d;
-    const B value = f(B(whole.mid, 0.0)).v;
+    const B value = detail::value_of(f, B(whole.mid, 0.0));
     const Real before = r.hi - r.lo;
     bool halved = false;
     if (const int s = value.sign()) {

@@ -82,15 +82,6 @@ bool FrameWindow::make_smooth() {
   return true;
 }
 
-void FrameWindow::fill(FrameSample& s, int varying, double t) const {
-  s.f[0] = 1;
-  for (int i = 1; i < 5; ++i) {
-    const int k = i < 3 ? varying + i - 1 : i + 1;
-    model_.evaluate(k, t, s.f[i], s.d[i]);
-    s.error[i] = model_.error[k];
-    s.error_d[i] = model_.error_d[k];
-  }
-}
 
 void FrameWindow::evaluate(double t) {
   cached_ = t;
@@ -100,8 +91,20 @@ void FrameWindow::evaluate(double t) {
     qq_ = sample_of(f.for_qq);
     return;
   }
-  fill(pp_, 0, t);
-  fill(qq_, 2, t);
+  double value[FrameModel::functions], slope[FrameModel::functions];
+  model_.evaluate(t, value, slope);
+  const auto fill = [&](FrameSample& s, int varying) {
+    s.f[0] = 1;
+    for (int i = 1; i < 5; ++i) {
+      const int k = i < 3 ? varying + i - 1 : i + 1;
+      s.f[i] = value[k];
+      s.d[i] = slope[k];
+      s.error[i] = model_.error[k];
+      s.error_d[i] = model_.error_d[k];
+    }
+  };
+  fill(pp_, 0);
+  fill(qq_, 2);
 }
 
 }  // namespace taut::spacetime

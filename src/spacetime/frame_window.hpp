@@ -45,7 +45,6 @@ class FrameWindow {
   void make_bridge();
   bool make_range();
   void evaluate(double t);
-  void fill(FrameSample& sample, int varying, double t) const;
 
   const Leg* leg_;
   double start_, end_;

@@ -35,10 +35,13 @@ struct Expanded {
   double rest = 0, error = 0;
 };
 
-Expanded expanded(const double* cx, const double* cy, int n, double h, double r) {
+/// The polynomials' coefficients begin at cx and cy, `stride` apart.
+Expanded expanded(const double* cx, const double* cy, int stride, int n, double h, double r) {
   double x[max_degree + 1] = {}, y[max_degree + 1] = {};
-  std::copy(cx, cx + n, x);
-  std::copy(cy, cy + n, y);
+  for (int k = 0; k < n; ++k) {
+    x[k] = cx[k * stride];
+    y[k] = cy[k * stride];
+  }
   Expanded e;
   e.rest = e.error = expand(x, n, h, r) + expand(y, n, h, r);
   e.path = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}};
@@ -85,7 +88,7 @@ RawCarriage seen_from_q(const Path& moving, double error, const Path& turn, doub
 
 /// Functions i and i + 1 of the window's model.
 Expanded from_model(const FrameModel& m, int i, double h, double r) {
-  Expanded e = expanded(m.c[i], m.c[i + 1], m.terms, h, r);
+  Expanded e = expanded(&m.c[0][i], &m.c[0][i + 1], FrameModel::functions, m.terms, h, r);
   e.error += m.error[i] + m.error[i + 1] + expansion_rounding * (m.size[i] + m.size[i + 1]);
   return e;
 }
@@ -131,7 +134,7 @@ TranslationPolynomial::TranslationPolynomial(const Leg& leg) {
 Stretch Stretch::of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end) {
   Stretch out;
   set_interval(out, start, end);
-  const Expanded e = expanded(polynomial.x, polynomial.y, polynomial.size, out.middle, out.r);
+  const Expanded e = expanded(polynomial.x, polynomial.y, 1, polynomial.size, out.middle, out.r);
   const double farthest = std::fabs(out.middle) + out.r;
   double terms = 0;
   for (int k = polynomial.size; k-- > 0;) terms = terms * farthest + polynomial.magnitude[k];
