@@ -82,7 +82,6 @@ bool FrameWindow::make_smooth() {
   return true;
 }
 
-
 void FrameWindow::evaluate(double t) {
   cached_ = t;
   if (leg_->bridge) {
