@@ -1,5 +1,7 @@
 #include "motion/leg.hpp"
 
+#include <cmath>
+
 #include "numeric/exact_sum.hpp"
 
 namespace taut {
@@ -16,6 +18,30 @@ bool same_rotation(const Rotation& a, const Rotation& b) {
   return true;
 }
 
+bool singular_at(const CosineRotation& rotation, double end) {
+  const Coefficients& a = rotation.a;
+  if (a.size() < 2) return false;
+  if (end == 0) return std::fabs(a[0]) == 1;
+  if (a.size() > 2) return false;
+  for (const double e : {1.0, -1.0}) {
+    ExactSum<4> distance;
+    distance.add(a[0]);
+    distance.add_product(a[1], end);
+    distance.add(-e);
+    if (distance.is_zero()) return true;
+  }
+  return false;
+}
+
+bool Leg::singular_at(double t) const {
+  if (bridge) return false;
+  for (const MotionPiece* piece : {&p, &q}) {
+    const auto* c = std::get_if<CosineRotation>(&piece->rotation);
+    if (c && taut::singular_at(*c, t)) return true;
+  }
+  return false;
+}
+
 namespace {
 
 double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
@@ -28,8 +54,8 @@ void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re
 }
 
 /// The parts that depend on how the bodies turn; most scenes have one that does not.
-template <class J>
-void turning_frame(const Leg& leg, const Ball<typename J::Number>& t, const J& dx, const J& dy, FrameOf<J>& f) {
+template <class J, class Time>
+void turning_frame(const Leg& leg, const Time& t, const J& dx, const J& dy, FrameOf<J>& f) {
   J px, py, qx, qy;
   const bool p_turns = turns(leg.p), q_turns = turns(leg.q);
   if (p_turns) {
@@ -63,8 +89,8 @@ void turning_frame(const Leg& leg, const Ball<typename J::Number>& t, const J& d
   }
 }
 
-template <class J>
-FrameOf<J> motion_frame(const Leg& leg, const Ball<typename J::Number>& t) {
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
   FrameOf<J> f;
   const bool shifted = leg.shift_p || leg.shift_q;
   J dx, dy;
@@ -184,6 +210,10 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(le
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
+
+Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t) { return motion_frame<Jet<Real320>>(leg, t); }
+Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t) { return motion_frame<Jet<Real640>>(leg, t); }
+Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t) { return motion_frame<Jet<Real960>>(leg, t); }
 
 FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t) { return any_values(leg, t); }
 FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { return any_values(leg, t); }

@@ -55,6 +55,8 @@ struct Leg {
   static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
                       double joint);
 
+  /// Does a body turn with infinite speed at that end of the leg, in a way that TimeFromEnd makes smooth?
+  bool singular_at(double end) const;
   /// The time of the world at this parameter.
   double time(double parameter) const { return bridge ? joint : parameter; }
 };
@@ -64,6 +66,10 @@ Frame<double> frame(const Leg& leg, const Ball<double>& t);
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
+/// The same as functions of s, at an end at which the leg is singular.
+Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t);
+Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t);
+Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t);
 FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t);
 FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);

@@ -62,6 +62,11 @@ class PreciseFunction {
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
+  /// The same as a function of the distance's root from a singular end.
+  Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
+    const Frame<Real> f = frame(leg_, t);
+    return combine(pp_ ? f.for_pp : f.for_qq);
+  }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
     if (leg_.translation) return polynomial_value(polynomial_, t);

@@ -21,9 +21,42 @@ struct VaryingPart {
   double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
 };
 
-/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>.
-template <class J>
-void rotation_jet(const Rotation& rotation, const Ball<typename J::Number>& t, J& xx, J& xy) {
+/// A polynomial divided by t, its constant dropped.
+struct Quotient {
+  const Coefficients& whole;
+  std::size_t size() const { return whole.empty() ? 0 : whole.size() - 1; }
+  double operator[](std::size_t k) const { return whole[k + 1]; }
+};
+
+/// Is the cosine exactly 1 or -1 at `end`, and can it be divided by the distance from there without rounding? Then the
+/// angle starts, or ends, with infinite speed.
+bool singular_at(const CosineRotation& rotation, double end);
+
+/// sqrt(1 - c^2) for a cosine c that is singular at that end: with c = e + h r, where e is 1 or -1 and h = t - end, it
+/// is sqrt(-e h r (2 + e h r)), and h is direction * s^2.
+template <class Real>
+void cosine_from_end(const CosineRotation& rotation, const TimeFromEnd<Real>& t, Jet<Real>& xx, Jet<Real>& xy) {
+  using J = Jet<Real>;
+  const J s{t.s, Ball<Real>::exact(1), Ball<Real>::exact(0)};
+  // By singular_at(), either the end is 0 or c is linear: r is the same polynomial about both.
+  const J r = J::polynomial(Quotient{rotation.a}, t);
+  const J change = s * s * r * Ball<Real>::exact(t.direction);
+  const double e = rotation.a[0] + t.end * (rotation.a.size() > 1 ? rotation.a[1] : 0) > 0 ? 1 : -1;
+  xx = J::constant(e) + change;
+  const J two = J::constant(2.0);
+  xy = s * sqrt(r * (two + change * Ball<Real>::exact(e)) * Ball<Real>::exact(-e * t.direction)) *
+       Ball<Real>::exact(t.direction);
+}
+template <class J, class Time>
+void cosine_from_end(const CosineRotation&, const Time&, J&, J&) {}
+
+/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>, and the time a ball or, for jets, TimeFromEnd.
+template <class J, class Time>
+void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
+  if constexpr (requires { t.direction; }) {
+    const auto* c = std::get_if<CosineRotation>(&rotation);
+    if (c && singular_at(*c, t.end)) return cosine_from_end(*c, t, xx, xy);
+  }
   if (const auto* r = std::get_if<AngleRotation>(&rotation)) {
     sin_cos(J::polynomial(r->angle, t), xy, xx);
   } else if (const auto* d = std::get_if<DirectionRotation>(&rotation)) {

@@ -9,6 +9,15 @@
 
 namespace taut {
 
+/// A time given by its distance from an end at which the motion is singular: t = end + direction s^2, where direction
+/// is 1 and s >= 0 after it, -1 and s <= 0 before it. What moves like the root of the distance is smooth in s.
+template <class Real>
+struct TimeFromEnd {
+  double end;
+  double direction;
+  Ball<Real> s;
+};
+
 /// f, f' and f'' over a ball of times: if t is a ball, each member encloses the range over it.
 template <class Real>
 struct Jet {
@@ -29,6 +38,16 @@ struct Jet {
       v = v * t + B::exact(c[i]);
     }
     return {v, d, dd * 2.0};
+  }
+  /// The same as a function of s.
+  template <class Coefficients>
+  static Jet polynomial(const Coefficients& c, const TimeFromEnd<Real>& at) {
+    using B = Ball<Real>;
+    const B twice = at.s * (2 * at.direction);
+    const Jet t{B::exact(at.end) + at.s * at.s * at.direction, twice, B::exact(2 * at.direction)};
+    Jet sum = constant(0.0);
+    for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + constant(c[i]);
+    return sum;
   }
 };
 

@@ -113,6 +113,39 @@ TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
   }
 }
 
+/// Both ways to the same function: g(s) = f(end + direction s^2), so g' = 2 direction s f'.
+TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
+  Rng rng(7);
+  for (int i = 0; i < 400; ++i) {
+    const PairGeometry g = random_pair(rng);
+    MotionPiece p = random_piece(rng);
+    const bool at_start = rng.chance(0.5), linear = rng.chance(0.5);
+    const double e = rng.chance(0.5) ? 1 : -1, change = -e * rng.real(0.1, 0.5);
+    // |c| = 1 at the end; a linear cosine may have its end anywhere.
+    const double end = linear ? 0.75 : 0, direction = at_start ? 1 : -1, slope = direction * change;
+    p.rotation = CosineRotation{linear ? Coefficients{e - slope * end, slope}
+                                       : Coefficients{e, slope, rng.real(-0.05, 0.05), rng.real(-0.05, 0.05)}};
+    const Leg leg =
+        at_start ? Leg::motion(p, random_piece(rng), end, end + 1) : Leg::motion(p, random_piece(rng), end - 1, end);
+    if (!leg.singular_at(end)) {
+      EXPECT_TRUE(linear);  // rounding in e - slope * end
+      continue;
+    }
+    const PreciseFunction<Real320> f(leg, g, MixedTriple::of(g, VertexId(0), VertexId(1), VertexId(6)));
+    const double s = direction * rng.real(0.01, 0.9);
+    const Ball<Real320> exact = Ball<Real320>::exact(s), square = exact * exact;
+    const Jet<Real320> in_t = f(square * direction + Ball<Real320>::exact(end));
+    const Jet<Real320> in_s = f(TimeFromEnd<Real320>{end, direction, exact});
+    EXPECT_EQ((in_t.v - in_s.v).sign(), 0);
+    EXPECT_EQ((in_t.d * (2 * direction * s) - in_s.d).sign(), 0);
+    EXPECT_EQ((in_t.dd * square * 4.0 + in_t.d * (2 * direction) - in_s.dd).sign(), 0);
+    EXPECT_LT(in_s.v.rad + in_s.d.rad + in_s.dd.rad, 1e-80);
+    // At the end itself everything is finite, where in t the slope is not.
+    const Jet<Real320> there = f(TimeFromEnd<Real320>{end, direction, Ball<Real320>::exact(0)});
+    EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
+  }
+}
+
 TEST(Bridge, RunsFromTheOldPoseToTheNew) {
   Rng rng(6);
   for (int i = 0; i < 200; ++i) {
