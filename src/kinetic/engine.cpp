@@ -29,20 +29,19 @@ void Engine::build() {
   certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
   const std::size_t room = 2 * static_cast<std::size_t>(geometry_.size()) + 64;
   certificates_.reserve(room);
+  settled_.reserve(room);
   free_.reserve(room);
   queue_.reserve(room);
   scan_.reserve(64);
-  solver_.enter(leg());
   for (std::uint32_t i = 0; i < map_.halfedge_count(); ++i) {
     const HalfedgeId h(i);
     if (!map_.alive(h) || !is_mixed_corner(h)) continue;
-    const CertificateId id = add_certificate(h);
-    Certificate& c = certificates_[id.value];
+    Certificate& c = certificates_[add_certificate(h).value];
     c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
-    solver_.start(c);
-    queue_.update(id);
   }
   initial_ = max_active_ = active_;
+  begin_plan();
+  enter_leg();
   solver_.expect(active_);
 }
 
@@ -57,6 +56,7 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   if (free_.empty()) {
     id = CertificateId(certificates_.size());
     certificates_.emplace_back();
+    settled_.push_back(Settled::no);
   } else {
     id = free_.back();
     free_.pop_back();
@@ -101,6 +101,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
     id = add_certificate(h);
   }
   solver_.start_at(certificates_[id.value], now);
+  settled_[id.value] = Settled::no;
   queue_.update(id);
 }
 
@@ -187,11 +188,62 @@ void Engine::enter_leg() {
   queue_.clear();
   solver_.enter(leg());
   for (std::size_t i = 0; i < certificates_.size(); ++i) {
+    if (settled_[i] == Settled::no && certificates_[i].corner.valid()) schedule(CertificateId(i));
+  }
+}
+
+/// Starts a certificate on the leg that begins.
+void Engine::schedule(CertificateId id) {
+  Certificate& c = certificates_[id.value];
+  if (!to_the_end_.empty() &&
+      to_the_end_[current_].keeps_sign(geometry_, MixedTriple::of(geometry_, c.u, c.v, c.w), c.sign)) {
+    solver_.rest(c);
+    settled_[id.value] = Settled::in_plan;
+    return;
+  }
+  solver_.start(c);
+  queue_.update(id);
+}
+
+/// At each joint every certificate of the active set is due. Most of them hold over the whole plan, and show it by the
+/// range in which the motion stays. Plans that are changed on the way often stay in the range of those before.
+void Engine::begin_plan() {
+  constexpr std::size_t few_certificates = 64;
+  to_the_end_.clear();
+  if (active_ >= few_certificates) to_the_end_ = ranges_to_the_end(legs_);
+  if (!to_the_end_.empty() && settled_range_ && settled_range_->contains(to_the_end_[0])) {
+    for (Settled& s : settled_) {
+      if (s == Settled::in_plan) s = Settled::no;
+    }
+    return;
+  }
+  std::fill(settled_.begin(), settled_.end(), Settled::no);
+  if (to_the_end_.empty()) {
+    settled_range_.reset();
+    return;
+  }
+  const bool before = settled_range_.has_value();
+  if (before) {
+    settled_range_->include(to_the_end_[0]);
+    if (settle_in(*settled_range_) >= active_ / 2) return;
+  }
+  settled_range_ = to_the_end_[0];
+  settle_in(*settled_range_);
+}
+
+/// Marks the certificates that hold wherever the motion stays in the range, and counts them.
+std::size_t Engine::settle_in(const PlanRange& range) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < certificates_.size(); ++i) {
     Certificate& c = certificates_[i];
     if (!c.corner.valid()) continue;
-    solver_.start(c);
-    queue_.update(CertificateId(i));
+    const bool holds = range.keeps_sign(geometry_, MixedTriple::of(geometry_, c.u, c.v, c.w), c.sign);
+    settled_[i] = holds ? Settled::in_range : Settled::no;
+    if (!holds) continue;
+    solver_.rest(c);
+    ++count;
   }
+  return count;
 }
 
 double Engine::proved_until() const {
@@ -204,6 +256,7 @@ void Engine::replan(std::vector<Leg> legs) {
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
+  begin_plan();
   enter_leg();
 }
 
@@ -263,7 +316,8 @@ void Engine::process(CertificateId id) {
 
 std::size_t Engine::bytes() const {
   return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
-         certificates_.capacity() * sizeof(Certificate) + (free_.capacity() + certificate_of_.capacity()) * 4 +
+         certificates_.capacity() * sizeof(Certificate) + settled_.capacity() +
+         to_the_end_.capacity() * sizeof(PlanRange) + (free_.capacity() + certificate_of_.capacity()) * 4 +
          queue_.bytes() + solver_.bytes();
 }
 

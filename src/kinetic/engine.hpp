@@ -6,6 +6,7 @@
 
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
+#include "motion/plan_range.hpp"
 #include "tiling/static_tiling.hpp"
 
 namespace taut {
@@ -95,7 +96,17 @@ class Engine {
   void drop_corner(HalfedgeId h);
   bool is_mixed_corner(HalfedgeId h) const;
   CertificateId add_certificate(HalfedgeId h);
+  void begin_plan();
+  std::size_t settle_in(const PlanRange& range);
   void enter_leg();
+  void schedule(CertificateId id);
+
+  /// For how long a certificate needs no look when a leg begins.
+  enum class Settled : std::uint8_t {
+    no,
+    in_plan,   ///< it holds over the rest of the present plan
+    in_range,  ///< it holds wherever the motion stays in settled_range_
+  };
 
   PairGeometry geometry_;
   std::vector<Leg> legs_;
@@ -105,8 +116,11 @@ class Engine {
   FailureSolver solver_;
   std::vector<Certificate> certificates_;
   std::vector<CertificateId> free_;
+  std::vector<Settled> settled_;               ///< by certificate
   std::vector<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
+  std::vector<PlanRange> to_the_end_;  ///< by leg; empty where joints are few or certificates are
+  std::optional<PlanRange> settled_range_;
   std::vector<std::size_t> scan_;
   CertificateId next_;
   double parameter_ = 0;

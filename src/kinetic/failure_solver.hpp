@@ -64,6 +64,12 @@ class FailureSolver {
   const StageCounts& counts() const { return counts_; }
   const std::vector<PreciseTime>& pool() const { return pool_; }
 
+  /// A certificate that cannot fail.
+  void rest(Certificate& c) {
+    release(c);
+    c.kind = FailureKind::not_before;
+    c.lo = never;
+  }
   /// Starts a certificate whose sign is known to hold at the leg's start.
   void start(Certificate& c);
   /// Starts a new certificate just after `now`; finds its sign.

@@ -9,6 +9,7 @@
 #include "motion/mixed_function.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
+#include "motion/plan_range.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -144,6 +145,34 @@ TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     const Jet<Real320> there = f(TimeFromEnd<Real320>{end, direction, Ball<Real320>::exact(0)});
     EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
   }
+}
+
+TEST(PlanRange, SaysTheSignOverTheWholePlanOrNothing) {
+  Rng rng(8);
+  int kept = 0;
+  for (int i = 0; i < 500; ++i) {
+    const PairGeometry g = random_pair(rng);
+    const MotionPiece p = random_piece(rng), q = random_piece(rng), next = random_piece(rng);
+    const double length = rng.real(0.01, 0.3);
+    const std::vector<Leg> legs{Leg::motion(p, q, 0, length), Leg::bridging(p, q, next, q, length),
+                                Leg::motion(next, q, length, 2 * length)};
+    const std::vector<PlanRange> ranges = ranges_to_the_end(legs);
+    EXPECT_TRUE(ranges[0].contains(ranges[1]) && ranges[1].contains(ranges[2]));
+    for (int k = 0; k < 10; ++k) {
+      const MixedTriple triple = MixedTriple::of(g, VertexId(rng.below(4)), VertexId(4 + rng.below(2)), VertexId(6));
+      for (std::size_t from = 0; from < legs.size(); ++from) {
+        for (const int sign : {1, -1}) {
+          if (!ranges[from].keeps_sign(g, triple, sign)) continue;
+          ++kept;
+          for (std::size_t j = from; j < legs.size(); ++j) {
+            const Ball<Real320> t = Ball<Real320>::exact(rng.real(legs[j].start, legs[j].end));
+            EXPECT_EQ(PreciseFunction<Real320>(legs[j], g, triple)(t).v.sign(), sign);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 1000);
 }
 
 TEST(Bridge, RunsFromTheOldPoseToTheNew) {

@@ -1,0 +1,106 @@
+#include "motion/plan_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Parts of a leg whose ranges are taken one by one: of curved motions, the range over the whole leg would be too wide.
+int parts_of(const Leg& leg) {
+  if (leg.bridge || (leg.translation && leg.degree <= 1)) return 1;
+  return leg.translation ? std::max(8, 2 * leg.degree) : 16;
+}
+
+/// The range within r of the middle by Taylor's formula.
+Ball<double> second_order(const Jet<double>& middle, const Ball<double>& bend, double r) {
+  const Ball<double> step(0, r), half_square = Ball<double>::between(0, r * r / 2 * (1 + 0x1p-50));
+  return middle.v + middle.d * step + bend * half_square;
+}
+
+const Ball<double>& tighter(const Ball<double>& a, const Ball<double>& b) { return b.rad < a.rad ? b : a; }
+
+double known_or(double bound, double otherwise) { return std::isnan(bound) ? otherwise : bound; }
+
+}  // namespace
+
+PlanRange PlanRange::over(const Leg& leg) {
+  Leg plain = leg;
+  plain.shift_p = plain.shift_q = false;
+  PlanRange range;
+  const int parts = parts_of(leg);
+  const auto at = [&](int k) { return k == parts ? leg.end : leg.start + (leg.end - leg.start) * k / parts; };
+  for (int k = 0; k < parts; ++k) {
+    const Ball<double> whole = Ball<double>::between(at(k), at(k + 1));
+    const Frame<double> over = frame(plain, whole), middle = frame(plain, Ball<double>::exact(whole.mid));
+    PlanRange part;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
+                                     const std::array<Jet<double>, 5>& o) {
+        const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
+        side.lo[i] = known_or(v.lower(), -INFINITY);
+        side.hi[i] = known_or(v.upper(), INFINITY);
+      };
+      bound(part.pp_, middle.for_pp, over.for_pp);
+      bound(part.qq_, middle.for_qq, over.for_qq);
+    }
+    if (k == 0) {
+      range = part;
+    } else {
+      range.include(part);
+    }
+  }
+  return range;
+}
+
+void PlanRange::include(const PlanRange& other) {
+  const auto merge = [](Side& a, const Side& b) {
+    for (int i = 0; i < 5; ++i) {
+      a.lo[i] = std::min(a.lo[i], b.lo[i]);
+      a.hi[i] = std::max(a.hi[i], b.hi[i]);
+    }
+  };
+  merge(pp_, other.pp_);
+  merge(qq_, other.qq_);
+}
+
+bool PlanRange::contains(const PlanRange& other) const {
+  const auto holds = [](const Side& a, const Side& b) {
+    for (int i = 0; i < 5; ++i) {
+      if (!(a.lo[i] <= b.lo[i] && b.hi[i] <= a.hi[i])) return false;
+    }
+    return true;
+  };
+  return holds(pp_, other.pp_) && holds(qq_, other.qq_);
+}
+
+bool PlanRange::keeps_sign(const PairGeometry& g, const MixedTriple& triple, int sign) const {
+  const DisplacedPoint &a = g.point(triple.a), &b = g.point(triple.b), &c = g.point(triple.c);
+  const double ex = b.x - a.x, ey = b.y - a.y, side = triple.pp ? 1 : -1;
+  // As in FastFunction::level_zero, where no body's coordinates are shifted.
+  const double f[5] = {ey * a.x - ex * a.y, -ey * side, ex * side, ex * c.y - ey * c.x, (ex * c.x + ey * c.y) * side};
+  const double w = std::fabs(ex) + std::fabs(ey);
+  const double size[5] = {w * (std::fabs(a.x) + std::fabs(a.y)), w, w, w * (std::fabs(c.x) + std::fabs(c.y)),
+                          w * (std::fabs(c.x) + std::fabs(c.y))};
+  const Side& range = triple.pp ? pp_ : qq_;
+  double least = 0, error = 0, reach = 1;
+  for (int i = 0; i < 5; ++i) {
+    const double v = sign * f[i], lo = range.lo[i], hi = range.hi[i], farthest = std::max(-lo, hi);
+    least += v > 0 ? v * lo : v * hi;
+    error += size[i] * farthest;
+    reach += farthest;
+  }
+  // 2^-48 covers the rounding; the displacement moves points by 2^-158 of their scale at most.
+  return least > 0x1p-48 * error + 0x1p-140 * reach;
+}
+
+std::vector<PlanRange> ranges_to_the_end(const std::vector<Leg>& legs) {
+  std::vector<PlanRange> ranges(legs.size());
+  for (std::size_t i = legs.size(); i-- > 0;) {
+    ranges[i] = PlanRange::over(legs[i]);
+    if (i + 1 < legs.size()) ranges[i].include(ranges[i + 1]);
+  }
+  return ranges;
+}
+
+}  // namespace taut
