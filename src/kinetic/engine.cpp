@@ -30,6 +30,7 @@ void Engine::build() {
   const std::size_t room = 2 * static_cast<std::size_t>(geometry_.size()) + 64;
   certificates_.reserve(room);
   settled_.reserve(room);
+  settled_before_.reserve(room);
   free_.reserve(room);
   queue_.reserve(room);
   scan_.reserve(64);
@@ -40,7 +41,6 @@ void Engine::build() {
     c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
   }
   initial_ = max_active_ = active_;
-  begin_plan();
   enter_leg();
   solver_.expect(active_);
 }
@@ -56,7 +56,7 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   if (free_.empty()) {
     id = CertificateId(certificates_.size());
     certificates_.emplace_back();
-    settled_.push_back(Settled::no);
+    settled_.push_back(false);
   } else {
     id = free_.back();
     free_.pop_back();
@@ -101,7 +101,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
     id = add_certificate(h);
   }
   solver_.start_at(certificates_[id.value], now);
-  settled_[id.value] = Settled::no;
+  settled_[id.value] = false;
   queue_.update(id);
 }
 
@@ -159,9 +159,13 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
   while (state_ == EngineState::running) {
     const bool last = current_ + 1 == legs_.size();
     const double limit = leg().bridge ? leg().end : std::min(t, leg().end);
-    if (find_next(limit)) {
+    if (find_next(std::min(limit, settled_until_))) {
       const Certificate& c = certificates_[next_.value];
       return std::pair<double, double>(leg().time(c.lo), leg().time(c.hi));
+    }
+    if (settled_until_ < limit) {
+      leave_region();
+      continue;
     }
     if (!leg().bridge && leg().end > t) return std::nullopt;
     if (last) return std::nullopt;
@@ -183,72 +187,10 @@ bool Engine::step(double t) {
   return false;
 }
 
-void Engine::enter_leg() {
-  parameter_ = reached_ = leg().start;
-  queue_.clear();
-  solver_.enter(leg());
-  for (std::size_t i = 0; i < certificates_.size(); ++i) {
-    if (settled_[i] == Settled::no && certificates_[i].corner.valid()) schedule(CertificateId(i));
-  }
-}
-
-/// Starts a certificate on the leg that begins.
-void Engine::schedule(CertificateId id) {
-  Certificate& c = certificates_[id.value];
-  if (!to_the_end_.empty() &&
-      to_the_end_[current_].keeps_sign(geometry_, MixedTriple::of(geometry_, c.u, c.v, c.w), c.sign)) {
-    solver_.rest(c);
-    settled_[id.value] = Settled::in_plan;
-    return;
-  }
-  solver_.start(c);
-  queue_.update(id);
-}
-
-/// At each joint every certificate of the active set is due. Most of them hold over the whole plan, and show it by the
-/// range in which the motion stays. Plans that are changed on the way often stay in the range of those before.
-void Engine::begin_plan() {
-  constexpr std::size_t few_certificates = 64;
-  to_the_end_.clear();
-  if (active_ >= few_certificates) to_the_end_ = ranges_to_the_end(legs_);
-  if (!to_the_end_.empty() && settled_range_ && settled_range_->contains(to_the_end_[0])) {
-    for (Settled& s : settled_) {
-      if (s == Settled::in_plan) s = Settled::no;
-    }
-    return;
-  }
-  std::fill(settled_.begin(), settled_.end(), Settled::no);
-  if (to_the_end_.empty()) {
-    settled_range_.reset();
-    return;
-  }
-  const bool before = settled_range_.has_value();
-  if (before) {
-    settled_range_->include(to_the_end_[0]);
-    if (settle_in(*settled_range_) >= active_ / 2) return;
-  }
-  settled_range_ = to_the_end_[0];
-  settle_in(*settled_range_);
-}
-
-/// Marks the certificates that hold wherever the motion stays in the range, and counts them.
-std::size_t Engine::settle_in(const PlanRange& range) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < certificates_.size(); ++i) {
-    Certificate& c = certificates_[i];
-    if (!c.corner.valid()) continue;
-    const bool holds = range.keeps_sign(geometry_, MixedTriple::of(geometry_, c.u, c.v, c.w), c.sign);
-    settled_[i] = holds ? Settled::in_range : Settled::no;
-    if (!holds) continue;
-    solver_.rest(c);
-    ++count;
-  }
-  return count;
-}
-
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
-  const double first = queue_.empty() ? leg().end : std::min(queue_.top().key, leg().end);
+  const double settled = std::min(settled_until_, leg().end);
+  const double first = queue_.empty() ? settled : std::min(queue_.top().key, settled);
   return leg().time(std::max(first, reached_));
 }
 
@@ -256,7 +198,6 @@ void Engine::replan(std::vector<Leg> legs) {
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
-  begin_plan();
   enter_leg();
 }
 
@@ -317,8 +258,7 @@ void Engine::process(CertificateId id) {
 std::size_t Engine::bytes() const {
   return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
          certificates_.capacity() * sizeof(Certificate) + settled_.capacity() +
-         to_the_end_.capacity() * sizeof(PlanRange) + (free_.capacity() + certificate_of_.capacity()) * 4 +
-         queue_.bytes() + solver_.bytes();
+         (free_.capacity() + certificate_of_.capacity()) * 4 + queue_.bytes() + solver_.bytes();
 }
 
 }  // namespace taut

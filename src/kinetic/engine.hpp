@@ -96,17 +96,11 @@ class Engine {
   void drop_corner(HalfedgeId h);
   bool is_mixed_corner(HalfedgeId h) const;
   CertificateId add_certificate(HalfedgeId h);
-  void begin_plan();
-  std::size_t settle_in(const PlanRange& range);
   void enter_leg();
-  void schedule(CertificateId id);
-
-  /// For how long a certificate needs no look when a leg begins.
-  enum class Settled : std::uint8_t {
-    no,
-    in_plan,   ///< it holds over the rest of the present plan
-    in_range,  ///< it holds wherever the motion stays in settled_range_
-  };
+  void leave_region();
+  bool choose_region(double t);
+  bool accept(const PlanRange& region);
+  void settle(double t, bool all_due);
 
   PairGeometry geometry_;
   std::vector<Leg> legs_;
@@ -116,11 +110,14 @@ class Engine {
   FailureSolver solver_;
   std::vector<Certificate> certificates_;
   std::vector<CertificateId> free_;
-  std::vector<Settled> settled_;               ///< by certificate
+  std::vector<bool> settled_;                  ///< by certificate: it holds wherever the motion is in region_
   std::vector<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
-  std::vector<PlanRange> to_the_end_;  ///< by leg; empty where joints are few or certificates are
-  std::optional<PlanRange> settled_range_;
+  std::vector<bool> settled_before_;
+  std::optional<PlanRange> region_;
+  double settled_until_ = never;  ///< on the present leg: when the motion leaves the region
+  int regions_left_ = 0;          ///< on the present leg
+  int failures_ = 0, skip_ = 0;   ///< legs on which no region was found, and for how many none is looked for
   std::vector<std::size_t> scan_;
   CertificateId next_;
   double parameter_ = 0;

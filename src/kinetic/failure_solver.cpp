@@ -75,16 +75,16 @@ FailureSolver::Course FailureSolver::course(const FastFunction& f, double t) {
   return now;
 }
 
-void FailureSolver::start(Certificate& c) {
+void FailureSolver::start(Certificate& c, double t) {
   release(c);
   c.function = FastFunction::level_zero(leg(), geometry_, triple_of(c));
   c.kind = FailureKind::not_before;
-  c.lo = leg().start;
+  c.lo = t;
   if (c.lo >= leg().end) return set_not_before(c, c.lo);
   const Course now = course(c.function, c.lo);
   const int sign = sign_of(now.value, 0);
   if (sign == 0) return advance_hard(c, c.lo);
-  if (sign != c.sign) throw StructureError("a certificate is invalid at the start of a leg");
+  if (sign != c.sign) throw StructureError("a certificate is invalid where it is said to hold");
   advance_along(c, now);
 }
 

@@ -70,8 +70,8 @@ class FailureSolver {
     c.kind = FailureKind::not_before;
     c.lo = never;
   }
-  /// Starts a certificate whose sign is known to hold at the leg's start.
-  void start(Certificate& c);
+  /// Starts a certificate whose sign is known to hold at t.
+  void start(Certificate& c, double t);
   /// Starts a new certificate just after `now`; finds its sign.
   void start_at(Certificate& c, Now& now);
   /// Pushes the lower bound of a certificate forward, or isolates its failure.

@@ -90,9 +90,8 @@ void turning_frame(const Leg& leg, const Time& t, const J& dx, const J& dy, Fram
 }
 
 template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
+FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool shifted) {
   FrameOf<J> f;
-  const bool shifted = leg.shift_p || leg.shift_q;
   J dx, dy;
   if (shifted) {
     dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
@@ -139,6 +138,11 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   f.for_qq[3] = f.for_pp[3];
   f.for_qq[4] = f.for_pp[4];
   return f;
+}
+
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
+  return motion_frame<J>(leg, t, leg.shift_p || leg.shift_q);
 }
 
 template <class Real>
@@ -207,6 +211,9 @@ Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece&
 }
 
 Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(leg, t); }
+Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
+}
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }

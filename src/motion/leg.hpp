@@ -63,6 +63,8 @@ struct Leg {
 
 /// The frame over the ball t of the leg's parameter.
 Frame<double> frame(const Leg& leg, const Ball<double>& t);
+/// Without the shift of a body that does not turn: comparable between legs.
+Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);

@@ -24,33 +24,53 @@ double known_or(double bound, double otherwise) { return std::isnan(bound) ? oth
 
 }  // namespace
 
-PlanRange PlanRange::over(const Leg& leg) {
-  Leg plain = leg;
-  plain.shift_p = plain.shift_q = false;
+PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
+  const Ball<double> whole = Ball<double>::between(from, to);
+  const Frame<double> over = unshifted_frame(leg, whole), middle = unshifted_frame(leg, Ball<double>::exact(whole.mid));
   PlanRange range;
-  const int parts = parts_of(leg);
-  const auto at = [&](int k) { return k == parts ? leg.end : leg.start + (leg.end - leg.start) * k / parts; };
-  for (int k = 0; k < parts; ++k) {
-    const Ball<double> whole = Ball<double>::between(at(k), at(k + 1));
-    const Frame<double> over = frame(plain, whole), middle = frame(plain, Ball<double>::exact(whole.mid));
-    PlanRange part;
-    for (std::size_t i = 0; i < 5; ++i) {
-      const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
-                                     const std::array<Jet<double>, 5>& o) {
-        const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
-        side.lo[i] = known_or(v.lower(), -INFINITY);
-        side.hi[i] = known_or(v.upper(), INFINITY);
-      };
-      bound(part.pp_, middle.for_pp, over.for_pp);
-      bound(part.qq_, middle.for_qq, over.for_qq);
-    }
-    if (k == 0) {
-      range = part;
-    } else {
-      range.include(part);
-    }
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
+                                   const std::array<Jet<double>, 5>& o) {
+      const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
+      side.lo[i] = known_or(v.lower(), -INFINITY);
+      side.hi[i] = known_or(v.upper(), INFINITY);
+    };
+    bound(range.pp_, middle.for_pp, over.for_pp);
+    bound(range.qq_, middle.for_qq, over.for_qq);
   }
   return range;
+}
+
+PlanRange PlanRange::over(const Leg& leg, double from, double to) {
+  const int parts = parts_of(leg);
+  const auto at = [&](int k) { return k == parts ? to : from + (to - from) * k / parts; };
+  PlanRange range = over_part(leg, at(0), at(1));
+  for (int k = 1; k < parts; ++k) range.include(over_part(leg, at(k), at(k + 1)));
+  return range;
+}
+
+double PlanRange::left_at(const Leg& leg, double from) const {
+  constexpr int halvings = 12;
+  double reached = from, step = leg.end - from;
+  for (int k = 0; k <= halvings; ++k, step /= 2) {
+    // As far as it goes in steps of this length, but once in the finer ones: the step before was too long.
+    while (reached < leg.end && contains(over_part(leg, reached, std::min(reached + step, leg.end)))) {
+      reached = std::min(reached + step, leg.end);
+    }
+  }
+  return reached < leg.end ? reached : INFINITY;
+}
+
+PlanRange PlanRange::widened() const {
+  PlanRange wide = *this;
+  for (Side* side : {&wide.pp_, &wide.qq_}) {
+    for (int i = 0; i < 5; ++i) {
+      const double room = 0x1p-6 * (side->hi[i] - side->lo[i]) + 0x1p-45 * std::max(-side->lo[i], side->hi[i]);
+      side->lo[i] -= known_or(room, 0);
+      side->hi[i] += known_or(room, 0);
+    }
+  }
+  return wide;
 }
 
 void PlanRange::include(const PlanRange& other) {
@@ -92,15 +112,6 @@ bool PlanRange::keeps_sign(const PairGeometry& g, const MixedTriple& triple, int
   }
   // 2^-48 covers the rounding; the displacement moves points by 2^-158 of their scale at most.
   return least > 0x1p-48 * error + 0x1p-140 * reach;
-}
-
-std::vector<PlanRange> ranges_to_the_end(const std::vector<Leg>& legs) {
-  std::vector<PlanRange> ranges(legs.size());
-  for (std::size_t i = legs.size(); i-- > 0;) {
-    ranges[i] = PlanRange::over(legs[i]);
-    if (i + 1 < legs.size()) ranges[i].include(ranges[i + 1]);
-  }
-  return ranges;
 }
 
 }  // namespace taut

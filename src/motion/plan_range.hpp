@@ -1,7 +1,5 @@
-// Where the relative motion stays over a whole plan: corners that keep their sign there need no look at each joint.
+// Where the relative motion stays over some time, whatever the legs: corners that keep their sign there need no look.
 #pragma once
-
-#include <vector>
 
 #include "motion/mixed_function.hpp"
 
@@ -10,23 +8,27 @@ namespace taut {
 /// Ranges of the frame functions of Leg, without the shift. Bounds may be infinite; they are never NaN.
 class PlanRange {
  public:
-  static PlanRange over(const Leg& leg);
+  /// Over the part [from, to] of a leg.
+  static PlanRange over(const Leg& leg, double from, double to);
 
+  /// A little larger on all sides: its own extremes, with rounding, are well inside.
+  PlanRange widened() const;
   /// Grows to hold both.
   void include(const PlanRange& other);
   bool contains(const PlanRange& other) const;
+  /// Until when the motion stays inside from `from` on: a lower bound, not far below; `from` if it is not inside at
+  /// once, infinite if it stays until the leg's end.
+  double left_at(const Leg& leg, double from) const;
   /// Does the orientation of these vertices certainly have this sign wherever the motion stays in the range? The
   /// displacement is covered.
   bool keeps_sign(const PairGeometry& g, const MixedTriple& triple, int sign) const;
 
  private:
+  static PlanRange over_part(const Leg& leg, double from, double to);
   struct Side {
     double lo[5], hi[5];
   };
   Side pp_, qq_;
 };
-
-/// For each leg, the range over it and all that follow.
-std::vector<PlanRange> ranges_to_the_end(const std::vector<Leg>& legs);
 
 }  // namespace taut

@@ -156,18 +156,21 @@ TEST(PlanRange, SaysTheSignOverTheWholePlanOrNothing) {
     const double length = rng.real(0.01, 0.3);
     const std::vector<Leg> legs{Leg::motion(p, q, 0, length), Leg::bridging(p, q, next, q, length),
                                 Leg::motion(next, q, length, 2 * length)};
-    const std::vector<PlanRange> ranges = ranges_to_the_end(legs);
-    EXPECT_TRUE(ranges[0].contains(ranges[1]) && ranges[1].contains(ranges[2]));
+    PlanRange range = PlanRange::over(legs[0], legs[0].start, legs[0].end);
+    for (const Leg& leg : legs) range.include(PlanRange::over(leg, leg.start, leg.end));
+    range = range.widened();
+    for (const Leg& leg : legs) EXPECT_EQ(range.left_at(leg, leg.start), INFINITY);
+    const PlanRange half = PlanRange::over(legs[0], 0, length / 2).widened();
+    const double left = half.left_at(legs[0], 0);
+    EXPECT_TRUE(left >= length * 0.4 && half.contains(PlanRange::over(legs[0], left * 0.3, left * 0.7)));
     for (int k = 0; k < 10; ++k) {
       const MixedTriple triple = MixedTriple::of(g, VertexId(rng.below(4)), VertexId(4 + rng.below(2)), VertexId(6));
-      for (std::size_t from = 0; from < legs.size(); ++from) {
-        for (const int sign : {1, -1}) {
-          if (!ranges[from].keeps_sign(g, triple, sign)) continue;
-          ++kept;
-          for (std::size_t j = from; j < legs.size(); ++j) {
-            const Ball<Real320> t = Ball<Real320>::exact(rng.real(legs[j].start, legs[j].end));
-            EXPECT_EQ(PreciseFunction<Real320>(legs[j], g, triple)(t).v.sign(), sign);
-          }
+      for (const int sign : {1, -1}) {
+        if (!range.keeps_sign(g, triple, sign)) continue;
+        ++kept;
+        for (const Leg& leg : legs) {
+          const Ball<Real320> t = Ball<Real320>::exact(rng.real(leg.start, leg.end));
+          EXPECT_EQ(PreciseFunction<Real320>(leg, g, triple)(t).v.sign(), sign);
         }
       }
     }
