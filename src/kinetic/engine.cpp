@@ -239,12 +239,14 @@ void Engine::process(CertificateId id) {
     event.corner = c.corner;
     event.report = repair_reflex(map_, c.corner);
   }
-  parameter_ = now.hi;
+  // Enclosures of events that nearly coincide overlap; time does not go back.
+  const double entered = parameter_;
+  parameter_ = std::max(parameter_, now.hi);
   const RepairReport& report = event.report;
   if (report.repair == Repair::collision) {
     solver_.tighten(c);
     contact_ = EngineContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
-    parameter_ = c.lo;
+    parameter_ = std::max(entered, c.lo);
     state_ = EngineState::contact;
   } else {
     if (report.removed.valid()) {
