@@ -3,6 +3,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "io/json_text.hpp"
 #include "motion/placement.hpp"
 #include "numeric/interruption.hpp"
 #include "replan.hpp"
@@ -40,7 +41,8 @@ std::string contradiction(const Answer& first, const Answer& second) {
   if (!first.contact) return {};
   const Contact &a = *first.contact, &b = *second.contact;
   if (a.time.hi < b.time.lo || b.time.hi < a.time.lo)
-    return "contact at " + std::to_string(a.time.lo) + " against " + std::to_string(b.time.lo);
+    return "contact within " + io::array_text({a.time.lo, a.time.hi}) + " against " +
+           io::array_text({b.time.lo, b.time.hi});
   // At one instant, at the start or at a joint, bodies may touch in many places.
   if (a.time.lo == a.time.hi || b.time.lo == b.time.hi) return {};
   const bool same = a.vertex.body == b.vertex.body && a.vertex.index == b.vertex.index && a.edge.index == b.edge.index;

@@ -143,6 +143,22 @@ TEST(PlanChange, BetweenEventsThatNearlyCoincide) {
   EXPECT_NEAR(simulation.contact()->time.lo, whole.contact->time.lo, 1e-9);
 }
 
+TEST(PlanChange, AdvanceStandsAtTheTimeThatWasAsked) {
+  // One square slides along the top of the other; corners are on one line at t = 4, in enclosures that reach beyond.
+  Scene scene = two_squares();
+  scene.end = 12;
+  scene.bodies[1].motion.pieces = {{{4, -1}, {1}, NoRotation{}}};
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance_to(4), SimulationState::running);
+  EXPECT_GT(simulation.events(), 0u);
+  EXPECT_EQ(simulation.time(), 4);
+  // From here on it comes down.
+  simulation.set_motion(1, {{{{0}, {5, -1}, NoRotation{}}}});
+  EXPECT_EQ(simulation.advance_to(12), SimulationState::contact);
+  ASSERT_TRUE(simulation.contact());
+  EXPECT_LE(simulation.contact()->time.hi, 4.0000000000000018);
+}
+
 TEST(PlanChange, AJumpIsRefusedAndChangesNothing) {
   Simulation simulation(two_squares());
   simulation.advance_to(2);
