@@ -189,7 +189,7 @@ Finding look(const Scene& scene, Touch touch, const Looks& looks, std::string* r
 Finding examine(const Scene& scene, const Looks& looks, std::string* report) {
   Finding found;
   try {
-    for (const Touch touch : {Touch::open, Touch::closed}) {
+    for (const Touch touch : looks.touch) {
       found = look(scene, touch, looks, report);
       if (found.kind != FindingKind::none) break;
     }

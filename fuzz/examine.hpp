@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
@@ -37,6 +38,7 @@ struct Finding {
 };
 
 struct Looks {
+  std::vector<Touch> touch = {Touch::open, Touch::closed};
   std::uint64_t max_events = 2000;  ///< of each run
   double max_seconds = 1;           ///< of each run
   bool tilings = true;
