@@ -149,6 +149,26 @@ expect 2 '' 'missing.proof: cannot open' verify free.json missing.proof
 expect 2 '' 'no.json: cannot open' verify no.json cut.proof
 if ls | grep -q '\.tmp'; then echo "FAILED: temporary files are left"; failures=$((failures + 1)); fi
 
+# Where the disk is full, or a limit of the shell says so, nothing is left behind.
+"$taut" gen gears -n 2000 -o large.json
+full() { # full FILE ARGS: runs taut where files end after 4 kB
+  local file="$1" got
+  shift
+  (trap '' XFSZ && ulimit -f 4 && exec "$taut" "$@" -o "$file") >out 2>err </dev/null
+  got=$?
+  if [ $got != 2 ] || ! grep -q "$file: cannot write the file" err || [ -e "$file" ]; then
+    echo "FAILED: taut $* with a full disk: exit code $got" && cat err
+    failures=$((failures + 1))
+  fi
+}
+full full.json gen gears -n 2000
+full full.svg draw large.json
+full full.proof prove large.json
+echo 'the old text' >old.proof
+(trap '' XFSZ && ulimit -f 4 && exec "$taut" prove large.json -o old.proof) >out 2>err </dev/null
+[ "$(cat old.proof)" = 'the old text' ] || { echo "FAILED: a proof that could not be written spoils the old one"; failures=$((failures + 1)); }
+if ls | grep -q '\.tmp'; then echo "FAILED: temporary files are left"; failures=$((failures + 1)); fi
+
 # Bad scenes.
 expect 2 '' 'no\.json: cannot open the file' check no.json
 expect 2 '' 'cannot read the file' check .
@@ -157,6 +177,12 @@ expect 2 '' 'bad\.json:1:26: unknown key "tiem"' check bad.json
 expect 2 '' 'did you mean "time"' check --json bad.json
 expect 2 '' 'unknown key' trace bad.json
 expect 2 '' 'unknown key' draw bad.json
+head -c 1000000 /dev/zero | tr '\0' '[' >deep.json
+for command in check trace "prove -o x.proof" "draw -o x.svg"; do
+  # shellcheck disable=SC2086
+  expect 2 '' 'nested more than 32 deep' $command deep.json
+done
+[ -e x.proof ] || [ -e x.svg ] && { echo "FAILED: a file of a scene that cannot be read"; failures=$((failures + 1)); }
 echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,1],[1,0],[0,1]]},
   {"name":"Q","polygon":[[5,0],[6,0],[5,1]]}]}' >bow.json
 expect 2 '' 'bow\.json: .*P' check bow.json

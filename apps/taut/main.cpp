@@ -9,6 +9,7 @@
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
+#include "taut/simulation.hpp"
 
 namespace {
 
@@ -72,6 +73,10 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
     fmt::print(stderr, "taut: {}\n", error.what());
     return taut::cli::exit_bad_input;
+  } catch (const taut::UndecidedError& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "taut: {}\n", error.what());
+    return taut::cli::exit_undecided;
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr,

@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "io/json_text.hpp"
+#include "io/trace_json.hpp"
 #include "scene_argument.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -14,32 +14,14 @@ namespace taut::cli {
 
 namespace {
 
-/// One line a event, written at once, so that the lines before a crash or a kill are there.
+/// One line an event, written at once, so that the lines before a crash or a kill are there.
 class LineTracer : public Tracer {
  public:
-  explicit LineTracer(const Scene& scene) {
-    for (const Body& body : scene.bodies) names_.push_back(io::string_text(body.name));
-  }
-
-  void on_event(const TraceEvent& e) override {
-    std::string flags;
-    const auto flag = [&flags](bool set, const char* name) {
-      if (set) flags += (flags.empty() ? "\"" : ",\"") + std::string(name) + "\"";
-    };
-    flag(e.bridging, "bridging");
-    flag(e.pinch_rule, "pinch_rule");
-    flag(e.three_corners, "three_corners");
-    fmt::print("{{\"event\":{},\"t\":{},\"repair\":\"{}\",\"corner\":[{},{},{}],\"flags\":[{}],\"certificates\":{}}}\n",
-               e.number, io::array_text({e.lo, e.hi}), to_string(e.repair), vertex_text(e.u), vertex_text(e.v),
-               vertex_text(e.w), flags, e.certificates);
-  }
+  explicit LineTracer(const Scene& scene) : writer_(scene) {}
+  void on_event(const TraceEvent& event) override { fmt::print("{}\n", writer_.line(event)); }
 
  private:
-  std::string vertex_text(const TraceVertex& v) const {
-    return fmt::format("{{\"body\":{},\"index\":{}}}", names_[static_cast<std::size_t>(v.body)], v.index);
-  }
-
-  std::vector<std::string> names_;
+  io::TraceWriter writer_;
 };
 
 struct TraceArguments {

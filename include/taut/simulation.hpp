@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "taut/check.hpp"
@@ -60,8 +61,15 @@ struct ActiveCertificate {
 /// Where a simulation stands.
 enum class SimulationState : std::uint8_t { running, finished, contact, overlap_at_start };
 
+/// A sign that even the highest precision does not settle; check() and prove() answer Outcome::undecided instead.
+struct UndecidedError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The external relative geodesic triangulation of two moving polygons, kept up to date event by event.
 /// The current time only grows. Not thread-safe; distinct simulations are independent.
+/// Where the highest precision does not decide, the constructor, next_event(), step(), advance_to() and set_motion()
+/// throw UndecidedError; after that only time(), events() and contact() may be asked.
 class Simulation {
  public:
   /// Validates the scene, builds the tiling at its start. Throws InputError.
@@ -71,9 +79,11 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   SimulationState state() const;
-  /// A time up to which the motion is proved free, and to which the tiling corresponds.
+  /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
+  /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
   double time() const;
-  /// Enclosure of the time of the next event; empty if none is left before the end.
+  /// Enclosure of the time of the next event; empty if none is left before the end. Looks as far as it must: where a
+  /// motion's next piece begins before the event, time() moves on to that joint.
   std::optional<TimeInterval> next_event();
   /// Processes one event. False if there is none before the end, or after a contact.
   bool step();
@@ -81,7 +91,8 @@ class Simulation {
   SimulationState advance_to(double t);
   /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
-  /// larger jump is an InputError and changes nothing.
+  /// larger jump is an InputError and changes nothing. Events that nearly coincide with the last one are processed
+  /// first; if one of them is the contact, it stays the answer.
   void set_motion(int body, const Motion& motion);
 
   /// The first contact, once state() is `contact`.

@@ -85,6 +85,7 @@ Polygon parse_geojson(std::string text, const std::string& name, const ReadLimit
   // One more than the limit, for the repeated vertex.
   Polygon ring = read_points(document, rings + 1, path + "[0]", limits.max_vertices + 1, true);
   drop_repeated_last_vertex(ring);
+  if (ring.size() > limits.max_vertices) fail_size(document, rings + 1, path + "[0]", limits.max_vertices);
   return ring;
 }
 

@@ -22,6 +22,11 @@ namespace {
 
 }  // namespace
 
+void fail_size(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_vertices) {
+  throw document.error(token, path, "more vertices than the limit of " + std::to_string(max_vertices),
+                       "simplify the outline, or raise ReadLimits::max_vertices");
+}
+
 double read_number(const JsonDocument& document, std::size_t token, const std::string& path) {
   document.require(token, JsonKind::number, path, "a number, without quotes");
   return document.at(token).number;
@@ -48,10 +53,7 @@ Polygon read_points(const JsonDocument& document, std::size_t token, const std::
   Polygon polygon;
   const std::size_t end = document.after(token);
   for (std::size_t i = token + 1; i < end; i = document.after(i)) {
-    if (polygon.size() == max_vertices) {
-      throw document.error(i, path, "more vertices than the limit of " + std::to_string(max_vertices),
-                           "simplify the outline, or raise ReadLimits::max_vertices");
-    }
+    if (polygon.size() == max_vertices) fail_size(document, i, path, max_vertices);
     const bool pair = document.at(i).kind() == JsonKind::array &&
                       (more_coordinates ? document.after(i) >= i + 3 : document.after(i) == i + 3) &&
                       document.at(i + 1).kind() == JsonKind::number && document.at(i + 2).kind() == JsonKind::number;

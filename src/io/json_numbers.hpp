@@ -15,6 +15,10 @@ double read_number(const JsonDocument& document, std::size_t token, const std::s
 std::vector<double> read_numbers(const JsonDocument& document, std::size_t token, const std::string& path,
                                  const std::string& shape, std::size_t max_count, const std::string& limit_hint);
 
+/// Throws the InputError of a polygon that has too many vertices.
+[[noreturn]] void fail_size(const JsonDocument& document, std::size_t token, const std::string& path,
+                            std::size_t max_vertices);
+
 /// An array of [x, y]. Further coordinates ([x, y, z] of GeoJSON) are errors unless `more_coordinates`.
 Polygon read_points(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_vertices,
                     bool more_coordinates);

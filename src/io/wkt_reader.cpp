@@ -45,10 +45,8 @@ class WktReader {
     Polygon ring;
     expect('(', "before the vertices");
     do {
-      if (ring.size() > limits_.max_vertices) {
-        fail("more vertices than the limit of " + std::to_string(limits_.max_vertices),
-             "simplify the outline, or raise ReadLimits::max_vertices");
-      }
+      // One more than the limit, for the repeated vertex.
+      if (ring.size() > limits_.max_vertices) fail_size();
       const double x = read_coordinate(), y = read_coordinate();
       ring.push_back({x, y});
       skip_space();
@@ -59,6 +57,7 @@ class WktReader {
     } while (take(','));
     expect(')', "after the vertices");
     drop_repeated_last_vertex(ring);
+    if (ring.size() > limits_.max_vertices) fail_size();
     return ring;
   }
 
@@ -96,6 +95,11 @@ class WktReader {
 
   void expect(char c, const char* where) {
     if (!take(c)) fail(std::string("expected \"") + c + "\" " + where);
+  }
+
+  [[noreturn]] void fail_size() {
+    fail("more vertices than the limit of " + std::to_string(limits_.max_vertices),
+         "simplify the outline, or raise ReadLimits::max_vertices");
   }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& hint = "write POLYGON ((x y, x y, x y, ...))") {

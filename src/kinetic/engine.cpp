@@ -178,7 +178,7 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
 bool Engine::step(double t) {
   if (state_ != EngineState::running) return false;
   if (next_event(t)) {
-    process(next_);
+    process(next_, leg().bridge ? leg().end : std::min(t, leg().end));
     return state_ != EngineState::contact;
   }
   parameter_ = leg().bridge ? leg().end : std::max(parameter_, std::min(t, leg().end));
@@ -212,7 +212,7 @@ HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& midd
   return n;
 }
 
-void Engine::process(CertificateId id) {
+void Engine::process(CertificateId id, double limit) {
   Certificate& c = certificates_[id.value];
   Now now = solver_.event(c);
   reached_ = now.lo;
@@ -233,12 +233,15 @@ void Engine::process(CertificateId id) {
     event.corner = c.corner;
     event.report = repair_reflex(map_, c.corner);
   }
-  parameter_ = now.hi;
+  // Enclosures of events that nearly coincide overlap: time does not go back. Nor does it pass the limit, by which the
+  // failure is known to come, though its enclosure may reach further.
+  const double entered = parameter_;
+  parameter_ = std::max(parameter_, std::min(now.hi, limit));
   const RepairReport& report = event.report;
   if (report.repair == Repair::collision) {
     solver_.tighten(c);
     contact_ = EngineContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
-    parameter_ = c.lo;
+    parameter_ = std::max(entered, c.lo);
     state_ = EngineState::contact;
   } else {
     if (report.removed.valid()) {

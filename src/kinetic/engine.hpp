@@ -90,7 +90,7 @@ class Engine {
   void build();
   bool find_next(double limit);
   bool certainly_first(CertificateId head);
-  void process(CertificateId id);
+  void process(CertificateId id, double limit);
   HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
   void update_corner(HalfedgeId h, Now& now);
   void drop_corner(HalfedgeId h);

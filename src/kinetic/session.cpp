@@ -61,6 +61,10 @@ void Session::note_contact() {
 
 void Session::set_motion(int body, const Motion& motion) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
+  // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old plan.
+  while (step(engine_->time())) {
+  }
+  if (contact_) return;
   const double now = engine_->time();
   const std::size_t side = plan_.maps[0].body == body ? 0 : 1;
   const Body& old = scene_.bodies[static_cast<std::size_t>(body)];

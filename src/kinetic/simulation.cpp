@@ -3,8 +3,22 @@
 #include <algorithm>
 
 #include "kinetic/session.hpp"
+#include "motion/placement.hpp"
 
 namespace taut {
+namespace {
+
+/// What is undecidable inside is an error to the outside.
+template <class Question>
+auto decided(const Question& question) {
+  try {
+    return question();
+  } catch (const Undecidable& limit) {
+    throw UndecidedError(not_decided(limit));
+  }
+}
+
+}  // namespace
 
 struct Simulation::Impl {
   Impl(const Scene& scene, Touch touch, Tracer* tracer) : session(scene, touch, tracer) {}
@@ -12,7 +26,7 @@ struct Simulation::Impl {
 };
 
 Simulation::Simulation(const Scene& scene, Touch touch, Tracer* tracer)
-    : impl_(std::make_unique<Impl>(scene, touch, tracer)) {}
+    : impl_(decided([&] { return std::make_unique<Impl>(scene, touch, tracer); })) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -29,7 +43,7 @@ double Simulation::time() const { return impl_->session.engine().time(); }
 std::optional<TimeInterval> Simulation::next_event() {
   Session& s = impl_->session;
   if (s.finished()) return std::nullopt;
-  const auto found = s.engine().next_event(s.scene().end);
+  const auto found = decided([&s] { return s.engine().next_event(s.scene().end); });
   if (!found) return std::nullopt;
   return TimeInterval{found->first, found->second};
 }
@@ -38,19 +52,23 @@ bool Simulation::step() {
   Session& s = impl_->session;
   if (s.finished()) return false;
   const std::uint64_t before = s.engine().events();
-  s.step(s.scene().end);
+  decided([&s] { return s.step(s.scene().end); });
   return s.engine().events() > before;
 }
 
 SimulationState Simulation::advance_to(double t) {
   Session& s = impl_->session;
   const double limit = std::min(t, s.scene().end);
-  while (s.step(limit)) {
-  }
+  decided([&s, limit] {
+    while (s.step(limit)) {
+    }
+  });
   return state();
 }
 
-void Simulation::set_motion(int body, const Motion& motion) { impl_->session.set_motion(body, motion); }
+void Simulation::set_motion(int body, const Motion& motion) {
+  decided([&] { impl_->session.set_motion(body, motion); });
+}
 const std::optional<Contact>& Simulation::contact() const { return impl_->session.contact(); }
 std::uint64_t Simulation::events() const { return impl_->session.engine().events(); }
 std::uint64_t Simulation::certificates() const { return impl_->session.engine().active_certificates(); }

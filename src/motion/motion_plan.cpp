@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace taut {
+namespace {
+
+/// The same bits on every platform, which std::hypot does not promise.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
+}  // namespace
 
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
@@ -40,6 +46,9 @@ std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<
   std::vector<Leg> legs;
   std::size_t i = 0, j = 0;
   double t = start;
+  // After a change of one body's plan, the other one may be in a later piece already.
+  while (p[i].until <= t) ++i;
+  while (q[j].until <= t) ++j;
   for (;;) {
     const double until = std::min({p[i].until, q[j].until, end});
     legs.push_back(Leg::motion(p[i], q[j], t, until));
@@ -67,7 +76,7 @@ double joint_gap(const MotionPiece& before, const MotionPiece& after, const Poly
   const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
   double gap = 0;
   for (const double x : {lo_x, hi_x}) {
-    for (const double y : {lo_y, hi_y}) gap = std::max(gap, std::hypot(ox + xx * x - xy * y, oy + xy * x + xx * y));
+    for (const double y : {lo_y, hi_y}) gap = std::max(gap, length(ox + xx * x - xy * y, oy + xy * x + xx * y));
   }
   return gap;
 }

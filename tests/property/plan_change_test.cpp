@@ -94,6 +94,71 @@ TEST(PlanChange, GoingOnHits) {
   EXPECT_FALSE(simulation.step());
 }
 
+TEST(PlanChange, OfOneBodyWhileTheOtherIsInALaterPiece) {
+  Scene scene = two_squares();
+  // Until t = 1 it comes nearer, then it goes up, and back from t = 3: never closer than 1.5.
+  scene.bodies[1].motion.pieces = {
+      {{3, -0.5}, {0}, NoRotation{}, 1}, {{2.5}, {-1, 1}, NoRotation{}, 3}, {{2.5}, {2}, NoRotation{}}};
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance_to(2), SimulationState::running);
+  // The other one at rest sets off to where it will be.
+  simulation.set_motion(0, {{{{-1, 0.5}, {0}, NoRotation{}}}});
+  EXPECT_EQ(simulation.advance_to(4), SimulationState::running);
+  simulation.set_motion(0, {{{{-1, 0.5}, {-4, 1}, NoRotation{}}}});
+  EXPECT_EQ(simulation.advance_to(1000), SimulationState::contact);
+  // Its right side at 0.5 t meets x = 2.5; it is at y = t - 4 = 1 then, and overlaps [2, 3] from t = 5 on.
+  ASSERT_TRUE(simulation.contact());
+  EXPECT_NEAR(simulation.contact()->time.lo, 5, 1e-9);
+}
+
+TEST(PlanChange, BetweenEventsThatNearlyCoincide) {
+  // All teeth of a comb reach those of the other at once: after the first event, the others are due.
+  Scene scene;
+  scene.start = 0;
+  scene.end = 8;
+  Polygon comb = {{0, 0}};
+  for (int tooth = 0; tooth < 4; ++tooth) {
+    const double x = 2 * tooth;
+    comb.insert(comb.end(), {{x, 3}, {x + 1, 3}, {x + 1, 1}, {x + 2, 1}});
+  }
+  comb.insert(comb.end(), {{9, 0}});
+  scene.bodies = {{"a", comb, {}}, {"b", comb, {}}};
+  for (Point& v : scene.bodies[1].polygon) v = {9.5 - v.x, -v.y};
+  scene.bodies[1].motion.pieces = {{{}, {9, -1}, NoRotation{}}};
+  const Answer whole = check(scene);
+  ASSERT_EQ(whole.outcome, Outcome::contact);
+  Simulation simulation(scene);
+  int changes = 0;
+  double last = simulation.time();
+  while (simulation.step()) {
+    EXPECT_GE(simulation.time(), last);
+    last = simulation.time();
+    if (simulation.state() != SimulationState::running) break;
+    simulation.set_motion(0, {});
+    simulation.set_motion(1, scene.bodies[1].motion);
+    ++changes;
+  }
+  EXPECT_GT(changes, 0);
+  ASSERT_TRUE(simulation.contact());
+  EXPECT_NEAR(simulation.contact()->time.lo, whole.contact->time.lo, 1e-9);
+}
+
+TEST(PlanChange, AdvanceStandsAtTheTimeThatWasAsked) {
+  // One square slides along the top of the other; corners are on one line at t = 4, in enclosures that reach beyond.
+  Scene scene = two_squares();
+  scene.end = 12;
+  scene.bodies[1].motion.pieces = {{{4, -1}, {1}, NoRotation{}}};
+  Simulation simulation(scene);
+  EXPECT_EQ(simulation.advance_to(4), SimulationState::running);
+  EXPECT_GT(simulation.events(), 0u);
+  EXPECT_EQ(simulation.time(), 4);
+  // From here on it comes down.
+  simulation.set_motion(1, {{{{0}, {5, -1}, NoRotation{}}}});
+  EXPECT_EQ(simulation.advance_to(12), SimulationState::contact);
+  ASSERT_TRUE(simulation.contact());
+  EXPECT_LE(simulation.contact()->time.hi, 4.0000000000000018);
+}
+
 TEST(PlanChange, AJumpIsRefusedAndChangesNothing) {
   Simulation simulation(two_squares());
   simulation.advance_to(2);

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -135,20 +136,34 @@ class Soak {
   SoakTotals totals_;
 };
 
+/// One scene a line.
+void print_scenes(std::uint64_t first, std::uint64_t count) {
+  for (std::uint64_t k = first; k < first + count; ++k) {
+    std::string text = write_scene(soak_scene(k).scene);
+    text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+    fmt::print("{}\n", text);
+  }
+}
+
 }  // namespace
 }  // namespace taut::testing
 
 int main(int argc, char** argv) {
   CLI::App app("Compares both engines and verified proofs on random scenes.", "taut_soak");
   taut::testing::Soak::Limits limits;
-  std::uint64_t first = 0;
+  std::uint64_t first = 0, print = 0;
   std::string folder = ".", totals;
   app.add_option("--minutes", limits.minutes, "How long")->check(CLI::PositiveNumber);
   app.add_option("--jobs", limits.jobs, "Threads")->check(CLI::Range(1, 1024));
   const CLI::Option* from = app.add_option("--first", first, "Number of the first scene; default: after the totals'");
   app.add_option("--findings", folder, "Folder for the scenes with findings")->check(CLI::ExistingDirectory);
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
+  app.add_option("--print", print, "Only print so many scenes, one a line");
   CLI11_PARSE(app, argc, argv);
+  if (print > 0) {
+    taut::testing::print_scenes(first, print);
+    return 0;
+  }
   taut::testing::Soak soak(totals, folder);
   if (*from) soak.skip_to(first);
   soak.run(limits);

@@ -98,6 +98,60 @@ std::string test_name(const testing::TestParamInfo<BadOutline>& bad) { return ba
 INSTANTIATE_TEST_SUITE_P(Wkt, BadOutlineTest, testing::ValuesIn(bad_wkt()), test_name);
 INSTANTIATE_TEST_SUITE_P(GeoJson, BadOutlineTest, testing::ValuesIn(bad_geojson()), test_name);
 
+template <class Read>
+std::string problem_of(const Read& read) {
+  try {
+    read();
+    return "";
+  } catch (const InputError& e) {
+    return e.problem();
+  }
+}
+
+TEST(OutlineLimits, CountVerticesWithoutTheRepeatedOne) {
+  const auto wkt = [](const std::string& ring, std::size_t limit) {
+    return problem_of([&] { io::parse_wkt("POLYGON ((" + ring + "))", "o.wkt", {.max_vertices = limit}); });
+  };
+  const auto geojson = [](const std::string& ring, std::size_t limit) {
+    const std::string text = R"({"type":"Polygon","coordinates":[[)" + ring + "]]}";
+    return problem_of([&] { io::parse_geojson(text, "o.geojson", {.max_vertices = limit}); });
+  };
+  for (const char* ring : {"0 0,1 0,0 1", "0 0,1 0,0 1,0 0"}) {
+    EXPECT_EQ(wkt(ring, 3), "");
+    EXPECT_EQ(wkt(ring, 2), "more vertices than the limit of 2");
+  }
+  for (const char* ring : {"[0,0],[1,0],[0,1]", "[0,0],[1,0],[0,1],[0,0]"}) {
+    EXPECT_EQ(geojson(ring, 3), "");
+    EXPECT_EQ(geojson(ring, 2).find("more vertices than the limit of"), 0u);
+  }
+  EXPECT_EQ(wkt("0 0,1 0,1 1,0 1", 3), "more vertices than the limit of 3");
+  EXPECT_EQ(geojson("[0,0],[1,0],[1,1],[0,1]", 3), "more vertices than the limit of 3");
+}
+
+TEST(OutlineLimits, NestingEndsAtOnceAndWithoutRecursion) {
+  std::string text;
+  for (int i = 0; i < 1000000; ++i) text += R"({"type":"FeatureCollection","features":[)";
+  const auto problem = problem_of([&] { io::parse_geojson(text, "o.geojson", {}); });
+  EXPECT_EQ(problem, "arrays or objects are nested more than 32 deep");
+  EXPECT_EQ(problem_of([] { io::parse_wkt(std::string(1000000, '('), "o.wkt", {}); }), "expected POLYGON");
+  EXPECT_EQ(problem_of([] { io::parse_wkt("POLYGON " + std::string(1000000, '('), "o.wkt", {}); }),
+            "expected a number");
+}
+
+TEST(OutlineLimits, FilesAreReadNoFurtherThanTheLimit) {
+  const std::string file = (std::filesystem::path(testing::TempDir()) / "taut_outline_limit").string();
+  write_file(file, "POLYGON ((0 0, 1 0, 0 1))");
+  EXPECT_EQ(problem_of([&] { read_wkt(file, {.max_bytes = 25}); }), "");
+  const std::string large = "the file is larger than the limit of 24 bytes";
+  EXPECT_EQ(problem_of([&] { read_wkt(file, {.max_bytes = 24}); }), large);
+  EXPECT_EQ(problem_of([&] { read_geojson(file, {.max_bytes = 24}); }), large);
+  EXPECT_EQ(problem_of([&] { read_scene(file, {.max_bytes = 24}); }), large);
+  // It has no end.
+  EXPECT_EQ(problem_of([] { read_wkt("/dev/zero", {.max_bytes = 1 << 20}); }),
+            "the file is larger than the limit of 1048576 bytes");
+  std::filesystem::remove(file);
+}
+
 TEST(Outline, IsFoundNextToTheScene) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "taut_outline_test" / "inner";
   std::filesystem::create_directories(folder);

@@ -1,0 +1,138 @@
+// Whatever bytes a proof log has, what the verifier accepts is true.
+//
+// The first byte chooses a scene with known answers, the second how the rest is read: as a log; as the records after a
+// true tiling; or as a list of changes to a true log. Checksum and, but for the first reading, the header are set
+// right: otherwise no input would get far.
+#include <array>
+#include <sstream>
+#include <vector>
+
+#include "bytes.hpp"
+#include "numeric/interruption.hpp"
+#include "proof/log_text.hpp"
+#include "proof/truth.hpp"
+#include "require.hpp"
+#include "taut/io.hpp"
+
+using namespace taut;
+using testing::LogParts;
+
+namespace {
+
+struct Specimen {
+  Scene scene;
+  testing::Truth truth;
+  std::array<LogParts, 2> logs;  ///< for open, closed
+};
+
+/// A contact, a pass, a start in contact, turns, and a motion in pieces, all with few events.
+const char* const scenes[] = {
+    R"({"name":"b","polygon":[[1,5],[3,5],[2,6]],"motion":{"y":[0,-0.5]}})",
+    R"({"name":"b","polygon":[[1,5],[3,5],[2,3]],"motion":{"x":[-6,1.5],"y":[0,0,-0.05]}})",
+    R"({"name":"b","polygon":[[1,2],[3,2],[2,6]],"motion":{"x":[0,0.5]}})",
+    R"({"name":"b","polygon":[[-1,-1],[1,-1],[1,1],[0,0.5],[-1,1]],"motion":{"x":[-4,1],"y":[3.5],"rotation":{"angle":[0,1]}}})",
+    R"({"name":"b","polygon":[[-1,-1],[1,-1],[1,1],[-1,1]],"motion":{"x":[-4,1],"y":[3],"rotation":{"half_angle_tangent":[0,0.5]}}})",
+    R"({"name":"b","polygon":[[-1,0],[1,0],[0,1]],"motion":[{"x":[-3,1],"y":[4],"until":4},{"x":[5,-1],"y":[6,-0.5]}]})"};
+
+const char* const anvil = R"({"name":"a","polygon":[[0,0],[4,0],[4,2],[3,1],[2,2],[1,1],[0,1]]})";
+
+std::vector<Specimen> make_specimens() {
+  std::vector<Specimen> all;
+  for (const char* body : scenes) {
+    const Scene scene =
+        parse_scene(std::string(R"({"format":"taut-scene/1","time":[0,10],"bodies":[)") + anvil + "," + body + "]}");
+    const auto vertices = static_cast<std::uint32_t>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
+    Specimen s{scene, testing::Truth(scene), {}};
+    for (const Touch touch : {Touch::open, Touch::closed})
+      s.logs[touch == Touch::closed ? 1 : 0] =
+          testing::take_apart(testing::prove_in_memory(scene, touch).log, vertices);
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+/// A place in a text, or its end.
+std::size_t place(fuzz::Bytes& bytes, std::size_t size) { return bytes.u16() % (size + 1); }
+
+void change_bytes(fuzz::Bytes& bytes, std::string& text) {
+  const std::size_t at = place(bytes, text.size()), count = bytes.u8();
+  switch (bytes.below(4)) {
+    case 0:
+      if (at < text.size()) text[at] = static_cast<char>(text[at] ^ 1 << bytes.below(8));
+      break;
+    case 1:
+      if (at < text.size()) text[at] = static_cast<char>(bytes.u8());
+      break;
+    case 2:
+      text.erase(at, count);
+      break;
+    default:
+      text.insert(at, text, place(bytes, text.size()), count);
+      break;
+  }
+}
+
+/// Moves, removes, repeats or damages a record, or takes one from another log.
+void change_records(fuzz::Bytes& bytes, std::vector<std::string>& records, const LogParts& other) {
+  if (records.empty()) return;
+  const std::size_t at = bytes.u8() % records.size(), to = bytes.u8() % records.size();
+  switch (bytes.below(6)) {
+    case 0:
+      records.erase(records.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case 1:
+      std::swap(records[at], records[to]);
+      break;
+    case 2:
+      records.insert(records.begin() + static_cast<std::ptrdiff_t>(to), std::string(records[at]));
+      break;
+    case 3:
+      if (!other.records.empty()) records[at] = other.records[to % other.records.size()];
+      break;
+    case 4:
+      change_bytes(bytes, records[at]);
+      break;
+    default:
+      records[at][0] = static_cast<char>(bytes.below(10));
+      break;
+  }
+}
+
+std::string log_of(fuzz::Bytes& bytes, const Specimen& specimen) {
+  const int touch = bytes.below(2);
+  LogParts parts = specimen.logs[static_cast<std::size_t>(touch)];
+  const LogParts& other = specimen.logs[static_cast<std::size_t>(1 - touch)];
+  switch (bytes.below(4)) {
+    case 0:
+      return bytes.below(2) ? bytes.rest() : testing::sealed(bytes.rest());
+    case 1:
+      return testing::sealed(parts.header + bytes.rest());
+    default:
+      while (!bytes.empty()) {
+        if (bytes.below(4) == 0) {
+          change_bytes(bytes, parts.header);
+        } else {
+          change_records(bytes, parts.records, other);
+        }
+      }
+      return put_together(parts);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::vector<Specimen> specimens = make_specimens();
+  fuzz::Bytes bytes(data, size);
+  const Specimen& specimen = specimens[bytes.u8() % specimens.size()];
+  std::istringstream log(log_of(bytes, specimen));
+  try {
+    const InterruptionScope scope(nullptr, 5);
+    const std::string wrong = specimen.truth.refutation(verify(specimen.scene, log));
+    fuzz::require(wrong.empty(), "a proof of what is not so: " + wrong);
+  } catch (const ProofError&) {
+  } catch (const Interrupted&) {
+    fuzz::finding("verification takes more than 5 seconds");
+  }
+  return 0;
+}

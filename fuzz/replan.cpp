@@ -1,0 +1,145 @@
+#include "replan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "examine.hpp"
+#include "kinetic/session.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
+#include "support/audit.hpp"
+#include "taut/error.hpp"
+
+namespace taut::fuzz {
+namespace {
+
+/// How the session comes to a joint: as advance_to() does, with every event before it, or as step() does, which leaves
+/// it at the event that reaches the joint's time, with others at the same instant still to come.
+/// Or the present plan is announced anew after every third event.
+enum class Approach { advancing, stepping, repeating };
+
+class Replanned {
+ public:
+  Replanned(const Scene& scene, const CheckOptions& options, Approach approach)
+      : scene_(scene), options_(options), approach_(approach) {}
+
+  std::string run(Answer& answer) {
+    if (approach_ == Approach::repeating) return run_repeating(answer);
+    Scene first = scene_;
+    for (std::size_t b = 0; b < 2; ++b) first.bodies[b].motion = plan(b, scene_.start);
+    Session session(first, options_.touch, nullptr);
+    for (const double joint : joints()) {
+      if (std::string fault = reach(session, joint); !fault.empty()) return fault;
+      if (session.finished() || session.engine().events() >= options_.max_events) break;
+      for (std::size_t b = 0; b < 2; ++b) {
+        if (has_joint(b, joint)) session.set_motion(static_cast<int>(b), plan(b, joint));
+      }
+      changed_ = true;
+    }
+    if (std::string fault = reach(session, scene_.end); !fault.empty()) return fault;
+    conclude(session, answer);
+    return {};
+  }
+
+ private:
+  std::string run_repeating(Answer& answer) {
+    Session session(scene_, options_.touch, nullptr);
+    if (std::string fault = reach(session, scene_.end); !fault.empty()) return fault;
+    conclude(session, answer);
+    return {};
+  }
+
+  static void conclude(const Session& session, Answer& answer) {
+    if (session.overlap_at_start()) answer.outcome = Outcome::overlap_at_start;
+    if (session.engine().state() == EngineState::finished) answer.outcome = Outcome::free;
+    if (session.contact()) answer.outcome = Outcome::contact;
+    answer.contact = session.contact();
+  }
+
+  std::vector<double> joints() const {
+    std::vector<double> all;
+    for (const Body& body : scene_.bodies) {
+      for (std::size_t k = 0; k + 1 < body.motion.pieces.size(); ++k) all.push_back(body.motion.pieces[k].until);
+    }
+    all.erase(
+        std::remove_if(all.begin(), all.end(), [this](double t) { return !(scene_.start < t && t < scene_.end); }),
+        all.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+  bool has_joint(std::size_t body, double t) const {
+    const auto& pieces = scene_.bodies[body].motion.pieces;
+    return std::any_of(pieces.begin(), pieces.end(), [t](const MotionPiece& p) { return p.until == t; });
+  }
+
+  /// The piece that begins at t, for ever if it may; else the pieces as they come.
+  Motion plan(std::size_t body, double t) const {
+    const Body& b = scene_.bodies[body];
+    Motion rest;
+    for (const MotionPiece& piece : b.motion.pieces) {
+      if (piece.until > t || &piece == &b.motion.pieces.back()) rest.pieces.push_back(piece);
+    }
+    if (rest.pieces.size() < 2) return rest;
+    Motion one{{rest.pieces[0]}};
+    one.pieces[0].until = INFINITY;
+    try {
+      validate_motion(one, b.name, b.polygon, t, scene_.end, 1);
+      return one;
+    } catch (const InputError&) {
+      return rest;
+    }
+  }
+
+  std::string reach(Session& session, double t) {
+    while (!session.finished() && session.engine().events() < options_.max_events) {
+      if (changed_) {
+        changed_ = false;
+        if (std::string fault = testing::compare_with_static(session, counts_); !fault.empty()) return fault;
+      }
+      const bool more = session.step(t);
+      if (more && approach_ == Approach::repeating && session.engine().events() % 3 == 1) repeat(session);
+      if (!more && (session.engine().time() >= t || session.finished())) break;
+      if (approach_ == Approach::stepping && t < scene_.end && session.engine().time() >= t) break;
+    }
+    return {};
+  }
+
+  /// The plans of both bodies, as they are.
+  void repeat(Session& session) {
+    for (int b = 0; b < 2; ++b) {
+      if (!session.finished()) session.set_motion(b, scene_.bodies[static_cast<std::size_t>(b)].motion);
+    }
+    changed_ = true;
+  }
+
+  const Scene& scene_;
+  const CheckOptions& options_;
+  Approach approach_;
+  testing::AuditCounts counts_;
+  bool changed_ = false;  ///< a plan, since the map was compared last
+};
+
+}  // namespace
+
+std::string audit_plan_changes(const Scene& scene, const Answer& whole, const CheckOptions& options) {
+  const auto moves_on = [](const Body& b) { return b.motion.pieces.size() > 1; };
+  const bool joints = std::any_of(scene.bodies.begin(), scene.bodies.end(), moves_on);
+  for (const Approach approach : {Approach::repeating, Approach::advancing, Approach::stepping}) {
+    if (approach != Approach::repeating && !joints) continue;
+    const InterruptionScope scope(nullptr, 4 * options.max_seconds);
+    try {
+      Answer answer;
+      if (std::string fault = Replanned(scene, options, approach).run(answer); !fault.empty()) return fault;
+      if (std::string fault = contradiction(answer, whole); !fault.empty()) return fault;
+    } catch (const Undecidable&) {
+    } catch (const Interrupted&) {
+    }
+  }
+  return {};
+}
+
+}  // namespace taut::fuzz

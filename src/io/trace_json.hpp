@@ -1,0 +1,25 @@
+// Events as `taut trace` prints them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/scene.hpp"
+#include "taut/tracer.hpp"
+
+namespace taut::io {
+
+/// Writes events of one scene as JSON objects, each on one line, without a line break.
+class TraceWriter {
+ public:
+  explicit TraceWriter(const Scene& scene);
+
+  std::string line(const TraceEvent& event) const;
+
+ private:
+  std::string vertex_text(const TraceVertex& vertex) const;
+
+  std::vector<std::string> names_;  ///< of the bodies, quoted
+};
+
+}  // namespace taut::io

@@ -1,0 +1,40 @@
+// Whether what a proof log claims is so.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "taut/proof.hpp"
+
+namespace taut::testing {
+
+/// What is true of a scene, by both engines.
+struct Truth {
+  std::array<Answer, 2> answers;
+
+  explicit Truth(const Scene& scene) {
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      CheckOptions options;
+      options.touch = touch;
+      options.engine = EngineChoice::both;
+      answers[touch == Touch::closed ? 1 : 0] = check(scene, options);
+    }
+  }
+  const Answer& of(Touch touch) const { return answers[touch == Touch::closed ? 1 : 0]; }
+
+  /// Empty if the claim is true.
+  std::string refutation(const Verified& v) const {
+    const Answer& a = of(v.touch);
+    if (a.outcome == Outcome::overlap_at_start) return "the bodies overlap at the start";
+    if (a.contact && v.free_until > a.contact->time.hi) return "free beyond the contact";
+    if (v.outcome == Outcome::undecided) return {};
+    if (v.outcome != a.outcome) return "another outcome";
+    if (v.outcome == Outcome::free) return {};
+    if (v.contact->time.hi < a.contact->time.lo || a.contact->time.hi < v.contact->time.lo) return "another time";
+    if (a.contact->time.lo == a.contact->time.hi) return {};
+    const Feature &x = v.contact->vertex, &y = a.contact->vertex, &e = v.contact->edge, &f = a.contact->edge;
+    return x.body == y.body && x.index == y.index && e.index == f.index ? "" : "other features";
+  }
+};
+
+}  // namespace taut::testing
