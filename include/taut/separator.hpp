@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "taut/scene.hpp"
@@ -21,10 +20,11 @@ struct MovingSeparator {
   /// The relative convex hull of either body (by position in Scene::bodies), counterclockwise: the shortest loop around
   /// it that does not cross the other body. A vertex may come twice, where the loop touches itself.
   std::array<std::vector<SeparatorVertex>, 2> hulls;
-  /// The path that the two hulls share, in the order of the first one; empty if they are apart. It may be one vertex.
+  /// The path that the two hulls share, in the order of the larger body's; empty if they are apart. It may be one
+  /// vertex.
   std::vector<SeparatorVertex> contact;
-  /// Edges between the bodies (PQ edges) on either hull, and on the path that they share. The Lemma 2.4 of the paper:
-  /// the first two are at most twice the size of any separator.
+  /// Edges between the bodies (PQ edges) on either hull, and on the path that they share. By Lemma 2.4 of the paper the
+  /// first two are at most twice the number of edges of any separator.
   std::array<int, 2> bichromatic_edges{};
   int bichromatic_contact_edges = 0;
 };
@@ -52,7 +52,8 @@ struct Separator {
 /// Separators of two simple polygons (either orientation) that may touch. The bounds satisfy upper <= lower + 1 if some
 /// curve with the fewest edges has room on both its sides, about 2^-40 of the polygons' size. Where there is none (the
 /// polygons touch, or corners of both lie on one line that only just passes between them), `lower` and the curve are as
-/// certain, but the curve may have more edges; in the worst case it is one of the relative convex hulls.
+/// certain, but the curve may have more edges; in the worst case it is one of the relative convex hulls. Throws
+/// InputError if a polygon is not simple.
 Separator separator(const Polygon& p, const Polygon& q);
 
 /// Separators of a scene's bodies at time t (within the scene's interval). The bodies are taken where they are at t
@@ -60,7 +61,7 @@ Separator separator(const Polygon& p, const Polygon& q);
 /// certain of these polygons. Throws InputError if the scene is not valid.
 Separator separator(const Scene& scene, double t);
 
-/// The two polygons that the other function speaks of.
+/// The two polygons that the other function speaks of. The scene must be valid, and t within its interval.
 std::array<Polygon, 2> placed(const Scene& scene, double t);
 
 }  // namespace taut

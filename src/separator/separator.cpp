@@ -122,11 +122,12 @@ MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
   return result;
 }
 
-}  // namespace
-
-Separator separator(const Polygon& p, const Polygon& q) {
+Separator separator_at_rest(const Body& first, const Body& second) {
+  Scene scene;
+  scene.bodies = {first, second};
+  validate(scene);
   Separator result;
-  const std::optional<Arena> arena = make_arena(p, q);
+  const std::optional<Arena> arena = make_arena(first.polygon, second.polygon);
   if (!arena) {
     result.overlap = true;
     return result;
@@ -134,6 +135,12 @@ Separator separator(const Polygon& p, const Polygon& q) {
   result.moving = moving_separator(*arena);
   result.minimum_link = minimum_link_separator(*arena);
   return result;
+}
+
+}  // namespace
+
+Separator separator(const Polygon& p, const Polygon& q) {
+  return separator_at_rest({"the first polygon", p, {}}, {"the second polygon", q, {}});
 }
 
 std::array<Polygon, 2> placed(const Scene& scene, double t) {
@@ -159,7 +166,7 @@ Separator separator(const Scene& scene, double t) {
     throw InputError("", "the instant " + std::to_string(t) + " is outside the scene's time", "choose one within");
   }
   const std::array<Polygon, 2> polygons = placed(scene, t);
-  return separator(polygons[0], polygons[1]);
+  return separator_at_rest({scene.bodies[0].name, polygons[0], {}}, {scene.bodies[1].name, polygons[1], {}});
 }
 
 }  // namespace taut

@@ -64,6 +64,11 @@ TEST(Separator, OverlapIsSaid) {
   EXPECT_TRUE(separator(box(0, 0, 9, 9), box(1, 1, 3, 3)).overlap);
 }
 
+TEST(Separator, WhatIsNotSimpleIsRefused) {
+  EXPECT_THROW(separator(box(0, 0, 1, 1), {{5, 0}, {6, 1}, {6, 0}, {5, 1}}), InputError);
+  EXPECT_THROW(separator({{0, 0}, {1, 0}}, box(3, 0, 4, 1)), InputError);
+}
+
 TEST(Separator, OrientationAndUnitsDoNotMatter) {
   Polygon notched{{0, 4}, {4, 1}, {8, 4}, {8, 0}, {0, 0}}, wedge{{4, 2}, {6, 6}, {2, 6}};
   for (const double scale : {0x1p-300, 1e-9, 1.0, 1e9, 0x1p+300}) {
