@@ -175,18 +175,20 @@ GeodesicCycle Simulation::geodesic_cycle(int body, int level) const {
   const PairGeometry& g = engine.geometry();
   if (engine.leg().bridge)
     throw InputError("", "a jump between two pieces of a motion is being bridged", "advance a little");
-  const Placement placement(g, engine.leg(), engine.parameter());
-  FreeTriangulation triangulation;
-  if (triangulate_free_space(placement, triangulation)) {
-    throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
-  }
+  const ChainTree tree = tree_of(g, side);
+  const int last = node::depth(tree.leaf(0));
+  const auto paths = decided([&] {
+    const Placement placement(g, engine.leg(), engine.parameter());
+    FreeTriangulation triangulation;
+    if (triangulate_free_space(placement, triangulation)) {
+      throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
+    }
+    return geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last));
+  });
   GeodesicCycle cycle;
   cycle.body = body;
   cycle.level = level;
-  const ChainTree tree = tree_of(g, side);
-  const int last = node::depth(tree.leaf(0));
-  for (const auto& path :
-       geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last))) {
+  for (const auto& path : paths) {
     cycle.pinned.push_back(static_cast<int>(cycle.vertices.size()));
     for (std::size_t i = 0; i + 1 < path.size(); ++i) cycle.vertices.push_back(static_cast<int>(path[i].value));
   }

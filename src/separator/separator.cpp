@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
 #include "motion/pose.hpp"
 #include "separator/arena.hpp"
 #include "separator/curve.hpp"
 #include "separator/link_paths.hpp"
 #include "taut/error.hpp"
+#include "taut/simulation.hpp"
 #include "taut/validate.hpp"
 #include "tiling/root_faces.hpp"
 
@@ -127,14 +129,18 @@ Separator separator_at_rest(const Body& first, const Body& second) {
   scene.bodies = {first, second};
   validate(scene);
   Separator result;
-  const std::optional<Arena> arena = make_arena(first.polygon, second.polygon);
-  if (!arena) {
-    result.overlap = true;
+  try {
+    const std::optional<Arena> arena = make_arena(first.polygon, second.polygon);
+    if (!arena) {
+      result.overlap = true;
+      return result;
+    }
+    result.moving = moving_separator(*arena);
+    result.minimum_link = minimum_link_separator(*arena);
     return result;
+  } catch (const Undecidable& limit) {
+    throw UndecidedError(not_decided(limit));
   }
-  result.moving = moving_separator(*arena);
-  result.minimum_link = minimum_link_separator(*arena);
-  return result;
 }
 
 }  // namespace
