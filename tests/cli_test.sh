@@ -72,7 +72,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in check trace prove verify draw gen; do expect 0 'Example' '' "$command" --help; done
+for command in check trace prove verify draw separator gen; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 26 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -206,6 +206,24 @@ expect 0 '>contact<' '' draw hit.json
 expect 2 '' '--at: 11 is outside' draw free.json --at 11
 expect 2 '' 'no/picture.svg: cannot write' draw free.json -o no/picture.svg
 expect 1 '' 'overlap at the start' draw overlap.json
+expect 0 '>geodesic of anvil<' '' draw free.json --at 1 --level 0
+expect 0 'geodesic of hammer' '' draw free.json --level 40
+expect 2 '' '--level' draw free.json --level -1
+
+# Separators.
+expect 0 'fewest links: 1, a line' '' separator free.json
+expect 0 'hulls do not touch' '' separator free.json --at 1
+expect 0 '"lower":1,"upper":1,"closed":false,"vertices":\[\[' '' separator --json free.json
+is_json_lines
+expect 1 'OVERLAP' '' separator overlap.json
+expect 1 '"overlap":true' '' separator --json overlap.json
+is_json_lines
+expect 2 '' '--at: 11 is outside' separator free.json --at 11
+expect 2 '' 'unknown key' separator bad.json
+rm -f picture.svg
+expect 0 'fewest links' '' separator free.json -o picture.svg
+grep -q '>separator<' picture.svg || { echo "FAILED: no picture of a separator"; failures=$((failures + 1)); }
+expect 2 '' 'no/picture.svg: cannot write' separator free.json -o no/picture.svg
 
 # Generators: what they promise.
 for kind in gears combs lock jigsaw dips rotor spiral maze; do

@@ -18,6 +18,7 @@ struct DrawArguments {
   std::optional<double> at;
   Touch touch = Touch::open;
   DrawOptions options;
+  std::optional<int> level;
   bool plain = false, no_corners = false;
 };
 
@@ -49,7 +50,12 @@ int run_draw(DrawArguments arguments) {
       fmt::print(stderr, "taut: the bodies touch at t = {}; drawing that instant\n", simulation->contact()->time.lo);
     }
   }
-  write_output(arguments.output, draw_svg(scene, simulation->tiling(), arguments.options));
+  const Tiling tiling = simulation->tiling();
+  if (arguments.level) {
+    for (const int body : {0, 1})
+      arguments.options.paths.push_back(drawn_cycle(tiling, simulation->geodesic_cycle(body, *arguments.level)));
+  }
+  write_output(arguments.output, draw_svg(scene, tiling, arguments.options));
   return exit_free;
 }
 
@@ -68,6 +74,12 @@ void add_draw(CLI::App& app, Action& action) {
       ->option_text("N");
   command->add_flag("--plain", arguments->plain, "do not colour the faces");
   command->add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
+  command
+      ->add_option("--level", arguments->level,
+                   "also draw both bodies' pinned geodesic cycles of level K of their\n"
+                   "trees: 0 is the relative convex hull")
+      ->check(CLI::Range(0, 40))
+      ->option_text("K");
   add_touch(*command, arguments->touch);
   command->footer(
       "Example:\n"

@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
   taut::cli::add_prove(app, action);
   taut::cli::add_verify(app, action);
   taut::cli::add_draw(app, action);
+  taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);
   try {
     require_known_command(app, argc, argv);

@@ -1,8 +1,10 @@
 // Reading scenes and outlines, writing answers and pictures.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
@@ -36,13 +38,44 @@ Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
 /// The JSON object of `taut check --json` (see the README), on one line, without a line break.
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
 
+/// A line to draw over a picture.
+struct DrawnPath {
+  enum class Kind : std::uint8_t {
+    geodesic_0,  ///< a geodesic of body 0, in its colour
+    geodesic_1,  ///< of body 1
+    separator,
+    gone,   ///< what an event removes
+    come,   ///< what an event adds
+    guide,  ///< a construction line
+  };
+  std::vector<Point> points;  ///< world coordinates
+  Kind kind = Kind::separator;
+  bool closed = false;
+  std::vector<Point> stars;  ///< points to mark by a star: where a geodesic is pinned, as in the paper
+};
+
+/// A word to write into a picture, centred at a point in world coordinates.
+struct DrawnLabel {
+  Point at;
+  std::string text;
+};
+
 struct DrawOptions {
   int width = 800;           ///< pixels
   bool faces = true;         ///< colour the faces by depth in the chain tree
   bool certificates = true;  ///< mark the active corners
+  bool edges = true;         ///< draw the edges of the tiling
+  bool legend = true;
+  std::string title = {};             ///< instead of the bodies' names and the time
+  std::vector<DrawnPath> paths = {};  ///< drawn over the tiling
+  std::vector<DrawnLabel> labels = {};
+  /// Show the box of these points instead of the whole scene, if there are any.
+  std::vector<Point> window = {};
   /// Mark this contact, if given.
   const Contact* contact = nullptr;
 };
+/// The path of a pinned geodesic cycle, stars where it is pinned.
+DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
 /// An SVG picture of bodies and tiling.
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
 

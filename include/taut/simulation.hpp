@@ -29,6 +29,8 @@ struct TilingFace {
   int depth = 0;  ///< depth of the node in its tree, 0 at the root
   /// The boundary, face on the left: indices into Tiling::vertices. Empty for polygon interiors.
   std::vector<int> boundary;
+  /// For node: the ends of its chain, counterclockwise around the body, as indices into Tiling::vertices.
+  int chain_from = 0, chain_to = 0;
 };
 
 struct TilingVertex {
@@ -49,6 +51,18 @@ struct Tiling {
   std::vector<TilingVertex> vertices;
   std::vector<TilingEdge> edges;
   std::vector<TilingFace> faces;
+};
+
+/// A pinned geodesic cycle (section 2 of the paper): the shortest paths between the ends of the chains of one level of
+/// a body's tree, each homotopic to its chain.
+struct GeodesicCycle {
+  int body = 0;
+  int level = 0;
+  /// In order, counterclockwise around the body: indices into Tiling::vertices. Where the cycle touches itself,
+  /// vertices come twice.
+  std::vector<int> vertices;
+  /// Positions in `vertices` at which the cycle is pinned: the ends of the chains.
+  std::vector<int> pinned;
 };
 
 /// A corner u -> v -> w of a face whose certificate is active.
@@ -103,6 +117,12 @@ class Simulation {
   /// The planar map at time().
   Tiling tiling() const;
   std::vector<ActiveCertificate> active_set() const;
+  /// Number of levels of a body's tree, the edges of the body being the last.
+  int levels(int body) const;
+  /// The pinned geodesic cycle of one level at time(), built from scratch in O(n log n). Level 0 is the relative convex
+  /// hull, the last level (and what lies beyond) the body's own boundary. Throws InputError if there is no such body,
+  /// if the bodies overlap, or while the jump between two pieces of a motion is being bridged.
+  GeodesicCycle geodesic_cycle(int body, int level) const;
 
   struct Impl;
 

@@ -16,6 +16,7 @@
 // taut/check.hpp       the question and its answer
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
+// taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
@@ -28,6 +29,7 @@
 #include "taut/motion.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
+#include "taut/separator.hpp"
 #include "taut/simulation.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
@@ -33,7 +34,7 @@ class TilingPicture {
         tiling_(tiling),
         options_(options),
         legend_(scene, tiling, options),
-        canvas_(all_points(tiling, options), options.width, title_height, legend_.height()) {
+        canvas_(all_points(tiling, options), options.width, title_height, options.legend ? legend_.height() : 0) {
     pixels_.reserve(tiling.vertices.size());
     for (const TilingVertex& v : tiling.vertices) pixels_.push_back(canvas_.pixel(v.position));
   }
@@ -46,14 +47,18 @@ class TilingPicture {
     draw_title();
     if (options_.faces) draw_faces();
     draw_bodies();
-    draw_edges();
+    if (options_.edges) draw_edges();
     if (options_.certificates) draw_corners();
+    for (const DrawnPath& path : options_.paths) draw_path(path);
     if (options_.contact) draw_contact(*options_.contact);
+    for (const DrawnLabel& label : options_.labels) draw_label(label);
+    if (!options_.legend) return out_ + "</svg>\n";
     return out_ + legend_.draw(canvas_.height()) + "</svg>\n";
   }
 
  private:
   static std::vector<Point> all_points(const Tiling& tiling, const DrawOptions& options) {
+    if (!options.window.empty()) return options.window;
     std::vector<Point> points;
     for (const TilingVertex& v : tiling.vertices) points.push_back(v.position);
     if (options.contact) points.push_back(options.contact->point);
@@ -70,7 +75,9 @@ class TilingPicture {
   }
 
   void draw_title() {
-    const std::string title = io::escape_xml(fmt::format("{}, t = {:.10g}", io::excerpt(names(), 80), tiling_.time));
+    const std::string title =
+        io::escape_xml(options_.title.empty() ? fmt::format("{}, t = {:.10g}", io::excerpt(names(), 80), tiling_.time)
+                                              : options_.title);
     out_ +=
         fmt::format("<title>{0}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{0}</text>\n", title);
   }
@@ -168,6 +175,40 @@ class TilingPicture {
         fmt::format("M{}A{:.1f} {:.1f} 0 {} 0 {}", pixel_text(from), radius, radius, is_convex ? 0 : 1, pixel_text(to));
   }
 
+  void draw_path(const DrawnPath& path) {
+    std::string d;
+    for (const Point& p : path.points) d += (d.empty() ? "M" : "L") + pixel_text(canvas_.pixel(p));
+    if (path.closed) d += "Z";
+    const io::PathLook look = io::path_look(path.kind);
+    // A light seam sets the line off from what lies below it.
+    for (const auto& [colour, width, opacity] :
+         {std::tuple{"#ffffff", look.width * 1.8, 0.75}, std::tuple{look.colour, look.width, 1.0}}) {
+      out_ += fmt::format(
+          "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2g}\" stroke-opacity=\"{}\" "
+          "stroke-linejoin=\"round\" stroke-linecap=\"round\"{}/>\n",
+          d, colour, width, opacity, look.dashed ? " stroke-dasharray=\"6 5\"" : "");
+    }
+    for (const Point& p : path.stars) draw_star(canvas_.pixel(p), look.colour);
+  }
+
+  void draw_star(const Point& at, const char* colour) {
+    std::vector<Point> outline;
+    for (int k = 0; k < 10; ++k) {
+      const double radius = k % 2 == 0 ? 7.5 : 3.2, angle = 0.6283185307179586 * k;
+      outline.push_back({at.x + radius * std::sin(angle), at.y - radius * std::cos(angle)});
+    }
+    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"#fff\" stroke-width=\"1\"/>\n", io::outline_path(outline),
+                        colour);
+  }
+
+  void draw_label(const DrawnLabel& label) {
+    const Point p = canvas_.pixel(label.at);
+    out_ += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
+        "stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
+        p.x, p.y + 4.5, io::escape_xml(label.text));
+  }
+
   void draw_contact(const Contact& contact) {
     const Point p = canvas_.pixel(contact.point);
     const Point tip{p.x + 30 * contact.normal.x, p.y - 30 * contact.normal.y};
@@ -192,6 +233,16 @@ class TilingPicture {
 };
 
 }  // namespace
+
+DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle) {
+  DrawnPath path;
+  path.kind = cycle.body == 0 ? DrawnPath::Kind::geodesic_0 : DrawnPath::Kind::geodesic_1;
+  path.closed = true;
+  const auto at = [&tiling](int v) { return tiling.vertices[static_cast<std::size_t>(v)].position; };
+  for (const int v : cycle.vertices) path.points.push_back(at(v));
+  for (const int i : cycle.pinned) path.stars.push_back(at(cycle.vertices[static_cast<std::size_t>(i)]));
+  return path;
+}
 
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options) {
   return TilingPicture(scene, tiling, options).draw();

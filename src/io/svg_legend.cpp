@@ -25,19 +25,46 @@ std::string arc(const char* colour) {
 
 }  // namespace
 
+PathLook path_look(DrawnPath::Kind kind) {
+  switch (kind) {
+    case DrawnPath::Kind::geodesic_0:
+      return {geodesic_colour[0], 3.4, false, "geodesic"};
+    case DrawnPath::Kind::geodesic_1:
+      return {geodesic_colour[1], 1.8, false, "geodesic"};
+    case DrawnPath::Kind::separator:
+      return {separator_colour, 2.4, false, "separator"};
+    case DrawnPath::Kind::gone:
+      return {gone_colour, 2.4, true, "edge that goes"};
+    case DrawnPath::Kind::guide:
+      return {gone_colour, 0.8, true, "guide"};
+    default:
+      return {come_colour, 2.8, false, "edge that comes"};
+  }
+}
+
 SvgLegend::SvgLegend(const Scene& scene, const Tiling& tiling, const DrawOptions& options)
     : width_(std::max(options.width, 200)), x_(left) {
   for (std::size_t b = 0; b < 2 && b < scene.bodies.size(); ++b) {
     add(fmt::format("<rect y=\"-10\" width=\"16\" height=\"11\" fill=\"{}\"/>", body_fill[b]),
         excerpt(scene.bodies[b].name, 30));
   }
-  if (!tiling.edges.empty()) {
+  if (!tiling.edges.empty() && options.edges) {
     add(line(tiling_colour, 0.8), "tiling");
     add(line(pq_colour, 2.2), "edge between the bodies");
   }
   if (options.certificates && !tiling.faces.empty()) {
     add(arc(convex_colour), "convex corner");
     add(arc(reflex_colour), "reflex corner");
+  }
+  std::vector<DrawnPath::Kind> seen;
+  for (const DrawnPath& path : options.paths) {
+    if (std::find(seen.begin(), seen.end(), path.kind) != seen.end()) continue;
+    seen.push_back(path.kind);
+    const PathLook look = path_look(path.kind);
+    const bool geodesic = path.kind == DrawnPath::Kind::geodesic_0 || path.kind == DrawnPath::Kind::geodesic_1;
+    const std::size_t body = path.kind == DrawnPath::Kind::geodesic_1 ? 1 : 0;
+    const std::string of = geodesic && body < scene.bodies.size() ? " of " + excerpt(scene.bodies[body].name, 30) : "";
+    add(line(look.colour, look.width), look.label + of);
   }
   if (options.contact) add(line(contact_colour, 2.5), "contact");
 }

@@ -8,6 +8,15 @@
 
 namespace taut::io {
 
+/// How a path over the picture looks.
+struct PathLook {
+  const char* colour;
+  double width;
+  bool dashed;
+  const char* label;
+};
+PathLook path_look(DrawnPath::Kind kind);
+
 /// Entries in rows that fit the picture's width.
 class SvgLegend {
  public:

@@ -9,6 +9,10 @@ inline constexpr const char* tiling_colour = "#5f6b76";
 inline constexpr const char* pq_colour = "#c2187a";
 inline constexpr const char* convex_colour = "#1b1b1b";
 inline constexpr const char* reflex_colour = "#138a4e";
+inline constexpr const char* geodesic_colour[2] = {"#0b4f9e", "#8f3d00"};
+inline constexpr const char* separator_colour = "#6a2fb5";
+inline constexpr const char* gone_colour = "#8a8a8a";
+inline constexpr const char* come_colour = "#d7191c";
 inline constexpr const char* contact_colour = "#d7191c";
 
 }  // namespace taut::io

@@ -1,9 +1,12 @@
 #include "taut/simulation.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "kinetic/session.hpp"
 #include "motion/placement.hpp"
+#include "taut/error.hpp"
+#include "tiling/geodesic_faces.hpp"
 
 namespace taut {
 namespace {
@@ -92,6 +95,14 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
     face.body = session.plan().maps[node::in_p(n) ? 0 : 1].body;
     face.depth = node::depth(n);
   }
+  if (face.kind == FaceKind::node) {
+    const PairGeometry& g = session.engine().geometry();
+    const bool p = node::in_p(n);
+    const std::uint32_t first = p ? 0 : g.np, size = p ? g.np : g.nq;
+    const auto chain = ChainTree(size, p ? node::p_tree : node::q_tree).chain(n);
+    face.chain_from = static_cast<int>(first + chain.first);
+    face.chain_to = static_cast<int>(first + chain.second % size);
+  }
   HalfedgeId h = start;
   do {
     visited[h.value] = true;
@@ -135,6 +146,53 @@ std::vector<ActiveCertificate> Simulation::active_set() const {
                    session.engine().leg().time(std::min(c.lo, session.engine().leg().end))});
   });
   return out;
+}
+
+namespace {
+
+/// 0 if the body plays P, 1 if it plays Q.
+std::size_t side_of(const Session& session, int body) {
+  if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
+  return session.plan().maps[0].body == body ? 0 : 1;
+}
+
+ChainTree tree_of(const PairGeometry& g, std::size_t side) {
+  return side == 0 ? ChainTree(g.np, node::p_tree) : ChainTree(g.nq, node::q_tree);
+}
+
+}  // namespace
+
+int Simulation::levels(int body) const {
+  const Session& s = impl_->session;
+  const ChainTree tree = tree_of(s.engine().geometry(), side_of(s, body));
+  return node::depth(tree.leaf(0)) + 1;
+}
+
+GeodesicCycle Simulation::geodesic_cycle(int body, int level) const {
+  const Session& session = impl_->session;
+  const std::size_t side = side_of(session, body);
+  const Engine& engine = session.engine();
+  const PairGeometry& g = engine.geometry();
+  if (engine.leg().bridge)
+    throw InputError("", "a jump between two pieces of a motion is being bridged", "advance a little");
+  const ChainTree tree = tree_of(g, side);
+  const int last = node::depth(tree.leaf(0));
+  const auto paths = decided([&] {
+    const Placement placement(g, engine.leg(), engine.parameter());
+    FreeTriangulation triangulation;
+    if (triangulate_free_space(placement, triangulation)) {
+      throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
+    }
+    return geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last));
+  });
+  GeodesicCycle cycle;
+  cycle.body = body;
+  cycle.level = level;
+  for (const auto& path : paths) {
+    cycle.pinned.push_back(static_cast<int>(cycle.vertices.size()));
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) cycle.vertices.push_back(static_cast<int>(path[i].value));
+  }
+  return cycle;
 }
 
 }  // namespace taut

@@ -68,6 +68,13 @@ class Builder {
     return paths_;
   }
 
+  /// The geodesics of one level, in order.
+  std::vector<std::vector<VertexId>> run_to_level(int level) {
+    level_ = level;
+    build(tree_.root());
+    return std::move(geodesics_);
+  }
+
  private:
   VertexId vertex(std::uint32_t i) const { return VertexId(first_ + i % tree_.leaves()); }
 
@@ -75,6 +82,7 @@ class Builder {
   /// The depth of the recursion is that of the tree, at most 32.
   void build(NodeId n) {
     if (tree_.is_leaf(n)) {
+      if (node::depth(n) <= level_) geodesics_.push_back({vertex(next_edge_), vertex(next_edge_ + 1)});
       paths_.push_back(HalfedgeId(2 * (first_ + next_edge_)));
       ++next_edge_;
       return;
@@ -89,6 +97,7 @@ class Builder {
     cancel(sleeve_begin, junction);
     const VertexId a = vertex(chain_begin), b = vertex(next_edge_);
     find_path(a, b, sleeve_begin);
+    if (node::depth(n) == level_) geodesics_.push_back(path_);
     make_face(n, path_begin, path_middle);
   }
 
@@ -182,13 +191,36 @@ class Builder {
   std::vector<std::uint32_t> sleeves_;  ///< a stack of sequences of diagonals, the chain on the left
   std::vector<VertexId> path_;
   std::vector<HalfedgeId> top_, kept_;
+  int level_ = -1;  ///< whose geodesics are kept
+  std::vector<std::vector<VertexId>> geodesics_;
 };
 
 }  // namespace
 
+void add_polygon_edges(const ChainTree& tree, std::uint32_t first, PlanarMap& map) {
+  const std::uint32_t n = tree.leaves();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    const HalfedgeId inside(2 * (first + i));
+    map.set_origin(inside, VertexId(first + i));
+    map.set_origin(PlanarMap::twin(inside), VertexId(first + j));
+    map.link(inside, HalfedgeId(2 * (first + j)));
+    map.set_node(inside, tree.leaf(i));
+  }
+}
+
 std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const FreeTriangulation& triangulation,
                                            const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map) {
   return Builder(placement, triangulation, tree, first_vertex, map).run();
+}
+
+std::vector<std::vector<VertexId>> geodesics_of_level(const Placement& placement,
+                                                      const FreeTriangulation& triangulation, const ChainTree& tree,
+                                                      std::uint32_t first_vertex, int level) {
+  PlanarMap scratch;
+  scratch.reset(placement.size());
+  add_polygon_edges(tree, first_vertex, scratch);
+  return Builder(placement, triangulation, tree, first_vertex, scratch).run_to_level(level);
 }
 
 }  // namespace taut

@@ -9,6 +9,9 @@
 
 namespace taut {
 
+/// Adds a polygon's edges to a map that has only just been reset: its inside is linked and labelled by the leaves.
+void add_polygon_edges(const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map);
+
 /// Adds the faces of all nodes of the tree of P (or Q) to the map and returns the root's geodesic, the relative convex
 /// hull, as half-edges in order, polygon on the left. Their twins have no face yet.
 ///
@@ -17,5 +20,12 @@ namespace taut {
 /// before their parents, so that a parent's diagonals are those of its children and of the vertex between them.
 std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const FreeTriangulation& triangulation,
                                            const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map);
+
+/// The pinned geodesic cycle of one level of the tree (section 2 of the paper): the geodesics of the nodes of depth
+/// `level`, and of the leaves above it, in order around the polygon, each with all its vertices. Level 0 is the
+/// relative convex hull. Built from scratch, O(n) per level above `level`.
+std::vector<std::vector<VertexId>> geodesics_of_level(const Placement& placement,
+                                                      const FreeTriangulation& triangulation, const ChainTree& tree,
+                                                      std::uint32_t first_vertex, int level);
 
 }  // namespace taut

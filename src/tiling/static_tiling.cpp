@@ -3,22 +3,6 @@
 #include "tiling/geodesic_faces.hpp"
 
 namespace taut {
-namespace {
-
-/// The polygons' edges, insides linked and labelled by their leaves.
-void add_polygon(const ChainTree& tree, std::uint32_t first, PlanarMap& map) {
-  const std::uint32_t n = tree.leaves();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n;
-    const HalfedgeId inside(2 * (first + i));
-    map.set_origin(inside, VertexId(first + i));
-    map.set_origin(PlanarMap::twin(inside), VertexId(first + j));
-    map.link(inside, HalfedgeId(2 * (first + j)));
-    map.set_node(inside, tree.leaf(i));
-  }
-}
-
-}  // namespace
 
 StaticTiling build_tiling(const Placement& placement) {
   StaticTiling result;
@@ -28,8 +12,8 @@ StaticTiling build_tiling(const Placement& placement) {
   if (result.overlap) return result;
   result.map.reset(g.size());
   const ChainTree tree_p(g.np, node::p_tree), tree_q(g.nq, node::q_tree);
-  add_polygon(tree_p, 0, result.map);
-  add_polygon(tree_q, g.np, result.map);
+  add_polygon_edges(tree_p, 0, result.map);
+  add_polygon_edges(tree_q, g.np, result.map);
   const auto hull_p = add_geodesic_faces(placement, triangulation, tree_p, 0, result.map);
   const auto hull_q = add_geodesic_faces(placement, triangulation, tree_q, g.np, result.map);
   result.root = add_root_faces(placement, hull_p, hull_q, result.map);

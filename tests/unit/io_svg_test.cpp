@@ -105,6 +105,34 @@ TEST(Svg, OptionsLeaveThingsOut) {
   EXPECT_TRUE(well_formed(plain));
 }
 
+TEST(Svg, PathsLabelsAndWindow) {
+  const Picture picture = two_triangles();
+  GeodesicCycle cycle;
+  cycle.body = 1;
+  cycle.vertices = {3, 4, 5};
+  cycle.pinned = {1};
+  DrawOptions options;
+  options.title = "a < b";
+  options.paths = {drawn_cycle(picture.tiling, cycle), {{{0, 0}, {1, 1}}, DrawnPath::Kind::separator, false, {}}};
+  options.labels = {{{1, 1}, "u & v"}};
+  const std::string whole = draw_svg(picture.scene, picture.tiling, options);
+  EXPECT_TRUE(well_formed(whole)) << whole;
+  EXPECT_NE(whole.find("<title>a &lt; b</title>"), std::string::npos);
+  EXPECT_NE(whole.find(">geodesic of Q</text>"), std::string::npos);
+  EXPECT_NE(whole.find(">separator</text>"), std::string::npos);
+  EXPECT_NE(whole.find(">u &amp; v</text>"), std::string::npos);
+  ASSERT_EQ(options.paths[0].stars.size(), 1u);
+  EXPECT_EQ(options.paths[0].stars[0].x, 5);
+  EXPECT_EQ(options.paths[0].stars[0].y, 2);
+  options.legend = false;
+  options.window = {{0, 0}, {1, 1}};
+  const std::string part = draw_svg(picture.scene, picture.tiling, options);
+  EXPECT_TRUE(well_formed(part));
+  EXPECT_EQ(part.find(">separator</text>"), std::string::npos);
+  // P's corner at (2, 0) lies outside the window, to the right of the picture.
+  EXPECT_NE(part.find("L1528,"), std::string::npos) << part;
+}
+
 TEST(Svg, StaysSmallForManyVertices) {
   Picture picture;
   picture.scene.bodies = {{"P", Polygon(10000), {}}, {"Q", {{5, 0}, {5, 2}, {3, 2}}, {}}};

@@ -1,0 +1,37 @@
+#include "separator/arena.hpp"
+
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "tiling/geodesic_faces.hpp"
+
+namespace taut {
+namespace {
+
+std::vector<VertexId> relative_hull(const Placement& placement, const FreeTriangulation& triangulation,
+                                    const ChainTree& tree, std::uint32_t first_vertex) {
+  std::vector<VertexId> hull = geodesics_of_level(placement, triangulation, tree, first_vertex, 0).front();
+  hull.pop_back();
+  return hull;
+}
+
+}  // namespace
+
+std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
+  Scene scene;
+  scene.bodies = {{"a", a, {}}, {"b", b, {}}};
+  std::optional<Arena> arena(std::in_place);
+  arena->plan = plan_pair(scene);
+  arena->geometry = displaced_pair(arena->plan, true);
+  const std::vector<Leg> legs = make_legs(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
+  const Placement placement(arena->geometry, legs.front(), 0);
+  if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
+  const PairGeometry& g = arena->geometry;
+  for (const DisplacedPoint& p : g.points) arena->points.push_back({p.x, p.y});
+  for (unsigned i = 0; i < 4; ++i) arena->points.push_back(placement.approximate(placement.box_corner(i)));
+  const ChainTree tree_p(g.np, node::p_tree), tree_q(g.nq, node::q_tree);
+  arena->hulls[0] = relative_hull(placement, arena->triangulation, tree_p, 0);
+  arena->hulls[1] = relative_hull(placement, arena->triangulation, tree_q, g.np);
+  return arena;
+}
+
+}  // namespace taut

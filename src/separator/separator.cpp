@@ -1,0 +1,178 @@
+#include "taut/separator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "motion/motion_plan.hpp"
+#include "motion/placement.hpp"
+#include "motion/pose.hpp"
+#include "separator/arena.hpp"
+#include "separator/curve.hpp"
+#include "separator/link_paths.hpp"
+#include "taut/error.hpp"
+#include "taut/simulation.hpp"
+#include "taut/validate.hpp"
+#include "tiling/root_faces.hpp"
+
+namespace taut {
+namespace {
+
+/// The curve is drawn around polygons that are larger by so much (of the scaled coordinates): wide berths first, which
+/// look better.
+constexpr double margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0x1p-30, 0x1p-38, 0x1p-44};
+
+SeparatorVertex input_vertex(const Arena& arena, VertexId v) {
+  const int side = arena.owner(v);
+  const BodyMap& map = arena.plan.maps[static_cast<std::size_t>(side)];
+  return {map.body, map.vertex(side == 0 ? v.value : v.value - arena.geometry.np)};
+}
+
+int mixed_edges(const Arena& arena, const std::vector<VertexId>& cycle) {
+  int count = 0;
+  for (std::size_t i = 0; i < cycle.size(); ++i)
+    count += arena.owner(cycle[i]) != arena.owner(cycle[(i + 1) % cycle.size()]);
+  return count;
+}
+
+/// The path that the two hulls share: RCH(P)'s vertices from where it meets RCH(Q) to where it leaves it.
+std::vector<VertexId> contact_path(const Arena& arena) {
+  const std::vector<VertexId>&p = arena.hulls[0], &q = arena.hulls[1];
+  std::map<std::uint32_t, std::uint32_t> before_in_q;  // the vertex before, around Q
+  for (std::size_t j = 0; j < q.size(); ++j) before_in_q[q[(j + 1) % q.size()].value] = q[j].value;
+  const auto on_q = [&](VertexId v) { return before_in_q.count(v.value) > 0; };
+  const auto shared = [&](std::size_t i) {
+    const VertexId u = p[i % p.size()], v = p[(i + 1) % p.size()];
+    return on_q(u) && on_q(v) && before_in_q[u.value] == v.value;
+  };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!on_q(p[i]) || shared(i + p.size() - 1)) continue;
+    std::vector<VertexId> path{p[i]};
+    for (std::size_t k = i; shared(k) && path.size() <= p.size(); ++k) path.push_back(p[(k + 1) % p.size()]);
+    return path;
+  }
+  return {};
+}
+
+MovingSeparator moving_separator(const Arena& arena) {
+  MovingSeparator moving;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto body = static_cast<std::size_t>(arena.plan.maps[side].body);
+    for (const VertexId v : arena.hulls[side]) moving.hulls[body].push_back(input_vertex(arena, v));
+    moving.bichromatic_edges[body] = mixed_edges(arena, arena.hulls[side]);
+  }
+  const std::vector<VertexId> path = contact_path(arena);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    moving.contact.push_back(input_vertex(arena, path[i]));
+    if (i > 0) moving.bichromatic_contact_edges += arena.owner(path[i - 1]) != arena.owner(path[i]);
+  }
+  return moving;
+}
+
+std::vector<Point> both(const PairPlan& plan) {
+  std::vector<Point> all = plan.polygons[0];
+  all.insert(all.end(), plan.polygons[1].begin(), plan.polygons[1].end());
+  return all;
+}
+
+Polygon grown(const Polygon& polygon, double margin) {
+  Polygon out;
+  for (const DisplacedPoint& v : displace(polygon, false, margin, 1)) out.push_back({v.x + v.dx, v.y + v.dy});
+  return out;
+}
+
+/// A curve around polygons that are a little larger, if they are still apart, in this plan's coordinates.
+std::optional<Curve> curve_at_distance(const PairPlan& plan, double margin) {
+  const std::optional<Arena> wide = make_arena(grown(plan.polygons[0], margin), grown(plan.polygons[1], margin));
+  if (!wide) return std::nullopt;
+  Curve curve = curve_of(link_bound(*wide).path, both(wide->plan));
+  for (Point& v : curve.vertices) v = {std::ldexp(v.x, -wide->plan.exponent), std::ldexp(v.y, -wide->plan.exponent)};
+  return curve;
+}
+
+/// The last resort: a relative convex hull itself.
+Curve hull_curve(const Arena& arena, std::size_t side) {
+  Curve curve;
+  curve.closed = true;
+  for (const VertexId v : arena.hulls[side]) curve.vertices.push_back(arena.at(v));
+  return curve;
+}
+
+MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
+  const PairPlan& plan = arena.plan;
+  MinimumLinkSeparator result;
+  const LinkBound bound = link_bound(arena);
+  result.lower = bound.lower;
+  std::optional<Curve> best;
+  const auto offer = [&](Curve curve) {
+    if (best && best->edges() <= curve.edges()) return;
+    if (separates(curve, plan.polygons[0], plan.polygons[1])) best = std::move(curve);
+  };
+  for (const double margin : margins) {
+    if (std::optional<Curve> curve = curve_at_distance(plan, margin)) offer(std::move(*curve));
+    if (best && static_cast<int>(best->edges()) <= result.lower) break;
+  }
+  // Where there is no room at all, rounding may yet leave the curve right.
+  if (!best || static_cast<int>(best->edges()) > result.lower) offer(curve_of(bound.path, both(plan)));
+  for (std::size_t side = 0; side < 2 && !best; ++side) offer(hull_curve(arena, side));
+  if (!best) throw StructureError("no separator passes the check");
+  result.upper = static_cast<int>(best->edges());
+  result.closed = best->closed;
+  for (const Point& v : best->vertices)
+    result.vertices.push_back({std::ldexp(v.x, -plan.exponent), std::ldexp(v.y, -plan.exponent)});
+  return result;
+}
+
+Separator separator_at_rest(const Body& first, const Body& second) {
+  Scene scene;
+  scene.bodies = {first, second};
+  validate(scene);
+  Separator result;
+  try {
+    const std::optional<Arena> arena = make_arena(first.polygon, second.polygon);
+    if (!arena) {
+      result.overlap = true;
+      return result;
+    }
+    result.moving = moving_separator(*arena);
+    result.minimum_link = minimum_link_separator(*arena);
+    return result;
+  } catch (const Undecidable& limit) {
+    throw UndecidedError(not_decided(limit));
+  }
+}
+
+}  // namespace
+
+Separator separator(const Polygon& p, const Polygon& q) {
+  return separator_at_rest({"the first polygon", p, {}}, {"the second polygon", q, {}});
+}
+
+std::array<Polygon, 2> placed(const Scene& scene, double t) {
+  std::array<Polygon, 2> out;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Body& body = scene.bodies[k];
+    if (body.motion.pieces.empty()) {
+      out[k] = body.polygon;
+      continue;
+    }
+    const std::vector<MotionPiece> pieces = pieces_between(body.motion, scene.start, scene.end);
+    const Pose<double> at = pose(piece_at(pieces, t), Ball<double>::exact(t));
+    const double c = at.xx.v.mid, s = at.xy.v.mid;
+    for (const Point& v : body.polygon)
+      out[k].push_back({at.ox.v.mid + (c * v.x - s * v.y), at.oy.v.mid + (s * v.x + c * v.y)});
+  }
+  return out;
+}
+
+Separator separator(const Scene& scene, double t) {
+  validate(scene);
+  if (!(t >= scene.start && t <= scene.end)) {
+    throw InputError("", "the instant " + std::to_string(t) + " is outside the scene's time", "choose one within");
+  }
+  const std::array<Polygon, 2> polygons = placed(scene, t);
+  return separator_at_rest({scene.bodies[0].name, polygons[0], {}}, {scene.bodies[1].name, polygons[1], {}});
+}
+
+}  // namespace taut
