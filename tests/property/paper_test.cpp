@@ -246,7 +246,7 @@ TEST(Paper, ARepairChangesAtMostOneEdgeEachWay) {
       }
     }
   }
-  EXPECT_GT(events, static_cast<int>(effort(1500)));
+  EXPECT_GT(events, static_cast<int>(effort(1000)));
 }
 
 /// The scenes of docs/paper.md show what they are there to show.
