@@ -26,6 +26,8 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : g
   const ExactVector& shift = leg.shift;
   const double px = leg.shift_p ? -shift.x : 0, py = leg.shift_p ? -shift.y : 0;
   const double qx = leg.shift_q ? shift.x : 0, qy = leg.shift_q ? shift.y : 0;
+  pose_p_ = {1, 0, px, py};
+  pose_q_ = {c, s, ax + (c * qx - s * qy), ay + (s * qx + c * qy)};
   double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY, local = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     const DisplacedPoint& v = geometry.points[i];
