@@ -113,7 +113,8 @@ class Runner:
             shutil.copytree(os.path.join(self.root, name), os.path.join(self.folder, name))
         os.mkdir(os.path.join(self.folder, "bin"))
         for name in ("taut", "taut-verify"):
-            os.symlink(os.path.join(os.path.dirname(self.taut), name), os.path.join(self.folder, "bin", name))
+            # A copy: the viewer's page that may have been built is not found from here.
+            shutil.copy(os.path.join(os.path.dirname(self.taut), name), os.path.join(self.folder, "bin", name))
         # `./dev run` builds, then runs; the build has been done.
         dev = os.path.join(self.folder, "dev")
         with open(dev, "w") as file:

@@ -12,6 +12,7 @@
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "viewer_page.hpp"
 
 namespace taut::cli {
 
@@ -66,10 +67,24 @@ const Demo& find_demo(const std::string& name) {
 }
 
 /// What somebody wrote is not to be lost.
-void write_new(const std::string& path, const std::string& text, bool force) {
-  if (!force && std::filesystem::exists(path))
+void require_new(const std::string& path) {
+  if (std::filesystem::exists(path))
     throw InputError(path, "the file is there already", "write to another folder with -d, or over it with --force");
+}
+
+void write_new(const std::string& path, const std::string& text, bool force) {
+  if (!force) require_new(path);
   write_file(path, text);
+}
+
+/// The page is built apart from the program, by `./dev web`.
+bool viewer_is_there() {
+  try {
+    load_viewer_template("");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 struct DemoArguments {
@@ -90,6 +105,11 @@ int run_demo(const DemoArguments& arguments) {
   fmt::print("{}.json  {}\n", stem, demo.what);
   write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
   fmt::print("{}.svg   the motion, to open in a browser\n", stem);
+  if (viewer_is_there()) {
+    if (!arguments.force) require_new(stem + ".html");
+    write_viewer(scene, {}, stem + ".html");
+    fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", stem);
+  }
   fmt::print("next:  taut check {}.json\n", stem);
   return exit_free;
 }

@@ -14,8 +14,7 @@
 namespace {
 
 const char* const examples =
-    "Example:\n"
-    "  taut demo lid && taut check lid.json\n"
+    "Example: taut demo lid && taut check lid.json\n"
     "\n"
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
     "`taut COMMAND --help` tells more. `taut completion bash|zsh|fish` and `taut man` are for installations.\n";
@@ -58,6 +57,7 @@ int main(int argc, char** argv) {
   taut::cli::add_prove(app, action);
   taut::cli::add_verify(app, action);
   taut::cli::add_draw(app, action);
+  taut::cli::add_view(app, action);
   taut::cli::add_trace(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);

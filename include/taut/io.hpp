@@ -37,6 +37,9 @@ std::string write_scene(const Scene& scene);
 Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
 /// Reads the outer ring of a GeoJSON Polygon, also inside a Feature or a FeatureCollection of one feature.
 Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory; `name` stands for the file in messages.
+Polygon parse_wkt(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
+Polygon parse_geojson(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
 
 /// Reads keyframes for from_keyframes(): a header of the columns t, x, y, angle_deg in any order (those left out are 0,
 /// t must be there), then a line of numbers for each keyframe, in order of time. Fields are separated by commas; spaces

@@ -19,6 +19,7 @@
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
 // taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
+// taut/pose.hpp        where a body is at one instant, for drawing
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
 #pragma once
@@ -29,6 +30,7 @@
 #include "taut/io.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
+#include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/separator.hpp"
