@@ -24,6 +24,8 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : g
   keys_.resize(n + 4);
   const double ax = f.for_pp[1].v.mid, ay = f.for_pp[2].v.mid, c = f.for_pp[3].v.mid, s = f.for_pp[4].v.mid;
   const double px = leg.offset_p.x, py = leg.offset_p.y, qx = leg.offset_q.x, qy = leg.offset_q.y;
+  pose_p_ = {1, 0, px, py};
+  pose_q_ = {c, s, ax + (c * qx - s * qy), ay + (s * qx + c * qy)};
   double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY, local = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     const DisplacedPoint& v = geometry.points[i];

@@ -18,12 +18,20 @@ struct Undecidable {
 /// The message for the user.
 std::string not_decided(const Undecidable& limit);
 
+/// From a body's own coordinates to P's frame, rounded: a turn by (c, s), then a shift.
+struct RoundedPose {
+  double c = 1, s = 0, x = 0, y = 0;
+};
+
 /// Positions in P's frame at parameter t of a leg (not a bridge), and the predicates that the static construction
 /// needs. Four corners of a large box around both bodies are vertices size() .. size()+3, counterclockwise.
 /// Predicates never return 0; they throw Undecidable at the limit of precision.
 class Placement {
  public:
   Placement(const PairGeometry& geometry, const Leg& leg, double t);
+
+  /// The same instant for other shapes.
+  Placement with_geometry(const PairGeometry& geometry) const { return {geometry, *leg_, t_}; }
 
   const PairGeometry& geometry() const { return *geometry_; }
   std::uint32_t size() const { return geometry_->size(); }
@@ -34,6 +42,11 @@ class Placement {
   bool before(VertexId a, VertexId b) const;
   /// Rounded positions, for sorting and drawing.
   const Point& approximate(VertexId v) const { return positions_[v.value]; }
+  /// The bound of the error of each coordinate of approximate().
+  double position_error() const { return error_; }
+  /// How the positions of P (of Q) come about, up to position_error().
+  const RoundedPose& pose_p() const { return pose_p_; }
+  const RoundedPose& pose_q() const { return pose_q_; }
   /// How often doubles did not suffice.
   std::uint64_t precise_calls() const { return precise_calls_; }
 
@@ -58,6 +71,7 @@ class Placement {
   double t_;
   std::vector<Point> positions_;
   std::vector<double> keys_;
+  RoundedPose pose_p_, pose_q_;
   double error_ = 0;      ///< of each coordinate in positions_
   double key_error_ = 0;  ///< of each difference of keys_
   mutable std::optional<Frame<Real320>> frame320_;

@@ -41,6 +41,11 @@ inline bool in_q(NodeId n) { return n.code >= 4 && n.code != 7 && (n.code >> (bi
 inline int depth(NodeId n) { return bit_length(n.code) - 3; }
 inline NodeId left(NodeId n) { return {2 * n.code}; }
 inline NodeId right(NodeId n) { return {2 * n.code + 1}; }
+/// Is n the node a or one of its descendants?
+inline bool in_subtree(NodeId n, NodeId a) {
+  const int below = bit_length(n.code) - bit_length(a.code);
+  return below >= 0 && (n.code >> below) == a.code;
+}
 
 inline std::uint32_t lowest_common_ancestor(std::uint32_t a, std::uint32_t b) {
   const int da = bit_length(a), db = bit_length(b);
@@ -75,7 +80,16 @@ class ChainTree {
   NodeId leaf(std::uint32_t edge) const {
     return from_heap(edge < low_leaves_ ? first_low_ + edge : n_ + (edge - low_leaves_));
   }
-  bool is_leaf(NodeId n) const { return to_heap(n) >= n_; }
+  bool is_leaf(NodeId n) const { return heap(n) >= n_; }
+  /// The node's number in the tree's own heap numbering: 1 the root, n .. 2n-1 the leaves.
+  std::uint32_t heap(NodeId n) const {
+    const std::uint32_t level = 1u << node::depth(n);
+    return n.code - root_.code * level + level;
+  }
+  NodeId from_heap(std::uint32_t k) const {
+    const std::uint32_t level = 1u << (node::bit_length(k) - 1);
+    return {k - level + root_.code * level};
+  }
   /// Number of edges in the chain of a node.
   std::uint32_t chain_length(NodeId n) const {
     const auto r = chain(n);
@@ -84,21 +98,13 @@ class ChainTree {
   /// The chain of node n: from vertex .first to vertex .second of its polygon (.second may equal the number of
   /// vertices, meaning vertex 0 again).
   std::pair<std::uint32_t, std::uint32_t> chain(NodeId n) const {
-    std::uint32_t lo = to_heap(n), hi = lo;
+    std::uint32_t lo = heap(n), hi = lo;
     while (lo < n_) lo = 2 * lo;
     while (hi < n_) hi = 2 * hi + 1;
     return {edge_of(lo), edge_of(hi) + 1};
   }
 
  private:
-  NodeId from_heap(std::uint32_t k) const {
-    const std::uint32_t level = 1u << (node::bit_length(k) - 1);
-    return {k - level + root_.code * level};
-  }
-  std::uint32_t to_heap(NodeId n) const {
-    const std::uint32_t level = 1u << node::depth(n);
-    return n.code - root_.code * level + level;
-  }
   std::uint32_t edge_of(std::uint32_t heap_leaf) const {
     return heap_leaf >= first_low_ ? heap_leaf - first_low_ : heap_leaf - n_ + low_leaves_;
   }

@@ -59,13 +59,30 @@ class Funnel {
 
 class Builder {
  public:
+  /// Of a whole body.
   Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, std::uint32_t first,
           PlanarMap& map)
-      : triangulation_(t), tree_(tree), first_(first), map_(map), funnel_(placement, t) {}
+      : triangulation_(t), tree_(tree), first_(first), ring_(tree.leaves()), map_(map), funnel_(placement, t) {}
+  /// Of the open nodes of an outline.
+  Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, const Outline& outline,
+          const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map)
+      : triangulation_(t),
+        tree_(tree),
+        first_(first),
+        ring_(static_cast<std::uint32_t>(outline.edges.size())),
+        map_(map),
+        funnel_(placement, t),
+        outline_(&outline),
+        vertices_(&vertices) {}
 
   std::vector<HalfedgeId> run() {
     build(tree_.root());
-    return paths_;
+    return std::move(paths_);
+  }
+
+  std::vector<HalfedgeId> run(const GeodesicVisitor& visitor) {
+    visitor_ = visitor ? &visitor : nullptr;
+    return run();
   }
 
   /// The geodesics of one level, in order.
@@ -76,15 +93,15 @@ class Builder {
   }
 
  private:
-  VertexId vertex(std::uint32_t i) const { return VertexId(first_ + i % tree_.leaves()); }
+  VertexId vertex(std::uint32_t i) const { return VertexId(first_ + i % ring_); }
+  bool is_leaf(NodeId n) const { return outline_ ? !outline_->open[tree_.heap(n)] : tree_.is_leaf(n); }
 
-  /// Leaves the node's geodesic on top of paths_ and its diagonals on top of sleeves_; returns the end of its chain.
+  /// Leaves the node's geodesic on top of paths_ and its diagonals on top of sleeves_.
   /// The depth of the recursion is that of the tree, at most 32.
   void build(NodeId n) {
-    if (tree_.is_leaf(n)) {
+    if (is_leaf(n)) {
       if (node::depth(n) <= level_) geodesics_.push_back({vertex(next_edge_), vertex(next_edge_ + 1)});
-      paths_.push_back(HalfedgeId(2 * (first_ + next_edge_)));
-      ++next_edge_;
+      add_leaf();
       return;
     }
     const std::size_t path_begin = paths_.size(), sleeve_begin = sleeves_.size();
@@ -98,12 +115,28 @@ class Builder {
     const VertexId a = vertex(chain_begin), b = vertex(next_edge_);
     find_path(a, b, sleeve_begin);
     if (node::depth(n) == level_) geodesics_.push_back(path_);
+    if (visitor_) (*visitor_)(n, path_);
     make_face(n, path_begin, path_middle);
+  }
+
+  /// An edge of the body; of an outline, the edges of a geodesic that is there already.
+  void add_leaf() {
+    if (!outline_) {
+      paths_.push_back(HalfedgeId(2 * (first_ + next_edge_++)));
+      return;
+    }
+    const std::size_t sleeve_begin = sleeves_.size();
+    const std::uint32_t end = next_edge_ + outline_->leaf_edges[next_leaf_++];
+    paths_.push_back(outline_->edges[next_edge_++]);
+    while (next_edge_ < end) {
+      add_fan(vertex(next_edge_), sleeve_begin);
+      paths_.push_back(outline_->edges[next_edge_++]);
+    }
   }
 
   /// The diagonals around u from its previous polygon edge to its next one, through free space.
   void add_fan(VertexId u, std::size_t sleeve_begin) {
-    const VertexId before = vertex(u.value - first_ + tree_.leaves() - 1);
+    const VertexId before = vertex(u.value - first_ + ring_ - 1);
     std::uint32_t h = triangulation_.boundary[before.value];
     for (;;) {
       h = triangulation_.twin[FreeTriangulation::previous(h)];
@@ -136,6 +169,9 @@ class Builder {
     while (lo < hi && touches(sleeves_[lo], a)) ++lo;
     while (hi > lo && touches(sleeves_[hi - 1], b)) --hi;
     funnel_.run(a, b, sleeves_.data() + lo, sleeves_.data() + hi, path_);
+    if (vertices_) {
+      for (VertexId& v : path_) v = (*vertices_)[v.value];
+    }
   }
 
   /// Replaces the children's geodesics on the stack by the node's, and links the face between them.
@@ -183,10 +219,13 @@ class Builder {
 
   const FreeTriangulation& triangulation_;
   const ChainTree& tree_;
-  std::uint32_t first_;
+  std::uint32_t first_, ring_;  ///< the vertices of the ring in the triangulation: the first one, and how many
   PlanarMap& map_;
   Funnel funnel_;
-  std::uint32_t next_edge_ = 0;
+  const Outline* outline_ = nullptr;
+  const std::vector<VertexId>* vertices_ = nullptr;  ///< the map's, if they are not the triangulation's
+  const GeodesicVisitor* visitor_ = nullptr;
+  std::uint32_t next_edge_ = 0, next_leaf_ = 0;
   std::vector<HalfedgeId> paths_;       ///< a stack of geodesics
   std::vector<std::uint32_t> sleeves_;  ///< a stack of sequences of diagonals, the chain on the left
   std::vector<VertexId> path_;
@@ -210,8 +249,15 @@ void add_polygon_edges(const ChainTree& tree, std::uint32_t first, PlanarMap& ma
 }
 
 std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const FreeTriangulation& triangulation,
-                                           const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map) {
-  return Builder(placement, triangulation, tree, first_vertex, map).run();
+                                           const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map,
+                                           const GeodesicVisitor& visitor) {
+  return Builder(placement, triangulation, tree, first_vertex, map).run(visitor);
+}
+
+std::vector<HalfedgeId> add_open_faces(const Placement& outside, const FreeTriangulation& triangulation,
+                                       const ChainTree& tree, const Outline& outline,
+                                       const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map) {
+  return Builder(outside, triangulation, tree, outline, vertices, first, map).run();
 }
 
 std::vector<std::vector<VertexId>> geodesics_of_level(const Placement& placement,

@@ -30,9 +30,7 @@ class PlanarMap {
     halfedges_.clear();
     pinch_.clear();
     free_.clear();
-    halfedges_.reserve(4 * static_cast<std::size_t>(vertices) + 16);
-    pinch_.reserve(2 * static_cast<std::size_t>(vertices) + 8);
-    free_.reserve(64);
+    reserve();
     halfedges_.resize(2 * static_cast<std::size_t>(vertices));
     pinch_.resize(vertices, 0);
   }
@@ -91,6 +89,26 @@ class PlanarMap {
     merge_into(a, b);
     return a;
   }
+  /// A copy without unused edges, which are numbered anew; so are `handles`.
+  PlanarMap compact(std::vector<HalfedgeId>& handles) const;
+  /// The maps of two bodies beside each other, with the vertices, and the polygons' edges, of the first before those of
+  /// the second. Both must be compact.
+  static PlanarMap joined(const PlanarMap& first, const PlanarMap& second);
+  /// The number that a half-edge of one of them has in the joined map.
+  struct Renumbering {
+    std::uint32_t polygon_end;           ///< in its own map: the half-edges before are the polygon's
+    std::uint32_t polygon_shift, shift;  ///< for the polygon's, and for the others
+    HalfedgeId operator()(HalfedgeId h) const {
+      return HalfedgeId(h.valid() ? h.value + (h.value < polygon_end ? polygon_shift : shift) : h.value);
+    }
+  };
+  static Renumbering first_in_joined(const PlanarMap& first, const PlanarMap& second) {
+    return {2 * first.vertices(), 0, 2 * second.vertices()};
+  }
+  static Renumbering second_in_joined(const PlanarMap& first, const PlanarMap& second) {
+    return {2 * second.vertices(), 2 * first.vertices(), first.halfedge_count()};
+  }
+
   /// Edges that are not in use, by their even half-edges; the last one is used next.
   const std::vector<HalfedgeId>& unused() const { return free_; }
   /// Bytes held.
@@ -99,6 +117,13 @@ class PlanarMap {
   }
 
  private:
+  void reserve() {
+    halfedges_.reserve(4 * static_cast<std::size_t>(vertices_) + 16);
+    pinch_.reserve(2 * static_cast<std::size_t>(vertices_) + 8);
+    free_.reserve(64);
+  }
+  void append_part(const PlanarMap& part, std::uint32_t begin, std::uint32_t end, const Renumbering& number,
+                   std::uint32_t vertex_shift);
   void merge_into(HalfedgeId keep, HalfedgeId drop) {
     const HalfedgeId side = twin(keep);
     Halfedge& record = halfedges_[side.value];

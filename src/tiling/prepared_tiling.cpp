@@ -1,0 +1,267 @@
+#include "tiling/prepared_tiling.hpp"
+
+#include <algorithm>
+
+#include "tiling/geodesic_faces.hpp"
+
+namespace taut {
+namespace {
+
+/// Finds which nodes must be done anew, and the outline that remains.
+class OutlineBuilder {
+ public:
+  OutlineBuilder(const ShapeTiling& shape, const PlanarMap& map, std::uint32_t first_vertex,
+                 const std::vector<bool>& near)
+      : shape_(shape), map_(map), first_vertex_(first_vertex), near_(near) {
+    out_.open.resize(near.size(), false);
+  }
+
+  Outline run() {
+    visit(shape_.tree.root());
+    return std::move(out_);
+  }
+
+ private:
+  void visit(NodeId n) {
+    const std::uint32_t k = shape_.tree.heap(n);
+    if (!shape_.tree.is_leaf(n) && (near_[k] || !shape_.by_itself[k])) {
+      out_.open[k] = true;
+      visit(node::left(n));
+      visit(node::right(n));
+    } else {
+      add_geodesic(n);
+    }
+  }
+
+  /// The geodesic has the subtree's faces, or the body's inside, on its left, and on its right something else.
+  void add_geodesic(NodeId n) {
+    const auto [begin, end] = shape_.tree.chain(n);
+    const VertexId last(first_vertex_ + end % shape_.tree.leaves());
+    const std::size_t before = out_.edges.size();
+    HalfedgeId h(2 * (first_vertex_ + begin));
+    for (;;) {
+      while (node::in_subtree(map_.node(PlanarMap::twin(h)), n)) h = map_.next(PlanarMap::twin(h));
+      out_.edges.push_back(h);
+      if (map_.target(h) == last) break;
+      h = map_.next(h);
+    }
+    out_.leaf_edges.push_back(static_cast<std::uint32_t>(out_.edges.size() - before));
+  }
+
+  const ShapeTiling& shape_;
+  const PlanarMap& map_;
+  std::uint32_t first_vertex_;
+  const std::vector<bool>& near_;
+  Outline out_;
+};
+
+/// Makes an outline shorter where nothing happens: runs of edges of the convex hull, with nothing near the cap between
+/// them and their chord, are replaced by the chord. All geodesics that get there follow the whole run: below it is the
+/// body, and the other body is not near. The chord is an edge of the map for the time being.
+class Capper {
+ public:
+  /// `keep_off`: the other body.
+  Capper(const PairGeometry& geometry, const RoundedPose& pose, const NodeBox& keep_off, const RoundedPose& other_pose,
+         double margin, PlanarMap& map)
+      : geometry_(geometry), pose_(pose), keep_off_(keep_off), other_pose_(other_pose), margin_(margin), map_(map) {}
+
+  void shorten(Outline& outline) {
+    pockets_ = box_of_pockets(outline);
+    longest_run_ = outline.edges.size() / 3;  // so that three corners remain
+    edges_.clear();
+    std::size_t begin = 0;
+    for (std::uint32_t& count : outline.leaf_edges) {
+      const std::size_t before = edges_.size(), end = begin + count;
+      for (std::size_t i = begin; i < end;) {
+        std::size_t j = i;
+        while (j < end && on_hull(outline.edges[j])) ++j;
+        if (j == i) {
+          edges_.push_back(outline.edges[i++]);
+        } else {
+          add_run(outline.edges, i, j);
+          i = j;
+        }
+      }
+      count = static_cast<std::uint32_t>(edges_.size() - before);
+      begin = end;
+    }
+    outline.edges = edges_;
+  }
+
+  /// A hull in which runs take the place of their chords again, which leave the map.
+  std::vector<HalfedgeId> restored(const std::vector<HalfedgeId>& hull) {
+    std::vector<HalfedgeId> out;
+    for (const HalfedgeId h : hull) {
+      const auto chord = std::find_if(chords_.begin(), chords_.end(), [h](const Chord& c) { return c.edge == h; });
+      if (chord == chords_.end()) {
+        out.push_back(h);
+      } else {
+        out.insert(out.end(), runs_.begin() + chord->begin, runs_.begin() + chord->end);
+      }
+    }
+    for (const Chord& c : chords_) map_.remove_edge(c.edge);
+    return out;
+  }
+
+ private:
+  struct Chord {
+    HalfedgeId edge;
+    std::ptrdiff_t begin, end;  ///< its run
+  };
+
+  bool on_hull(HalfedgeId h) const { return map_.node(PlanarMap::twin(h)) == node::none; }
+  Point point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
+
+  /// Around all edges that are not the hull's.
+  std::optional<NodeBox> box_of_pockets(const Outline& outline) const {
+    std::optional<BoxBuilder> box;
+    for (const HalfedgeId h : outline.edges) {
+      if (on_hull(h)) continue;
+      const Point a = point(map_.origin(h)), b = point(map_.target(h));
+      if (!box) box.emplace(a, a);
+      box->include(a.x, a.y);
+      box->include(b.x, b.y);
+    }
+    return box ? std::optional(box->box()) : std::nullopt;
+  }
+
+  void add_run(const std::vector<HalfedgeId>& edges, std::size_t begin, std::size_t end) {
+    const std::size_t length = end - begin;
+    if (length < shortest_run) {
+      edges_.insert(edges_.end(), edges.begin() + static_cast<std::ptrdiff_t>(begin),
+                    edges.begin() + static_cast<std::ptrdiff_t>(end));
+    } else if (length <= longest_run_ && is_free(edges, begin, end)) {
+      const HalfedgeId chord = map_.add_edge(map_.origin(edges[begin]), map_.target(edges[end - 1]));
+      const auto first = static_cast<std::ptrdiff_t>(runs_.size());
+      runs_.insert(runs_.end(), edges.begin() + static_cast<std::ptrdiff_t>(begin),
+                   edges.begin() + static_cast<std::ptrdiff_t>(end));
+      chords_.push_back({chord, first, static_cast<std::ptrdiff_t>(runs_.size())});
+      edges_.push_back(chord);
+    } else {
+      const std::size_t middle = begin + length / 2;
+      add_run(edges, begin, middle);
+      add_run(edges, middle, end);
+    }
+  }
+
+  bool is_free(const std::vector<HalfedgeId>& edges, std::size_t begin, std::size_t end) const {
+    const Point a = point(map_.origin(edges[begin])), b = point(map_.target(edges[end - 1]));
+    BoxBuilder builder(a, b);
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const Point v = point(map_.origin(edges[i]));
+      builder.include(v.x, v.y);
+    }
+    const NodeBox cap = builder.box();
+    return !(pockets_ && near(cap, {}, *pockets_, {}, margin_)) && !near(cap, pose_, keep_off_, other_pose_, margin_);
+  }
+
+  static constexpr std::size_t shortest_run = 4;
+
+  const PairGeometry& geometry_;
+  RoundedPose pose_;
+  const NodeBox& keep_off_;
+  RoundedPose other_pose_;
+  double margin_;
+  PlanarMap& map_;
+  std::optional<NodeBox> pockets_;
+  std::size_t longest_run_ = 0;
+  std::vector<HalfedgeId> edges_, runs_;
+  std::vector<Chord> chords_;
+};
+
+class Joiner {
+ public:
+  Joiner(const Placement& placement, const ShapeTiling& p, const ShapeTiling& q)
+      : place_(placement), geometry_(placement.geometry()), p_(p), q_(q) {}
+
+  std::optional<StaticTiling> run(bool in_any_case) {
+    const double margin = 4 * place_.position_error();
+    const BoxedTree tree_p{p_.tree, p_.boxes, place_.pose_p()}, tree_q{q_.tree, q_.boxes, place_.pose_q()};
+    const std::vector<bool> near_p = near_nodes(tree_p, tree_q, margin), near_q = near_nodes(tree_q, tree_p, margin);
+    if (!in_any_case && (!pays(near_p) || !pays(near_q))) return std::nullopt;
+    map_ = PlanarMap::joined(p_.map, q_.map);
+    const auto number_p = PlanarMap::first_in_joined(p_.map, q_.map);
+    const auto number_q = PlanarMap::second_in_joined(p_.map, q_.map);
+    std::vector<HalfedgeId> hull_p, hull_q;
+    if (!near_p[1] && !near_q[1]) {
+      for (const HalfedgeId h : p_.hull) hull_p.push_back(number_p(h));
+      for (const HalfedgeId h : q_.hull) hull_q.push_back(number_q(h));
+    } else {
+      Outline outline_p = OutlineBuilder(p_, map_, 0, near_p).run();
+      Outline outline_q = OutlineBuilder(q_, map_, geometry_.np, near_q).run();
+      remove_faces(p_, outline_p, number_p);
+      remove_faces(q_, outline_q, number_q);
+      Capper capper_p(geometry_, place_.pose_p(), q_.boxes[1], place_.pose_q(), margin, map_);
+      Capper capper_q(geometry_, place_.pose_q(), p_.boxes[1], place_.pose_p(), margin, map_);
+      capper_p.shorten(outline_p);
+      capper_q.shorten(outline_q);
+      if (!add_faces(outline_p, outline_q, hull_p, hull_q)) return std::nullopt;
+      hull_p = capper_p.restored(hull_p);
+      hull_q = capper_q.restored(hull_q);
+    }
+    StaticTiling result;
+    result.root = add_root_faces(place_, hull_p, hull_q, map_);
+    result.map = std::move(map_);
+    return result;
+  }
+
+ private:
+  /// More than a quarter of the nodes: an outline and its triangulation cost as much as those of the whole.
+  static bool pays(const std::vector<bool>& near) {
+    return 8 * static_cast<std::size_t>(std::count(near.begin(), near.end(), true)) <= near.size() + 64;
+  }
+
+  /// The edges that only open nodes' geodesics run along.
+  void remove_faces(const ShapeTiling& shape, const Outline& outline, const PlanarMap::Renumbering& number) {
+    doomed_.clear();
+    const std::uint32_t n = shape.tree.leaves();
+    const auto is_open = [&](NodeId node) { return node == node::none || outline.open[shape.tree.heap(node)]; };
+    for (std::uint32_t k = 1; k < n; ++k) {
+      if (!outline.open[k] || !shape.face[k].valid()) continue;
+      const HalfedgeId first = number(shape.face[k]);
+      HalfedgeId h = first;
+      do {
+        if (!map_.is_polygon_edge(h) && is_open(map_.node(PlanarMap::twin(h)))) doomed_.push_back(h);
+        h = map_.next(h);
+      } while (h != first);
+    }
+    for (const HalfedgeId h : doomed_) {
+      if (map_.alive(h)) map_.remove_edge(h);
+    }
+  }
+
+  /// Returns false if the outlines are not disjoint.
+  bool add_faces(const Outline& outline_p, const Outline& outline_q, std::vector<HalfedgeId>& hull_p,
+                 std::vector<HalfedgeId>& hull_q) {
+    PairGeometry outlines;
+    std::vector<VertexId> vertices;
+    outlines.np = static_cast<std::uint32_t>(outline_p.edges.size());
+    outlines.nq = static_cast<std::uint32_t>(outline_q.edges.size());
+    vertices.reserve(outlines.size());
+    for (const HalfedgeId h : outline_p.edges) vertices.push_back(map_.origin(h));
+    for (const HalfedgeId h : outline_q.edges) vertices.push_back(map_.origin(h));
+    outlines.points.reserve(outlines.size());
+    for (const VertexId v : vertices) outlines.points.push_back(geometry_.point(v));
+    const Placement outside = place_.with_geometry(outlines);
+    FreeTriangulation triangulation;
+    if (triangulate_free_space(outside, triangulation)) return false;
+    hull_p = add_open_faces(outside, triangulation, p_.tree, outline_p, vertices, 0, map_);
+    hull_q = add_open_faces(outside, triangulation, q_.tree, outline_q, vertices, outlines.np, map_);
+    return true;
+  }
+
+  const Placement& place_;
+  const PairGeometry& geometry_;
+  const ShapeTiling &p_, &q_;
+  PlanarMap map_;
+  std::vector<HalfedgeId> doomed_;
+};
+
+}  // namespace
+
+std::optional<StaticTiling> join_tilings(const Placement& placement, const ShapeTiling& p, const ShapeTiling& q,
+                                         bool in_any_case) {
+  return Joiner(placement, p, q).run(in_any_case);
+}
+
+}  // namespace taut
