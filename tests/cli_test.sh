@@ -195,6 +195,8 @@ expect 2 '' 'the file is empty' check empty.json
 scene sweep.json '{"sweep":{"pivot":[9,3],"from_deg":0,"to_deg":90}}' 1
 expect 1 '^CONTACT .*t = .*   \(angle [0-9.]+ deg\)$' '' check sweep.json
 expect 1 '"angle_deg":\[[0-9.]+,[0-9.]+\]\}' '' check --json sweep.json
+expect 1 'proof in' '' prove sweep.json -o a.proof
+expect 0 'contact within \[.*, at an angle within \[[0-9.]+, [0-9.]+\] deg: vertex' '' verify sweep.json a.proof
 scene frames.json '{"keyframes":[{"t":0,"y":0},{"t":10,"y":-5}]}' 10
 expect 1 '"outcome":"contact","t":\[(8|7\.99999)' '' check --json frames.json
 printf 't,y\n0,0\n10,-5\n' >frames.csv

@@ -39,8 +39,8 @@ Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
 Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages.
 Polygon parse_wkt(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
+/// The same from text in memory.
 Polygon parse_geojson(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
-
 /// Reads keyframes for from_keyframes(): a header of the columns t, x, y, angle_deg in any order (those left out are 0,
 /// t must be there), then a line of numbers for each keyframe, in order of time. Fields are separated by commas; spaces
 /// around them and blank lines are skipped.
@@ -51,6 +51,7 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
 
 /// A line to draw over a picture.
 struct DrawnPath {
+  /// What the line is; it has a look of its own, and an entry in the legend.
   enum class Kind : std::uint8_t {
     geodesic_0,  ///< a geodesic of body 0, in its colour
     geodesic_1,  ///< of body 1
@@ -71,6 +72,7 @@ struct DrawnLabel {
   std::string text;
 };
 
+/// What draw_svg() shows, and how.
 struct DrawOptions {
   int width = 800;           ///< pixels
   bool faces = true;         ///< colour the faces by depth in the chain tree
@@ -90,6 +92,7 @@ DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
 /// An SVG picture of bodies and tiling.
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
 
+/// What animate_svg() shows, and how.
 struct AnimateOptions {
   int width = 800;          ///< pixels
   double seconds = 6;       ///< that the frames take

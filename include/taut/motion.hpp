@@ -31,7 +31,7 @@ struct HalfAngleRotation {
 struct CosineRotation {
   Coefficients a;
 };
-
+/// How a piece turns: one of the forms above.
 using Rotation = std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation>;
 
 /// One piece of a motion: the body's point (u, v) is at o(t) + c + (u - c.x) x(t) + (v - c.y) y(t), where o = (x, y)

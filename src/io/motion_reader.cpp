@@ -105,11 +105,12 @@ class FormReader {
     const Point pivot = read_pivot(document_, object_);
     if (const auto keyframes = object_.find("keyframes")) {
       allow_only("keyframes", {"keyframes", "pivot"});
-      return from_keyframes(read_keyframes(document_, *keyframes, object_.path("keyframes"), context_.limits), pivot);
+      return compiled(*keyframes, "keyframes", from_keyframes,
+                      read_keyframes(document_, *keyframes, object_.path("keyframes"), context_.limits), pivot);
     }
     if (const auto file = object_.find("csv")) {
       allow_only("csv", {"csv", "pivot"});
-      return from_keyframes(read_csv(*file), pivot);
+      return compiled(*file, "csv", from_keyframes, read_csv(*file), pivot);
     }
     if (const auto sweep = object_.find("sweep")) {
       allow_only("sweep", {"sweep"});
@@ -120,6 +121,16 @@ class FormReader {
   }
 
  private:
+  /// What the function of taut/motions.hpp makes of its arguments; an error is said to be at `token`.
+  template <class Function, class... Arguments>
+  Motion compiled(std::size_t token, const char* key, Function function, const Arguments&... arguments) const {
+    try {
+      return function(arguments...);
+    } catch (const InputError& e) {
+      throw e.within(document_.error(token, object_.path(key), "", "").place());
+    }
+  }
+
   void allow_only(const std::string& form, const std::vector<std::string>& keys) const {
     for (const auto* group : {&form_keys, &piece_keys}) {
       for (const std::string& key : *group) {
@@ -162,7 +173,7 @@ class FormReader {
       throw document_.error(token, here, "the scene's time interval has no length",
                             "give the sweep a time [start, end] with start < end, for instance that of its angles");
     }
-    return from_sweep(read_pivot(document_, sweep), from, to, context_.start, context_.end);
+    return compiled(token, "sweep", from_sweep, read_pivot(document_, sweep), from, to, context_.start, context_.end);
   }
 
   const JsonDocument& document_;

@@ -15,7 +15,12 @@ namespace {
 /// Sums of products of two doubles are exact in it, unless their magnitudes differ by more than 2^800.
 using Wide = RealMax;
 
-double rounded(const Wide& x) { return RealTraits<Wide>::to_double(x); }
+double rounded(const Wide& x) {
+  const double nearest = RealTraits<Wide>::to_double(x);
+  if (std::isfinite(nearest)) return nearest;
+  throw InputError("", "the motion needs a coefficient that is too large for a double",
+                   "choose other units, or times that are farther apart");
+}
 
 Wide radians_per_degree() { return boost::math::constants::pi<Wide>() / 180; }
 

@@ -231,6 +231,8 @@ std::vector<BadScene> forms() {
        "s.json:2:52" + at, "both \"keyframes\" and \"velocity\" are given", "leave out \"velocity\""},
       {"keyframes_as_piece", scene_with_motion("[{\"until\":1},\n{\"keyframes\":" + two + "}]"),
        "s.json:3:2" + at + "[1]", "describes a whole motion", "without the array"},
+      {"keyframes_too_steep", frames(R"([{"t":0,"x":1e308},{"t":1e-300,"x":-1e308}])"),
+       "s.json:2:65" + at + ".keyframes", "too large for a double", "other units"},
       {"velocity_of_three", scene_with_motion("{\"velocity\":[1,2,3]}"), "s.json:2:69" + at + ".velocity",
        "more than 2 numbers", "[x, y]"},
       {"velocity_of_one", scene_with_motion("{\"velocity\":[1]}"), "s.json:2:64" + at + ".velocity",
