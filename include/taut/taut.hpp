@@ -20,6 +20,7 @@
 // taut/scene.hpp       bodies, motions, time
 // taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
 // taut/pose.hpp        where a body is at one instant, for drawing
+// taut/shape.hpp       shapes that come again, prepared once
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
 #pragma once
@@ -34,6 +35,7 @@
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/separator.hpp"
+#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"
