@@ -72,7 +72,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in check trace prove verify draw separator gen; do expect 0 'Example' '' "$command" --help; done
+for command in check trace prove verify draw view separator gen; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 26 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -209,6 +209,31 @@ expect 1 '' 'overlap at the start' draw overlap.json
 expect 0 '>geodesic of anvil<' '' draw free.json --at 1 --level 0
 expect 0 'geodesic of hammer' '' draw free.json --level 40
 expect 2 '' '--level' draw free.json --level -1
+
+# Pages. The template is a stand-in here; the browser tests use the true one.
+echo '<script type="application/json">@TAUT-DATA@</script><script>page</script>' >page.html
+expect 0 '^<script type="application/json">\{"touch":"open","scene":\{"format":"taut-scene/1",' '' view free.json --template page.html
+expect 0 '\{"touch":"closed","at":2.5,"title":"a \\"title\\"","scene"' '' view free.json --template page.html --touch closed --at 2.5 --title 'a "title"'
+expect 0 '' '' view free.json --template page.html -o a.html
+"$taut" view - --template page.html <free.json >b.html
+cmp -s a.html b.html || { echo "FAILED: the same scene gives different pages"; failures=$((failures + 1)); }
+sed 's|anvil|</script><!--anvil|' free.json >evil.json
+expect 0 'name":"\\u003c/script>\\u003c!--anvil"' '' view evil.json --template page.html
+[ "$(grep -o '</script>' out | wc -l)" = 2 ] || { echo "FAILED: a name ends the script"; failures=$((failures + 1)); }
+expect 2 '' 'no/page.html: cannot write' view free.json --template page.html -o no/page.html
+expect 2 '' 'none.html: cannot open' view free.json --template none.html
+expect 2 '' 'free.json: not a template of the viewer' view free.json --template free.json
+expect 2 '' '--at: 11 is outside' view free.json --template page.html --at 11
+expect 2 '' 'bow.json: P: the boundary is not simple' view bow.json --template page.html -o x.html
+[ -e x.html ] && { echo "FAILED: a page of a bad scene"; failures=$((failures + 1)); }
+# Without a page nearby, the error names the remedy; beside the executable, the page is found.
+mkdir bin
+cp "$taut" bin/taut
+bin/taut view free.json >out 2>err
+[ $? = 2 ] && grep -q "hint: build it with .\./dev web" err || { echo "FAILED: taut view without a template" && cat err; failures=$((failures + 1)); }
+mkdir -p share/taut && cp page.html share/taut/viewer.html
+bin/taut view free.json >c.html && cmp -s a.html c.html || { echo "FAILED: the installed page is not found"; failures=$((failures + 1)); }
+rm -rf bin share
 
 # Separators.
 expect 0 'fewest links: 1, a line' '' separator free.json

@@ -23,6 +23,7 @@ void add_trace(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_separator(CLI::App& app, Action& action);
 void add_gen(CLI::App& app, Action& action);
 

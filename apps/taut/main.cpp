@@ -17,9 +17,8 @@ const char* const examples =
     "Examples:\n"
     "  taut gen gears -o gears.json            write an example scene\n"
     "  taut check gears.json                   free, or the first contact with its witness\n"
-    "  taut check --json gears.json            the same for programs\n"
     "  taut gen jigsaw --hit | taut check -    a scene from standard input\n"
-    "  taut draw gears.json --at 0.3 -o t.svg  the tiling at one instant\n"
+    "  taut view gears.json -o gears.html      the motion, to look at in a browser\n"
     "\n"
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
     "`taut COMMAND --help` tells more.\n";
@@ -62,6 +61,7 @@ int main(int argc, char** argv) {
   taut::cli::add_prove(app, action);
   taut::cli::add_verify(app, action);
   taut::cli::add_draw(app, action);
+  taut::cli::add_view(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);
   try {

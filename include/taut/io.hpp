@@ -34,6 +34,9 @@ std::string write_scene(const Scene& scene);
 Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
 /// Reads the outer ring of a GeoJSON Polygon, also inside a Feature or a FeatureCollection of one feature.
 Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory; `name` stands for the file in messages.
+Polygon parse_wkt(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
+Polygon parse_geojson(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
 
 /// The JSON object of `taut check --json` (see the README), on one line, without a line break.
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);

@@ -53,6 +53,18 @@ struct Tiling {
   std::vector<TilingFace> faces;
 };
 
+/// One half-edge of the planar map, the form in which the map can be followed through its events. Half-edges 2k and
+/// 2k + 1 are the two directions of one edge; the first ones are the edges of the bodies.
+struct TilingHalfedge {
+  int origin = -1;                 ///< index into Tiling::vertices; -1: not in use at present
+  int next = -1;                   ///< the half-edge after this one along the boundary of the face on its left
+  FaceKind kind = FaceKind::node;  ///< of the face on its left
+  int body = 0, depth = 0;         ///< of that face, as in TilingFace
+  friend bool operator==(const TilingHalfedge& a, const TilingHalfedge& b) {
+    return a.origin == b.origin && a.next == b.next && a.kind == b.kind && a.body == b.body && a.depth == b.depth;
+  }
+};
+
 /// A pinned geodesic cycle (section 2 of the paper): the shortest paths between the ends of the chains of one level of
 /// a body's tree, each homotopic to its chain.
 struct GeodesicCycle {
@@ -116,6 +128,13 @@ class Simulation {
   std::uint64_t certificates_max() const;
   /// The planar map at time().
   Tiling tiling() const;
+  /// The same map as half-edges. Their number may grow with an event, and never shrinks.
+  std::vector<TilingHalfedge> halfedges() const;
+  TilingHalfedge halfedge(int index) const;
+  /// The half-edges that the last event may have changed: a constant number, all others are as before. Between events
+  /// the map does not change. A Tracer may ask from on_event(), where events are seen one by one. Empty before the
+  /// first event.
+  std::vector<int> changed_halfedges() const;
   std::vector<ActiveCertificate> active_set() const;
   /// Number of levels of a body's tree, the edges of the body being the last.
   int levels(int body) const;

@@ -18,6 +18,7 @@
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
+// taut/pose.hpp        where a body is at one instant, for drawing
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
 #pragma once
@@ -27,6 +28,7 @@
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 #include "taut/motion.hpp"
+#include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/separator.hpp"
