@@ -1,9 +1,10 @@
 // The picture, drawn anew for every frame. Its cost is held down by leaving out what cannot be seen: outlines are
-// simplified to a third of a pixel, tiling edges and faces come in falling size until they are too small or too many.
+// simplified to a third of a pixel, tiling edges and faces come in falling size until they are too small or too many,
+// and of lines that fall on the same pixels one is drawn.
 import type { Camera } from "./camera";
 import type { Pose } from "./engine";
 import { type Figure, placed } from "./figure";
-import { MapShape, type Face } from "./mapshape";
+import { MapShape } from "./mapshape";
 import type { Edge, MapEvent, Replay } from "./replay";
 import type { Colours } from "./theme";
 
@@ -43,8 +44,10 @@ export interface Frame {
   faults: FaultMarks[];
 }
 
+/** At full detail; see Painter.detail. */
 const mostTilingEdges = 5000;
 const mostFaceCorners = 14000;
+const mostCorners = 1500;
 const shades = 6;
 /** Pixels beyond which coordinates are clipped here, because the canvas computes with 24 bits. */
 const farAway = 20000;
@@ -52,6 +55,9 @@ const farAway = 20000;
 export class Painter {
   private shape: MapShape | null = null;
   private shapeOf: { replay: Replay; version: number } | null = null;
+  /** The share of small things that is drawn, from 0 to 1: less while frames are late. */
+  detail = 1;
+  private readonly seen = new SeenSegments();
   private px = new Float64Array(0);
   private py = new Float64Array(0);
   /** Numbers of things drawn in the last frame. */
@@ -75,13 +81,13 @@ export class Painter {
     for (const b of [0, 1]) this.drawBody(frame, b, layers, colours);
     if (shape) {
       if (layers.tiling) this.drawTiling(shape, colours);
-      this.drawLines(shape.pq, colours.pq, 2, []);
+      this.drawPq(shape, colours);
       if (layers.corners) this.drawCorners(shape, colours);
-      if (frame.event) this.drawEvent(frame.event, colours);
     }
+    this.drawNames(frame, colours);
+    if (shape && frame.event) this.drawEvent(frame.event, colours);
     if (frame.contact) this.drawContact(frame, frame.contact, colours);
     for (const fault of frame.faults) this.drawFault(frame, fault, colours);
-    this.drawNames(frame, colours);
     this.drawScaleBar(colours);
   }
 
@@ -194,19 +200,42 @@ export class Painter {
     return true;
   }
 
+  /** As segment(), but only the first one between two pixels. */
+  private freshSegment(a: number, b: number): boolean {
+    const { px, py } = this;
+    if (this.outside(px[a], py[a], px[b], py[b]) || !this.seen.add(px[a], py[a], px[b], py[b])) return false;
+    return this.segment(a, b);
+  }
+
   private drawTiling(shape: MapShape, colours: Colours): void {
     const c = this.context;
     const { px, py } = this;
+    const most = mostTilingEdges * this.detail;
+    const end = shape.endOf(shape.rigidOrder, 1.5 / this.camera.scale);
     let count = 0;
+    this.seen.clear();
     c.beginPath();
-    shape.rigid.each(1.5 / this.camera.scale, ([a, b]) => {
+    for (let i = 0; i < end && count < most; ++i) {
+      const e = shape.rigidOrder.items[i];
+      const a = shape.rigid[2 * e];
+      const b = shape.rigid[2 * e + 1];
       const length = Math.abs(px[a] - px[b]) + Math.abs(py[a] - py[b]);
-      if (length > 1.5 && this.segment(a, b)) ++count;
-      return count < mostTilingEdges;
-    });
+      if (length > 1.5 && this.freshSegment(a, b)) ++count;
+    }
     this.drawn.tilingEdges = count;
     c.strokeStyle = colours.tiling;
     c.lineWidth = count > 1200 ? 0.5 : 0.8;
+    c.stroke();
+  }
+
+  private drawPq(shape: MapShape, colours: Colours): void {
+    const c = this.context;
+    let count = 0;
+    this.seen.clear();
+    c.beginPath();
+    for (let i = 0; i < shape.pq.length; i += 2) if (this.freshSegment(shape.pq[i], shape.pq[i + 1])) ++count;
+    c.strokeStyle = colours.pq;
+    c.lineWidth = count > 800 ? 1 : 2;
     c.stroke();
   }
 
@@ -221,79 +250,94 @@ export class Painter {
     c.setLineDash([]);
   }
 
-  private facePath(face: Face): void {
+  private facePath(shape: MapShape, face: number): void {
     const { px, py } = this;
+    const from = shape.faceBegin[face];
+    const to = shape.faceBegin[face + 1];
     let lowX = Infinity, lowY = Infinity, highX = -Infinity, highY = -Infinity;
-    for (const v of face.boundary) {
-      lowX = Math.min(lowX, px[v]);
-      lowY = Math.min(lowY, py[v]);
-      highX = Math.max(highX, px[v]);
-      highY = Math.max(highY, py[v]);
+    for (let i = from; i < to; ++i) {
+      const x = px[shape.boundary[i]];
+      const y = py[shape.boundary[i]];
+      if (x < lowX) lowX = x;
+      if (x > highX) highX = x;
+      if (y < lowY) lowY = y;
+      if (y > highY) highY = y;
     }
-    if (this.outside(lowX, lowY, highX, highY) || highX - lowX + highY - lowY < 2) return;
-    let outline: [number, number][] = [];
-    if (highX - lowX + highY - lowY > farAway) {
-      for (const v of face.boundary) outline.push([px[v], py[v]]);
-      outline = this.clip(outline);
-    } else {
-      // Corners closer than half a pixel to the one before are left out.
-      let lastX = Infinity, lastY = Infinity;
-      for (const v of face.boundary) {
-        if (Math.abs(px[v] - lastX) + Math.abs(py[v] - lastY) < 0.5) continue;
-        outline.push([(lastX = px[v]), (lastY = py[v])]);
-      }
-    }
+    // What is thinner than half a pixel does not show.
+    if (this.outside(lowX, lowY, highX, highY) || Math.min(highX - lowX, highY - lowY) < 0.5) return;
     const c = this.context;
-    outline.forEach(([x, y], i) => (i === 0 ? c.moveTo(x, y) : c.lineTo(x, y)));
+    if (highX - lowX + highY - lowY > farAway) {
+      let outline: [number, number][] = [];
+      for (let i = from; i < to; ++i) outline.push([px[shape.boundary[i]], py[shape.boundary[i]]]);
+      outline = this.clip(outline);
+      outline.forEach(([x, y], i) => (i === 0 ? c.moveTo(x, y) : c.lineTo(x, y)));
+      c.closePath();
+      return;
+    }
+    // Corners close to the one before are left out.
+    let lastX = px[shape.boundary[from]];
+    let lastY = py[shape.boundary[from]];
+    c.moveTo(lastX, lastY);
+    for (let i = from + 1; i < to; ++i) {
+      const x = px[shape.boundary[i]];
+      const y = py[shape.boundary[i]];
+      if (Math.abs(x - lastX) + Math.abs(y - lastY) < 0.7) continue;
+      c.lineTo((lastX = x), (lastY = y));
+      this.drawn.faceCorners++;
+    }
     c.closePath();
-    this.drawn.faceCorners += outline.length;
   }
 
   private drawFaces(shape: MapShape, colours: Colours): void {
-    const groups: Face[][] = Array.from({ length: 2 * shades }, () => []);
-    const roots: Face[] = [];
+    const groups: number[][] = Array.from({ length: 2 * shades + 1 }, () => []);
+    const end = shape.endOf(shape.faceOrder, 2 / this.camera.scale);
+    const most = mostFaceCorners * this.detail;
     let corners = 0;
-    const add = (face: Face): boolean => {
-      if (face.depth < 0) roots.push(face);
-      else groups[face.body * shades + Math.floor((face.depth * (shades - 1)) / shape.deepest)].push(face);
-      return (corners += face.boundary.length) < mostFaceCorners;
-    };
-    for (const face of shape.mixedFaces) add(face);
-    shape.rigidFaces.each(2 / this.camera.scale, add);
-    this.fillFaces(roots, colours.root);
+    for (let i = 0; i < end && corners < most; ++i) {
+      const face = shape.faceOrder.items[i];
+      const depth = shape.faceDepth[face];
+      const shade = Math.floor((depth * (shades - 1)) / shape.deepest);
+      groups[depth < 0 ? 2 * shades : shape.faceBody[face] * shades + shade].push(face);
+      corners += shape.faceBegin[face + 1] - shape.faceBegin[face];
+    }
+    const c = this.context;
     groups.forEach((faces, i) => {
+      if (faces.length === 0) return;
+      c.beginPath();
+      for (const face of faces) this.facePath(shape, face);
       const strength = 0.6 - (0.5 * (i % shades)) / (shades - 1);
-      this.fillFaces(faces, `rgba(${colours.faceTint[i < shades ? 0 : 1]},${strength.toFixed(2)})`);
+      c.fillStyle = i === 2 * shades ? colours.root : `rgba(${colours.faceTint[i < shades ? 0 : 1]},${strength.toFixed(2)})`;
+      c.fill();
     });
   }
 
-  private fillFaces(faces: Face[], colour: string): void {
-    if (faces.length === 0) return;
-    const c = this.context;
-    c.beginPath();
-    for (const face of faces) this.facePath(face);
-    c.fillStyle = colour;
-    c.fill();
-  }
-
-  /** Arcs at the corners whose certificates are active. */
+  /** Arcs at the corners whose certificates are active; smaller ones where there are many. */
   private drawCorners(shape: MapShape, colours: Colours): void {
     const c = this.context;
     const { px, py } = this;
+    const count = shape.corners.length / 3;
+    const largest = count > 600 ? 5 : 10;
+    const least = count > 600 ? 2 : 0.8;
+    const most = mostCorners * this.detail;
+    let drawn = 0;
     for (const convex of [true, false]) {
+      this.seen.clear();
       c.beginPath();
-      for (const [u, v, w] of shape.corners) {
+      for (let i = 0; i < shape.corners.length && drawn < most; i += 3) {
+        const u = shape.corners[i], v = shape.corners[i + 1], w = shape.corners[i + 2];
         if (!this.inWindow(px[v], py[v], 12)) continue;
         const ux = px[u] - px[v], uy = py[u] - py[v], wx = px[w] - px[v], wy = py[w] - py[v];
-        const radius = Math.min(10, 0.35 * Math.min(Math.hypot(ux, uy), Math.hypot(wx, wy)));
         // On the screen y points down: a left turn in the world has a negative cross product here.
-        if (radius < 0.8 || ux * wy - uy * wx > 0 !== convex) continue;
+        if (ux * wy - uy * wx > 0 !== convex) continue;
+        const radius = Math.min(largest, 0.35 * Math.sqrt(Math.min(ux * ux + uy * uy, wx * wx + wy * wy)));
+        if (radius < least || (count > 600 && !this.seen.add(px[v] / 3, py[v] / 3, 0, 0))) continue;
         const from = Math.atan2(wy, wx);
         c.moveTo(px[v] + radius * Math.cos(from), py[v] + radius * Math.sin(from));
         c.arc(px[v], py[v], radius, from, Math.atan2(uy, ux), true);
+        ++drawn;
       }
       c.strokeStyle = convex ? colours.convex : colours.reflex;
-      c.lineWidth = 1.4;
+      c.lineWidth = count > 600 ? 1 : 1.4;
       c.stroke();
     }
   }
@@ -373,6 +417,7 @@ export class Painter {
   private drawNames(frame: Frame, colours: Colours): void {
     const c = this.context;
     c.font = "600 13px system-ui, sans-serif";
+    let first: { x: number; y: number; width: number } | null = null;
     for (const b of [0, 1]) {
       let top: [number, number] = [0, Infinity];
       for (const i of frame.figures[b].outline(4 / this.camera.scale)) {
@@ -380,8 +425,11 @@ export class Painter {
         if (p[1] < top[1]) top = p;
       }
       const width = c.measureText(frame.names[b]).width;
-      const x = Math.min(Math.max(top[0] - width / 2, 10), Math.max(10, this.camera.width - width - 10));
-      const y = Math.min(Math.max(top[1] - 9, 20 + 18 * b), this.camera.height - 40 - 18 * b);
+      const x = Math.min(Math.max(top[0] - width / 2, 10), Math.max(10, this.camera.width - width - 58));
+      let y = Math.min(Math.max(top[1] - 9, 20 + 18 * b), this.camera.height - 40 - 18 * b);
+      const meets = first && x < first.x + first.width + 8 && x + width + 8 > first.x && Math.abs(y - first.y) < 18;
+      if (first && meets) y = first.y > 38 ? first.y - 18 : first.y + 18;
+      first ??= { x, y, width };
       this.text(frame.names[b], x, y, colours.bodyLine[b], colours.paper);
     }
   }
@@ -411,6 +459,27 @@ export class Painter {
     c.strokeText(text, x, y);
     c.fillStyle = colour;
     c.fillText(text, x, y);
+  }
+}
+
+/** Remembers segments by the pixels of their ends. It may forget one, which is then drawn twice. */
+class SeenSegments {
+  private readonly keys = new Float64Array(1 << 14);
+
+  clear(): void {
+    this.keys.fill(-1);
+  }
+
+  /** False if it is there already. */
+  add(ax: number, ay: number, bx: number, by: number): boolean {
+    const a = (Math.round(ax) & 0xfff) * 0x1000 + (Math.round(ay) & 0xfff);
+    const b = (Math.round(bx) & 0xfff) * 0x1000 + (Math.round(by) & 0xfff);
+    const key = Math.min(a, b) * 0x1000000 + Math.max(a, b);
+    const slot = (Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca6b)) >>> 18;
+    const place = (slot ^ ((Math.imul(b, 0x9e3779b1) ^ Math.imul(a, 0x85ebca6b)) >>> 18)) & 0x3fff;
+    if (this.keys[place] === key) return false;
+    this.keys[place] = key;
+    return true;
   }
 }
 

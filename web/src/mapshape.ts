@@ -1,115 +1,137 @@
-// What there is to draw of a map, sorted so that the large things come first. Made anew when the map changes; all
-// positions are looked up when drawing.
+// What there is to draw of a map, in flat arrays, sorted so that large things come first. Made anew when the map
+// changes; all positions are looked up when drawing.
 import type { Figure } from "./figure";
 import { faceBody, faceDepth, faceKind, FaceKind, type Replay } from "./replay";
 
-/** Things in classes of falling size, each class a power of two. */
-export class BySize<Item> {
-  private readonly classes: { size: number; items: Item[] }[] = [];
-  private readonly index = new Map<number, Item[]>();
+/** Size classes are powers of two: class k holds what is larger than diameter / 2^(k + 1). */
+const classes = 48;
 
-  add(size: number, item: Item): void {
-    const level = size > 0 ? Math.ceil(Math.log2(size)) : -1000;
-    let items = this.index.get(level);
-    if (!items) {
-      items = [];
-      this.index.set(level, items);
-      this.classes.push({ size: 2 ** level, items });
-      this.classes.sort((a, b) => b.size - a.size);
-    }
-    items.push(item);
+/** Things by number in order of falling size class. */
+class Order {
+  readonly items: Int32Array;
+  /** Where each class begins, and the end. */
+  readonly begin = new Int32Array(classes + 1);
+
+  constructor(classOf: Uint8Array, count: number) {
+    for (let i = 0; i < count; ++i) this.begin[classOf[i] + 1]++;
+    for (let k = 0; k < classes; ++k) this.begin[k + 1] += this.begin[k];
+    const at = this.begin.slice();
+    this.items = new Int32Array(count);
+    for (let i = 0; i < count; ++i) this.items[at[classOf[i]]++] = i;
   }
-
-  /** Visits things that may be of at least this size, large ones first, until `visit` has had enough. */
-  each(least: number, visit: (item: Item) => boolean): void {
-    for (const { size, items } of this.classes) {
-      if (size < least) return;
-      for (const item of items) if (!visit(item)) return;
-    }
-  }
-}
-
-export interface Face {
-  body: number;
-  /** -1: the root's face; else the depth in the tree. */
-  depth: number;
-  boundary: Int32Array;
 }
 
 export class MapShape {
-  /** Tiling edges within one body, as pairs of vertices. */
-  readonly rigid = new BySize<[number, number]>();
-  readonly pq: [number, number][] = [];
-  readonly rigidFaces = new BySize<Face>();
-  /** Faces between the bodies, whose size changes with time. */
-  readonly mixedFaces: Face[] = [];
-  /** u, v, w of each active corner. */
-  readonly corners: [number, number, number][] = [];
+  /** Tiling edges within one body: two vertices each. */
+  readonly rigid: Int32Array;
+  readonly rigidOrder: Order;
+  /** Edges between the bodies: two vertices each. */
+  readonly pq: Int32Array;
+  /** Active corners: u, v, w each. */
+  readonly corners: Int32Array;
+  /** Boundaries of all faces, one after the other. */
+  readonly boundary: Int32Array;
+  readonly faceBegin: Int32Array;
+  readonly faceBody: Uint8Array;
+  /** -1: the root's face; else the depth in the tree. */
+  readonly faceDepth: Int8Array;
+  /** Faces between the bodies, whose size changes with time, are in the first class. */
+  readonly faceOrder: Order;
+  readonly faceCount: number;
   deepest = 1;
+  private readonly scale: number;
 
   constructor(
-    replay: Replay,
+    private readonly replay: Replay,
     private readonly figures: [Figure, Figure],
   ) {
-    this.findEdges(replay);
-    this.findFaces(replay);
-  }
-
-  private findEdges(replay: Replay): void {
-    const { origin, vertexBody } = replay;
-    for (let h = 2 * vertexBody.length; h < replay.slots; h += 2) {
+    this.scale = Math.max(figures[0].diameter, figures[1].diameter);
+    const { slots, origin, next, face, vertexBody } = replay;
+    const rigid = new Int32Array(slots);
+    const rigidClass = new Uint8Array(slots);
+    const pq: number[] = [];
+    let count = 0;
+    for (let h = 2 * vertexBody.length; h < slots; h += 2) {
       const a = origin[h];
       if (a < 0) continue;
       const b = origin[h + 1];
-      if (vertexBody[a] !== vertexBody[b]) this.pq.push([a, b]);
-      else this.rigid.add(this.distance(replay, a, b), [a, b]);
+      if (vertexBody[a] !== vertexBody[b]) {
+        pq.push(a, b);
+        continue;
+      }
+      rigid[2 * count] = a;
+      rigid[2 * count + 1] = b;
+      rigidClass[count++] = this.classOf(this.distance(a, b));
     }
-    for (let h = 0; h < replay.slots; ++h) {
-      if (origin[h] < 0 || faceKind(replay.face[h]) === FaceKind.interior) continue;
-      const v = origin[h ^ 1];
-      const w = origin[replay.next[h] ^ 1];
-      const u = origin[h];
-      if (u === w || (vertexBody[u] === vertexBody[v] && vertexBody[v] === vertexBody[w])) continue;
-      this.corners.push([u, v, w]);
-    }
-  }
+    this.rigid = rigid;
+    this.rigidOrder = new Order(rigidClass, count);
+    this.pq = Int32Array.from(pq);
+    this.corners = findCorners(replay);
 
-  private findFaces(replay: Replay): void {
-    const seen = new Uint8Array(replay.slots);
-    const boundary: number[] = [];
-    for (let start = 0; start < replay.slots; ++start) {
-      if (seen[start] || replay.origin[start] < 0) continue;
-      const kind = faceKind(replay.face[start]);
+    this.boundary = new Int32Array(slots);
+    this.faceBegin = new Int32Array(slots + 1);
+    this.faceBody = new Uint8Array(slots);
+    this.faceDepth = new Int8Array(slots);
+    const faceClass = new Uint8Array(slots);
+    const seen = new Uint8Array(slots);
+    let faces = 0;
+    let end = 0;
+    for (let start = 0; start < slots; ++start) {
+      if (seen[start] || origin[start] < 0) continue;
+      const kind = faceKind(face[start]);
       if (kind === FaceKind.interior || kind === FaceKind.infinite) continue;
-      boundary.length = 0;
-      let h = start;
+      const first = origin[start];
       let mixed = false;
-      const body = replay.vertexBody[replay.origin[start]];
+      let extent = 0;
+      let h = start;
+      this.faceBegin[faces] = end;
       do {
         seen[h] = 1;
-        boundary.push(replay.origin[h]);
-        if (replay.vertexBody[replay.origin[h]] !== body) mixed = true;
-        h = replay.next[h];
+        const v = origin[h];
+        this.boundary[end++] = v;
+        if (vertexBody[v] !== vertexBody[first]) mixed = true;
+        else if (!mixed) extent = Math.max(extent, this.distance(first, v));
+        h = next[h];
       } while (h !== start);
-      const code = replay.face[start];
-      const depth = kind === FaceKind.root ? -1 : faceDepth(code);
+      const depth = kind === FaceKind.root ? -1 : faceDepth(face[start]);
       this.deepest = Math.max(this.deepest, depth);
-      const face = { body: faceBody(code), depth, boundary: Int32Array.from(boundary) };
-      if (mixed) this.mixedFaces.push(face);
-      else this.rigidFaces.add(this.extent(replay, face.boundary), face);
+      this.faceBody[faces] = faceBody(face[start]);
+      this.faceDepth[faces] = depth;
+      faceClass[faces++] = mixed ? 0 : this.classOf(extent);
     }
+    this.faceBegin[faces] = end;
+    this.faceCount = faces;
+    this.faceOrder = new Order(faceClass, faces);
   }
 
-  private distance(replay: Replay, a: number, b: number): number {
-    const figure = this.figures[replay.vertexBody[a]];
-    const i = replay.vertexIndex[a];
-    const j = replay.vertexIndex[b];
-    return Math.hypot(figure.x[i] - figure.x[j], figure.y[i] - figure.y[j]);
+  /** The end of the things in `order` that may be as large as `least`. */
+  endOf(order: Order, least: number): number {
+    return order.begin[Math.min(classes - 1, this.classOf(least)) + 1];
   }
 
-  private extent(replay: Replay, boundary: Int32Array): number {
-    let most = 0;
-    for (const v of boundary) most = Math.max(most, this.distance(replay, boundary[0], v));
-    return most;
+  private classOf(size: number): number {
+    if (!(size > 0)) return classes - 1;
+    return Math.min(classes - 1, Math.max(1, Math.ceil(-Math.log2(size / this.scale))));
   }
+
+  private distance(a: number, b: number): number {
+    const { vertexBody, vertexIndex } = this.replay;
+    const figure = this.figures[vertexBody[a]];
+    const dx = figure.x[vertexIndex[a]] - figure.x[vertexIndex[b]];
+    const dy = figure.y[vertexIndex[a]] - figure.y[vertexIndex[b]];
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+}
+
+function findCorners({ slots, origin, next, face, vertexBody }: Replay): Int32Array {
+  const corners: number[] = [];
+  for (let h = 0; h < slots; ++h) {
+    const u = origin[h];
+    if (u < 0) continue;
+    const v = origin[h ^ 1];
+    const w = origin[next[h] ^ 1];
+    if (vertexBody[u] === vertexBody[v] && vertexBody[v] === vertexBody[w]) continue;
+    if (u !== w && faceKind(face[h]) !== FaceKind.interior) corners.push(u, v, w);
+  }
+  return Int32Array.from(corners);
 }

@@ -26,6 +26,8 @@ export class Player {
   /** Told of every change. */
   onChange: () => void = () => {};
 
+  /** An instant to show as soon as the engine has come so far. */
+  private wanted: number | null = null;
   private run = 0;
   private lastFrame = 0;
   private recent = { event: -1, since: 0 };
@@ -36,8 +38,8 @@ export class Player {
   open(scene: Scene, closed: boolean, at?: number): void {
     const status = this.engine.open(JSON.stringify(scene), "scene", closed);
     this.adopt(scene, closed, status);
-    this.selected = -1;
-    this.seek(at ?? scene.time[0]);
+    this.seek(scene.time[0]);
+    this.wanted = at ?? null;
     this.pump();
   }
 
@@ -88,13 +90,21 @@ export class Player {
   }
 
   seek(t: number): void {
+    this.wanted = null;
     this.t = Math.min(Math.max(t, this.start), this.limit);
     this.selected = -1;
     const before = this.replay.applied;
     this.replay.goTo(this.replay.eventsUntil(this.t));
-    if (this.replay.applied > before) this.recent = { event: this.replay.applied - 1, since: performance.now() };
+    if (this.replay.applied > before) this.noteRecent();
     else if (this.replay.applied < before) this.recent.event = -1;
     this.onChange();
+  }
+
+  /** Events that follow each other too fast to be seen are not marked: that would only flicker. */
+  private noteRecent(): void {
+    const now = performance.now();
+    this.recent.event = now - this.recent.since < 150 ? -1 : this.replay.applied - 1;
+    this.recent.since = now;
   }
 
   /** Shows event k, right after its repair. */
@@ -102,6 +112,7 @@ export class Player {
     if (k < 0) return this.seek(this.start);
     if (k >= this.replay.count) return this.seek(this.limit);
     this.playing = false;
+    this.wanted = null;
     this.t = Math.min(Math.max(this.replay.timeOf(k), this.start), this.limit);
     this.replay.goTo(k + 1);
     this.selected = k;
@@ -182,6 +193,7 @@ export class Player {
         this.failure = error instanceof TautError ? error.message : String(error);
       }
       this.replay.update(this.engine);
+      if (this.wanted !== null && (this.finished || this.limit >= this.wanted)) this.seek(this.wanted);
       this.onChange();
       if (!this.finished) setTimeout(slice, 0);
     };

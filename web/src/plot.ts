@@ -7,6 +7,10 @@ const top = 8;
 const bottom = 18;
 
 export class CountPlot {
+  /** All but the line at the present. */
+  private readonly base = document.createElement("canvas");
+  private baseKey = "";
+
   constructor(
     readonly canvas: HTMLCanvasElement,
     private readonly player: Player,
@@ -28,7 +32,29 @@ export class CountPlot {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0) return;
     const ratio = fitCanvas(this.canvas, width, height);
+    const { start, end, replay, limit, status } = this.player;
+    const key = [width, height, ratio, start, end, replay.count, limit, status.max, colours.paper].join();
+    if (key !== this.baseKey) {
+      this.baseKey = key;
+      fitCanvas(this.base, width, height);
+      this.drawBase(colours, width, height, ratio);
+    }
     const c = this.canvas.getContext("2d")!;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    c.drawImage(this.base, 0, 0);
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const now = ((this.player.t - start) / (end - start || 1)) * (width - 2) + 1;
+    c.strokeStyle = colours.ink;
+    c.lineWidth = 1.5;
+    c.beginPath();
+    c.moveTo(now, top - 4);
+    c.lineTo(now, height - bottom);
+    c.stroke();
+  }
+
+  private drawBase(colours: Colours, width: number, height: number, ratio: number): void {
+    const c = this.base.getContext("2d")!;
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.clearRect(0, 0, width, height);
     const { start, end, replay } = this.player;
@@ -41,17 +67,8 @@ export class CountPlot {
     c.strokeRect(0.5, top - 4, width - 1, floor - top + 4);
     this.line(c, x, (k) => level(k + 1, replay.count), level(0, 1), colours.events, 1.2);
     const most = this.player.status.max;
-    const last = this.line(c, x, (k) => level(replay.certificatesAfter(k), most), level(this.player.status.initial, most), colours.certificates, 1.6);
-    c.beginPath();
-    c.moveTo(x(this.player.limit), last);
-    c.stroke();
-    const now = x(this.player.t);
-    c.strokeStyle = colours.ink;
-    c.lineWidth = 1.5;
-    c.beginPath();
-    c.moveTo(now, top - 4);
-    c.lineTo(now, floor);
-    c.stroke();
+    const initial = level(this.player.status.initial, most);
+    this.line(c, x, (k) => level(replay.certificatesAfter(k), most), initial, colours.certificates, 1.6);
     c.fillStyle = colours.muted;
     c.font = "12px system-ui, sans-serif";
     c.fillText(String(Number(start.toPrecision(4))), 1, height - 4);
@@ -60,10 +77,15 @@ export class CountPlot {
     c.fillText("t", width / 2 - 2, height - 4);
   }
 
-  /** Steps at the events; of many in one pixel, the highest and the last. Returns the last level. */
+  /** Steps at the events; of many in one pixel, the highest and the last. */
   private line(
-    c: CanvasRenderingContext2D, x: (t: number) => number, y: (k: number) => number, first: number, colour: string, width: number,
-  ): number {
+    c: CanvasRenderingContext2D,
+    x: (t: number) => number,
+    y: (k: number) => number,
+    first: number,
+    colour: string,
+    width: number,
+  ): void {
     const { replay } = this.player;
     c.beginPath();
     let level = first;
@@ -88,6 +110,5 @@ export class CountPlot {
     c.strokeStyle = colour;
     c.lineWidth = width;
     c.stroke();
-    return level;
   }
 }

@@ -125,8 +125,7 @@ export class Stage {
     for (let i = 0; i <= samples; ++i) {
       const poses = player.engine.poses(player.start + ((player.end - player.start) * i) / samples);
       player.figures.forEach((f, b) => {
-        const box = { lowX: Math.min(...minMax(f.x)), highX: Math.max(...minMax(f.x)), lowY: Math.min(...minMax(f.y)), highY: Math.max(...minMax(f.y)) };
-        for (const u of [box.lowX, box.highX]) for (const v of [box.lowY, box.highY]) points.push(placed(poses[b], u, v));
+        for (const k of f.outline(f.diameter / 50)) points.push(placed(poses[b], f.x[k], f.y[k]));
       });
     }
     return boxOf(points.filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y)));
@@ -190,16 +189,6 @@ export class Stage {
     }
     this.pointers.set(e.pointerId, at);
   }
-}
-
-function minMax(values: Float64Array): [number, number] {
-  let lo = Infinity;
-  let hi = -Infinity;
-  for (const value of values) {
-    if (value < lo) lo = value;
-    if (value > hi) hi = value;
-  }
-  return [lo, hi];
 }
 
 function boxOf(points: [number, number][]): Box {

@@ -46,6 +46,11 @@ export class Workbench {
   private readonly legendNames: HTMLElement[] = [];
   private dirty = true;
   private fittedFinal = false;
+  private lastFrame = 0;
+  private lastDrawn = 0;
+  private drew = false;
+  private panelsShown = 0;
+  private stripKey = "";
 
   constructor(readonly player: Player) {
     this.stage = new Stage(player, () => this.redraw());
@@ -80,7 +85,10 @@ export class Workbench {
     document.addEventListener("keydown", (e) => this.key(e));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
     const loop = (now: number): void => {
-      if (this.player.scene && (this.player.frame(now) || this.dirty)) this.render();
+      if (this.player.scene) {
+        this.adaptDetail(now);
+        if (this.player.frame(now) || this.dirty) this.render();
+      }
       requestAnimationFrame(loop);
     };
     requestAnimationFrame(loop);
@@ -112,7 +120,25 @@ export class Workbench {
     return out;
   }
 
+  /** Small things are left out while frames come late, and come back when the picture stands still. */
+  private adaptDetail(now: number): void {
+    const took = now - this.lastFrame;
+    this.lastFrame = now;
+    const { painter } = this.stage;
+    if (this.drew) {
+      if (took > 20) painter.detail = Math.max(0.05, painter.detail * 0.85);
+      else painter.detail = Math.min(1, painter.detail * 1.03);
+      this.lastDrawn = now;
+    } else if (painter.detail < 1 && now - this.lastDrawn > 250) {
+      painter.detail = 1;
+      this.redraw();
+      this.lastDrawn = now + 1e3; // this frame may well be late
+    }
+    this.drew = false;
+  }
+
   private render(): void {
+    this.drew = true;
     this.dirty = false;
     const { player, stage } = this;
     if (player.finished && !this.fittedFinal) {
@@ -121,13 +147,17 @@ export class Workbench {
     }
     document.documentElement.dataset.theme = isDark(stage.theme) ? "dark" : "light";
     stage.draw();
+    this.showTime();
+    this.plot.draw(stage.colours());
+    // Words need not change faster than they can be read.
+    const now = performance.now();
+    if (player.playing && now - this.panelsShown < 120) return;
+    this.panelsShown = now;
     this.showTitle();
     this.showAnswer();
     this.showEvent();
     this.showCounts();
-    this.showTime();
     this.events.update();
-    this.plot.draw(stage.colours());
     this.drawStrip();
   }
 
@@ -194,9 +224,7 @@ export class Workbench {
 
   private showTime(): void {
     const { player, slider } = this;
-    slider.min = String(player.start);
-    slider.max = String(player.end);
-    slider.value = String(player.t);
+    slider.value = String((player.t - player.start) / (player.end - player.start || 1));
     const text = player.atContact || player.selected >= 0 ? roundText(player.t, 16) : clockText(player.t, player.scene);
     this.clock.textContent = `t = ${text}`;
     this.clock.dataset.t = String(player.t);
@@ -210,6 +238,9 @@ export class Workbench {
     const { clientWidth: width, clientHeight: height } = strip;
     if (width === 0) return;
     const ratio = fitCanvas(strip, width, height);
+    const key = [width, ratio, player.start, player.end, player.limit, player.replay.count, player.finished, isDark(this.stage.theme)].join();
+    if (key === this.stripKey) return;
+    this.stripKey = key;
     const c = strip.getContext("2d")!;
     const colours = this.stage.colours();
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -254,7 +285,9 @@ export class Workbench {
     );
     this.slider.addEventListener("input", () => {
       player.playing = false;
-      player.seek(Number(this.slider.value));
+      // The slider counts shares of the time, because it rounds: its right end is the very last instant.
+      const share = Number(this.slider.value);
+      player.seek(share >= 1 ? player.end : player.start + share * (player.end - player.start));
     });
     const button = (name: "first" | "previous" | "next" | "last", label: string, action: () => void, key: string): HTMLButtonElement => {
       const b = iconButton(name, label, action, key);
