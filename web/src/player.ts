@@ -43,21 +43,22 @@ export class Player {
     this.pump();
   }
 
-  /** Body `body` moves as in `edited` from the instant shown on. The engine is brought to that instant first. */
-  changePlan(edited: Scene, body: number): { milliseconds: number; certificates: number } {
-    const t = this.t;
-    if (this.status.time > t || this.status.state !== "running") {
-      this.engine.open(JSON.stringify(this.scene), "scene", this.closed);
-      this.replay.open(this.engine);
-    }
-    while (!this.engine.advance(t, 1e9).reached);
+  /**
+   * Body `body` moves as in `edited` from t on, as in `base` before. The engine has looked ahead, so it is brought to t
+   * again; then it takes up the new plan and goes on with the map and the certificates it has. Throws TautError.
+   */
+  changePlan(base: Scene, edited: Scene, body: number, t: number): { milliseconds: number; certificates: number } {
+    ++this.run;
+    this.engine.open(JSON.stringify(base), "scene", this.closed);
+    this.engine.advance(t, 1e9);
     const begun = performance.now();
     const status = this.engine.changePlan(JSON.stringify(edited), body);
     const milliseconds = performance.now() - begun;
+    this.replay.open(this.engine);
     this.replay.update(this.engine);
     const k = this.replay.count;
+    this.recent.event = -1;
     this.adoptStatus(edited, status);
-    this.selected = -1;
     this.seek(t);
     this.pump();
     return { milliseconds, certificates: k > 0 ? this.replay.certificatesAfter(k - 1) : status.initial };

@@ -27,6 +27,8 @@ export class Stage {
   theme: ThemeChoice = "auto";
   faults: FaultMarks[] = [];
   tool: Tool | null = null;
+  /** True if the double click was meant for something else than the view. */
+  onDoubleClick: (x: number, y: number) => boolean = () => false;
   /** The view was moved by hand: leave it. */
   private moved = false;
   private readonly pointers = new Map<number, [number, number]>();
@@ -149,7 +151,9 @@ export class Stage {
       },
       { passive: false },
     );
-    canvas.addEventListener("dblclick", () => this.fit());
+    canvas.addEventListener("dblclick", (e) => {
+      if (!this.onDoubleClick(...this.place(e))) this.fit();
+    });
     canvas.addEventListener("pointerdown", (e) => {
       canvas.setPointerCapture(e.pointerId);
       const at = this.place(e);

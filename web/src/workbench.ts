@@ -1,5 +1,5 @@
 // The page around the picture: answer, event, counts, list of events, time.
-import { fitCanvas, h, icon, iconButton, setIcon } from "./dom";
+import { fitCanvas, h, iconButton, setIcon } from "./dom";
 import { EventList } from "./eventlist";
 import { placed } from "./figure";
 import { CountPlot } from "./plot";
@@ -29,6 +29,8 @@ export class Workbench {
   readonly headerTools = h("div", { class: "tools" });
   readonly transport: HTMLElement;
   title: string | null = null;
+  /** The scene that is being edited is not valid: what is known belongs to an older one. */
+  invalid = false;
 
   private readonly events: EventList;
   private readonly plot: CountPlot;
@@ -49,6 +51,7 @@ export class Workbench {
   private lastFrame = 0;
   private lastDrawn = 0;
   private drew = false;
+  private settledOnce = false;
   private panelsShown = 0;
   private stripKey = "";
 
@@ -101,6 +104,7 @@ export class Workbench {
   /** A scene was opened. */
   opened(): void {
     this.fittedFinal = false;
+    this.settledOnce = false;
     this.stage.fit();
   }
 
@@ -143,7 +147,9 @@ export class Workbench {
     const { player, stage } = this;
     if (player.finished && !this.fittedFinal) {
       this.fittedFinal = true;
-      if (!stage.tool) stage.refit();
+      // Not while something is being edited: the picture would move away below the pointer.
+      if (!stage.tool || !this.settledOnce) stage.refit();
+      this.settledOnce = true;
     }
     document.documentElement.dataset.theme = isDark(stage.theme) ? "dark" : "light";
     stage.draw();
@@ -177,10 +183,11 @@ export class Workbench {
     const { player } = this;
     const running = !player.finished;
     const { answer } = player.status;
-    const text = player.failure ? "Failed" : headline(answer, running);
+    const text = this.invalid ? "No valid scene" : player.failure ? "Failed" : headline(answer, running);
     if (this.answerChip.textContent !== text) this.answerChip.textContent = text;
-    this.answerChip.dataset.outcome = running ? "running" : answer.outcome;
-    const lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
+    this.answerChip.dataset.outcome = this.invalid ? "invalid" : running ? "running" : answer.outcome;
+    let lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
+    if (this.invalid) lines = ["The scene has to be mended before there is an answer."];
     setLines(this.answerText, lines);
     const names = player.scene.bodies.map((b) => b.name).join(" and ");
     this.stage.canvas.setAttribute("aria-label", `${names} at t = ${clockText(player.t, player.scene)}. ${text}`);
@@ -429,4 +436,3 @@ function setLines(element: HTMLElement, lines: string[]): void {
   element.replaceChildren(...lines.filter((l) => l !== "").map((l) => h("p", {}, l)));
 }
 
-export { icon };

@@ -54,7 +54,7 @@ export async function openPage(browser, address, options = {}) {
     if (message.type() === "error") page.problems.push(message.text());
   });
   page.on("request", (request) => {
-    if (request.url() !== address && !/^(data|blob):/.test(request.url())) page.problems.push(`request: ${request.url()}`);
+    if (request.url() !== address.split("#")[0] && !/^(data|blob):/.test(request.url())) page.problems.push(`request: ${request.url()}`);
   });
   await page.goto(address);
   await page.waitForFunction(() => window.taut?.player.finished, null, { timeout: 120000 });
