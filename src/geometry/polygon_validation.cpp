@@ -52,13 +52,14 @@ void require_sound_coordinates(const Polygon& polygon, const std::string& name) 
     const Point& p = polygon[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y))
       throw InputError(name, "vertex " + std::to_string(i) + " has a coordinate that is not finite: " + text(p),
-                       "coordinates must be ordinary numbers");
+                       "coordinates must be ordinary numbers", {{static_cast<int>(i)}, {}});
     if (!in_range(p.x) || !in_range(p.y))
       throw InputError(name,
                        "vertex " + std::to_string(i) + " has a coordinate out of range: " + text(p) +
                            "; a coordinate must be zero or of magnitude between 2^-400 (about 3.9e-121) and 2^400 "
                            "(about 2.6e+120)",
-                       "choose other units, or write 0 for a coordinate that is meant to be zero");
+                       "choose other units, or write 0 for a coordinate that is meant to be zero",
+                       {{static_cast<int>(i)}, {}});
   }
 }
 
@@ -95,31 +96,34 @@ void require_distinct_vertices(const Polygon& polygon, const std::vector<int>& o
   throw InputError(name,
                    "vertices " + std::to_string(first) + " and " + std::to_string(second) + " are the same point " +
                        text(polygon[first]),
-                   hint);
+                   hint, {{first, second}, {}});
 }
 
 [[noreturn]] void report(const Polygon& polygon, const SelfMeeting& m, const std::string& name) {
   const std::string both = "edges " + edge_text(polygon, m.first) + " and " + edge_text(polygon, m.second);
+  const Culprits edges{{}, {m.first, m.second}};
+  const Culprits edges_at_vertex{{m.vertex}, {m.first, m.second}};
   const std::string not_simple = "the boundary is not simple: ";
   switch (m.kind) {
     case Meeting::touch:
       throw InputError(name,
                        not_simple + both + " touch: " + vertex_text(polygon, m.vertex) + " lies on the other edge",
-                       "move the vertex off the edge, or split the outline there");
+                       "move the vertex off the edge, or split the outline there", edges_at_vertex);
     case Meeting::overlap:
       throw InputError(name, not_simple + both + " overlap from " + text(m.from) + " to " + text(m.to),
-                       "the two edges must not share a stretch: leave a gap between them, or drop it from the outline");
+                       "the two edges must not share a stretch: leave a gap between them, or drop it from the outline",
+                       edges);
     case Meeting::fold_back:
       throw InputError(name,
                        not_simple + both + " overlap: the boundary folds back on itself at " +
                            vertex_text(polygon, m.vertex) + ", from there to " + text(m.to),
-                       "remove the spike; it encloses no area");
+                       "remove the spike; it encloses no area", edges_at_vertex);
     case Meeting::none:
     case Meeting::crossing:
       break;
   }
   throw InputError(name, not_simple + both + " cross at " + text(m.from),
-                   "list the vertices in order around the boundary, which must not meet itself");
+                   "list the vertices in order around the boundary, which must not meet itself", edges);
 }
 
 }  // namespace

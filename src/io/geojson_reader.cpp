@@ -95,4 +95,9 @@ Polygon read_geojson(const std::string& path, const ReadLimits& limits) {
   return io::parse_geojson(io::read_text_file(path, limits.max_bytes), path, limits);
 }
 
+Polygon parse_geojson(const std::string& text, const std::string& name, const ReadLimits& limits) {
+  io::require_size(text, name, limits.max_bytes);
+  return io::parse_geojson(text, name, limits);
+}
+
 }  // namespace taut

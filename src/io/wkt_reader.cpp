@@ -131,4 +131,9 @@ Polygon read_wkt(const std::string& path, const ReadLimits& limits) {
   return io::parse_wkt(io::read_text_file(path, limits.max_bytes), path, limits);
 }
 
+Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
+  io::require_size(text, name, limits.max_bytes);
+  return io::parse_wkt(text, name, limits);
+}
+
 }  // namespace taut

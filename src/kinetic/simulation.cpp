@@ -23,8 +23,15 @@ auto decided(const Question& question) {
 
 }  // namespace
 
-struct Simulation::Impl {
-  Impl(const Scene& scene, Touch touch, Tracer* tracer) : session(scene, touch, tracer) {}
+struct Simulation::Impl : private EngineObserver {
+  Impl(const Scene& scene, Touch touch, Tracer* tracer)
+      : session(scene, touch, tracer, static_cast<EngineObserver*>(this)) {}
+
+  // The repair changes records of the corners it names, of the half-edges after them, and of the edge it removes
+  // (src/kinetic/repair_*.cpp).
+  void on_event(const EngineEvent& event) override { last = event.report; }
+
+  RepairReport last;  ///< before the session, which may report to it from its constructor
   Session session;
 };
 
@@ -135,6 +142,47 @@ Tiling Simulation::tiling() const {
     }
     if (!visited[i]) out.faces.push_back(copy_face(session, h, visited));
   }
+  return out;
+}
+
+TilingHalfedge Simulation::halfedge(int index) const {
+  const Session& session = impl_->session;
+  const PlanarMap& map = session.engine().map();
+  const HalfedgeId h(index);
+  TilingHalfedge out;
+  if (index < 0 || h.value >= map.halfedge_count() || !map.alive(h)) return out;
+  out.origin = static_cast<int>(map.origin(h).value);
+  out.next = static_cast<int>(map.next(h).value);
+  out.kind = face_kind(map, h);
+  if (out.kind == FaceKind::node || out.kind == FaceKind::polygon_interior) {
+    const NodeId n = map.node(h);
+    out.body = session.plan().maps[node::in_p(n) ? 0 : 1].body;
+    out.depth = node::depth(n);
+  }
+  return out;
+}
+
+std::vector<TilingHalfedge> Simulation::halfedges() const {
+  std::vector<TilingHalfedge> out(impl_->session.engine().map().halfedge_count());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = halfedge(static_cast<int>(i));
+  return out;
+}
+
+std::vector<int> Simulation::changed_halfedges() const {
+  const RepairReport& report = impl_->last;
+  const PlanarMap& map = impl_->session.engine().map();
+  std::vector<int> out;
+  const auto add = [&out](HalfedgeId h) { out.push_back(static_cast<int>(h.value)); };
+  for (std::uint32_t i = 0; i < report.corner_count; ++i) {
+    add(report.corners[i]);
+    add(map.next(report.corners[i]));
+  }
+  if (report.removed.valid()) {
+    add(report.removed);
+    add(PlanarMap::twin(report.removed));
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "scene_argument.hpp"
+#include "taut/error.hpp"
+#include "taut/validate.hpp"
+#include "viewer_page.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+struct ViewArguments {
+  std::string path, output;
+  ViewerOptions options;
+};
+
+int run_view(const ViewArguments& arguments) {
+  const Scene scene = load_scene(arguments.path);
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    throw error.within(display_name(arguments.path));
+  }
+  const auto& at = arguments.options.at;
+  if (at && !(*at >= scene.start && *at <= scene.end)) {
+    throw InputError("--at", fmt::format("{} is outside the scene's time [{}, {}]", *at, scene.start, scene.end),
+                     "choose an instant within");
+  }
+  write_viewer(scene, arguments.options, arguments.output);
+  return exit_free;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("view", "Write a page that shows the motion and the tiling in a browser");
+  const auto arguments = std::make_shared<ViewArguments>();
+  add_scene(*command, arguments->path);
+  command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
+      ->option_text("FILE");
+  add_touch(*command, arguments->options.touch);
+  command->add_option("--at", arguments->options.at, "the instant to show first (the start)")->option_text("T");
+  command->add_option("--title", arguments->options.title, "of the page (the bodies' names)")->option_text("TEXT");
+  command
+      ->add_option("--template", arguments->options.template_path,
+                   "the page to put the scene into, instead of the one that\n`./dev web` builds")
+      ->option_text("FILE");
+  command->footer(
+      "Example:\n"
+      "  taut view scene.json -o scene.html\n"
+      "\n"
+      "The page is one file, with the scene and the program inside; it opens without a network. The browser computes\n"
+      "the answer anew, by the same code. docs/viewer.md tells what is seen, and the keys.\n");
+  command->callback([&action, arguments] { action = [arguments] { return run_view(*arguments); }; });
+}
+
+}  // namespace taut::cli

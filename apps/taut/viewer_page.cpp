@@ -1,0 +1,82 @@
+#include "viewer_page.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "io/json_text.hpp"
+#include "io/text_file.hpp"
+#include "scene_argument.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the template has a place for the data; web/build.mjs sees to it that it comes once.
+const std::string marker = "@TAUT-DATA@";
+const char* const remedy = "build it with `./dev web`, or name it with --template FILE";
+constexpr std::size_t largest_template = std::size_t{1} << 28;
+
+/// In order of preference; right for an installed taut, for one beside its page, and for build/release/taut.
+std::vector<fs::path> candidates() {
+  std::error_code error;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  const fs::path folder = executable.parent_path();
+  return {folder / "../share/taut/viewer.html", folder / "viewer.html", folder / "../web/viewer.html"};
+}
+
+std::string find_template() {
+  std::string tried;
+  for (const fs::path& path : candidates()) {
+    std::error_code error;
+    if (fs::is_regular_file(path, error)) return path.string();
+    tried += (tried.empty() ? "" : ", ") + path.lexically_normal().string();
+  }
+  throw InputError("", "the viewer's page is missing" + (tried.empty() ? tried : " (looked for " + tried + ")"),
+                   remedy);
+}
+
+/// JSON that may stand inside a script element: no "</script>" and no "<!--" can occur in it.
+std::string for_script(const std::string& json) {
+  std::string s;
+  s.reserve(json.size() + json.size() / 16);
+  for (const char c : json) {
+    if (c == '<') {
+      s += "\\u003c";
+    } else {
+      s += c;
+    }
+  }
+  return s;
+}
+
+std::string data_text(const Scene& scene, const ViewerOptions& options) {
+  std::string s = std::string("{\"touch\":\"") + to_string(options.touch) + "\"";
+  if (options.at) s += ",\"at\":" + io::number_text(*options.at);
+  if (!options.title.empty()) s += ",\"title\":" + io::string_text(options.title);
+  return for_script(s + ",\"scene\":" + write_scene(scene) + "}");
+}
+
+}  // namespace
+
+std::string load_viewer_template(const std::string& path) {
+  const std::string file = path.empty() ? find_template() : path;
+  std::string page = io::read_text_file(file, largest_template);
+  const std::size_t at = page.find(marker);
+  if (at == std::string::npos || page.find(marker, at + 1) != std::string::npos)
+    throw InputError(file, "not a template of the viewer: " + marker + " must occur once", remedy);
+  return page;
+}
+
+void write_viewer(const Scene& scene, const ViewerOptions& options, const std::string& output) {
+  std::string page = load_viewer_template(options.template_path);
+  page.replace(page.find(marker), marker.size(), data_text(scene, options));
+  write_output(output, page);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,27 @@
+// A scene as one HTML file that shows it in a browser.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "taut/check.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::cli {
+
+struct ViewerOptions {
+  Touch touch = Touch::open;
+  std::optional<double> at;   ///< the instant to show first; without it, the start
+  std::string title;          ///< of the page; empty: the bodies' names
+  std::string template_path;  ///< empty: look next to the executable
+};
+
+/// The page that `./dev web` builds, with a marked place for the scene. Throws InputError that names the remedy if
+/// there is none.
+std::string load_viewer_template(const std::string& path);
+
+/// Writes a self-contained page to `output`, or to standard output if it is empty or "-". The scene must be valid.
+/// The same scene and template give the same bytes. Throws InputError.
+void write_viewer(const Scene& scene, const ViewerOptions& options, const std::string& output);
+
+}  // namespace taut::cli

@@ -1,0 +1,19 @@
+// Where a moving body is at one instant, for drawing.
+#pragma once
+
+#include "taut/geometry.hpp"
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// A rigid placement: the body's point (u, v) is at origin + u axis + v (axis turned by +90 degrees).
+struct BodyPose {
+  Point origin;
+  Point axis{1, 0};  ///< of unit length up to rounding
+};
+
+/// The pose at time t, rounded: good for pictures, no part of a proof. At the joint of two pieces it is that of the
+/// later one. `t` must lie where the motion is defined (see validate()); outside, the result may be NaN.
+BodyPose pose_at(const Motion& motion, double t);
+
+}  // namespace taut

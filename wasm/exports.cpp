@@ -1,0 +1,193 @@
+// What JavaScript calls. Texts go in as UTF-8 and come out as JSON, which stays valid until the next call; numbers that
+// a picture needs come as arrays. No exception passes: errors are JSON, too.
+#include <emscripten.h>
+
+#include <memory>
+#include <string>
+
+#include "io/json_text.hpp"
+#include "recording.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/pose.hpp"
+#include "taut/validate.hpp"
+
+namespace taut::web {
+namespace {
+
+std::unique_ptr<Recording> recording;
+std::string result;
+
+std::string indices_text(const std::vector<int>& indices) {
+  std::string s;
+  for (const int i : indices) s += (s.empty() ? "" : ",") + std::to_string(i);
+  return "[" + s + "]";
+}
+
+/// Which body an error speaks of: the one whose name ends its place.
+int body_at_fault(const std::string& place, const Scene* scene) {
+  for (std::size_t b = 0; scene && b < scene->bodies.size(); ++b) {
+    const std::string& name = scene->bodies[b].name;
+    const std::size_t n = place.size(), m = name.size();
+    if (n >= m && place.compare(n - m, m, name) == 0) return static_cast<int>(b);
+  }
+  return -1;
+}
+
+std::string error_text(const char* kind, const std::string& place, const std::string& problem, const std::string& hint,
+                       int body = -1, const Culprits& culprits = {}) {
+  return std::string("{\"error\":{\"kind\":\"") + kind + "\",\"place\":" + io::string_text(place) +
+         ",\"problem\":" + io::string_text(problem) + ",\"hint\":" + io::string_text(hint) +
+         ",\"body\":" + std::to_string(body) + ",\"vertices\":" + indices_text(culprits.vertices) +
+         ",\"edges\":" + indices_text(culprits.edges) + "}}";
+}
+
+/// Runs `work(scene)`, where `scene` may be filled for messages, and keeps its result for JavaScript.
+template <class Work>
+const char* answered(const Work& work) {
+  Scene scene;
+  try {
+    result = work(scene);
+  } catch (const InputError& e) {
+    result = error_text("input", e.place(), e.problem(), e.hint(), body_at_fault(e.place(), &scene), e.culprits());
+  } catch (const UndecidedError& e) {
+    result = error_text("undecided", "", e.what(), "");
+  } catch (const std::exception& e) {
+    result = error_text("internal", "", e.what(), "this is a defect of taut: please report it, with the scene");
+  }
+  return result.c_str();
+}
+
+Recording& current() {
+  if (!recording) throw InputError("", "no scene is open");
+  return *recording;
+}
+
+const char* state_text(const Recording& r) {
+  if (!r.undecided().empty()) return "undecided";
+  switch (r.simulation().state()) {
+    case SimulationState::running:
+      return "running";
+    case SimulationState::finished:
+      return "finished";
+    case SimulationState::contact:
+      return "contact";
+    case SimulationState::overlap_at_start:
+      return "overlap_at_start";
+  }
+  return "";
+}
+
+std::string status_text(const Recording& r, bool reached) {
+  const Answer answer = r.answer();
+  return std::string("{\"state\":\"") + state_text(r) + "\",\"reached\":" + (reached ? "true" : "false") +
+         ",\"time\":" + io::number_text(r.simulation().time()) +
+         ",\"freeUntil\":" + io::number_text(answer.free_until) +
+         ",\"initial\":" + std::to_string(answer.certificates_initial) +
+         ",\"max\":" + std::to_string(answer.certificates_max) +
+         ",\"answer\":" + answer_json(r.scene(), answer, r.touch()) + "}";
+}
+
+/// The tiling at t, from a simulation of its own.
+std::string picture(const Scene& scene, Touch touch, double t) {
+  Simulation simulation(scene, touch);
+  DrawOptions options;
+  if (simulation.state() == SimulationState::overlap_at_start)
+    throw InputError("", "the bodies overlap at the start", "there is no free space to tile");
+  if (simulation.advance_to(t) == SimulationState::contact) options.contact = &*simulation.contact();
+  return draw_svg(scene, simulation.tiling(), options);
+}
+
+}  // namespace
+}  // namespace taut::web
+
+using namespace taut;
+using namespace taut::web;
+
+extern "C" {
+
+/// {"scene": the scene as write_scene() has it}, after validation.
+EMSCRIPTEN_KEEPALIVE const char* taut_read_scene(const char* text, const char* name) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, name);
+    validate(scene);
+    return "{\"scene\":" + write_scene(scene) + "}";
+  });
+}
+
+/// {"polygon": [[x, y], ...]} from WKT or GeoJSON.
+EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char* name) {
+  return answered([&](Scene&) {
+    const std::string outline = text;
+    const std::size_t first = outline.find_first_not_of(" \t\r\n");
+    const bool json = first != std::string::npos && outline[first] == '{';
+    std::string s;
+    for (const Point& p : json ? parse_geojson(outline, name) : parse_wkt(outline, name))
+      s += (s.empty() ? "" : ",") + io::point_text(p);
+    return "{\"polygon\":[" + s + "]}";
+  });
+}
+
+/// Opens a scene in place of the present one: its status. On an error the present one stays.
+EMSCRIPTEN_KEEPALIVE const char* taut_open(const char* text, const char* name, int closed) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, name);
+    auto fresh = std::make_unique<Recording>(scene, closed != 0 ? Touch::closed : Touch::open);
+    recording = std::move(fresh);
+    return status_text(*recording, true);
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* taut_advance(double until, double milliseconds) {
+  return answered([&](Scene&) {
+    const bool reached = current().advance(until, milliseconds);
+    return status_text(current(), reached);
+  });
+}
+
+/// Body `body` takes up its motion in the scene `text` at the present of the simulation.
+EMSCRIPTEN_KEEPALIVE const char* taut_change_plan(const char* text, int body) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, "scene");
+    current().change_plan(scene, body);
+    return status_text(current(), true);
+  });
+}
+
+/// For 0 and 1: origin and axis at time t, four numbers each.
+EMSCRIPTEN_KEEPALIVE const double* taut_poses(double t) {
+  static double poses[8];
+  if (!recording) return poses;
+  for (std::size_t b = 0; b < 2; ++b) {
+    const BodyPose p = pose_at(recording->scene().bodies[b].motion, t);
+    const double values[] = {p.origin.x, p.origin.y, p.axis.x, p.axis.y};
+    for (std::size_t i = 0; i < 4; ++i) poses[4 * b + i] = values[i];
+  }
+  return poses;
+}
+
+/// The simulation's own view of a time, to compare a replay with: {"svg": ...}.
+EMSCRIPTEN_KEEPALIVE const char* taut_svg(double t) {
+  return answered(
+      [&](Scene&) { return "{\"svg\":" + io::string_text(picture(current().scene(), current().touch(), t)) + "}"; });
+}
+
+/// Arrays by number: 0 vertices, 1 half-edges at the start, 2 changes, 3 events (32-bit integers), 4 times (doubles).
+/// Valid until the next call that advances or opens.
+EMSCRIPTEN_KEEPALIVE const void* taut_array(int which) {
+  if (!recording) return nullptr;
+  const std::vector<std::int32_t>* arrays[] = {&recording->vertices(), &recording->start(), &recording->changes(),
+                                               &recording->events()};
+  if (which == 4) return recording->times().data();
+  return which >= 0 && which < 4 ? arrays[which]->data() : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE int taut_array_size(int which) {
+  if (!recording) return 0;
+  const std::vector<std::int32_t>* arrays[] = {&recording->vertices(), &recording->start(), &recording->changes(),
+                                               &recording->events()};
+  if (which == 4) return static_cast<int>(recording->times().size());
+  return which >= 0 && which < 4 ? static_cast<int>(arrays[which]->size()) : 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,133 @@
+// Motions as people handle them: poses at certain instants, with steady motion in between; and cutting a motion short
+// to go on differently.
+import type { Body, Motion, Pose } from "./engine";
+
+/** The body's own origin is at (x, y), and the body is turned by `angle` radians, at time t. */
+export interface Keyframe {
+  t: number;
+  x: number;
+  y: number;
+  angle: number;
+}
+
+/** Steady motion from an instant on. */
+export interface Velocity {
+  x: number;
+  y: number;
+  /** Radians per unit of time. */
+  spin: number;
+}
+
+export function piecesOf(body: Body): Motion[] {
+  if (!body.motion) return [];
+  return Array.isArray(body.motion) ? body.motion : [body.motion];
+}
+
+const value = (coefficients: number[] | undefined, t: number): number =>
+  (coefficients ?? []).reduceRight((sum, c) => sum * t + c, 0);
+
+function angleOf(piece: Motion): number[] | null {
+  if (!piece.rotation) return [];
+  const { angle } = piece.rotation as { angle?: number[] };
+  return Array.isArray(angle) ? angle : null;
+}
+
+/** The motion as keyframes at its joints, or null if it is not steady between them, or jumps. */
+export function keyframesOf(body: Body, start: number, end: number): Keyframe[] | null {
+  const pieces = piecesOf(body);
+  if (pieces.length === 0) return [{ t: start, x: 0, y: 0, angle: 0 }];
+  const out: Keyframe[] = [];
+  let from = start;
+  for (let i = 0; i < pieces.length; ++i) {
+    const piece = pieces[i];
+    const angle = angleOf(piece);
+    if (!angle || [piece.x, piece.y, angle].some((c) => (c?.length ?? 0) > 2)) return null;
+    const to = i + 1 < pieces.length ? Math.min(piece.until ?? end, end) : end;
+    if (to <= from && !(i === 0 && start === end)) continue;
+    const at = (t: number): Keyframe => ({ t, x: value(piece.x, t), y: value(piece.y, t), angle: value(angle, t) });
+    const first = at(from);
+    const last = out[out.length - 1];
+    const size = Math.abs(first.x) + Math.abs(first.y) + 1;
+    if (last && Math.hypot(last.x - first.x, last.y - first.y) > 1e-6 * size) return null;
+    if (last && Math.abs(last.angle - first.angle) > 1e-6) return null;
+    if (!last) out.push(first);
+    const rests = [piece.x, piece.y, angle].every((c) => (c?.length ?? 0) < 2);
+    if (!(rests && pieces.length === 1)) out.push(at(to));
+    from = to;
+  }
+  return out;
+}
+
+/** Without trailing zeros; undefined if nothing is left. */
+function trimmed(coefficients: number[]): number[] | undefined {
+  const out = [...coefficients];
+  while (out.length > 0 && out[out.length - 1] === 0) out.pop();
+  return out.length > 0 ? out.map((c) => (Object.is(c, -0) ? 0 : c)) : undefined;
+}
+
+function steady(at: Keyframe, velocity: Velocity, until?: number): Motion {
+  const piece: Motion = {};
+  const x = trimmed([at.x - velocity.x * at.t, velocity.x]);
+  const y = trimmed([at.y - velocity.y * at.t, velocity.y]);
+  const angle = trimmed([at.angle - velocity.spin * at.t, velocity.spin]);
+  if (x) piece.x = x;
+  if (y) piece.y = y;
+  if (angle) piece.rotation = { angle };
+  if (until !== undefined) piece.until = until;
+  return piece;
+}
+
+export function velocityBetween(a: Keyframe, b: Keyframe): Velocity {
+  const d = b.t - a.t;
+  return d > 0 ? { x: (b.x - a.x) / d, y: (b.y - a.y) / d, spin: (b.angle - a.angle) / d } : { x: 0, y: 0, spin: 0 };
+}
+
+export function motionOf(keyframes: Keyframe[]): Body["motion"] {
+  if (keyframes.length === 1) {
+    const piece = steady(keyframes[0], { x: 0, y: 0, spin: 0 });
+    return Object.keys(piece).length > 0 ? piece : null;
+  }
+  const pieces: Motion[] = [];
+  for (let i = 0; i + 1 < keyframes.length; ++i) {
+    const last = i + 2 === keyframes.length;
+    pieces.push(steady(keyframes[i], velocityBetween(keyframes[i], keyframes[i + 1]), last ? undefined : keyframes[i + 1].t));
+  }
+  return pieces.length === 1 ? pieces[0] : pieces;
+}
+
+/** The body's velocity right after t, by differences. */
+export function velocityAt(poses: (t: number) => Pose, t: number, end: number): Velocity {
+  const d = (end - t || Math.abs(t) || 1) * 1e-6;
+  const a = poses(t);
+  const b = poses(t + d);
+  const turn = Math.atan2(a.c * b.s - a.s * b.c, a.c * b.c + a.s * b.s);
+  return { x: (b.x - a.x) / d, y: (b.y - a.y) / d, spin: turn / d };
+}
+
+/** As before until t, where the body is at `pose`, and steadily on from there. */
+export function continued(body: Body, pose: Pose, t: number, start: number, velocity: Velocity): Body["motion"] {
+  const before = piecesOf(body).filter((_, i, all) => i === 0 || (all[i - 1].until ?? Infinity) < t);
+  const angle = unwound(body, pose, t);
+  const next = steady({ t, x: pose.x, y: pose.y, angle }, velocity);
+  if (t <= start) return next;
+  if (before.length === 0) before.push({});
+  before[before.length - 1] = { ...before[before.length - 1], until: t };
+  return [...before, next];
+}
+
+/** The angle of a pose, with the full turns that the motion has made by then, if it tells them. */
+function unwound(body: Body, pose: Pose, t: number): number {
+  const angle = Math.atan2(pose.s, pose.c);
+  const piece = piecesOf(body).find((p) => t < (p.until ?? Infinity)) ?? piecesOf(body).at(-1);
+  const counted = piece && angleOf(piece);
+  if (!counted || counted.length === 0) return angle;
+  return angle + 2 * Math.PI * Math.round((value(counted, t) - angle) / (2 * Math.PI));
+}
+
+/** The whole motion moved by (dx, dy). */
+export function moved(body: Body, dx: number, dy: number): Body["motion"] {
+  const pieces = piecesOf(body);
+  const shift = (c: number[] | undefined, d: number): number[] => [(c?.[0] ?? 0) + d, ...(c ?? []).slice(1)];
+  const out = (pieces.length > 0 ? pieces : [{}]).map((p) => ({ ...p, x: shift(p.x, dx), y: shift(p.y, dy) }));
+  return out.length === 1 ? out[0] : out;
+}

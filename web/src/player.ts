@@ -1,0 +1,203 @@
+// Time: what the engine has found so far, which instant is shown, and how it moves.
+import { Engine, TautError, type Pose, type Scene, type Status } from "./engine";
+import { Figure } from "./figure";
+import { Replay } from "./replay";
+import type { ContactMarks, EventMarks } from "./drawing";
+
+/** For so long after it an event stays marked while the motion plays, in milliseconds. */
+const markFor = 450;
+/** The scene's whole time takes so many seconds at speed 1. */
+const secondsAtSpeedOne = 10;
+
+export class Player {
+  readonly replay = new Replay();
+  scene!: Scene;
+  figures!: [Figure, Figure];
+  status!: Status;
+  closed = false;
+  /** The instant shown. */
+  t = 0;
+  playing = false;
+  speed = 1;
+  /** The event that was stepped to and is explained, or -1. */
+  selected = -1;
+  /** What the engine could not do after it had begun. */
+  failure: string | null = null;
+  /** Told of every change. */
+  onChange: () => void = () => {};
+
+  /** An instant to show as soon as the engine has come so far. */
+  private wanted: number | null = null;
+  private run = 0;
+  private lastFrame = 0;
+  private recent = { event: -1, since: 0 };
+
+  constructor(readonly engine: Engine) {}
+
+  /** Opens a scene at its start. Throws TautError, and the present scene stays. */
+  open(scene: Scene, closed: boolean, at?: number): void {
+    const status = this.engine.open(JSON.stringify(scene), "scene", closed);
+    this.adopt(scene, closed, status);
+    this.seek(scene.time[0]);
+    this.wanted = at ?? null;
+    this.pump();
+  }
+
+  /**
+   * Body `body` moves as in `edited` from t on, as in `base` before. The engine has looked ahead, so it is brought to t
+   * again; then it takes up the new plan and goes on with the map and the certificates it has. Throws TautError.
+   */
+  changePlan(base: Scene, edited: Scene, body: number, t: number): { milliseconds: number; certificates: number } {
+    ++this.run;
+    this.engine.open(JSON.stringify(base), "scene", this.closed);
+    this.engine.advance(t, 1e9);
+    const begun = performance.now();
+    const status = this.engine.changePlan(JSON.stringify(edited), body);
+    const milliseconds = performance.now() - begun;
+    this.replay.open(this.engine);
+    this.replay.update(this.engine);
+    const k = this.replay.count;
+    this.recent.event = -1;
+    this.adoptStatus(edited, status);
+    this.seek(t);
+    this.pump();
+    return { milliseconds, certificates: k > 0 ? this.replay.certificatesAfter(k - 1) : status.initial };
+  }
+
+  get start(): number {
+    return this.scene.time[0];
+  }
+
+  /** The last instant that can be shown: the contact, the end, or how far the engine has come. */
+  get limit(): number {
+    return this.status.answer.t?.[0] ?? Math.max(this.start, this.status.freeUntil);
+  }
+
+  /** The right end of the slider: as limit, but the scene's end while the engine is at work. */
+  get end(): number {
+    return this.status.state === "running" ? this.scene.time[1] : Math.max(this.limit, this.start);
+  }
+
+  get finished(): boolean {
+    return this.status.state !== "running" || this.failure !== null;
+  }
+
+  get overlapping(): boolean {
+    return this.status.state === "overlap_at_start";
+  }
+
+  get atContact(): boolean {
+    return this.status.state === "contact" && this.t >= this.limit;
+  }
+
+  seek(t: number): void {
+    this.wanted = null;
+    this.t = Math.min(Math.max(t, this.start), this.limit);
+    this.selected = -1;
+    const before = this.replay.applied;
+    this.replay.goTo(this.replay.eventsUntil(this.t));
+    if (this.replay.applied > before) this.noteRecent();
+    else if (this.replay.applied < before) this.recent.event = -1;
+    this.onChange();
+  }
+
+  /** Events that follow each other too fast to be seen are not marked: that would only flicker. */
+  private noteRecent(): void {
+    const now = performance.now();
+    this.recent.event = now - this.recent.since < 150 ? -1 : this.replay.applied - 1;
+    this.recent.since = now;
+  }
+
+  /** Shows event k, right after its repair. */
+  show(k: number): void {
+    if (k < 0) return this.seek(this.start);
+    if (k >= this.replay.count) return this.seek(this.limit);
+    this.playing = false;
+    this.wanted = null;
+    this.t = Math.min(Math.max(this.replay.timeOf(k), this.start), this.limit);
+    this.replay.goTo(k + 1);
+    this.selected = k;
+    this.onChange();
+  }
+
+  stepEvent(direction: 1 | -1): void {
+    const here = this.selected >= 0 ? this.selected : direction > 0 ? this.replay.applied - 1 : this.replay.applied;
+    this.show(here + direction);
+  }
+
+  play(on: boolean): void {
+    if (on && this.t >= this.end) this.seek(this.start);
+    this.playing = on;
+    this.lastFrame = performance.now();
+    this.onChange();
+  }
+
+  /** Moves on with the clock; true if the picture must be drawn anew. */
+  frame(now: number): boolean {
+    const step = Math.min(0.1, (now - this.lastFrame) / 1000);
+    this.lastFrame = now;
+    if (this.playing) {
+      const whole = Math.max(this.scene.time[1] - this.start, 0);
+      this.seek(this.t + (step * this.speed * whole) / secondsAtSpeedOne);
+      if (this.t >= this.end || whole === 0) this.play(false);
+      return true;
+    }
+    return this.recent.event >= 0 && now - this.recent.since < markFor + 100;
+  }
+
+  poses(): [Pose, Pose] {
+    return this.engine.poses(this.t);
+  }
+
+  /** The event to mark in the picture. */
+  marks(): EventMarks | null {
+    let k = this.selected;
+    const { event, since } = this.recent;
+    if (k < 0 && this.playing && event === this.replay.applied - 1 && performance.now() - since < markFor) k = event;
+    if (k < 0 || k >= this.replay.count) return null;
+    return { event: this.replay.event(k), ...this.replay.edgesOf(k) };
+  }
+
+  contactMarks(): ContactMarks | null {
+    const contact = this.status.answer.contact;
+    if (!contact || !this.atContact) return null;
+    const body = this.scene.bodies.findIndex((b) => b.name === contact.edge.body);
+    return { point: contact.point, normal: contact.normal, edge: { body, index: contact.edge.index } };
+  }
+
+  certificates(): number {
+    return this.replay.applied > 0 ? this.replay.certificatesAfter(this.replay.applied - 1) : this.status.initial;
+  }
+
+  private adopt(scene: Scene, closed: boolean, status: Status): void {
+    this.figures = [new Figure(scene.bodies[0].polygon), new Figure(scene.bodies[1].polygon)];
+    this.closed = closed;
+    this.replay.open(this.engine);
+    this.recent.event = -1;
+    this.adoptStatus(scene, status);
+  }
+
+  private adoptStatus(scene: Scene, status: Status): void {
+    this.scene = scene;
+    this.status = status;
+    this.failure = null;
+  }
+
+  /** Lets the engine work in slices, so that the page stays responsive. */
+  private pump(): void {
+    const run = ++this.run;
+    const slice = (): void => {
+      if (run !== this.run) return;
+      try {
+        this.status = this.engine.advance(this.scene.time[1], 10);
+      } catch (error) {
+        this.failure = error instanceof TautError ? error.message : String(error);
+      }
+      this.replay.update(this.engine);
+      if (this.wanted !== null && (this.finished || this.limit >= this.wanted)) this.seek(this.wanted);
+      this.onChange();
+      if (!this.finished) setTimeout(slice, 0);
+    };
+    slice();
+  }
+}

@@ -1,0 +1,28 @@
+// A scene in the fragment of an address: packed, and written in letters that need no escapes.
+import type { Scene } from "./engine";
+
+export interface Shared {
+  scene: Scene;
+  touch: "open" | "closed";
+}
+
+async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
+  const body = new Blob([bytes as BlobPart]).stream().pipeThrough(stream as ReadableWritablePair<Uint8Array, BufferSource>);
+  return new Uint8Array(await new Response(body as ReadableStream).arrayBuffer());
+}
+
+export async function toFragment(shared: Shared): Promise<string> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream("deflate-raw"));
+  let binary = "";
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return "#s=" + btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+/** Null if the fragment holds no scene. Throws if it holds a damaged one. */
+export async function fromFragment(fragment: string): Promise<Shared | null> {
+  if (!fragment.startsWith("#s=")) return null;
+  const binary = atob(fragment.slice(3).replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
+  const text = new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
+  return JSON.parse(text) as Shared;
+}

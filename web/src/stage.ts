@@ -1,0 +1,207 @@
+// The canvas: what is shown of the world, and moving about in it.
+import { Camera, type Box } from "./camera";
+import { fitCanvas, h, iconButton } from "./dom";
+import { Painter, type FaultMarks, type Frame, type Layers } from "./drawing";
+import { placed } from "./figure";
+import type { Player } from "./player";
+import { coloursOf, type Colours, type ThemeChoice } from "./theme";
+
+/** What may take the pointer before the view does, and draws over the picture: the editor. */
+export interface Tool {
+  /** True if the tool takes this drag. */
+  down(x: number, y: number, e: PointerEvent): boolean;
+  move(x: number, y: number, e: PointerEvent): void;
+  up(): void;
+  hover(x: number, y: number): string;
+  draw(context: CanvasRenderingContext2D, camera: Camera, colours: Colours): void;
+  /** Bodies as they are being edited, instead of the player's. */
+  frame(): Frame | null;
+}
+
+export class Stage {
+  readonly camera = new Camera();
+  readonly canvas = h("canvas", { class: "picture", tabindex: 0, role: "img" });
+  readonly element: HTMLElement;
+  readonly painter: Painter;
+  layers: Layers = { faces: true, tiling: true, corners: true, vertices: false };
+  theme: ThemeChoice = "auto";
+  faults: FaultMarks[] = [];
+  tool: Tool | null = null;
+  /** True if the double click was meant for something else than the view. */
+  onDoubleClick: (x: number, y: number) => boolean = () => false;
+  /** The view was moved by hand: leave it. */
+  private moved = false;
+  private readonly pointers = new Map<number, [number, number]>();
+  private toolDrags = false;
+
+  constructor(
+    private readonly player: Player,
+    private readonly redraw: () => void,
+  ) {
+    const buttons = h(
+      "div",
+      { class: "zoom", role: "group", "aria-label": "View" },
+      iconButton("plus", "Zoom in", () => this.zoom(1.4), "+"),
+      iconButton("minus", "Zoom out", () => this.zoom(1 / 1.4), "-"),
+      iconButton("fit", "Show everything", () => this.fit(), "0"),
+    );
+    this.element = h("div", { class: "stage" }, this.canvas, buttons);
+    this.painter = new Painter(this.canvas.getContext("2d", { alpha: false })!, this.camera);
+    this.listen();
+    new ResizeObserver(() => {
+      if (!this.moved) this.fit();
+      this.redraw();
+    }).observe(this.element);
+  }
+
+  colours(): Colours {
+    return coloursOf(this.theme);
+  }
+
+  frame(): Frame {
+    const player = this.player;
+    return (
+      this.tool?.frame() ?? {
+        figures: player.figures,
+        names: [player.scene.bodies[0].name, player.scene.bodies[1].name],
+        poses: player.poses(),
+        replay: player.overlapping ? null : player.replay,
+        event: player.marks(),
+        contact: player.contactMarks(),
+        faults: this.faults,
+      }
+    );
+  }
+
+  draw(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || height === 0) return;
+    const ratio = fitCanvas(this.canvas, width, height);
+    this.camera.resize(width, height);
+    const colours = this.colours();
+    this.painter.draw(this.frame(), this.layers, colours, ratio);
+    this.tool?.draw(this.canvas.getContext("2d")!, this.camera, colours);
+  }
+
+  /** Shows everything that the bodies pass over, as far as it is known. */
+  fit(): void {
+    this.moved = false;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || !this.player.scene) return;
+    this.camera.resize(width, height);
+    this.camera.fit(this.extent());
+    this.redraw();
+  }
+
+  /** As fit(), unless the view was moved by hand. */
+  refit(): void {
+    if (!this.moved) this.fit();
+  }
+
+  zoom(factor: number): void {
+    this.moved = true;
+    this.camera.zoom(factor);
+    this.redraw();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.moved = true;
+    this.camera.pan(dx, dy);
+    this.redraw();
+  }
+
+  /** Shows these points large. */
+  zoomTo(points: [number, number][]): void {
+    const box = boxOf(points);
+    const size = Math.max(box.highX - box.lowX, box.highY - box.lowY, this.player.figures[0].diameter * 1e-3);
+    const room = 0.8 * size;
+    this.moved = true;
+    this.camera.fit({ lowX: box.lowX - room, lowY: box.lowY - room, highX: box.highX + room, highY: box.highY + room });
+    this.redraw();
+  }
+
+  private extent(): Box {
+    const { player } = this;
+    const points: [number, number][] = [];
+    const samples = 48;
+    for (let i = 0; i <= samples; ++i) {
+      const poses = player.engine.poses(player.start + ((player.end - player.start) * i) / samples);
+      player.figures.forEach((f, b) => {
+        for (const k of f.outline(f.diameter / 50)) points.push(placed(poses[b], f.x[k], f.y[k]));
+      });
+    }
+    return boxOf(points.filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y)));
+  }
+
+  private place(e: { clientX: number; clientY: number }): [number, number] {
+    const box = this.canvas.getBoundingClientRect();
+    return [e.clientX - box.left, e.clientY - box.top];
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    canvas.addEventListener(
+      "wheel",
+      (e) => {
+        e.preventDefault();
+        this.moved = true;
+        const lines = e.deltaMode === 1 ? 16 : 1;
+        this.camera.zoom(Math.exp(-e.deltaY * lines * 0.0015), ...this.place(e));
+        this.redraw();
+      },
+      { passive: false },
+    );
+    canvas.addEventListener("dblclick", (e) => {
+      if (!this.onDoubleClick(...this.place(e))) this.fit();
+    });
+    canvas.addEventListener("pointerdown", (e) => {
+      canvas.setPointerCapture(e.pointerId);
+      const at = this.place(e);
+      this.pointers.set(e.pointerId, at);
+      if (this.pointers.size === 1 && e.button === 0) this.toolDrags = this.tool?.down(...at, e) ?? false;
+    });
+    canvas.addEventListener("pointermove", (e) => this.dragged(e));
+    const end = (e: PointerEvent): void => {
+      this.pointers.delete(e.pointerId);
+      if (this.toolDrags && this.pointers.size === 0) {
+        this.toolDrags = false;
+        this.tool?.up();
+      }
+    };
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
+  }
+
+  private dragged(e: PointerEvent): void {
+    const at = this.place(e);
+    const before = this.pointers.get(e.pointerId);
+    if (!before) {
+      this.canvas.style.cursor = this.tool?.hover(...at) || "grab";
+      return;
+    }
+    if (this.toolDrags) {
+      this.tool?.move(...at, e);
+    } else if (this.pointers.size === 1) {
+      this.pan(at[0] - before[0], at[1] - before[1]);
+    } else {
+      const [, other] = [...this.pointers].find(([id]) => id !== e.pointerId)!;
+      const gap = (p: [number, number]): number => Math.hypot(p[0] - other[0], p[1] - other[1]);
+      this.camera.pan((at[0] - before[0]) / 2, (at[1] - before[1]) / 2);
+      if (gap(before) > 10) this.camera.zoom(gap(at) / gap(before), (at[0] + other[0]) / 2, (at[1] + other[1]) / 2);
+      this.moved = true;
+      this.redraw();
+    }
+    this.pointers.set(e.pointerId, at);
+  }
+}
+
+function boxOf(points: [number, number][]): Box {
+  const box = { lowX: Infinity, lowY: Infinity, highX: -Infinity, highY: -Infinity };
+  for (const [x, y] of points) {
+    box.lowX = Math.min(box.lowX, x);
+    box.lowY = Math.min(box.lowY, y);
+    box.highX = Math.max(box.highX, x);
+    box.highY = Math.max(box.highY, y);
+  }
+  return points.length > 0 ? box : { lowX: -1, lowY: -1, highX: 1, highY: 1 };
+}

@@ -1,0 +1,95 @@
+// What things are called.
+import type { Answer, Scene } from "./engine";
+import type { MapEvent, Repair } from "./replay";
+
+export const repairNames: Record<Repair, string> = {
+  convex_flip: "convex, flip",
+  convex_triangle: "convex, triangle",
+  reflex_a: "reflex, case (a)",
+  reflex_b: "reflex, case (b)",
+  reflex_c: "reflex, case (c)",
+  collision: "contact",
+};
+
+const stories: Record<Repair, string> = {
+  convex_flip: "A convex corner has closed. Its longer edge goes; an edge between the far ends comes.",
+  convex_triangle: "A convex corner has closed, and with it the whole triangle. Its longest edge goes.",
+  reflex_a: "A reflex corner has straightened. Case (a): the edge u-w comes and cuts off a new triangle.",
+  reflex_b: "A reflex corner has straightened. Case (b): the edge v-w goes, u-w comes.",
+  reflex_c: "A reflex corner has straightened. Case (c): the edge u-v goes, u-w comes.",
+  collision: "A vertex has reached an edge of the other body: the contact.",
+};
+
+export function story(event: MapEvent): string {
+  let s = stories[event.repair];
+  if (event.pinchRule) s += " A pinch edge decided the case.";
+  if (event.threeCorners) s += " All three corners of the triangle failed at once.";
+  if (event.bridging) s += " It happened while the gap between two pieces of the motion was bridged.";
+  return s;
+}
+
+const shortest = (x: number): string => {
+  const s = x.toPrecision(17);
+  if (s.includes("e") || !s.includes(".")) return s.replace(/\.?0+(?=e|$)/, (m) => (m.includes(".") ? "" : m));
+  return s.replace(/\.?0+$/, "");
+};
+
+/** The digits that both ends of an enclosure share, as `taut check` writes them. */
+export function timeText(lo: number, hi: number): string {
+  if (lo === hi) return String(lo);
+  const a = shortest(lo);
+  const b = shortest(hi);
+  let n = 0;
+  while (n < a.length && a[n] === b[n]) ++n;
+  const common = a.slice(0, n);
+  const digits = common.replace(/\D/g, "").length;
+  if (digits < 5 || !common.includes(".") || a.includes("e") || b.includes("e")) return `[${lo}, ${hi}]`;
+  return common + "…";
+}
+
+/** About `digits` digits, for tables. */
+export function roundText(x: number, digits = 6): string {
+  return String(Number(x.toPrecision(digits)));
+}
+
+/** A fixed number of decimals that suits the scene's time. */
+export function clockText(t: number, scene: Scene): string {
+  const whole = scene.time[1] - scene.time[0];
+  const decimals = Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(whole || 1))));
+  return t.toFixed(decimals);
+}
+
+export function headline(answer: Answer, running: boolean): string {
+  switch (answer.outcome) {
+    case "free":
+      return "Free";
+    case "contact":
+      return `Contact at t = ${timeText(...answer.t!)}`;
+    case "overlap_at_start":
+      return "Overlap at the start";
+    case "undecided":
+      return running ? "Working" : "Undecided";
+  }
+}
+
+export function explanation(answer: Answer, scene: Scene, freeUntil: number, running: boolean): string[] {
+  const [start, end] = scene.time;
+  const touch = answer.scope.touch === "closed" ? ", touching included" : "";
+  switch (answer.outcome) {
+    case "free":
+      return [`Proved free of contact on [${start}, ${end}]${touch}.`];
+    case "contact": {
+      const { vertex, edge, point } = answer.contact!;
+      const size = scene.bodies.find((b) => b.name === edge.body)!.polygon.length;
+      return [
+        `Vertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-${(edge.index + 1) % size} of ${edge.body} ` +
+          `at (${roundText(point[0], 9)}, ${roundText(point[1], 9)}).`,
+        `Proved free on [${start}, ${answer.t![0]})${touch}. The scene's time ends at ${end}.`,
+      ];
+    }
+    case "overlap_at_start":
+      return ["The bodies overlap already when the motion starts: there is no free space to tile."];
+    case "undecided":
+      return running ? [`Free so far, until t = ${roundText(freeUntil)}.`] : [answer.reason ?? "", `Free until ${freeUntil}.`];
+  }
+}

@@ -1,0 +1,438 @@
+// The page around the picture: answer, event, counts, list of events, time.
+import { fitCanvas, h, iconButton, setIcon } from "./dom";
+import { EventList } from "./eventlist";
+import { placed } from "./figure";
+import { CountPlot } from "./plot";
+import type { Player } from "./player";
+import { Stage } from "./stage";
+import { isDark } from "./theme";
+import { clockText, explanation, headline, repairNames, roundText, story } from "./words";
+
+const keys: [string, string][] = [
+  ["Space", "play or pause"],
+  ["→ ←", "next or previous event"],
+  ["Shift → ←", "a hundredth of the time on or back"],
+  ["Home End", "start, or contact or end"],
+  ["+ − 0", "zoom in, zoom out, show everything"],
+  ["w a s d", "move the view"],
+  ["z", "zoom to the event or the contact"],
+  ["f e c v", "faces, edges of the tiling, corners, vertices"],
+  ["t", "light or dark"],
+  ["?", "this list"],
+];
+
+export class Workbench {
+  readonly stage: Stage;
+  readonly element: HTMLElement;
+  /** Where the playground puts its own controls. */
+  readonly side: HTMLElement;
+  readonly headerTools = h("div", { class: "tools" });
+  readonly transport: HTMLElement;
+  title: string | null = null;
+  /** The scene that is being edited is not valid: what is known belongs to an older one. */
+  invalid = false;
+
+  private readonly events: EventList;
+  private readonly plot: CountPlot;
+  private readonly titleLine = h("h1");
+  private readonly answerChip = h("p", { class: "chip", role: "status", "aria-live": "polite", id: "headline" });
+  private readonly answerText = h("div", { class: "answer", id: "answer" });
+  private readonly eventText = h("div", { class: "event", id: "event", "aria-live": "polite" });
+  private readonly counts = h("div", { class: "counts", id: "counts" });
+  private readonly playButton: HTMLButtonElement;
+  private readonly slider = h("input", { type: "range", id: "time", min: 0, max: 1, step: "any", "aria-label": "Time" });
+  private readonly strip = h("canvas", { class: "strip", "aria-hidden": "true" });
+  private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
+  private readonly help: HTMLDialogElement;
+  private readonly layerBoxes: Record<string, HTMLInputElement> = {};
+  private readonly legendNames: HTMLElement[] = [];
+  private dirty = true;
+  private fittedFinal = false;
+  private lastFrame = 0;
+  private lastDrawn = 0;
+  private drew = false;
+  private settledOnce = false;
+  private panelsShown = 0;
+  private stripKey = "";
+
+  constructor(readonly player: Player) {
+    this.stage = new Stage(player, () => this.redraw());
+    this.events = new EventList(player);
+    const plotCanvas = h("canvas", { class: "plot", id: "plot", role: "img", "aria-label": "Active certificates and events over time" });
+    this.plot = new CountPlot(plotCanvas, player, (t) => player.seek(t));
+    this.playButton = iconButton("play", "Play", () => player.play(!player.playing), "Space");
+    this.playButton.id = "play";
+    this.help = this.helpDialog();
+    this.side = h(
+      "aside",
+      { "aria-label": "Details" },
+      section("Answer", this.answerChip, this.answerText),
+      section("Event", this.eventText),
+      section("Counts over time", this.counts, plotCanvas),
+      section("Events", this.events.element),
+      section("Picture", this.legend()),
+    );
+    this.transport = this.transportBar();
+    this.element = h(
+      "div",
+      { class: "app" },
+      h("header", {}, this.titleLine, this.headerTools,
+        iconButton("theme", "Light or dark", () => this.toggleTheme(), "t"),
+        iconButton("help", "Keys", () => this.help.showModal(), "?")),
+      this.stage.element,
+      this.side,
+      this.transport,
+      this.help,
+    );
+    player.onChange = () => this.redraw();
+    document.addEventListener("keydown", (e) => this.key(e));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
+    const loop = (now: number): void => {
+      if (this.player.scene) {
+        this.adaptDetail(now);
+        if (this.player.frame(now) || this.dirty) this.render();
+      }
+      requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+  }
+
+  redraw(): void {
+    this.dirty = true;
+  }
+
+  /** A scene was opened. */
+  opened(): void {
+    this.fittedFinal = false;
+    this.settledOnce = false;
+    this.stage.fit();
+  }
+
+  /** Draws `frames` frames spread over the time, each down to its pixels; milliseconds of each. */
+  measure(frames: number): number[] {
+    const { player, stage } = this;
+    const out: number[] = [];
+    const context = stage.canvas.getContext("2d")!;
+    for (let i = 0; i < frames; ++i) {
+      const t = player.start + ((player.limit - player.start) * i) / Math.max(1, frames - 1);
+      const begun = performance.now();
+      player.seek(t);
+      stage.draw();
+      context.getImageData(0, 0, 1, 1);
+      out.push(performance.now() - begun);
+    }
+    return out;
+  }
+
+  /** Small things are left out while frames come late, and come back when the picture stands still. */
+  private adaptDetail(now: number): void {
+    const took = now - this.lastFrame;
+    this.lastFrame = now;
+    const { painter } = this.stage;
+    if (this.drew) {
+      if (took > 20) painter.detail = Math.max(0.05, painter.detail * 0.85);
+      else painter.detail = Math.min(1, painter.detail * 1.03);
+      this.lastDrawn = now;
+    } else if (painter.detail < 1 && now - this.lastDrawn > 250) {
+      painter.detail = 1;
+      this.redraw();
+      this.lastDrawn = now + 1e3; // this frame may well be late
+    }
+    this.drew = false;
+  }
+
+  private render(): void {
+    this.drew = true;
+    this.dirty = false;
+    const { player, stage } = this;
+    if (player.finished && !this.fittedFinal) {
+      this.fittedFinal = true;
+      // Not while something is being edited: the picture would move away below the pointer.
+      if (!stage.tool || !this.settledOnce) stage.refit();
+      this.settledOnce = true;
+    }
+    document.documentElement.dataset.theme = isDark(stage.theme) ? "dark" : "light";
+    stage.draw();
+    this.showTime();
+    this.plot.draw(stage.colours());
+    // Words need not change faster than they can be read.
+    const now = performance.now();
+    if (player.playing && now - this.panelsShown < 120) return;
+    this.panelsShown = now;
+    this.showTitle();
+    this.showAnswer();
+    this.showEvent();
+    this.showCounts();
+    this.events.update();
+    this.drawStrip();
+  }
+
+  private showTitle(): void {
+    const names = this.player.scene.bodies.map((b) => b.name);
+    const title = this.title ?? names.join(" and ");
+    if (this.titleLine.textContent !== title) {
+      this.titleLine.textContent = title;
+      document.title = `${title}: taut`;
+    }
+    this.legendNames.forEach((element, b) => {
+      if (element.textContent !== names[b]) element.textContent = names[b];
+    });
+  }
+
+  private showAnswer(): void {
+    const { player } = this;
+    const running = !player.finished;
+    const { answer } = player.status;
+    const text = this.invalid ? "No valid scene" : player.failure ? "Failed" : headline(answer, running);
+    if (this.answerChip.textContent !== text) this.answerChip.textContent = text;
+    this.answerChip.dataset.outcome = this.invalid ? "invalid" : running ? "running" : answer.outcome;
+    let lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
+    if (this.invalid) lines = ["The scene has to be mended before there is an answer."];
+    setLines(this.answerText, lines);
+    const names = player.scene.bodies.map((b) => b.name).join(" and ");
+    this.stage.canvas.setAttribute("aria-label", `${names} at t = ${clockText(player.t, player.scene)}. ${text}`);
+  }
+
+  private showEvent(): void {
+    const { player } = this;
+    const marks = player.marks();
+    if (!marks) {
+      setLines(this.eventText, [player.replay.count > 0 ? "Step to an event to see which corner fails and what changes." : ""]);
+      return;
+    }
+    const { event } = marks;
+    const { vertexBody, vertexIndex } = player.replay;
+    const vertex = (v: number): string => `${vertexIndex[v]} of ${player.scene.bodies[vertexBody[v]].name}`;
+    const [u, v, w] = event.corner;
+    const key = `${event.number}/${player.replay.count}`;
+    if (this.eventText.dataset.key === key) return;
+    this.eventText.dataset.key = key;
+    this.eventText.replaceChildren(
+      h("p", { class: "event-name" }, h("strong", {}, repairNames[event.repair]), ` event ${event.number} of ${player.replay.count}`),
+      h("p", {}, story(event)),
+      h("dl", {},
+        h("dt", {}, "Time"), h("dd", { id: "event-time" }, event.lo === event.hi ? String(event.lo) : `[${event.lo}, ${event.hi}]`),
+        h("dt", {}, "Corner"), h("dd", {}, `u: vertex ${vertex(u)}; v: ${vertex(v)}; w: ${vertex(w)}`),
+        h("dt", {}, "Certificates after"), h("dd", {}, String(event.certificates))),
+      h("p", { class: "marks" }, swatch("gone", "line dashed"), " gone ", swatch("come", "line"), " come ", swatch("failing", "line"), " failing corner"),
+    );
+  }
+
+  private showCounts(): void {
+    const { player } = this;
+    const key = [player.certificates(), player.status.max, player.replay.applied, player.replay.count].join();
+    if (this.counts.dataset.key === key) return;
+    this.counts.dataset.key = key;
+    this.counts.replaceChildren(
+      h("span", {}, swatch("certificates", "line"), " certificates ", h("b", { id: "certificates" }, String(player.certificates())), ` (at most ${player.status.max})`),
+      h("span", {}, swatch("events-line", "line"), " events ", h("b", { id: "events-count" }, String(player.replay.applied)), ` of ${player.replay.count}`),
+    );
+  }
+
+  private showTime(): void {
+    const { player, slider } = this;
+    slider.value = String((player.t - player.start) / (player.end - player.start || 1));
+    const text = player.atContact || player.selected >= 0 ? roundText(player.t, 16) : clockText(player.t, player.scene);
+    this.clock.textContent = `t = ${text}`;
+    this.clock.dataset.t = String(player.t);
+    slider.setAttribute("aria-valuetext", `t = ${text}`);
+    setIcon(this.playButton, player.playing ? "pause" : "play", player.playing ? "Pause" : "Play", "Space");
+  }
+
+  /** Ticks of the events above the slider, and the contact. */
+  private drawStrip(): void {
+    const { player, strip } = this;
+    const { clientWidth: width, clientHeight: height } = strip;
+    if (width === 0) return;
+    const ratio = fitCanvas(strip, width, height);
+    const key = [width, ratio, player.start, player.end, player.limit, player.replay.count, player.finished, isDark(this.stage.theme)].join();
+    if (key === this.stripKey) return;
+    this.stripKey = key;
+    const c = strip.getContext("2d")!;
+    const colours = this.stage.colours();
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.clearRect(0, 0, width, height);
+    const whole = player.end - player.start || 1;
+    const edge = 8; // as far as the slider's thumb reaches in
+    const x = (t: number): number => edge + ((t - player.start) / whole) * (width - 2 * edge);
+    c.strokeStyle = colours.muted;
+    c.lineWidth = 1;
+    c.beginPath();
+    let last = -9;
+    for (let k = 0; k < player.replay.count; ++k) {
+      const at = Math.round(x(player.replay.timeOf(k))) + 0.5;
+      if (at === last) continue;
+      c.moveTo(at, 3);
+      c.lineTo(at, height);
+      last = at;
+    }
+    c.stroke();
+    if (!player.finished) {
+      c.fillStyle = colours.line;
+      c.fillRect(x(player.limit), height / 2, width - edge - x(player.limit), 2);
+    }
+    if (player.status.answer.t) {
+      c.fillStyle = colours.contact;
+      const at = x(player.limit);
+      c.beginPath();
+      c.moveTo(at, height);
+      c.lineTo(at - 5, 1);
+      c.lineTo(at + 5, 1);
+      c.fill();
+    }
+  }
+
+  private transportBar(): HTMLElement {
+    const { player } = this;
+    const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 10];
+    const speed = h(
+      "select",
+      { id: "speed", "aria-label": "Speed", title: "Speed", onchange: () => (player.speed = Number(speed.value)) },
+      ...speeds.map((s) => h("option", { value: s, selected: s === 1 }, `${s} ×`)),
+    );
+    this.slider.addEventListener("input", () => {
+      player.playing = false;
+      // The slider counts shares of the time, because it rounds: its right end is the very last instant.
+      const share = Number(this.slider.value);
+      player.seek(share >= 1 ? player.end : player.start + share * (player.end - player.start));
+    });
+    const button = (name: "first" | "previous" | "next" | "last", label: string, action: () => void, key: string): HTMLButtonElement => {
+      const b = iconButton(name, label, action, key);
+      b.id = name;
+      return b;
+    };
+    return h(
+      "footer",
+      { class: "transport" },
+      h("div", { class: "buttons", role: "group", "aria-label": "Time" },
+        button("first", "Start", () => player.show(-1), "Home"),
+        button("previous", "Previous event", () => player.stepEvent(-1), "←"),
+        this.playButton,
+        button("next", "Next event", () => player.stepEvent(1), "→"),
+        button("last", "Contact or end", () => player.seek(player.limit), "End")),
+      h("div", { class: "scrub" }, this.strip, this.slider),
+      this.clock,
+      speed,
+    );
+  }
+
+  private legend(): HTMLElement {
+    const layer = (name: "faces" | "tiling" | "corners" | "vertices", label: string, key: string, ...marks: Node[]): HTMLElement => {
+      const box = h("input", {
+        type: "checkbox", id: `layer-${name}`,
+        onchange: () => {
+          this.stage.layers[name] = box.checked;
+          this.redraw();
+        },
+      });
+      box.checked = this.stage.layers[name];
+      this.layerBoxes[name] = box;
+      return h("label", { title: key }, box, ...marks, ` ${label}`);
+    };
+    this.legendNames.push(h("span"), h("span"));
+    return h(
+      "div",
+      { class: "legend" },
+      h("p", {}, swatch("body0"), " ", this.legendNames[0]),
+      h("p", {}, swatch("body1"), " ", this.legendNames[1]),
+      h("p", {}, swatch("pq", "line"), " edges between the bodies"),
+      layer("faces", "faces of the tiling, strong near the root", "f", swatch("face0"), swatch("face1")),
+      layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
+      layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
+      layer("vertices", "vertices", "v"),
+    );
+  }
+
+  private helpDialog(): HTMLDialogElement {
+    const list = h("dl", { class: "keys" });
+    for (const [key, what] of keys) list.append(h("dt", {}, key), h("dd", {}, what));
+    const dialog = h("dialog", { "aria-label": "Keys" },
+      h("h2", {}, "Keys"), list,
+      h("p", {}, "Drag to move the view, scroll or pinch to zoom, double-click to show everything."),
+      h("p", {}, "Bold edges join the two bodies. Only corners at such an edge can fail; each has a certificate, whose failure is an event. While no corner fails, the bodies cannot touch."),
+      h("form", { method: "dialog" }, h("button", {}, "Close")));
+    return dialog;
+  }
+
+  private toggleTheme(): void {
+    this.stage.theme = isDark(this.stage.theme) ? "light" : "dark";
+    this.redraw();
+  }
+
+  private toggleLayer(name: string): void {
+    const box = this.layerBoxes[name];
+    box.click();
+  }
+
+  /** To the marked corner, or to the contact. */
+  private zoomToMarks(): void {
+    const { player } = this;
+    const marks = player.marks();
+    const contact = player.contactMarks();
+    const poses = player.poses();
+    if (marks) {
+      const { vertexBody, vertexIndex } = player.replay;
+      this.stage.zoomTo(
+        marks.event.corner.map((v) => {
+          const figure = player.figures[vertexBody[v]];
+          return placed(poses[vertexBody[v]], figure.x[vertexIndex[v]], figure.y[vertexIndex[v]]);
+        }),
+      );
+    } else if (contact) {
+      this.stage.zoomTo([contact.point]);
+    }
+  }
+
+  private key(e: KeyboardEvent): void {
+    const target = e.target as HTMLElement;
+    if (!this.player.scene || this.help.open || e.ctrlKey || e.metaKey || e.altKey) return;
+    if (target.matches("textarea, select, input:not([type=range]):not([type=checkbox])")) return;
+    const { player, stage } = this;
+    const hundredth = (player.end - player.start) / 100;
+    const arrow = e.key === "ArrowRight" ? 1 : -1;
+    const actions: Record<string, () => void> = {
+      ArrowRight: () => (e.shiftKey ? player.seek(player.t + hundredth) : player.stepEvent(arrow as 1)),
+      ArrowLeft: () => (e.shiftKey ? player.seek(player.t - hundredth) : player.stepEvent(arrow as -1)),
+      Home: () => player.show(-1),
+      End: () => player.seek(player.limit),
+      "+": () => stage.zoom(1.4),
+      "=": () => stage.zoom(1.4),
+      "-": () => stage.zoom(1 / 1.4),
+      "0": () => stage.fit(),
+      w: () => stage.pan(0, 60),
+      s: () => stage.pan(0, -60),
+      a: () => stage.pan(60, 0),
+      d: () => stage.pan(-60, 0),
+      z: () => this.zoomToMarks(),
+      f: () => this.toggleLayer("faces"),
+      e: () => this.toggleLayer("tiling"),
+      c: () => this.toggleLayer("corners"),
+      v: () => this.toggleLayer("vertices"),
+      t: () => this.toggleTheme(),
+      "?": () => this.help.showModal(),
+    };
+    // A focused button or box takes the space bar for itself.
+    if (!target.matches("button, input[type=checkbox], summary, a")) actions[" "] = () => player.play(!player.playing);
+    const action = actions[e.key];
+    if (!action) return;
+    e.preventDefault();
+    action();
+  }
+}
+
+function section(title: string, ...children: Node[]): HTMLElement {
+  const details = h("details", { open: true, class: `part part-${title.toLowerCase().split(" ")[0]}` }, h("summary", {}, title), ...children);
+  return details;
+}
+
+function swatch(name: string, shape = ""): HTMLElement {
+  return h("i", { class: `swatch ${shape} c-${name}`, "aria-hidden": "true" });
+}
+
+function setLines(element: HTMLElement, lines: string[]): void {
+  const key = lines.join("\n");
+  if (element.dataset.key === key) return;
+  element.dataset.key = key;
+  element.replaceChildren(...lines.filter((l) => l !== "").map((l) => h("p", {}, l)));
+}
+

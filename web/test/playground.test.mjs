@@ -1,0 +1,337 @@
+// The playground, served as files, compared with the command line.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { artefacts, check, launch, openPage, pages, pixelsOf, root, run, screenshot, serve, settled, shownTime } from "./support.mjs";
+
+let browser, server;
+before(async () => {
+  browser = await launch();
+  server = await serve(pages);
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+const open = (options) => openPage(browser, server.address, options);
+const finished = (page) => page.waitForFunction(() => window.taut.player.finished && !window.playground.pending);
+const sceneOf = (page) => page.evaluate(() => window.playground.state.scene);
+
+async function choose(page, example) {
+  await page.selectOption("#example", example);
+  await finished(page);
+  await settled(page);
+}
+
+/** The command's answer for the scene that the page has now. */
+async function commandsAnswer(page, name) {
+  const file = join(artefacts, `${name}.json`);
+  writeFileSync(file, JSON.stringify(await sceneOf(page)));
+  return check(file);
+}
+
+/** What the page says must be what the command says. */
+async function compare(page, name) {
+  await finished(page);
+  await settled(page);
+  const answer = await commandsAnswer(page, name);
+  const shown = await page.evaluate(() => window.taut.player.status.answer);
+  assert.equal(shown.outcome, answer.outcome, name);
+  assert.deepEqual(shown.t, answer.t, name);
+  assert.deepEqual(shown.contact, answer.contact, name);
+  return answer;
+}
+
+/** Where a vertex of a body is on the screen. */
+const vertexAt = (page, body, index) =>
+  page.evaluate(([b, i]) => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const [x, y] = window.taut.stage.tool.pixel(b, i);
+    return [box.left + x, box.top + y];
+  }, [body, index]);
+const place = (page, expression) =>
+  page.evaluate((code) => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const tool = window.taut.stage.tool;
+    const [x, y] = new Function("tool", "taut", `return ${code}`)(tool, window.taut);
+    return [box.left + x, box.top + y];
+  }, expression);
+
+async function drag(page, from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (let k = 1; k <= 5; ++k) await page.mouse.move(from[0] + ((to[0] - from[0]) * k) / 5, from[1] + ((to[1] - from[1]) * k) / 5);
+  await page.mouse.up();
+  await finished(page);
+  await settled(page);
+}
+
+test("every example opens, with the command's answer", async () => {
+  const page = await open();
+  const examples = await page.$$eval("#example option", (all) => all.map((o) => o.value).filter(Boolean));
+  assert.ok(examples.length >= 10);
+  for (const example of examples) {
+    await choose(page, example);
+    const answer = check(join(root, "examples", `${example}.json`));
+    const shown = await page.evaluate(() => window.taut.player.status.answer);
+    assert.deepEqual(shown, answer, example);
+  }
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("dragging a body changes the answer", async () => {
+  const page = await open();
+  await choose(page, "hello");
+  assert.equal((await compare(page, "drag-before")).outcome, "contact");
+  await page.click("#mode-shape");
+  const hammer = await place(page, "taut.stage.camera.pixel(2, 5.4)");
+  await drag(page, hammer, [hammer[0] + 0.5 * (await page.evaluate(() => window.taut.stage.camera.scale)), hammer[1]]);
+  const moved = await compare(page, "drag-after");
+  assert.equal(moved.outcome, "contact");
+  const scene = await sceneOf(page);
+  assert.ok(Math.abs(scene.bodies[1].motion.x[0] - 0.5) < 0.02, JSON.stringify(scene.bodies[1].motion));
+  // Far to the side the hammer misses.
+  const again = await place(page, "taut.stage.camera.pixel(2.5, 5.4)");
+  await drag(page, again, [again[0] + 4 * (await page.evaluate(() => window.taut.stage.camera.scale)), again[1]]);
+  assert.equal((await compare(page, "drag-free")).outcome, "free");
+  assert.equal(await page.textContent("#headline"), "Free");
+  await screenshot(page, "playground-shape");
+  await page.keyboard.press("Control+z");
+  await finished(page);
+  assert.equal((await compare(page, "drag-undone")).outcome, "contact");
+  await page.click("#redo");
+  assert.equal((await compare(page, "drag-redone")).outcome, "free");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a vertex dragged across the boundary is refused, and the crossing edges are marked", async () => {
+  const page = await open();
+  await choose(page, "hello");
+  await page.click("#mode-shape");
+  await page.selectOption("#body", "0");
+  const from = await vertexAt(page, 0, 2);
+  const scale = await page.evaluate(() => window.taut.stage.camera.scale);
+  assert.equal(await pixelsOf(page, "#c4161c"), 0);
+  await drag(page, from, [from[0] - 5 * scale, from[1] + 0.6 * scale]);
+  const message = await page.textContent("#message");
+  assert.match(message, /anvil: the boundary is not simple: edges \d-\d and \d-\d cross/);
+  assert.ok((await pixelsOf(page, "#c4161c")) > 200, "the crossing edges are marked");
+  const file = join(artefacts, "crossing.json");
+  writeFileSync(file, JSON.stringify(await sceneOf(page)));
+  assert.throws(() => run("check", file), (error) => error.status === 2 && String(error.stderr).includes(message.slice(0, 70)));
+  assert.equal(await page.textContent("#headline"), "No valid scene");
+  await screenshot(page, "playground-crossing");
+  // Dragged back, all is well again.
+  await drag(page, await vertexAt(page, 0, 2), from);
+  assert.ok(await page.isHidden("#message"));
+  await compare(page, "crossing-mended");
+  await page.close();
+});
+
+test("vertices are added and removed", async () => {
+  const page = await open();
+  await choose(page, "hello");
+  await page.click("#mode-shape");
+  await page.selectOption("#body", "0");
+  const a = await vertexAt(page, 0, 2);
+  const b = await vertexAt(page, 0, 3);
+  await page.mouse.dblclick((a[0] + b[0]) / 2, a[1]);
+  await finished(page);
+  assert.equal((await sceneOf(page)).bodies[0].polygon.length, 5);
+  await compare(page, "vertex-added");
+  await page.keyboard.press("Delete");
+  await finished(page);
+  assert.equal((await sceneOf(page)).bodies[0].polygon.length, 4);
+  await page.close();
+});
+
+test("ghosts make keyframes: a body at rest is set in motion, turned, and given a stop on the way", async () => {
+  const page = await open();
+  await choose(page, "hello");
+  await page.click("#mode-keyframes");
+  await page.selectOption("#body", "0");
+  assert.equal((await page.evaluate(() => window.playground.state.keyframes)).length, 1);
+  const scale = await page.evaluate(() => window.taut.stage.camera.scale);
+  const inside = await place(page, "taut.stage.camera.pixel(3.4, 0.5)");
+  await drag(page, inside, [inside[0] - 2 * scale, inside[1]]);
+  let frames = await page.evaluate(() => window.playground.state.keyframes);
+  assert.equal(frames.length, 2);
+  assert.ok(Math.abs(frames[1].x + 2) < 0.02 && frames[1].t === 10, JSON.stringify(frames));
+  await compare(page, "keyframes-moved");
+  const handle = await place(page, "tool.turnHandle(tool.ghostPose(tool.keyframes()[1]))");
+  await drag(page, handle, [handle[0] - 46, handle[1] - 46]);
+  frames = await page.evaluate(() => window.playground.state.keyframes);
+  assert.ok(Math.abs(frames[1].angle - Math.PI / 2) < 0.05, JSON.stringify(frames));
+  await compare(page, "keyframes-turned");
+  await page.evaluate(() => window.taut.player.seek(3));
+  await page.click("#add-keyframe");
+  await finished(page);
+  frames = await page.evaluate(() => window.playground.state.keyframes);
+  assert.deepEqual(frames.map((k) => k.t), [0, 3, 10]);
+  await page.getByLabel("y of keyframe 2").fill("-1.5");
+  await page.getByLabel("y of keyframe 2").press("Enter");
+  await finished(page);
+  await compare(page, "keyframes-three");
+  assert.equal(await page.evaluate(() => window.playground.state.pieces), 2);
+  await screenshot(page, "playground-keyframes");
+  await page.getByLabel("Remove keyframe 2").click();
+  await finished(page);
+  assert.equal((await page.evaluate(() => window.playground.state.keyframes)).length, 2);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a formula becomes keyframes on request", async () => {
+  const page = await open();
+  await choose(page, "rotor");
+  const count = await page.locator("#sample").count();
+  if (count === 0) await page.selectOption("#body", "0");
+  const scene = await sceneOf(page);
+  scene.bodies[1].motion = { rotation: { half_angle_tangent: [0, 0.1] } };
+  await page.click(".part-text > summary");
+  await page.fill("#scene-text", JSON.stringify(scene));
+  await page.click("#apply");
+  await finished(page);
+  await page.selectOption("#body", "1");
+  await page.click("#sample");
+  await finished(page);
+  assert.equal((await page.evaluate(() => window.playground.state.keyframes)).length, 8);
+  await compare(page, "sampled");
+  await page.close();
+});
+
+test("a new plan while time runs: the past stays, the future is the command's answer to the new scene", async () => {
+  const page = await open();
+  await choose(page, "hello");
+  await page.selectOption("#body", "1");
+  await page.click("#mode-drive");
+  await page.evaluate(() => window.taut.player.seek(1.2));
+  // The tip moves with the body: slowly, so that it can be looked up and grasped.
+  await page.selectOption("#speed", "0.1");
+  await page.click("#play");
+  await page.waitForFunction(() => window.taut.player.t > 1.25);
+  const t = await page.evaluate(() => window.taut.player.t);
+  const now = await place(page, "tool.arrowTip(tool.velocity())");
+  await page.mouse.move(...now);
+  await page.mouse.down();
+  await page.mouse.move(now[0] + 60, now[1] - 220, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction((old) => window.taut.player.t > old, t);
+  assert.equal(await page.evaluate(() => window.taut.player.playing), true, "time runs on");
+  await page.click("#play");
+  await finished(page);
+  assert.match(await page.textContent("#note"), /New plan for hammer at t = .*the map stays, \d+ certificates get new failure times/);
+  const scene = await sceneOf(page);
+  assert.equal(scene.bodies[1].motion.length, 2);
+  assert.ok(scene.bodies[1].motion[0].until >= t);
+  assert.ok(scene.bodies[1].motion[1].y[1] > 0, "it goes up now");
+  assert.equal((await compare(page, "plan-up")).outcome, "free");
+  // The spin handle: later, and down again.
+  await page.evaluate(() => window.taut.player.seek(6));
+  await page.keyboard.press("0");
+  await settled(page);
+  const spin = await place(page, "tool.spinHandle(tool.velocity())");
+  await drag(page, spin, [spin[0] - 40, spin[1] + 40]);
+  const tip2 = await place(page, "tool.arrowTip(tool.velocity())");
+  const origin = await place(page, "taut.stage.camera.pixel(...tool.anchor(1))");
+  await drag(page, tip2, [origin[0] - 30, origin[1] + 120]);
+  const answer = await compare(page, "plan-down");
+  assert.equal((await sceneOf(page)).bodies[1].motion.length, 3);
+  assert.equal(await page.evaluate(() => window.taut.player.replay.count), answer.events, "as many events as in one run");
+  await screenshot(page, "playground-drive");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a link holds the scene and the way of touching", async () => {
+  const page = await open();
+  await choose(page, "gears_thick_tooth");
+  await page.selectOption("#touch", "closed");
+  await finished(page);
+  await page.click("#share");
+  await page.waitForFunction(() => location.hash.startsWith("#s="));
+  const link = page.url();
+  assert.match(await page.textContent("#note"), /link/);
+  const other = await openPage(browser, link);
+  const closed = check("examples/gears_thick_tooth.json", "--touch", "closed");
+  assert.deepEqual(await other.evaluate(() => window.taut.player.status.answer), closed);
+  assert.deepEqual(await sceneOf(other), await sceneOf(page));
+  assert.deepEqual(other.problems, []);
+  await other.close();
+  // A damaged link is said to be one, and the page works.
+  const damaged = await openPage(browser, server.address + "#s=AAAA");
+  assert.match(await damaged.textContent("#message"), /link holds no scene/);
+  await damaged.close();
+  await page.close();
+});
+
+test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are saved", async () => {
+  const page = await open();
+  await page.setInputFiles("#file", join(root, "examples/combs.json"));
+  await finished(page);
+  assert.equal((await compare(page, "imported")).outcome, check("examples/combs.json").outcome);
+  await page.setInputFiles("#file", [join(root, "examples/continents/south_america_ne50m.wkt"), join(root, "examples/continents/africa_ne50m.wkt")]);
+  await finished(page);
+  const scene = await sceneOf(page);
+  assert.deepEqual(scene.bodies.map((b) => b.name), ["south_america_ne50m", "africa_ne50m"]);
+  assert.ok(scene.bodies[0].polygon.length > 1000);
+  await compare(page, "continents");
+  await screenshot(page, "playground-continents");
+  // Dropped on the page.
+  const data = await page.evaluateHandle(() => {
+    const transfer = new DataTransfer();
+    const ring = [[0, 0], [3, 0], [3, 1], [0, 1], [0, 0]];
+    transfer.items.add(new File([JSON.stringify({ type: "Polygon", coordinates: [ring] })], "box.geojson"));
+    return transfer;
+  });
+  await page.selectOption("#body", "1");
+  await page.dispatchEvent(".app", "drop", { dataTransfer: data });
+  await page.waitForFunction(() => window.playground.state.scene.bodies[1].name === "box");
+  assert.equal((await sceneOf(page)).bodies[1].polygon.length, 4);
+  // What is not a scene is refused with its place.
+  const bad = join(artefacts, "bad.json");
+  writeFileSync(bad, '{"format":"taut-scene/1","tiem":[0,1]}');
+  await page.setInputFiles("#file", bad);
+  await page.waitForFunction(() => !document.querySelector("#message").hidden);
+  assert.match(await page.textContent("#message"), /bad\.json:1:\d+: unknown key "tiem"/);
+  await choose(page, "lid");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#export")]);
+  const saved = join(artefacts, "saved.json");
+  await download.saveAs(saved);
+  assert.deepEqual(check(saved), check("examples/lid.json"));
+  await page.evaluate(() => window.taut.player.seek(50));
+  const [picture] = await Promise.all([page.waitForEvent("download"), page.click("#svg")]);
+  await picture.saveAs(join(artefacts, "saved.svg"));
+  assert.equal(readFileSync(join(artefacts, "saved.svg"), "utf8"), run("draw", "examples/lid.json", "--at", "50"));
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("it works from a file, too, and on a phone", async () => {
+  const page = await openPage(browser, pathToFileURL(join(pages, "index.html")).href, {
+    viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2, colorScheme: "dark" });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), true);
+  await page.tap("#mode-keyframes");
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await screenshot(page, "playground-phone");
+  const nameless = await page.$$eval("button, input, select, textarea, [tabindex]", (all) =>
+    all.filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML));
+  assert.deepEqual(nameless, []);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("the slider of a scene that was changed ends at its contact", async () => {
+  const page = await open();
+  await choose(page, "lid");
+  await page.keyboard.press("End");
+  await settled(page);
+  assert.equal(await shownTime(page), check("examples/lid.json").t[0]);
+  await screenshot(page, "playground");
+  await page.close();
+});
