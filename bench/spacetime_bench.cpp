@@ -39,7 +39,8 @@ struct Certified {
         legs(make_legs(plan.pieces[0], plan.pieces[1], c.scene.start, c.scene.end)) {}
   double seconds() {
     const Stopwatch watch;
-    result = spacetime::first_contact(geometry, legs);
+    const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);
+    result = spacetime::first_contact(geometry, {p, q}, legs);
     return watch.seconds();
   }
   std::string fault() const {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 
+#include "check_batch.hpp"
 #include "commands.hpp"
 #include "io/answer_json.hpp"
 #include "report.hpp"
@@ -19,6 +20,10 @@ struct CheckArguments {
   CheckOptions options;
   bool json = false, timing = false;
 };
+
+CheckArguments single(const CheckBatch& batch) {
+  return {batch.paths.front(), batch.options, batch.json, batch.timing};
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -59,14 +64,24 @@ int run_check(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("check", "Say whether and when the two bodies of a scene first collide");
-  const auto arguments = std::make_shared<CheckArguments>();
-  add_run(*command, arguments->path, arguments->options);
-  command->add_flag("--json", arguments->json, "print one JSON object");
+  const auto arguments = std::make_shared<CheckBatch>();
+  command->add_option("SCENE", arguments->paths, "scene files (taut-scene/1), or - for standard input")
+      ->required()
+      ->option_text(" ");
+  add_touch(*command, arguments->options.touch);
+  add_limits(*command, arguments->options);
+  command->add_flag("--json", arguments->json, "print one JSON object for each scene");
   command->add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
+  command->add_flag("--lines", arguments->lines, "SCENE holds a scene on every line (JSON Lines)");
+  command->add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
   add_engine(*command, arguments->options.engine);
   command->footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"
+      "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
+      "  taut check --json --lines scenes.jsonl     one scene on each line\n"
       "\n"
       "A scene is a JSON file:\n"
       "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
@@ -74,7 +89,12 @@ void add_check(CLI::App& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_check(*arguments); }; });
+  command->callback([&action, arguments] {
+    action = [arguments] {
+      const bool one = arguments->paths.size() == 1 && !arguments->lines;
+      return one ? run_check(single(*arguments)) : check_batch(*arguments);
+    };
+  });
 }
 
 }  // namespace taut::cli

@@ -14,9 +14,32 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The tree of P (side 0) or of Q (side 1): kept with a prepared shape, or made for this question.
+class Tree {
+ public:
+  Tree(int side, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
+    const auto make = [&] {
+      return std::make_shared<const Hierarchy>(side == 0 ? spacetime::hierarchy_of_p(geometry)
+                                                         : spacetime::hierarchy_of_q(geometry));
+    };
+    if (const ShapeInRole* shape = shape_in_role(plan, side, inwards)) {
+      tree_ = shape->kept<Hierarchy>(ShapeInRole::hierarchy, make);
+    } else {
+      own_ = make();
+      tree_ = own_.get();
+    }
+  }
+  const Hierarchy& get() const { return *tree_; }
+
+ private:
+  std::shared_ptr<const Hierarchy> own_;
+  const Hierarchy* tree_ = nullptr;
+};
 
 /// One question with all that it is asked about.
 class SpacetimeRun {
@@ -26,6 +49,8 @@ class SpacetimeRun {
         touch_(touch),
         plan_(plan_pair(scene, validated_facts(scene))),
         geometry_(displaced_pair(plan_, touch == Touch::open)),
+        tree_p_(0, plan_, geometry_, touch == Touch::open),
+        tree_q_(1, plan_, geometry_, touch == Touch::open),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {
     if (!geometry_.fine_features) return;
     if (const auto pair = crossing_within_body(geometry_)) {
@@ -35,7 +60,7 @@ class SpacetimeRun {
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) const {
-    const auto overlap = spacetime::overlapping(geometry_, legs_[0], scene_.start);
+    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start);
     if (!overlap) return true;
     if (touch_ == Touch::closed && overlap->crossing) {
       const PairGeometry inner = displaced_pair(plan_, true);
@@ -50,7 +75,7 @@ class SpacetimeRun {
   }
 
   void run(Answer& answer) const {
-    const SpacetimeResult found = spacetime::first_contact(geometry_, legs_);
+    const SpacetimeResult found = spacetime::first_contact(geometry_, trees(), legs_);
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       answer.outcome = Outcome::free;
@@ -66,12 +91,14 @@ class SpacetimeRun {
   }
 
  private:
+  spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
   Witness witness() const { return {plan_, geometry_}; }
 
   const Scene& scene_;
   Touch touch_;
   PairPlan plan_;
   PairGeometry geometry_;
+  Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
 };
 

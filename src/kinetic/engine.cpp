@@ -42,6 +42,9 @@ void Engine::build(const KnownTilings& known) {
   certificates_.reserve(room);
   settled_.reserve(room);
   settled_before_.reserve(room);
+  open_.reserve(room);
+  listed_.reserve(room);
+  trial_.reserve(room);
   free_.reserve(room);
   queue_.reserve(room);
   scan_.reserve(64);
@@ -53,18 +56,14 @@ void Engine::build(const KnownTilings& known) {
 
 /// Of all corners with a PQ edge.
 void Engine::add_certificates(const Placement& placement) {
-  std::vector<HalfedgeId> corners;
-  for (std::uint32_t i = 2 * geometry_.size(); i < map_.halfedge_count(); i += 2) {
-    const HalfedgeId h(i);
-    if (!map_.alive(h) || geometry_.same_body(map_.origin(h), map_.target(h))) continue;
-    for (const HalfedgeId side : {h, PlanarMap::twin(h)}) corners.insert(corners.end(), {map_.previous(side), side});
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  for (const HalfedgeId h : corners) {
-    if (!is_mixed_corner(h)) continue;
-    Certificate& c = certificates_[add_certificate(h).value];
-    c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
+  for (std::uint32_t i = 2 * geometry_.size(); i < map_.halfedge_count(); ++i) {
+    const HalfedgeId side(i);
+    if (!map_.alive(side) || geometry_.same_body(map_.origin(side), map_.target(side))) continue;
+    for (const HalfedgeId h : {map_.previous(side), side}) {
+      if (certificate_of_[h.value].valid() || !is_mixed_corner(h)) continue;
+      Certificate& c = certificates_[add_certificate(h).value];
+      c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
+    }
   }
 }
 
@@ -80,6 +79,7 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
     id = CertificateId(certificates_.size());
     certificates_.emplace_back();
     settled_.push_back(false);
+    listed_.push_back(false);
   } else {
     id = free_.back();
     free_.pop_back();
@@ -90,6 +90,7 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   c.v = map_.target(h);
   c.w = map_.target(map_.next(h));
   certificate_of_[h.value] = id;
+  leave_open(id);
   ++active_;
   return id;
 }
@@ -124,7 +125,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
     id = add_certificate(h);
   }
   solver_.start_at(certificates_[id.value], now);
-  settled_[id.value] = false;
+  leave_open(id);
   queue_.update(id);
 }
 
@@ -192,6 +193,7 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
     }
     if (!leg().bridge && leg().end > t) return std::nullopt;
     if (last) return std::nullopt;
+    leave_leg(leg().end);
     ++current_;
     enter_leg();
   }
@@ -218,6 +220,7 @@ double Engine::proved_until() const {
 }
 
 void Engine::replan(std::vector<Leg> legs) {
+  leave_leg(parameter_);
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
@@ -283,7 +286,7 @@ void Engine::process(CertificateId id, double limit) {
 
 std::size_t Engine::bytes() const {
   return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
-         certificates_.capacity() * sizeof(Certificate) + settled_.capacity() +
+         certificates_.capacity() * sizeof(Certificate) + settled_.capacity() + open_.capacity() * 4 +
          (free_.capacity() + certificate_of_.capacity()) * 4 + queue_.bytes() + solver_.bytes();
 }
 

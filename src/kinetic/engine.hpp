@@ -106,7 +106,14 @@ class Engine {
   void enter_leg();
   void leave_region();
   bool choose_region(double t);
-  bool accept(const PlanRange& region);
+  void leave_leg(double until);
+  bool improve_region(double t);
+  bool accept(const PlanRange& region, double share);
+  bool settles(const PlanRange& region, std::size_t certificate) const;
+  bool accept_with_last(const PlanRange& way);
+  void schedule(CertificateId id, double t);
+  void list_open();
+  void leave_open(CertificateId id);
   void settle(double t, bool all_due);
 
   PairGeometry geometry_;
@@ -120,11 +127,15 @@ class Engine {
   std::vector<bool> settled_;                  ///< by certificate: it holds wherever the motion is in region_
   std::vector<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
-  std::vector<bool> settled_before_;
+  std::vector<bool> settled_before_, trial_;
+  std::vector<CertificateId> open_;  ///< those that are not settled; some may be gone
+  std::vector<bool> listed_;         ///< by certificate: it is in open_
   std::optional<PlanRange> region_;
-  double settled_until_ = never;  ///< on the present leg: when the motion leaves the region
-  int regions_left_ = 0;          ///< on the present leg
-  int failures_ = 0, skip_ = 0;   ///< legs on which no region was found, and for how many none is looked for
+  std::optional<PlanRange> seen_;  ///< where the motion has been since there is a region
+  std::size_t spent_ = 0;          ///< certificates scheduled since the region was chosen
+  double settled_until_ = never;   ///< on the present leg: when the motion leaves the region
+  int regions_left_ = 0;           ///< on the present leg
+  int failures_ = 0, skip_ = 0;    ///< legs on which no region was found, and for how many none is looked for
   std::vector<std::size_t> scan_;
   CertificateId next_;
   double parameter_ = 0;

@@ -56,10 +56,31 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : g
   positions_[n + 2] = {x0 + 6.911 * w, y0 + 7.093 * w};
   positions_[n + 3] = {x0 - 5.653 * w, y0 + 6.759 * w};
   for (std::uint32_t i = 0; i < n + 4; ++i) keys_[i] = positions_[i].x + tilt * positions_[i].y;
+  double far = 0;
+  for (std::uint32_t i = n; i < n + 4; ++i)
+    far = std::max({far, std::fabs(positions_[i].x), std::fabs(positions_[i].y)});
+  coarse_bound_ = orientation_bound(8 * far * far, 8 * far, far);
   key_error_ = 4 * error_ + 32 * 0x1p-53 * (size + 20 * w);
 }
 
+/// Of the determinant of two differences of positions: from the sum of its products' sizes, of the differences' sizes,
+/// and the largest coordinate of the point from which they are taken.
+double Placement::orientation_bound(double products, double differences, double coordinate) const {
+  const double e = error_ + 0x1p-51 * coordinate;
+  return 0x1p-50 * products + 2.5 * e * differences + 16 * e * e;
+}
+
 int Placement::orientation(VertexId a, VertexId b, VertexId c) const {
+  const Point &pa = positions_[a.value], &pb = positions_[b.value], &pc = positions_[c.value];
+  const double ux = pb.x - pa.x, uy = pb.y - pa.y, vx = pc.x - pa.x, vy = pc.y - pa.y;
+  const double left = ux * vy, right = uy * vx, det = left - right;
+  if (det > coarse_bound_) return 1;
+  if (-det > coarse_bound_) return -1;
+  return close_orientation(a, b, c);
+}
+
+/// Where the bound for the largest distances does not tell.
+int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
   const std::uint32_t np = geometry_->np, n = size();
   const auto owner = [np, n](VertexId v) { return v.value < np ? 0 : (v.value < n ? 1 : 2); };
   const int oa = owner(a);
@@ -67,9 +88,9 @@ int Placement::orientation(VertexId a, VertexId b, VertexId c) const {
   const Point &pa = positions_[a.value], &pb = positions_[b.value], &pc = positions_[c.value];
   const double ux = pb.x - pa.x, uy = pb.y - pa.y, vx = pc.x - pa.x, vy = pc.y - pa.y;
   const double left = ux * vy, right = uy * vx, det = left - right;
-  const double e = error_ + 0x1p-52 * (std::fabs(pa.x) + std::fabs(pa.y));
-  const double bound = 0x1p-50 * (std::fabs(left) + std::fabs(right)) +
-                       2.5 * e * (std::fabs(ux) + std::fabs(uy) + std::fabs(vx) + std::fabs(vy)) + 16 * e * e;
+  const double bound = orientation_bound(std::fabs(left) + std::fabs(right),
+                                         std::fabs(ux) + std::fabs(uy) + std::fabs(vx) + std::fabs(vy),
+                                         std::max(std::fabs(pa.x), std::fabs(pa.y)));
   if (det > bound) return 1;
   if (-det > bound) return -1;
   if (rigid) {

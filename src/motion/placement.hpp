@@ -40,6 +40,9 @@ class Placement {
   int orientation(VertexId a, VertexId b, VertexId c) const;
   /// The order of the plane sweep: along a direction that no design is aligned with.
   bool before(VertexId a, VertexId b) const;
+  /// before(a, b) by the difference of their keys, where that is more than key_error().
+  double key(VertexId v) const { return keys_[v.value]; }
+  double key_error() const { return key_error_; }
   /// Rounded positions, for sorting and drawing.
   const Point& approximate(VertexId v) const { return positions_[v.value]; }
   /// The bound of the error of each coordinate of approximate().
@@ -62,6 +65,8 @@ class Placement {
   int orientation_at(VertexId a, VertexId b, VertexId c) const;
   template <class Real>
   int order_at(VertexId a, VertexId b) const;
+  double orientation_bound(double products, double differences, double coordinate) const;
+  int close_orientation(VertexId a, VertexId b, VertexId c) const;
   int precise_orientation(VertexId a, VertexId b, VertexId c) const;
   template <class Real>
   const Frame<Real>& frame_at() const;
@@ -72,8 +77,9 @@ class Placement {
   std::vector<Point> positions_;
   std::vector<double> keys_;
   RoundedPose pose_p_, pose_q_;
-  double error_ = 0;      ///< of each coordinate in positions_
-  double key_error_ = 0;  ///< of each difference of keys_
+  double error_ = 0;         ///< of each coordinate in positions_
+  double coarse_bound_ = 0;  ///< of any three vertices' determinant
+  double key_error_ = 0;     ///< of each difference of keys_
   mutable std::optional<Frame<Real320>> frame320_;
   mutable std::optional<Frame<Real640>> frame640_;
   mutable std::optional<Frame<Real960>> frame960_;

@@ -12,6 +12,8 @@ int parts_of(const Leg& leg) {
   return leg.translation ? std::max(8, 2 * leg.degree) : 16;
 }
 
+constexpr int most_halvings = 6;
+
 /// The range within r of the middle by Taylor's formula.
 Ball<double> second_order(const Jet<double>& middle, const Ball<double>& bend, double r) {
   const Ball<double> step(0, r), half_square = Ball<double>::between(0, r * r / 2 * (1 + 0x1p-50));
@@ -41,12 +43,26 @@ PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
   return range;
 }
 
+/// Of a curved motion, the range over a long part is too wide: parts are halved until what they say is near what the
+/// motion is seen to do at some instants.
 PlanRange PlanRange::over(const Leg& leg, double from, double to) {
   const int parts = parts_of(leg);
+  if (parts == 1) return over_part(leg, from, to);
   const auto at = [&](int k) { return k == parts ? to : from + (to - from) * k / parts; };
-  PlanRange range = over_part(leg, at(0), at(1));
-  for (int k = 1; k < parts; ++k) range.include(over_part(leg, at(k), at(k + 1)));
+  PlanRange seen = over_part(leg, from, from);
+  for (int k = 1; k <= parts; ++k) seen.include(over_part(leg, at(k), at(k)));
+  const PlanRange fair = seen.widened(0x1p-3);
+  PlanRange range = seen;
+  for (int k = 0; k < parts; ++k) range.cover(leg, at(k), at(k + 1), fair, most_halvings);
   return range;
+}
+
+void PlanRange::cover(const Leg& leg, double from, double to, const PlanRange& fair, int halvings) {
+  const PlanRange part = over_part(leg, from, to);
+  const double middle = from + (to - from) / 2;
+  if (halvings == 0 || fair.contains(part) || !(from < middle && middle < to)) return include(part);
+  cover(leg, from, middle, fair, halvings - 1);
+  cover(leg, middle, to, fair, halvings - 1);
 }
 
 double PlanRange::left_at(const Leg& leg, double from) const {
@@ -61,11 +77,11 @@ double PlanRange::left_at(const Leg& leg, double from) const {
   return reached < leg.end ? reached : INFINITY;
 }
 
-PlanRange PlanRange::widened() const {
+PlanRange PlanRange::widened(double share) const {
   PlanRange wide = *this;
   for (Side* side : {&wide.pp_, &wide.qq_}) {
     for (int i = 0; i < 5; ++i) {
-      const double room = 0x1p-6 * (side->hi[i] - side->lo[i]) + 0x1p-45 * std::max(-side->lo[i], side->hi[i]);
+      const double room = share * (side->hi[i] - side->lo[i]) + 0x1p-45 * std::max(-side->lo[i], side->hi[i]);
       side->lo[i] -= known_or(room, 0);
       side->hi[i] += known_or(room, 0);
     }

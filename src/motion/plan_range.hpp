@@ -11,8 +11,8 @@ class PlanRange {
   /// Over the part [from, to] of a leg.
   static PlanRange over(const Leg& leg, double from, double to);
 
-  /// A little larger on all sides: its own extremes, with rounding, are well inside.
-  PlanRange widened() const;
+  /// Larger by this share of its size on all sides: its own extremes, with rounding, are well inside.
+  PlanRange widened(double share = 0x1p-6) const;
   /// Grows to hold both.
   void include(const PlanRange& other);
   bool contains(const PlanRange& other) const;
@@ -24,6 +24,7 @@ class PlanRange {
   bool keeps_sign(const PairGeometry& g, const MixedTriple& triple, int sign) const;
 
  private:
+  void cover(const Leg& leg, double from, double to, const PlanRange& fair, int halvings);
   static PlanRange over_part(const Leg& leg, double from, double to);
   struct Side {
     double lo[5], hi[5];

@@ -127,8 +127,9 @@ class LegSearch {
       pairs_.push_back(pair);
     } else if (leaf) {
       // Each edge stands for its first vertex.
-      settle(s, s.in_q, {VertexId(p.first), VertexId(q.first)}, start, end);
-      settle(s, s.in_p, {VertexId(q.first), VertexId(p.first)}, start, end);
+      const VertexId of_p(p.first), of_q(geometry_.np + q.first);
+      settle(s, s.in_q, {of_p, of_q}, start, end);
+      settle(s, s.in_p, {of_q, of_p}, start, end);
     } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
       todo_.push_back({p.right, pair.q});
       todo_.push_back({p.left, pair.q});
@@ -177,11 +178,10 @@ void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& r
 
 }  // namespace
 
-SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Leg>& legs) {
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
   SpacetimeResult result;
-  const Hierarchy p(geometry, true), q(geometry, false);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    LegSearch search(geometry, p, q, legs[i]);
+    LegSearch search(geometry, trees.p, trees.q, legs[i]);
     try {
       const std::optional<Crossing> found = search.run();
       search.count(result);

@@ -9,6 +9,7 @@
 
 #include "motion/leg.hpp"
 #include "motion/pair_geometry.hpp"
+#include "spacetime/hierarchy.hpp"
 
 namespace taut::spacetime {
 
@@ -33,7 +34,7 @@ struct SpacetimeResult {
 /// The first contact of the two displaced polygons along the legs (as made by make_legs), given that they are disjoint
 /// at the start of the first (see overlapping(); if they are not, the answer means nothing).
 /// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
-SpacetimeResult first_contact(const PairGeometry& geometry, const std::vector<Leg>& legs);
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
 
 /// How two polygons overlap: two of their edges cross, or one lies inside the other.
 struct StartOverlap {
@@ -42,6 +43,8 @@ struct StartOverlap {
 };
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
+std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t);
+/// The same with trees of its own.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Leg& leg, double t);
 
 }  // namespace taut::spacetime

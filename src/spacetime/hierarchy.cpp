@@ -29,10 +29,9 @@ struct Extent {
 
 }  // namespace
 
-Box box_of_run(const PairGeometry& g, std::uint32_t first, std::uint32_t count) {
-  const std::uint32_t begin = first < g.np ? 0 : g.np, end = first < g.np ? g.np : g.size();
-  const std::uint32_t last = first + count < end ? first + count : first + count - (end - begin);
-  const Vector u = direction(g.points[first], g.points[last]);
+Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count) {
+  const std::size_t last = (first + count) % polygon.size();
+  const Vector u = direction(polygon[first], polygon[last]);
   Extent along, across;
   double largest = 0;
   const auto add = [&](const DisplacedPoint& p) {
@@ -40,8 +39,8 @@ Box box_of_run(const PairGeometry& g, std::uint32_t first, std::uint32_t count) 
     across.add(u.x * p.y - u.y * p.x);
     largest = std::max(largest, std::fabs(p.x) + std::fabs(p.y));
   };
-  for (std::uint32_t i = first; i < first + count; ++i) add(g.points[i]);
-  add(g.points[last]);
+  for (std::uint32_t i = first; i < first + count; ++i) add(polygon[i]);
+  add(polygon[last]);
   // Projections and the centre round a few times each, relative to the size of the coordinates; u is a unit vector up
   // to rounding; the displacement is below 2^-157.
   const double padding = 0x1p-47 * largest + 0x1p-150;
@@ -57,17 +56,20 @@ Box box_of_run(const PairGeometry& g, std::uint32_t first, std::uint32_t count) 
   return box;
 }
 
-Hierarchy::Hierarchy(const PairGeometry& g, bool of_p) {
-  nodes_.reserve(2 * (of_p ? g.np : g.nq));
-  build(g, of_p ? 0 : g.np, of_p ? g.np : g.nq);
+Hierarchy::Hierarchy(std::span<const DisplacedPoint> polygon) {
+  nodes_.reserve(2 * polygon.size());
+  build(polygon, 0, static_cast<std::uint32_t>(polygon.size()));
 }
 
-std::uint32_t Hierarchy::build(const PairGeometry& g, std::uint32_t first, std::uint32_t count) {
+Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(std::span(g.points).first(g.np)); }
+Hierarchy hierarchy_of_q(const PairGeometry& g) { return Hierarchy(std::span(g.points).subspan(g.np)); }
+
+std::uint32_t Hierarchy::build(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({box_of_run(g, first, count), first, count, 0, 0});
+  nodes_.push_back({box_of_run(polygon, first, count), first, count, 0, 0});
   if (count > 1) {
-    const std::uint32_t left = build(g, first, count / 2);
-    const std::uint32_t right = build(g, first + count / 2, count - count / 2);
+    const std::uint32_t left = build(polygon, first, count / 2);
+    const std::uint32_t right = build(polygon, first + count / 2, count - count / 2);
     nodes_[index].left = left;
     nodes_[index].right = right;
   }

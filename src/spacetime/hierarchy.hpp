@@ -1,6 +1,7 @@
 // A tree of oriented boxes over the edges of one polygon, in its own frame.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "motion/pair_geometry.hpp"
@@ -18,25 +19,33 @@ struct Box {
 /// A run of consecutive edges. The box certainly contains all of them, as displaced.
 struct BoxNode {
   Box box;
-  std::uint32_t first = 0, count = 0;  ///< edges, by their first vertices, as indices of the pair
+  std::uint32_t first = 0, count = 0;  ///< edges of the polygon, by their first vertices
   std::uint32_t left = 0, right = 0;   ///< children; unused where count is 1
 };
 
 /// A balanced tree; the root is node 0.
 class Hierarchy {
  public:
-  /// Over the edges of P (`of_p`) or of Q.
-  Hierarchy(const PairGeometry& geometry, bool of_p);
+  /// Over the edges of a polygon of displaced points.
+  explicit Hierarchy(std::span<const DisplacedPoint> polygon);
   const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
   std::size_t size() const { return nodes_.size(); }
 
  private:
-  std::uint32_t build(const PairGeometry& geometry, std::uint32_t first, std::uint32_t count);
+  std::uint32_t build(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count);
 
   std::vector<BoxNode> nodes_;
 };
 
+Hierarchy hierarchy_of_p(const PairGeometry& geometry);
+Hierarchy hierarchy_of_q(const PairGeometry& geometry);
+
+/// The trees of both bodies of a pair.
+struct TreePair {
+  const Hierarchy &p, &q;
+};
+
 /// The box of the edges first, ..., first + count - 1, aligned with the chord of the run.
-Box box_of_run(const PairGeometry& geometry, std::uint32_t first, std::uint32_t count);
+Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count);
 
 }  // namespace taut::spacetime

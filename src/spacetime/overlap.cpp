@@ -38,8 +38,13 @@ Stretch at_instant(const Leg& leg, double t) {
 }  // namespace
 
 std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, double t) {
+  const Hierarchy p = hierarchy_of_p(g), q = hierarchy_of_q(g);
+  return overlapping(g, {p, q}, leg, t);
+}
+
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t) {
   const Placement place(g, leg, t);
-  const Hierarchy p(g, true), q(g, false);
+  const auto& [p, q] = trees;
   const Stretch instant = at_instant(leg, t);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
@@ -48,9 +53,8 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, d
     const BoxNode &a = p.node(i), &b = q.node(j);
     if (apart(instant, a.box, b.box)) continue;
     if (a.count == 1 && b.count == 1) {
-      if (edges_cross(place, VertexId(a.first), VertexId(b.first))) {
-        return StartOverlap{true, VertexId(a.first), VertexId(b.first)};
-      }
+      const VertexId e(a.first), f(g.np + b.first);
+      if (edges_cross(place, e, f)) return StartOverlap{true, e, f};
     } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
       stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
     } else {

@@ -24,9 +24,7 @@ class Sweep {
 
   std::optional<Overlap> run() {
     const std::uint32_t total = n_ + 4;
-    std::vector<VertexId> order(total);
-    for (std::uint32_t i = 0; i < total; ++i) order[i] = VertexId(i);
-    std::sort(order.begin(), order.end(), [this](VertexId a, VertexId b) { return place_.before(a, b); });
+    const std::vector<VertexId> order = sorted_vertices(total);
     rank_.resize(total);
     for (std::uint32_t i = 0; i < total; ++i) rank_[order[i].value] = i;
     slot_of_.assign(total, SweepStatus::nil);
@@ -46,6 +44,24 @@ class Sweep {
 
  private:
   using Slot = SweepStatus::Slot;
+
+  std::vector<VertexId> sorted_vertices(std::uint32_t total) const {
+    struct Keyed {
+      double key;
+      VertexId vertex;
+    };
+    std::vector<Keyed> keyed(total);
+    for (std::uint32_t i = 0; i < total; ++i) keyed[i] = {place_.key(VertexId(i)), VertexId(i)};
+    const double error = place_.key_error();
+    std::sort(keyed.begin(), keyed.end(), [this, error](const Keyed& a, const Keyed& b) {
+      const double d = a.key - b.key;
+      return d > error ? false : (-d > error ? true : place_.before(a.vertex, b.vertex));
+    });
+    std::vector<VertexId> order(total);
+    for (std::uint32_t i = 0; i < total; ++i) order[i] = keyed[i].vertex;
+    return order;
+  }
+
   /// A vertex of a waiting chain, linked bottom to top. `link` names the segment to the next one up.
   struct ChainNode {
     VertexId vertex;

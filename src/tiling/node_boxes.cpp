@@ -11,10 +11,12 @@ constexpr double box_margin = 0x1p-46;
 
 class NearSearch {
  public:
-  NearSearch(const BoxedTree& tree, const BoxedTree& other, double margin)
-      : tree_(tree), other_(other), margin_(margin), near_(tree.boxes.size(), false) {}
+  NearSearch(const BoxedTree& tree, const BoxedTree& other, double margin, std::size_t most)
+      : tree_(tree), other_(other), margin_(margin), most_(most) {
+    near_.has.resize(tree.boxes.size(), false);
+  }
 
-  std::vector<bool> run() {
+  NodeSet run() {
     candidates_.push_back(1);
     visit(1, 0);
     return std::move(near_);
@@ -23,11 +25,12 @@ class NearSearch {
  private:
   /// The candidates from `begin` on may be near the parent's region. Leaves the stack as it was.
   void visit(std::uint32_t node, std::size_t begin) {
-    if (node >= tree_.tree.leaves()) return;
+    if (node >= tree_.tree.leaves() || near_.size > most_) return;
     const std::size_t end = candidates_.size();
     for (std::size_t i = begin; i < end; ++i) refine(node, candidates_[i]);
     if (candidates_.size() > end) {
-      near_[node] = true;
+      near_.has[node] = true;
+      ++near_.size;
       visit(2 * node, end);
       visit(2 * node + 1, end);
     }
@@ -48,7 +51,8 @@ class NearSearch {
 
   const BoxedTree &tree_, &other_;
   double margin_;
-  std::vector<bool> near_;
+  std::size_t most_;
+  NodeSet near_;
   std::vector<std::uint32_t> candidates_;  ///< a stack of ranges
 };
 
@@ -94,8 +98,8 @@ bool near(const NodeBox& a, const RoundedPose& pose_a, const NodeBox& b, const R
   return std::fabs(bux * dy - buy * dx) <= b.across + sine * a.along + cosine * a.across + margin;
 }
 
-std::vector<bool> near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin) {
-  return NearSearch(tree, other, margin).run();
+NodeSet near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin, std::size_t most) {
+  return NearSearch(tree, other, margin, most).run();
 }
 
 }  // namespace taut

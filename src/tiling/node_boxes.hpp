@@ -40,8 +40,14 @@ struct BoxedTree {
   RoundedPose pose;
 };
 
-/// The nodes of `tree` to whose regions an edge of `other` may come near, by heap number; the others' regions hold
-/// nothing of it. Leaves are not looked at. If a node is near, its ancestors are.
-std::vector<bool> near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin);
+/// Some nodes, by heap number.
+struct NodeSet {
+  std::vector<bool> has;
+  std::size_t size = 0;
+};
+
+/// The nodes of `tree` to whose regions an edge of `other` may come near; the others' regions hold nothing of it.
+/// Leaves are not looked at. If a node is near, its ancestors are. Gives up, with an incomplete set, after `most`.
+NodeSet near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin, std::size_t most);
 
 }  // namespace taut

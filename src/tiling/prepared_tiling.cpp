@@ -177,18 +177,22 @@ class Joiner {
   std::optional<StaticTiling> run(bool in_any_case) {
     const double margin = 4 * place_.position_error();
     const BoxedTree tree_p{p_.tree, p_.boxes, place_.pose_p()}, tree_q{q_.tree, q_.boxes, place_.pose_q()};
-    const std::vector<bool> near_p = near_nodes(tree_p, tree_q, margin), near_q = near_nodes(tree_q, tree_p, margin);
-    if (!in_any_case && (!pays(near_p) || !pays(near_q))) return std::nullopt;
+    const std::size_t most_p = in_any_case ? geometry_.np : worthwhile(geometry_.np);
+    const std::size_t most_q = in_any_case ? geometry_.nq : worthwhile(geometry_.nq);
+    const NodeSet near_p = near_nodes(tree_p, tree_q, margin, most_p);
+    if (near_p.size > most_p) return std::nullopt;
+    const NodeSet near_q = near_nodes(tree_q, tree_p, margin, most_q);
+    if (near_q.size > most_q) return std::nullopt;
     map_ = PlanarMap::joined(p_.map, q_.map);
     const auto number_p = PlanarMap::first_in_joined(p_.map, q_.map);
     const auto number_q = PlanarMap::second_in_joined(p_.map, q_.map);
     std::vector<HalfedgeId> hull_p, hull_q;
-    if (!near_p[1] && !near_q[1]) {
+    if (near_p.size == 0 && near_q.size == 0) {
       for (const HalfedgeId h : p_.hull) hull_p.push_back(number_p(h));
       for (const HalfedgeId h : q_.hull) hull_q.push_back(number_q(h));
     } else {
-      Outline outline_p = OutlineBuilder(p_, map_, 0, near_p).run();
-      Outline outline_q = OutlineBuilder(q_, map_, geometry_.np, near_q).run();
+      Outline outline_p = OutlineBuilder(p_, map_, 0, near_p.has).run();
+      Outline outline_q = OutlineBuilder(q_, map_, geometry_.np, near_q.has).run();
       remove_faces(p_, outline_p, number_p);
       remove_faces(q_, outline_q, number_q);
       Capper capper_p(geometry_, place_.pose_p(), q_.boxes[1], place_.pose_q(), margin, map_);
@@ -206,10 +210,8 @@ class Joiner {
   }
 
  private:
-  /// More than a quarter of the nodes: an outline and its triangulation cost as much as those of the whole.
-  static bool pays(const std::vector<bool>& near) {
-    return 8 * static_cast<std::size_t>(std::count(near.begin(), near.end(), true)) <= near.size() + 64;
-  }
+  /// If more than a quarter of the nodes are near, an outline and its triangulation cost as much as those of the whole.
+  static std::size_t worthwhile(std::size_t vertices) { return vertices / 4 + 8; }
 
   /// The edges that only open nodes' geodesics run along.
   void remove_faces(const ShapeTiling& shape, const Outline& outline, const PlanarMap::Renumbering& number) {

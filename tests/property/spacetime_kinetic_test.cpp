@@ -53,7 +53,8 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
     EXPECT_TRUE(first.outcome == Outcome::overlap_at_start || (touch == Touch::closed && at_start));
     return;
   }
-  const SpacetimeResult second = spacetime::first_contact(geometry, legs);
+  const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);
+  const SpacetimeResult second = spacetime::first_contact(geometry, {p, q}, legs);
   if (first.outcome == Outcome::free) {
     ++counts.free;
     EXPECT_EQ(second.outcome, SpacetimeResult::free);

@@ -49,9 +49,9 @@ std::array<Point, 4> corners(const Box& box) {
   return out;
 }
 
-void expect_inside(const PairGeometry& g, const BoxNode& node) {
+void expect_inside(const PairGeometry& g, std::uint32_t offset, const BoxNode& node) {
   const std::array<Point, 4> around = corners(node.box);
-  VertexId v(node.first);
+  VertexId v(offset + node.first);
   for (std::uint32_t k = 0; k <= node.count; ++k, v = g.next(v)) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Point &a = around[i], &b = around[(i + 1) % 4];
@@ -65,13 +65,14 @@ TEST(SpacetimeHierarchy, BoxesContainTheirEdgesAndLeavesCoverEachEdgeOnce) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
       const Setting s = setting(random_scene(seed, family, {seed % 2 == 0, {}}), seed % 3 == 0);
       for (const bool of_p : {true, false}) {
-        const Hierarchy tree(s.geometry, of_p);
+        const Hierarchy tree = of_p ? hierarchy_of_p(s.geometry) : hierarchy_of_q(s.geometry);
+        const std::uint32_t offset = of_p ? 0 : s.geometry.np;
         std::vector<int> covered(s.geometry.size());
         for (std::uint32_t i = 0; i < tree.size(); ++i) {
           const BoxNode& node = tree.node(i);
-          expect_inside(s.geometry, node);
+          expect_inside(s.geometry, offset, node);
           if (node.count == 1) {
-            ++covered[node.first];
+            ++covered[offset + node.first];
           } else {
             const BoxNode &l = tree.node(node.left), &r = tree.node(node.right);
             EXPECT_EQ(l.first, node.first);
@@ -210,7 +211,7 @@ TEST(SpacetimeBoxes, ApartIsTrue) {
   int apart = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Setting s = setting(random_scene(seed, all_families[seed % 8]));
-    const Hierarchy p(s.geometry, true), q(s.geometry, false);
+    const Hierarchy p = hierarchy_of_p(s.geometry), q = hierarchy_of_q(s.geometry);
     for (const Leg& leg : s.legs) {
       if (leg.bridge) continue;
       std::uint32_t k = 0;
