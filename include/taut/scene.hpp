@@ -1,6 +1,7 @@
 // A scene: two bodies, their motions, and the time interval in question.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,16 @@
 
 namespace taut {
 
+class PreparedShape;
+
 /// A rigid body: the interior of a simple polygon, moving.
 struct Body {
   std::string name;
   Polygon polygon;
   Motion motion;
+  /// What prepare(polygon) returned (taut/shape.hpp), for scenes of shapes that come again; may be null. It must have
+  /// been made of exactly this polygon: anything else is an InputError.
+  std::shared_ptr<const PreparedShape> prepared = nullptr;
 };
 
 /// Two bodies and a closed time interval [start, end] (start <= end).

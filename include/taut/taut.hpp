@@ -18,6 +18,7 @@
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
+// taut/shape.hpp       shapes that come again, prepared once
 // taut/pose.hpp        where a body is at one instant, for drawing
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
@@ -32,6 +33,7 @@
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/separator.hpp"
+#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"

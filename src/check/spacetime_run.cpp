@@ -9,7 +9,6 @@
 #include "motion/witness.hpp"
 #include "numeric/interruption.hpp"
 #include "spacetime/first_contact.hpp"
-#include "taut/validate.hpp"
 
 namespace taut {
 namespace {
@@ -25,7 +24,7 @@ class SpacetimeRun {
   SpacetimeRun(const Scene& scene, Touch touch)
       : scene_(scene),
         touch_(touch),
-        plan_(plan_pair(scene)),
+        plan_(plan_pair(scene, validated_facts(scene))),
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {
     if (!geometry_.fine_features) return;
@@ -84,7 +83,6 @@ Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
   answer.free_until = scene.start;
   const InterruptionScope scope(options.stop, options.max_seconds);
   const Clock::time_point start = Clock::now();
-  validate(scene);
   try {
     const SpacetimeRun question(scene, options.touch);
     const bool more = question.start(answer);

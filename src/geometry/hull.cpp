@@ -79,14 +79,18 @@ double diameter_squared(const std::vector<Point>& points) {
   return best;
 }
 
-double bounding_diagonal(const std::vector<Point>& points) {
-  if (points.empty()) return 0;
-  Point lo = points[0], hi = points[0];
+Bounds bounds(const std::vector<Point>& points) {
+  if (points.empty()) return {};
+  Bounds b{points[0], points[0]};
   for (const Point& v : points) {
-    lo = {std::min(lo.x, v.x), std::min(lo.y, v.y)};
-    hi = {std::max(hi.x, v.x), std::max(hi.y, v.y)};
+    b.lo = {std::min(b.lo.x, v.x), std::min(b.lo.y, v.y)};
+    b.hi = {std::max(b.hi.x, v.x), std::max(b.hi.y, v.y)};
   }
-  const double x = hi.x - lo.x, y = hi.y - lo.y, m = std::max(x, y);
+  return b;
+}
+
+double diagonal(const Bounds& b) {
+  const double x = b.hi.x - b.lo.x, y = b.hi.y - b.lo.y, m = std::max(x, y);
   return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
 }
 

@@ -6,19 +6,30 @@
 
 namespace taut {
 
-Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer)
+Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer, const KnownTilings& known)
     : geometry_(std::move(geometry)),
       legs_(std::move(legs)),
       observer_(observer),
       solver_(geometry_),
       queue_(certificates_, solver_.pool()) {
   parameter_ = reached_ = legs_.front().start;
-  build();
+  build(known);
 }
 
-void Engine::build() {
+namespace {
+
+StaticTiling tiling_of(const Placement& placement, const KnownTilings& known) {
+  if (known.p && known.q) {
+    if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
+  }
+  return build_tiling(placement);
+}
+
+}  // namespace
+
+void Engine::build(const KnownTilings& known) {
   const Placement placement(geometry_, leg(), parameter_);
-  StaticTiling tiling = build_tiling(placement);
+  StaticTiling tiling = tiling_of(placement, known);
   if (tiling.overlap) {
     overlap_ = tiling.overlap;
     state_ = EngineState::overlap;
@@ -34,15 +45,27 @@ void Engine::build() {
   free_.reserve(room);
   queue_.reserve(room);
   scan_.reserve(64);
-  for (std::uint32_t i = 0; i < map_.halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    if (!map_.alive(h) || !is_mixed_corner(h)) continue;
-    Certificate& c = certificates_[add_certificate(h).value];
-    c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
-  }
+  add_certificates(placement);
   initial_ = max_active_ = active_;
   enter_leg();
   solver_.expect(active_);
+}
+
+/// Of all corners with a PQ edge.
+void Engine::add_certificates(const Placement& placement) {
+  std::vector<HalfedgeId> corners;
+  for (std::uint32_t i = 2 * geometry_.size(); i < map_.halfedge_count(); i += 2) {
+    const HalfedgeId h(i);
+    if (!map_.alive(h) || geometry_.same_body(map_.origin(h), map_.target(h))) continue;
+    for (const HalfedgeId side : {h, PlanarMap::twin(h)}) corners.insert(corners.end(), {map_.previous(side), side});
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const HalfedgeId h : corners) {
+    if (!is_mixed_corner(h)) continue;
+    Certificate& c = certificates_[add_certificate(h).value];
+    c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
+  }
 }
 
 bool Engine::is_mixed_corner(HalfedgeId h) const {

@@ -7,7 +7,7 @@
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
 #include "motion/plan_range.hpp"
-#include "tiling/static_tiling.hpp"
+#include "tiling/prepared_tiling.hpp"
 
 namespace taut {
 
@@ -38,11 +38,17 @@ class EngineObserver {
 
 enum class EngineState : unsigned char { running, finished, contact, overlap };
 
+/// What is known of the bodies alone, displaced as in the pair; null where nothing is.
+struct KnownTilings {
+  const ShapeTiling *p = nullptr, *q = nullptr;
+};
+
 /// Follows a sequence of legs. Allocates nothing per event once its buffers have grown.
 class Engine {
  public:
   /// Builds the tiling at the start of the first leg (not a bridge).
-  Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer = nullptr);
+  Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer = nullptr,
+         const KnownTilings& known = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -87,7 +93,8 @@ class Engine {
   std::size_t bytes() const;
 
  private:
-  void build();
+  void build(const KnownTilings& known);
+  void add_certificates(const Placement& placement);
   bool find_next(double limit);
   bool certainly_first(CertificateId head);
   void process(CertificateId id, double limit);

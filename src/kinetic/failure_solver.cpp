@@ -389,9 +389,10 @@ Now FailureSolver::event(const Certificate& c) const {
 }
 
 void FailureSolver::tighten(Certificate& c) {
-  if (c.hi - c.lo <= 0x1p-51 * std::fabs(c.hi)) return;
+  const double few_ulps = 0x1p-54 * std::fabs(c.hi);
+  if (c.hi - c.lo <= 8 * few_ulps) return;
   PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
-  if (!precise_of(c).refine(c.sign, t, 0)) return;
+  if (!precise_of(c).refine(c.sign, t, 0, few_ulps)) return;
   c.lo = std::max(c.lo, double_below(t.lo));
   c.hi = std::min(c.hi, double_above(t.hi));
 }

@@ -5,14 +5,28 @@
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
 #include "taut/error.hpp"
-#include "taut/validate.hpp"
 
 namespace taut {
 
+namespace {
+
+const ShapeTiling* known_tiling(const PairPlan& plan, int side, bool inwards) {
+  const ShapeInRole* shape = shape_in_role(plan, side, inwards);
+  if (!shape || shape->fine_features) return nullptr;
+  return shape->kept<ShapeTiling>(ShapeInRole::tiling, [&] {
+    return tile_shape(shape->points, shape->role.plays_p ? node::p_tree : node::q_tree);
+  });
+}
+
+KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
+  return {known_tiling(plan, 0, inwards), known_tiling(plan, 1, inwards)};
+}
+
+}  // namespace
+
 Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
     : scene_(scene), tracer_(tracer), observer_(observer) {
-  validate(scene_);
-  plan_ = plan_pair(scene_);
+  plan_ = plan_pair(scene_, validated_facts(scene_));
   build(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
   const Overlap overlap = *engine_->overlap();
@@ -33,7 +47,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
 void Session::build(bool inwards) {
   engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards),
                                      make_legs(plan_.pieces[0], plan_.pieces[1], scene_.start, scene_.end),
-                                     static_cast<EngineObserver*>(this));
+                                     static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }
@@ -68,12 +82,13 @@ void Session::set_motion(int body, const Motion& motion) {
   const double now = engine_->time();
   const std::size_t side = plan_.maps[0].body == body ? 0 : 1;
   const Body& old = scene_.bodies[static_cast<std::size_t>(body)];
-  validate_motion(motion, old.name, old.polygon, now, scene_.end, plan_.extent);
+  validate_motion(motion, old.name, plan_.bounds[side], now, scene_.end, plan_.extent);
   std::vector<MotionPiece> fresh;
   for (const MotionPiece& piece : pieces_between(motion, now, scene_.end))
     fresh.push_back(scaled(piece, plan_.exponent));
   const MotionPiece before = side == 0 ? engine_->leg().p : engine_->leg().q;
-  const double gap = joint_gap(scaled(before, -plan_.exponent), scaled(fresh[0], -plan_.exponent), old.polygon, now);
+  const double gap =
+      joint_gap(scaled(before, -plan_.exponent), scaled(fresh[0], -plan_.exponent), plan_.bounds[side], now);
   if (!(gap <= joint_tolerance * plan_.extent)) {
     throw InputError(old.name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),

@@ -91,7 +91,16 @@ void LegClock::reset(const Leg& leg) {
   level_ = 0;
   index_ = 0;
   last_start_ = last_end_ = 0;
-  keys_.fill(0);
+  std::fill_n(keys_.begin(), own, 0);
+  deep_ = false;
+}
+
+bool LegClock::holds(std::size_t slot, std::uint64_t key) {
+  if (slot >= own && !deep_) {
+    std::fill(keys_.begin() + own, keys_.end(), 0);
+    deep_ = true;
+  }
+  return keys_[slot] == key;
 }
 
 /// The same number for the same instant at every level, and growing with the index.
@@ -132,7 +141,7 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   const std::uint64_t key = (std::uint64_t{1} << level) + index;
   const std::size_t slot = slot_of(key);
   ClockCell& cell = cells_[slot];
-  if (keys_[slot] != key) {
+  if (!holds(slot, key)) {
     keys_[slot] = key;
     cell.level = level;
     cell.index = index;

@@ -12,11 +12,11 @@ namespace taut {
 
 /// A dyadic part of a leg's interval.
 struct ClockPlace {
-  int level = 0;            ///< the leg is cut into 2^level parts,
-  std::uint64_t index = 0;  ///< and this is one of them
-  double start = 0, end = 0;
-  bool leaf = false;   ///< fine enough: values come from this cell
-  bool sharp = false;  ///< the model's values are good; if not, the frame itself is evaluated
+  int level;            ///< the leg is cut into 2^level parts,
+  std::uint64_t index;  ///< and this is one of them
+  double start, end;
+  bool leaf;   ///< fine enough: values come from this cell
+  bool sharp;  ///< the model's values are good; if not, the frame itself is evaluated
 };
 
 /// The same with a model of the frame over it.
@@ -55,6 +55,7 @@ class LegClock {
                      : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 52);
   }
 
+  bool holds(std::size_t slot, std::uint64_t key);
   const ClockCell& at_level(int level, std::uint64_t index);
   const ClockCell& find_leaf(double t);
   double boundary(int level, std::uint64_t index) const;
@@ -70,8 +71,10 @@ class LegClock {
   std::uint64_t index_ = 0;
   double last_start_ = 0, last_end_ = 0;
   FastSide pp_{}, qq_{};  ///< the first one serves both on a translation
-  /// Which cell lies in which slot. The cells' memory is not touched before it is used.
-  std::array<std::uint64_t, own + scattered> keys_{};
+  /// Which cell lies in which slot; the scattered ones count once one of them is used. The memory of a cell is not
+  /// touched before it is used.
+  std::array<std::uint64_t, own + scattered> keys_;
+  bool deep_ = false;
   std::unique_ptr<ClockCell[]> cells_{new ClockCell[own + scattered]};
 };
 

@@ -42,10 +42,10 @@ class PreciseFunction {
     position(c, !triple.pp, cx, cy);
     // Coefficient by coefficient as in Leg: see Frame. For two vertices of Q the frame is Q's, and everything that
     // comes from D and from the angle changes sign.
-    const double side = triple.pp ? 1.0 : -1.0;
-    coefficients_[1] = (-ey) * side;
-    coefficients_[2] = ex * side;
-    coefficients_[4] = (ex * cx + ey * cy) * side;
+    const B turned = ex * cx + ey * cy;
+    coefficients_[1] = triple.pp ? -ey : ey;
+    coefficients_[2] = triple.pp ? ex : -ex;
+    coefficients_[4] = triple.pp ? turned : -turned;
     if (leg.translation) {
       coefficients_[0] = ex * (cy - ay) - ey * (cx - ax);
       coefficients_[3] = B::exact(0);

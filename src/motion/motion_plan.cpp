@@ -63,20 +63,14 @@ std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<
   }
 }
 
-double joint_gap(const MotionPiece& before, const MotionPiece& after, const Polygon& polygon, double t) {
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
   const Pose<double> a = pose(before, Ball<double>::exact(t)), b = pose(after, Ball<double>::exact(t));
-  double lo_x = INFINITY, hi_x = -INFINITY, lo_y = INFINITY, hi_y = -INFINITY;
-  for (const Point& v : polygon) {
-    lo_x = std::min(lo_x, v.x);
-    hi_x = std::max(hi_x, v.x);
-    lo_y = std::min(lo_y, v.y);
-    hi_y = std::max(hi_y, v.y);
-  }
   const double ox = b.ox.v.mid - a.ox.v.mid, oy = b.oy.v.mid - a.oy.v.mid;
   const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
   double gap = 0;
-  for (const double x : {lo_x, hi_x}) {
-    for (const double y : {lo_y, hi_y}) gap = std::max(gap, length(ox + xx * x - xy * y, oy + xy * x + xx * y));
+  for (const double x : {polygon.lo.x, polygon.hi.x}) {
+    for (const double y : {polygon.lo.y, polygon.hi.y})
+      gap = std::max(gap, length(ox + xx * x - xy * y, oy + xy * x + xx * y));
   }
   return gap;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/hull.hpp"
 #include "motion/leg.hpp"
 #include "taut/scene.hpp"
 
@@ -27,12 +28,12 @@ std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<
 
 /// Throws InputError unless the motion is well defined on [start, end] (pieces in order and covering the interval,
 /// degrees within max_degree, directions that do not vanish, cosines within [-1, 1]) and its pieces join up to 1e-6 of
-/// `extent` for every point of the polygon.
-void validate_motion(const Motion& motion, const std::string& body, const Polygon& polygon, double start, double end,
+/// `extent` for every point within the bounds of the polygon.
+void validate_motion(const Motion& motion, const std::string& body, const Bounds& polygon, double start, double end,
                      double extent);
 
-/// The largest distance between where two pieces put a corner of the polygon's bounding box at time t.
-double joint_gap(const MotionPiece& before, const MotionPiece& after, const Polygon& polygon, double t);
+/// The largest distance between where two pieces put a corner of the polygon's bounds at time t.
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t);
 
 /// How much of the scene's extent a joint may jump by (rounding in the pieces' coefficients).
 inline constexpr double joint_tolerance = 1e-6;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/prepared_shape.hpp"
 #include "motion/leg.hpp"
 #include "motion/pair_geometry.hpp"
 #include "taut/scene.hpp"
@@ -27,15 +28,28 @@ struct BodyMap {
 
 /// Everything about a scene that does not depend on the touch mode.
 struct PairPlan {
-  std::array<BodyMap, 2> maps;                     ///< of P and of Q
-  std::array<std::vector<Point>, 2> polygons;      ///< scaled, counterclockwise, first vertex on the hull
-  std::array<std::vector<MotionPiece>, 2> pieces;  ///< scaled
-  int exponent = 0;                                ///< internal coordinates are the input's times 2^exponent
-  double extent = 0;                               ///< of the scene, in the input's units
+  std::array<BodyMap, 2> maps;                                   ///< of P and of Q
+  std::array<std::vector<Point>, 2> polygons;                    ///< scaled, counterclockwise, first vertex on the hull
+  std::array<std::vector<MotionPiece>, 2> pieces;                ///< scaled
+  std::array<Bounds, 2> bounds;                                  ///< in the input's units
+  std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are
+  int exponent = 0;   ///< internal coordinates are the input's times 2^exponent
+  double extent = 0;  ///< of the scene, in the input's units
 };
 
-/// The scene must be valid (see validate()).
-PairPlan plan_pair(const Scene& scene);
+/// As facts_of(body.polygon), which may be known already.
+ShapeFacts facts_of(const Body& body);
+/// Validates the scene (see validate()), and keeps what was found out about its polygons.
+std::array<ShapeFacts, 2> validated_facts(const Scene& scene);
+
+/// The scene must be valid.
+PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts);
+inline PairPlan plan_pair(const Scene& scene) {
+  return plan_pair(scene, {facts_of(scene.bodies[0]), facts_of(scene.bodies[1])});
+}
+
+/// What is kept of P (side 0) or Q (side 1) if it is a prepared shape; else null.
+const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards);
 
 /// The two polygons, displaced inwards or outwards.
 PairGeometry displaced_pair(const PairPlan& plan, bool inwards);

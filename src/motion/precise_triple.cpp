@@ -100,14 +100,14 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   throw Undecidable{"the failure time of a certificate"};
 }
 
-bool PreciseTriple::refine(int sign, PreciseTime& t, int stage) const {
+bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {
   if (t.stage >= stage) return true;
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
     RootEnclosure<Real> root{Real(t.lo), Real(t.hi)};
     try {
-      taut::refine(f, sign, root);
+      taut::refine(f, sign, root, enough);
     } catch (const PrecisionExhausted&) {
       return false;
     }

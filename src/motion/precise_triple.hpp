@@ -29,8 +29,9 @@ class PreciseTriple {
   /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
   /// tell. Throws Undecidable.
   std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
-  /// Shrinks an isolating enclosure at the given stage; `sign` is that before the root. False if the stage cannot.
-  bool refine(int sign, PreciseTime& t, int stage) const;
+  /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
+  /// the root. False if the stage cannot.
+  bool refine(int sign, PreciseTime& t, int stage, double enough = 0) const;
 
  private:
   const Leg& leg_;

@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace taut {
@@ -41,6 +42,14 @@ auto with_stage(int stage, const Action& action) {
 /// about 2^-400.
 inline constexpr double underflow_slack = 0x1p-1000;
 
+/// 2^e for the exponents of normal doubles, and without the detours of std::ldexp.
+inline double power_of_two(int e) {
+  const std::uint64_t bits = static_cast<std::uint64_t>(e + 1023) << 52;
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
 template <class Real>
 struct RealTraits;
 
@@ -59,16 +68,24 @@ struct RealTraits<BinaryFloat<Bits>> {
   using Real = BinaryFloat<Bits>;
   static constexpr int bits = static_cast<int>(Bits);
   /// Twice the true unit roundoff: nothing is lost by being generous.
-  static double unit() { return std::ldexp(1.0, 1 - bits); }
+  static double unit() { return power_of_two(1 - bits); }
   /// An upper bound of |x|, at most twice too large.
   static double magnitude(const Real& x) {
     if (x.is_zero()) return 0;
     const auto e = x.backend().exponent();
     if (e > 1000) return std::numeric_limits<double>::infinity();
-    if (e < -1060) return 0x1p-1058;
-    return std::ldexp(1.0, static_cast<int>(e) + 1);
+    if (e < -1020) return 0x1p-1018;
+    return power_of_two(static_cast<int>(e) + 1);
   }
-  static Real from_double(double x) { return Real(x); }
+  /// Exact. Boost's own conversion goes by small steps.
+  static Real from_double(double x) {
+    if (x == 0 || !std::isfinite(x)) return Real(x);
+    int e;
+    const double fraction = std::frexp(x, &e);
+    Real r(static_cast<std::int64_t>(fraction * 0x1p53));
+    r.backend().exponent() += e - 53;
+    return r;
+  }
   static double to_double(const Real& x) { return x.template convert_to<double>(); }
   static Real square_root(const Real& x) { return boost::multiprecision::sqrt(x); }
 };

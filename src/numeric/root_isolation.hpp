@@ -86,10 +86,10 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   return std::nullopt;
 }
 
-/// Shrinks an enclosure by interval Newton steps until they gain no more.
+/// Shrinks an enclosure by interval Newton steps until they gain no more, or it is no wider than `enough`.
 /// `sign` is the sign before the root.
 template <class Real, class Function>
-void refine(const Function& f, int sign, RootEnclosure<Real>& r) {
+void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough = 0) {
   using B = Ball<Real>;
   for (int step = 0; step < 4000; ++step) {
     const B whole = B::between(r.lo, r.hi);
@@ -110,6 +110,7 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r) {
     if (r.hi < r.lo) throw PrecisionExhausted{};
     const Real after = r.hi - r.lo;
     if (!halved && !(after < before * 0.75)) return;
+    if (RealTraits<Real>::magnitude(after) <= enough) return;
     if (RealTraits<Real>::magnitude(after) <= unit_roundoff<Real>() * 8 * RealTraits<Real>::magnitude(r.hi)) return;
   }
 }

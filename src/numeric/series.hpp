@@ -3,11 +3,33 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <type_traits>
 
 #include "numeric/trig.hpp"
 
 namespace taut {
+
+/// The sum of a[i] b[k - i], i = first .. k, in one go: the middles as they come, and what they round in one bound.
+/// Nothing if something is not finite.
+inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, const Ball<double>* b, int first, int k) {
+  double sum = 0, size = 0, spread = 0;
+  for (int i = first; i <= k; ++i) {
+    const Ball<double>&x = a[i], &y = b[k - i];
+    const double product = x.mid * y.mid, x_size = std::fabs(x.mid), y_size = std::fabs(y.mid);
+    sum += product;
+    size += std::fabs(product);
+    spread += (x_size + x.rad) * y.rad + y_size * x.rad;
+  }
+  // n products and n - 1 sums of them err by less than n + 1 roundings of their sizes' sum, and the bound itself by
+  // less than 4 n of its own.
+  const double n = k - first + 1;
+  const double bound = (spread + (n + 1) * 0x1p-53 * size) * (1 + 0x1p-45) + n * underflow_slack;
+  if (!(bound < INFINITY)) return std::nullopt;
+  return Ball<double>(sum, bound);
+}
 
 /// c[k] encloses f^(k)(t)/k!, k = 0 .. N, at a point or over a ball of times.
 template <class Real, int N>
@@ -52,13 +74,21 @@ Series<Real, N> operator-(const Series<Real, N>& a, const Series<Real, N>& b) {
   for (int k = 0; k <= N; ++k) r.c[k] = a.c[k] - b.c[k];
   return r;
 }
+/// The sum of a[i] b[k - i], i = first .. k.
+template <class Real, std::size_t Terms>
+Ball<Real> convolution(const std::array<Ball<Real>, Terms>& a, const std::array<Ball<Real>, Terms>& b, int first,
+                       int k) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (const auto sum = finite_convolution(a.data(), b.data(), first, k)) return *sum;
+  }
+  Ball<Real> sum = a[first] * b[k - first];
+  for (int i = first + 1; i <= k; ++i) sum = sum + a[i] * b[k - i];
+  return sum;
+}
 template <class Real, int N>
 Series<Real, N> operator*(const Series<Real, N>& a, const Series<Real, N>& b) {
   Series<Real, N> r;
-  for (int k = 0; k <= N; ++k) {
-    r.c[k] = a.c[0] * b.c[k];
-    for (int i = 1; i <= k; ++i) r.c[k] = r.c[k] + a.c[i] * b.c[k - i];
-  }
+  for (int k = 0; k <= N; ++k) r.c[k] = convolution(a.c, b.c, 0, k);
   return r;
 }
 template <class Real, int N>
@@ -87,16 +117,12 @@ void sin_cos(const Series<Real, N>& a, Series<Real, N>& sine, Series<Real, N>& c
   const SinCos<Real> start = sin_cos(a.c[0]);
   sine.c[0] = start.sin;
   cosine.c[0] = start.cos;
+  std::array<Ball<Real>, N + 1> slope;  // k times the coefficient
+  for (int k = 1; k <= N; ++k) slope[k] = a.c[k] * static_cast<double>(k);
   for (int k = 1; k <= N; ++k) {
-    Ball<Real> s = Ball<Real>::exact(0), c = Ball<Real>::exact(0);
-    for (int j = 1; j <= k; ++j) {
-      const Ball<Real> weighted = a.c[j] * static_cast<double>(j);
-      s = s + weighted * cosine.c[k - j];
-      c = c - weighted * sine.c[k - j];
-    }
     const Ball<Real> divisor = Ball<Real>::exact(k);
-    sine.c[k] = s / divisor;
-    cosine.c[k] = c / divisor;
+    sine.c[k] = convolution(slope, cosine.c, 1, k) / divisor;
+    cosine.c[k] = -convolution(slope, sine.c, 1, k) / divisor;
   }
 }
 

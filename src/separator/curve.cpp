@@ -3,24 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/real.hpp"
 
 namespace taut {
 namespace {
-
-struct Bounds {
-  Point low, high;
-};
-
-Bounds bounds_of(const std::vector<Point>& points) {
-  Bounds b{points.front(), points.front()};
-  for (const Point& p : points) {
-    b.low = {std::min(b.low.x, p.x), std::min(b.low.y, p.y)};
-    b.high = {std::max(b.high.x, p.x), std::max(b.high.y, p.y)};
-  }
-  return b;
-}
 
 bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -41,8 +29,8 @@ Point meet(const Sight& a, const Sight& b) {
 /// A point on the line from `start` on that lies well outside the bounds, in direction `sign`.
 Point far_along(const Sight& line, const Point& start, double sign, const Bounds& b) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, length = std::sqrt(dx * dx + dy * dy);
-  const double size = b.high.x - b.low.x + b.high.y - b.low.y;
-  const Point middle{b.low.x + (b.high.x - b.low.x) / 2, b.low.y + (b.high.y - b.low.y) / 2};
+  const double size = b.hi.x - b.lo.x + b.hi.y - b.lo.y;
+  const Point middle{b.lo.x + (b.hi.x - b.lo.x) / 2, b.lo.y + (b.hi.y - b.lo.y) / 2};
   const double away = std::fabs(start.x - middle.x) + std::fabs(start.y - middle.y);
   // A power of two: the end of a line through two vertices stays exactly on it if their coordinates are short.
   int exponent = 0;
@@ -95,8 +83,8 @@ bool strictly_inside(const Point& p, const Polygon& polygon) {
 
 /// Does the segment meet the open inside?
 bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const Bounds& bounds) {
-  if (std::max(a.x, b.x) < bounds.low.x || std::min(a.x, b.x) > bounds.high.x || std::max(a.y, b.y) < bounds.low.y ||
-      std::min(a.y, b.y) > bounds.high.y)
+  if (std::max(a.x, b.x) < bounds.lo.x || std::min(a.x, b.x) > bounds.hi.x || std::max(a.y, b.y) < bounds.lo.y ||
+      std::min(a.y, b.y) > bounds.hi.y)
     return false;
   const std::size_t n = polygon.size();
   bool touches = false;
@@ -140,8 +128,8 @@ std::optional<Point> point_inside(const Polygon& polygon) {
 
 /// Beyond `end`, going on from `before`, does the ray stay outside the bounds?
 bool leaves_for_good(const Point& before, const Point& end, const Bounds& b) {
-  return (end.x > b.high.x && end.x >= before.x) || (end.x < b.low.x && end.x <= before.x) ||
-         (end.y > b.high.y && end.y >= before.y) || (end.y < b.low.y && end.y <= before.y);
+  return (end.x > b.hi.x && end.x >= before.x) || (end.x < b.lo.x && end.x <= before.x) ||
+         (end.y > b.hi.y && end.y >= before.y) || (end.y < b.lo.y && end.y <= before.y);
 }
 
 }  // namespace
@@ -150,7 +138,7 @@ Curve curve_of(const LinkPath& path, const std::vector<Point>& around) {
   Curve curve;
   curve.closed = path.closed;
   const std::size_t n = path.lines.size();
-  const Bounds bounds = bounds_of(around);
+  const Bounds bounds = taut::bounds(around);
   for (std::size_t i = 0; i + 1 < n; ++i) curve.vertices.push_back(meet(path.lines[i], path.lines[i + 1]));
   if (path.closed) {
     curve.vertices.push_back(meet(path.lines.back(), path.lines.front()));
@@ -169,7 +157,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   const std::size_t n = curve.vertices.size(), edges = n == 0 ? 0 : curve.edges();
   if (n < 2 || (curve.closed && n < 3) || !std::all_of(curve.vertices.begin(), curve.vertices.end(), finite))
     return false;
-  const Bounds at_p = bounds_of(p), at_q = bounds_of(q);
+  const Bounds at_p = taut::bounds(p), at_q = taut::bounds(q);
   const auto inside_p = point_inside(p), inside_q = point_inside(q);
   if (!inside_p || !inside_q) return false;
   bool odd = false;
@@ -187,7 +175,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
       if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], b)) return false;
     }
     // The rays must not pass between the two points either.
-    const Bounds both = bounds_of({at_p.low, at_p.high, at_q.low, at_q.high});
+    const Bounds both = taut::bounds({at_p.lo, at_p.hi, at_q.lo, at_q.hi});
     if (!leaves_for_good(curve.vertices[1], curve.vertices[0], both)) return false;
     if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], both)) return false;
   }

@@ -1,0 +1,190 @@
+// Prepared shapes: the same tilings and the same answers as from scratch.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <map>
+#include <thread>
+
+#include "check/run.hpp"
+#include "gen/generators.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/pair_plan.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/shape.hpp"
+#include "taut/simulation.hpp"
+#include "tiling/checks.hpp"
+#include "tiling/prepared_tiling.hpp"
+
+namespace taut::testing {
+namespace {
+
+Scene prepared(Scene scene) {
+  for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
+  return scene;
+}
+
+struct JoinCounts {
+  std::map<std::string, int> roots;
+  int joined = 0, refused = 0, overlaps = 0;
+};
+
+/// Compares the tilings joined and from scratch at some instants of a scene with one piece of motion a body.
+void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCounts& counts) {
+  const PairPlan plan = plan_pair(scene);
+  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  for (const bool inwards : {true, false}) {
+    const PairGeometry geometry = displaced_pair(plan, inwards);
+    const std::span<const DisplacedPoint> points = geometry.points;
+    const auto p = tile_shape(points.first(geometry.np), node::p_tree);
+    const auto q = tile_shape(points.subspan(geometry.np), node::q_tree);
+    ASSERT_TRUE(p && q);
+    for (int i = 0; i < instants; ++i) {
+      const double t = legs[0].start + (legs[0].end - legs[0].start) * (i + 0.5) / instants;
+      const Placement placement(geometry, legs[0], t);
+      const StaticTiling fresh = build_tiling(placement);
+      const auto joined = join_tilings(placement, *p, *q, in_any_case);
+      if (fresh.overlap) {
+        EXPECT_FALSE(joined) << "bodies that overlap at " << t << " were joined";
+        ++counts.overlaps;
+        continue;
+      }
+      if (!joined) {
+        EXPECT_FALSE(in_any_case) << "not joined at " << t;
+        ++counts.refused;
+        continue;
+      }
+      ++counts.joined;
+      ++counts.roots[to_string(joined->root)];
+      ASSERT_EQ(joined->root, fresh.root) << "at " << t;
+      ASSERT_EQ(difference(joined->map, fresh.map), "") << "at " << t;
+      ASSERT_EQ(find_fault(joined->map, placement), "") << "at " << t;
+    }
+  }
+}
+
+TEST(PreparedShape, JoinedTilingsOfLargeBodiesAreThoseFromScratch) {
+  JoinCounts counts;
+  gen::GearOptions gears;
+  gears.flank_points = 12;
+  compare_tilings(gen::make_gears(gears), 40, false, counts);
+  gears.teeth_1 = gears.teeth_2 = 40;
+  compare_tilings(gen::make_gears(gears), 20, false, counts);
+  EXPECT_EQ(counts.refused, 0) << "a few teeth in mesh are a small part of two gears";
+  gen::DipOptions dips;
+  dips.sides = 300;
+  compare_tilings(gen::make_dips(dips), 60, true, counts);
+  gen::RotorOptions rotor;
+  rotor.chain_edges = 200;
+  compare_tilings(gen::make_rotor(rotor), 40, true, counts);
+  compare_tilings(gen::make_spiral({}), 20, true, counts);
+  compare_tilings(gen::make_combs({}), 20, true, counts);
+  compare_tilings(gen::make_lock({}), 20, true, counts);
+  compare_tilings(gen::make_jigsaw({}), 20, true, counts);
+  SceneOptions straight;
+  straight.kinds = {MotionKind::linear};
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    for (const Family family : all_families) compare_tilings(random_scene(seed, family, straight), 4, true, counts);
+  }
+  for (const auto& [root, number] : counts.roots) std::cout << number << ' ' << root << ", ";
+  std::cout << counts.overlaps << " overlaps\n";
+  EXPECT_GT(counts.joined, 300);
+  EXPECT_GT(counts.overlaps, 20);
+  EXPECT_EQ(counts.roots.size(), 4u) << "a state of the root was never seen";
+}
+
+TEST(PreparedShape, ChordsKeepOutOfThePocketsOfAThinBody) {
+  // A ring with a narrow mouth and a smooth outside: chords of its hull would cut through its cavity.
+  Scene scene;
+  scene.end = 1;
+  Polygon ring;
+  constexpr int n = 120;
+  for (int i = 2; i <= n - 2; ++i) ring.push_back(unit_vector(double(i) / n));
+  for (int i = n - 2; i >= 2; --i) {
+    const Point v = unit_vector(double(i) / n);
+    ring.push_back({0.995 * v.x, 0.995 * v.y});
+  }
+  Polygon dart{{0, 0}, {0.99, 0.01}, {0.2, 0.2}};
+  scene.bodies = {{"ring", ring, {}}, {"dart", dart, {}}};
+  scene.bodies[1].motion.pieces = {{{0, 0.9}, {0, 0.0125}, AngleRotation{{0, 3}}}};
+  JoinCounts counts;
+  compare_tilings(scene, 50, true, counts);
+  EXPECT_GT(counts.joined, 10);
+  EXPECT_GT(counts.overlaps, 0);
+}
+
+void expect_same(const Answer& a, const Answer& b) {
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.events, b.events);
+  EXPECT_EQ(a.certificates_initial, b.certificates_initial);
+  EXPECT_EQ(a.certificates_max, b.certificates_max);
+  EXPECT_EQ(a.free_until, b.free_until);
+  ASSERT_EQ(a.contact.has_value(), b.contact.has_value());
+  if (!a.contact) return;
+  EXPECT_EQ(a.contact->time.lo, b.contact->time.lo);
+  EXPECT_EQ(a.contact->time.hi, b.contact->time.hi);
+  EXPECT_EQ(a.contact->vertex.index, b.contact->vertex.index);
+  EXPECT_EQ(a.contact->edge.index, b.contact->edge.index);
+}
+
+TEST(PreparedShape, AnswersAreThoseOfTheBarePolygons) {
+  int scenes = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    for (const Family family : all_families) {
+      SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
+      const Scene bare = random_scene(7000 + seed, family, {});
+      const Scene known = prepared(bare);
+      for (const Touch touch : {Touch::open, Touch::closed}) {
+        for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+          CheckOptions options;
+          options.touch = touch;
+          options.engine = engine;
+          expect_same(check(bare, options), check(known, options));
+          ++scenes;
+        }
+      }
+    }
+  }
+  EXPECT_GT(scenes, 1000);
+}
+
+TEST(PreparedShape, IsSharedBetweenScenesRolesAndThreads) {
+  const Polygon bar{{0, 0}, {6, 0}, {6, 1}, {0, 1}}, square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Polygon beam{{0, 0}, {90, 0}, {90, 1}, {0, 1}};
+  const auto shared = prepare(bar);
+  Scene first, second;
+  first.end = second.end = 10;
+  // Beside the square the bar is P, beside the beam it is Q, and in other units.
+  first.bodies = {{"bar", bar, {}, shared}, {"square", square, {{{{2}, {5, -1}, NoRotation{}}}}, prepare(square)}};
+  second.bodies = {{"bar", bar, {{{{2}, {5, -1}, NoRotation{}}}}, shared}, {"beam", beam, {}, prepare(beam)}};
+  const auto ask = [&] {
+    for (int i = 0; i < 50; ++i) {
+      EXPECT_EQ(check(first).contact->time.lo, 4);
+      EXPECT_EQ(check(second).contact->time.lo, 4);
+      EXPECT_EQ(Simulation(first).state(), SimulationState::running);
+    }
+  };
+  std::thread other(ask);
+  ask();
+  other.join();
+}
+
+TEST(PreparedShape, OfAnotherPolygonIsRefused) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"a", {{0, 0}, {1, 0}, {0, 1}}, {}}, {"b", {{5, 5}, {6, 5}, {5, 6}}, {}}};
+  scene.bodies[1].prepared = prepare(scene.bodies[0].polygon);
+  try {
+    check(scene);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("b: the prepared shape was made of another polygon"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(prepare({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), InputError);
+}
+
+}  // namespace
+}  // namespace taut::testing
