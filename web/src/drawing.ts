@@ -346,11 +346,10 @@ export class Painter {
     const c = this.context;
     const { px, py } = this;
     const [u, v, w] = marks.event.corner;
-    this.drawLines([[u, v], [v, w]], colours.failing, 9, []);
-    this.drawLines(marks.gone, colours.paper, 4.5, []);
-    this.drawLines(marks.gone, colours.gone, 2.2, [7, 5]);
+    this.drawLines([[u, v], [v, w]], colours.failing, 14, []);
     this.drawLines(marks.come, colours.paper, 6, []);
     this.drawLines(marks.come, colours.come, 3.2, []);
+    this.drawGone(marks.gone, colours);
     const dots: [number, string, number][] = [[u, "u", 4], [v, "v", 6], [w, "w", 4]];
     c.font = "600 13px system-ui, sans-serif";
     for (const [vertex, label, radius] of dots) {
@@ -363,6 +362,31 @@ export class Painter {
       c.stroke();
       this.text(label, px[vertex] + 10, py[vertex] - 9, colours.ink, colours.paper);
     }
+  }
+
+  /** Beside its place, for at an event the edge that goes and the one that comes lie on one another. */
+  private drawGone(gone: Edge[], colours: Colours): void {
+    const c = this.context;
+    const { width, height } = this.camera;
+    c.beginPath();
+    for (const [a, b] of gone) {
+      const dx = this.px[b] - this.px[a];
+      const dy = this.py[b] - this.py[a];
+      const shift = 4.5 / (Math.hypot(dx, dy) || 1);
+      const [ox, oy] = [-dy * shift, dx * shift];
+      const cut = clipSegment(this.px[a] + ox, this.py[a] + oy, this.px[b] + ox, this.py[b] + oy, -50, -50, width + 50, height + 50);
+      if (!cut) continue;
+      c.moveTo(cut[0], cut[1]);
+      c.lineTo(cut[2], cut[3]);
+    }
+    c.strokeStyle = colours.paper;
+    c.lineWidth = 4.5;
+    c.stroke();
+    c.setLineDash([7, 5]);
+    c.strokeStyle = colours.gone;
+    c.lineWidth = 2.2;
+    c.stroke();
+    c.setLineDash([]);
   }
 
   private drawContact(frame: Frame, contact: ContactMarks, colours: Colours): void {

@@ -10,7 +10,9 @@ import type { Colours } from "./theme";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
-const reach = 12;
+/** How near a handle has to be, in pixels. */
+const reachOfMouse = 12;
+const reachOfFinger = 24;
 const spinRadius = 46;
 /** Handles of more vertices than this in view would hide the body. */
 const mostHandles = 300;
@@ -44,6 +46,9 @@ export class Editor implements Tool {
   scene!: Scene;
   faults: FaultMarks[] = [];
   vertex = -1;
+  /** The map is that of an older scene: it is not drawn. */
+  stale = false;
+  private reach = reachOfMouse;
   private drag: Drag | null = null;
   private figures: [Figure, Figure] | null = null;
 
@@ -93,7 +98,7 @@ export class Editor implements Tool {
   }
 
   private near(a: [number, number], b: [number, number]): boolean {
-    return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+    return Math.hypot(a[0] - b[0], a[1] - b[1]) <= this.reach;
   }
 
   private inside(body: number, pose: Pose, x: number, y: number): boolean {
@@ -176,7 +181,8 @@ export class Editor implements Tool {
     return this.find(x, y) ? "move" : "";
   }
 
-  down(x: number, y: number): boolean {
+  down(x: number, y: number, e: PointerEvent): boolean {
+    this.reach = e.pointerType === "touch" ? reachOfFinger : reachOfMouse;
     const found = this.find(x, y);
     if (!found) {
       // In the other modes a click chooses the body.
@@ -272,6 +278,7 @@ export class Editor implements Tool {
   up(): void {
     const drag = this.drag;
     this.drag = null;
+    this.stale = false;
     if (drag) this.host.edited(this.scene, true, drag.kind === "arrow" || drag.kind === "spin");
     this.host.redraw();
   }
@@ -287,7 +294,7 @@ export class Editor implements Tool {
     if (this.mode !== "shape") return false;
     const { polygon } = this.scene.bodies[this.body];
     let best = -1;
-    let distance = reach;
+    let distance = this.reach;
     for (let i = 0; i < polygon.length; ++i) {
       const a = this.pixel(this.body, i);
       const b = this.pixel(this.body, (i + 1) % polygon.length);
@@ -327,7 +334,7 @@ export class Editor implements Tool {
   frame(): Frame | null {
     if (!this.drag && this.faults.length === 0) return null;
     const { player } = this;
-    const valid = this.faults.length === 0 && (!this.drag || (player.t === this.drag.t && !player.overlapping));
+    const valid = this.faults.length === 0 && !this.stale && (!this.drag || (player.t === this.drag.t && !player.overlapping));
     return {
       figures: this.currentFigures(),
       names: [this.scene.bodies[0].name, this.scene.bodies[1].name],

@@ -2,8 +2,8 @@
 import { h } from "./dom";
 import { Engine, TautError, type Body, type Scene } from "./engine";
 import { Editor, type Mode } from "./editing";
-import { Figure } from "./figure";
-import { keyframesOf, motionOf, piecesOf, type Keyframe } from "./motions";
+import { Figure, placed } from "./figure";
+import { keyframesOf, motionOf, moved, piecesOf, type Keyframe } from "./motions";
 import { Player } from "./player";
 import { fromFragment, toFragment, type Shared } from "./sharing";
 import { Workbench } from "./workbench";
@@ -17,6 +17,8 @@ const modes: [Mode, string, string][] = [
 ];
 const firstExample = "lid";
 const mostUndo = 100;
+/** Milliseconds. */
+const slowOpening = 50;
 
 interface Example {
   title: string;
@@ -47,7 +49,11 @@ class Playground {
   private pending: { final: boolean; driven: boolean } | null = null;
 
   constructor(private readonly player: Player) {
-    this.workbench = new Workbench(player);
+    this.workbench = new Workbench(player, [
+      ["1 2 3 4", "what dragging does"],
+      ["Delete", "remove the chosen vertex"],
+      ["Ctrl-Z", "undo; with Shift, redo"],
+    ]);
     const { stage } = this.workbench;
     this.editor = new Editor(player, stage.camera, {
       edited: (_, final, driven) => this.schedule(final, driven),
@@ -196,8 +202,13 @@ class Playground {
       this.remember();
       this.base = { scene: structuredClone(this.valid), t: this.player.t };
     }
-    if (pending.driven) this.drive();
+    // Where opening takes long, the answer has to wait until the pointer is let go.
+    this.editor.stale = !pending.final && this.cost > slowOpening;
+    const begun = performance.now();
+    if (this.editor.stale) this.workbench.redraw();
+    else if (pending.driven) this.drive();
     else this.apply(pending.final, this.base.t);
+    if (!this.editor.stale) this.cost = performance.now() - begun;
     if (!pending.final) return;
     this.base = null;
     if (this.resume) this.player.play(true);
@@ -206,6 +217,8 @@ class Playground {
 
   /** The scene and the instant at which the present drag began. */
   private resume = false;
+  /** Of opening the scene the last time, in milliseconds. */
+  private cost = 0;
   private base: { scene: Scene; t: number } | null = null;
 
   /** Opens the edited scene, and shows what is wrong with it if it cannot be opened. */
@@ -393,8 +406,30 @@ class Playground {
     scene.bodies[index] = body;
     this.editor.adopt(scene);
     this.workbench.title = null;
+    this.note.textContent = "";
     this.apply(true, scene.time[0]);
+    if (this.player.overlapping) this.putBeside(index);
     this.workbench.opened();
+  }
+
+  /** Outlines from two places may lie on one another: the new one goes to the right of the other. */
+  private putBeside(index: number): void {
+    const { scene } = this.editor;
+    const poses = this.player.engine.poses(scene.time[0]);
+    const ends = scene.bodies.map((body, b) => {
+      let low = Infinity;
+      let high = -Infinity;
+      for (const [u, v] of body.polygon) {
+        const [x] = placed(poses[b], u, v);
+        low = Math.min(low, x);
+        high = Math.max(high, x);
+      }
+      return { low, high };
+    });
+    const gap = 0.05 * (ends[0].high - ends[0].low + ends[1].high - ends[1].low);
+    scene.bodies[index].motion = moved(scene.bodies[index], ends[1 - index].high + gap - ends[index].low, 0);
+    this.apply(true, scene.time[0]);
+    this.note.textContent = `${scene.bodies[index].name} lay on ${scene.bodies[1 - index].name}, and was put beside it.`;
   }
 
   private async share(): Promise<void> {

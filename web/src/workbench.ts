@@ -55,14 +55,17 @@ export class Workbench {
   private panelsShown = 0;
   private stripKey = "";
 
-  constructor(readonly player: Player) {
+  constructor(
+    readonly player: Player,
+    moreKeys: [string, string][] = [],
+  ) {
     this.stage = new Stage(player, () => this.redraw());
     this.events = new EventList(player);
     const plotCanvas = h("canvas", { class: "plot", id: "plot", role: "img", "aria-label": "Active certificates and events over time" });
     this.plot = new CountPlot(plotCanvas, player, (t) => player.seek(t));
     this.playButton = iconButton("play", "Play", () => player.play(!player.playing), "Space");
     this.playButton.id = "play";
-    this.help = this.helpDialog();
+    this.help = this.helpDialog(moreKeys);
     this.side = h(
       "aside",
       { "aria-label": "Details" },
@@ -195,16 +198,17 @@ export class Workbench {
 
   private showEvent(): void {
     const { player } = this;
-    const marks = player.marks();
-    if (!marks) {
+    // Nobody can listen as fast as events come.
+    this.eventText.setAttribute("aria-live", player.playing ? "off" : "polite");
+    const event = player.told();
+    if (!event) {
       setLines(this.eventText, [player.replay.count > 0 ? "Step to an event to see which corner fails and what changes." : ""]);
       return;
     }
-    const { event } = marks;
     const { vertexBody, vertexIndex } = player.replay;
     const vertex = (v: number): string => `${vertexIndex[v]} of ${player.scene.bodies[vertexBody[v]].name}`;
     const [u, v, w] = event.corner;
-    const key = `${event.number}/${player.replay.count}`;
+    const key = `${event.number}/${player.replay.count}/${event.lo}`;
     if (this.eventText.dataset.key === key) return;
     this.eventText.dataset.key = key;
     this.eventText.replaceChildren(
@@ -336,16 +340,16 @@ export class Workbench {
       h("p", {}, swatch("body0"), " ", this.legendNames[0]),
       h("p", {}, swatch("body1"), " ", this.legendNames[1]),
       h("p", {}, swatch("pq", "line"), " edges between the bodies"),
-      layer("faces", "faces of the tiling, strong near the root", "f", swatch("face0"), swatch("face1")),
+      layer("faces", "faces, strong near the root", "f", swatch("face0"), swatch("face1")),
       layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
       layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
       layer("vertices", "vertices", "v"),
     );
   }
 
-  private helpDialog(): HTMLDialogElement {
+  private helpDialog(moreKeys: [string, string][]): HTMLDialogElement {
     const list = h("dl", { class: "keys" });
-    for (const [key, what] of keys) list.append(h("dt", {}, key), h("dd", {}, what));
+    for (const [key, what] of [...keys, ...moreKeys]) list.append(h("dt", {}, key), h("dd", {}, what));
     const dialog = h("dialog", { "aria-label": "Keys" },
       h("h2", {}, "Keys"), list,
       h("p", {}, "Drag to move the view, scroll or pinch to zoom, double-click to show everything."),

@@ -36,6 +36,7 @@ test("scrubbing to the contact shows the command line's time and witness", async
     assert.match(text, new RegExp(`[Vv]ertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-\\d+ of ${edge.body}`));
     assert.ok((await pixelsOf(page, "#c4161c")) > 60, `${name}: the contact is marked`);
     assert.equal(await page.textContent("#events-count"), String(answer.events));
+    assert.match(await page.textContent("#event"), new RegExp(`^contact event ${answer.events} of ${answer.events}`));
     await screenshot(page, `${name}-contact`);
     assert.deepEqual(page.problems, []);
     await page.close();
@@ -46,6 +47,29 @@ test("before the contact nothing is marked", async () => {
   const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
   assert.equal(await pixelsOf(page, "#c4161c"), 0);
   assert.ok((await pixelsOf(page, "#b8106f")) > 60, "edges between the bodies are drawn");
+  await page.close();
+});
+
+test("a million times larger, the picture of the contact is the same", async () => {
+  const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"));
+  await page.keyboard.press("End");
+  await page.keyboard.press("z");
+  await settled(page);
+  const share = await page.evaluate(async () => {
+    const canvas = document.querySelector("canvas.picture");
+    // Without the scale bar, which is at the bottom.
+    const picture = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height - 60).data;
+    const near = picture();
+    window.taut.stage.zoom(1e6);
+    window.taut.stage.draw();
+    const nearer = picture();
+    let different = 0;
+    for (let i = 0; i < near.length; i += 4) {
+      if (Math.abs(near[i] - nearer[i]) + Math.abs(near[i + 2] - nearer[i + 2]) > 60) ++different;
+    }
+    return (4 * different) / near.length;
+  });
+  assert.ok(share < 0.002, `${100 * share} % of the pixels differ`);
   await page.close();
 });
 
