@@ -2,7 +2,7 @@
 import { Engine, TautError, type Pose, type Scene, type Status } from "./engine";
 import { Figure } from "./figure";
 import { Replay, type MapEvent } from "./replay";
-import type { ContactMarks, EventMarks } from "./drawing";
+import type { ContactMarks, EventMarks } from "./frame";
 
 /** For so long after it an event stays marked while the motion plays, in milliseconds. */
 const markFor = 450;
@@ -18,6 +18,8 @@ export class Player {
   /** The instant shown. */
   t = 0;
   playing = false;
+  /** Grows with every scene that is opened and every plan that is changed. */
+  opened = 0;
   speed = 1;
   /** The event that was stepped to and is explained, or -1. */
   selected = -1;
@@ -189,6 +191,7 @@ export class Player {
     this.scene = scene;
     this.status = status;
     this.failure = null;
+    this.opened++;
   }
 
   /**

@@ -1,8 +1,9 @@
 // The canvas: what is shown of the world, and moving about in it.
 import { Camera, type Box } from "./camera";
 import { fitCanvas, h, iconButton } from "./dom";
-import { Painter, type FaultMarks, type Frame, type Layers } from "./drawing";
+import { Painter } from "./drawing";
 import { placed } from "./figure";
+import type { FaultMarks, Frame, Layers } from "./frame";
 import type { Player } from "./player";
 import { coloursOf, type Colours, type ThemeChoice } from "./theme";
 
