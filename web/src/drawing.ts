@@ -84,6 +84,24 @@ export class Painter {
     return this.shape;
   }
 
+  /** The vertex (body, index) that was drawn nearest to a pixel, within `reach` of it. */
+  nearestVertex(frame: Frame, x: number, y: number, reach: number): { body: number; index: number } | null {
+    let best: { body: number; index: number } | null = null;
+    let least = reach * reach;
+    frame.figures.forEach((figure, body) => {
+      const { a, b, c, d, e, f } = this.camera.placing(frame.poses[body]);
+      for (let index = 0; index < figure.size; ++index) {
+        const dx = e + a * figure.x[index] + b * figure.y[index] - x;
+        const dy = f + c * figure.x[index] + d * figure.y[index] - y;
+        const distance = dx * dx + dy * dy;
+        if (distance >= least) continue;
+        least = distance;
+        best = { body, index };
+      }
+    });
+    return best;
+  }
+
   private drawBody(frame: Frame, body: number, layers: Layers, colours: Colours): void {
     const c = this.context;
     const figure = frame.figures[body];

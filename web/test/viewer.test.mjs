@@ -298,6 +298,24 @@ test("the keyboard alone suffices", async () => {
   await page.close();
 });
 
+test("the vertex below the pointer is named as in the command's reports", async () => {
+  const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
+  await page.keyboard.press("End");
+  await settled(page);
+  const { contact } = check("examples/lid.json");
+  const at = await page.evaluate(([x, y]) => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const [px, py] = window.taut.stage.camera.pixel(x, y);
+    return [box.left + px, box.top + py];
+  }, contact.point);
+  await page.mouse.move(at[0] + 2, at[1] + 1);
+  const { body, index } = contact.vertex;
+  assert.equal(await page.textContent("#readout"), `vertex ${index} of ${body} at (4, -13.4164079)`);
+  await page.mouse.move(at[0] + 2, at[1] - 60);
+  assert.equal(await page.textContent("#readout"), "");
+  await page.close();
+});
+
 test("text has enough contrast, light and dark", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"), {
