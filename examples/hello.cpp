@@ -1,4 +1,3 @@
-// The smallest complete program: a hammer falls on an anvil.
 #include <iostream>
 #include <taut/taut.hpp>
 
@@ -7,7 +6,7 @@ int main() {
   scene.start = 0;
   scene.end = 10;
   scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
-                  {"hammer", {{1, 5}, {3, 5}, {2, 6}}, {{{{}, {0, -0.5}, taut::NoRotation{}}}}}};
+                  {"hammer", {{1, 5}, {3, 5}, {2, 6}}, taut::from_velocity({0, -0.5})}};
   const taut::Answer answer = taut::check(scene);
   std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
 }

@@ -72,8 +72,8 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in check trace prove verify draw view separator gen; do expect 0 'Example' '' "$command" --help; done
-[ "$("$taut" --help | wc -l)" -le 26 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
+for command in demo check trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+[ "$("$taut" --help | wc -l)" -le 24 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
 expect 2 '' 'did you mean `taut check`' chek x
@@ -191,6 +191,27 @@ expect 2 '' 'cut off' check cut.json
 : >empty.json
 expect 2 '' 'the file is empty' check empty.json
 
+# Motions in degrees.
+scene sweep.json '{"sweep":{"pivot":[9,3],"from_deg":0,"to_deg":90}}' 1
+expect 1 '^CONTACT .*t = .*   \(angle [0-9.]+ deg\)$' '' check sweep.json
+expect 1 '"angle_deg":\[[0-9.]+,[0-9.]+\]\}' '' check --json sweep.json
+expect 1 'proof in' '' prove sweep.json -o a.proof
+expect 0 'contact within \[.*, at an angle within \[[0-9.]+, [0-9.]+\] deg: vertex' '' verify sweep.json a.proof
+scene frames.json '{"keyframes":[{"t":0,"y":0},{"t":10,"y":-5}]}' 10
+expect 1 '"outcome":"contact","t":\[(8|7\.99999)' '' check --json frames.json
+printf 't,y\n0,0\n10,-5\n' >frames.csv
+scene csv.json '{"csv":"frames.csv"}' 10
+expect 1 '"outcome":"contact","t":\[(8|7\.99999)' '' check --json csv.json
+mkdir -p elsewhere && (cd elsewhere && "$taut" check ../csv.json >/dev/null) && { echo "FAILED: csv.json from elsewhere"; failures=$((failures + 1)); }
+[ -s err ] && { echo "FAILED: csv.json"; failures=$((failures + 1)); }
+printf 't,y\n0,0\n0,-5\n' >frames.csv
+expect 2 '' 'csv\.json:.*motion\.csv: frames\.csv:3:1: the time is not later' check csv.json
+rm frames.csv
+expect 2 '' 'csv\.json:.*frames\.csv: cannot open' check csv.json
+scene frames.json '{"keyframe":[{"t":0}]}' 10
+expect 2 '' 'did you mean "keyframes"' check frames.json
+expect 0 '"title": "taut-scene/1"' '' schema
+
 # Traces.
 expect 1 '"outcome":"contact"' '' trace hit.json
 is_json_lines
@@ -209,6 +230,31 @@ expect 1 '' 'overlap at the start' draw overlap.json
 expect 0 '>geodesic of anvil<' '' draw free.json --at 1 --level 0
 expect 0 'geodesic of hammer' '' draw free.json --level 40
 expect 2 '' '--level' draw free.json --level -1
+
+# Pictures that move.
+expect 0 '</svg>' '' draw hit.json --animate
+expect 0 '<animateTransform .*attributeName="transform"' '' draw hit.json --animate
+expect 0 '>contact at t = 8<' '' draw hit.json --animate
+expect 0 '>free<' '' draw free.json --animate
+expect 0 'prefers-reduced-motion' '' draw free.json --animate
+expect 1 '' 'overlap at the start' draw overlap.json --animate
+expect 2 '' '--animate excludes --at|--at excludes --animate' draw free.json --animate --at 1
+"$taut" gen gears -n 600 | "$taut" draw - --animate -o moving.svg
+[ "$(stat -c %s moving.svg)" -lt 200000 ] || { echo "FAILED: a large moving picture"; failures=$((failures + 1)); }
+
+# Demos.
+expect 0 'lid .*bin' '' demo
+mkdir demos
+for name in $("$taut" demo | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
+  expect 0 "next:  taut check demos/$name.json" '' demo "$name" -d demos
+  "$taut" check "demos/$name.json" >out || [ $? = 1 ] || { echo "FAILED: demo $name"; failures=$((failures + 1)); }
+  grep -q '</svg>' "demos/$name.svg" || { echo "FAILED: demo $name has no picture"; failures=$((failures + 1)); }
+done
+[ "$(ls demos | wc -l)" -ge 12 ] || { echo "FAILED: few demos"; failures=$((failures + 1)); }
+expect 2 '' 'demos/lid.json: the file is there already' demo lid -d demos
+expect 0 'next' '' demo lid -d demos --force
+expect 2 '' 'no demo "ldi"' demo ldi
+expect 2 '' 'no/lid.json: cannot write' demo lid -d no
 
 # Pages. The template is a stand-in here; the browser tests use the true one.
 echo '<script type="application/json">@TAUT-DATA@</script><script>page</script>' >page.html

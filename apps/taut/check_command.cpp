@@ -4,14 +4,11 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "io/answer_json.hpp"
-#include "progress.hpp"
 #include "report.hpp"
-#include "scene_argument.hpp"
 #include "taut/check.hpp"
-#include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "watched_run.hpp"
 
 namespace taut::cli {
 
@@ -33,25 +30,17 @@ void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreemen
              answer_json(scene, error.kinetic, touch), answer_json(scene, error.spacetime, touch), write_scene(scene));
 }
 
-int run_check(CheckArguments arguments) {
+int run_check(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = load_scene(arguments.path);
   const double read_seconds = seconds_since(start);
-  Progress progress(scene);
-  arguments.options.tracer = &progress;
-  arguments.options.stop = stop_on_signals();
   Answer answer;
   try {
-    answer = check(scene, arguments.options);
-  } catch (const InputError& error) {
-    progress.clear();
-    throw error.within(display_name(arguments.path));
+    answer = watched_run(scene, arguments.path, arguments.options, check);
   } catch (const EngineDisagreement& error) {
-    progress.clear();
     print_disagreement(scene, arguments.options.touch, error);
     throw;
   }
-  progress.clear();
   const AnswerTiming timing{read_seconds, answer.build_seconds, answer.run_seconds};
   if (arguments.json) {
     const auto wanted = arguments.timing ? std::optional(timing) : std::nullopt;
@@ -71,12 +60,10 @@ int run_check(CheckArguments arguments) {
 void add_check(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("check", "Say whether and when the two bodies of a scene first collide");
   const auto arguments = std::make_shared<CheckArguments>();
-  add_scene(*command, arguments->path);
+  add_run(*command, arguments->path, arguments->options);
   command->add_flag("--json", arguments->json, "print one JSON object");
   command->add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
-  add_touch(*command, arguments->options.touch);
   add_engine(*command, arguments->options.engine);
-  add_limits(*command, arguments->options);
   command->footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"

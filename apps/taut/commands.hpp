@@ -25,6 +25,10 @@ void add_verify(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_separator(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
+void add_demo(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
 void add_gen(CLI::App& app, Action& action);
 
 }  // namespace taut::cli

@@ -3,11 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include "animation.hpp"
 #include "commands.hpp"
-#include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"
+#include "watched_run.hpp"
 
 namespace taut::cli {
 
@@ -19,7 +20,7 @@ struct DrawArguments {
   Touch touch = Touch::open;
   DrawOptions options;
   std::optional<int> level;
-  bool plain = false, no_corners = false;
+  bool plain = false, no_corners = false, animate = false;
 };
 
 double instant(const DrawArguments& arguments, const Scene& scene) {
@@ -31,15 +32,17 @@ double instant(const DrawArguments& arguments, const Scene& scene) {
 
 int run_draw(DrawArguments arguments) {
   const Scene scene = load_scene(arguments.path);
-  std::optional<Simulation> simulation;
-  try {
-    simulation.emplace(scene, arguments.touch);
-  } catch (const InputError& error) {
-    throw error.within(display_name(arguments.path));
-  }
+  auto simulation = within_file(arguments.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
   if (simulation->state() == SimulationState::overlap_at_start) {
     fmt::print(stderr, "taut: the bodies overlap at the start: there is no free space to tile\n");
     return exit_contact;
+  }
+  if (arguments.animate) {
+    AnimateOptions options;
+    options.width = arguments.options.width;
+    options.edges = !arguments.plain;
+    write_output(arguments.output, animation(scene, arguments.touch, options));
+    return exit_free;
   }
   const double at = instant(arguments, scene);
   arguments.options.faces = !arguments.plain;
@@ -65,25 +68,30 @@ void add_draw(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("draw", "Draw bodies and tiling at one instant as SVG");
   const auto arguments = std::make_shared<DrawArguments>();
   add_scene(*command, arguments->path);
-  command->add_option("--at", arguments->at, "the instant; without it, the first contact, or the end")
-      ->option_text("T");
+  CLI::Option* at = command->add_option("--at", arguments->at, "the instant; without it, the first contact, or the end")
+                        ->option_text("T");
   command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
       ->option_text("FILE");
   command->add_option("--width", arguments->options.width, "width in pixels (default 800)")
       ->check(CLI::Range(200, 20000))
       ->option_text("N");
-  command->add_flag("--plain", arguments->plain, "do not colour the faces");
-  command->add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
+  CLI::Option* level = command
+                           ->add_option("--level", arguments->level,
+                                        "also draw both bodies' pinned geodesic cycles of level K of their\n"
+                                        "trees: 0 is the relative convex hull")
+                           ->check(CLI::Range(0, 40))
+                           ->option_text("K");
   command
-      ->add_option("--level", arguments->level,
-                   "also draw both bodies' pinned geodesic cycles of level K of their\n"
-                   "trees: 0 is the relative convex hull")
-      ->check(CLI::Range(0, 40))
-      ->option_text("K");
+      ->add_flag("--animate", arguments->animate, "a picture that moves from the start to the contact, or to the end")
+      ->excludes(at)
+      ->excludes(level);
+  command->add_flag("--plain", arguments->plain, "do not colour the faces; with --animate, bodies only");
+  command->add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
   add_touch(*command, arguments->touch);
   command->footer(
       "Example:\n"
       "  taut draw scene.json --at 0.5 -o scene.svg\n"
+      "  taut draw scene.json --animate -o moving.svg\n"
       "\n"
       "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n");
   command->callback([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });

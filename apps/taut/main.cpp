@@ -14,14 +14,10 @@
 namespace {
 
 const char* const examples =
-    "Examples:\n"
-    "  taut gen gears -o gears.json            write an example scene\n"
-    "  taut check gears.json                   free, or the first contact with its witness\n"
-    "  taut gen jigsaw --hit | taut check -    a scene from standard input\n"
-    "  taut view gears.json -o gears.html      the motion, to look at in a browser\n"
+    "Example: taut demo lid && taut check lid.json\n"
     "\n"
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
-    "`taut COMMAND --help` tells more.\n";
+    "`taut COMMAND --help` tells more. `taut completion bash|zsh|fish` and `taut man` are for installations.\n";
 
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
@@ -56,14 +52,18 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(examples);
   taut::cli::Action action;
+  taut::cli::add_demo(app, action);
   taut::cli::add_check(app, action);
-  taut::cli::add_trace(app, action);
   taut::cli::add_prove(app, action);
   taut::cli::add_verify(app, action);
   taut::cli::add_draw(app, action);
   taut::cli::add_view(app, action);
+  taut::cli::add_trace(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);
+  taut::cli::add_schema(app, action);
+  taut::cli::add_completion(app, action);
+  taut::cli::add_man(app, action);
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);

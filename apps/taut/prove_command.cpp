@@ -3,14 +3,11 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "io/answer_json.hpp"
 #include "io/atomic_file.hpp"
-#include "progress.hpp"
 #include "report.hpp"
-#include "scene_argument.hpp"
-#include "taut/error.hpp"
 #include "taut/proof.hpp"
+#include "watched_run.hpp"
 
 namespace taut::cli {
 
@@ -22,20 +19,12 @@ struct ProveArguments {
   bool json = false;
 };
 
-int run_prove(ProveArguments arguments) {
+int run_prove(const ProveArguments& arguments) {
   const Scene scene = load_scene(arguments.path);
-  Progress progress(scene);
-  arguments.options.tracer = &progress;
-  arguments.options.stop = stop_on_signals();
   io::AtomicFile file(arguments.output);
-  Answer answer;
-  try {
-    answer = prove(scene, file.stream(), arguments.options);
-  } catch (const InputError& error) {
-    progress.clear();
-    throw error.within(display_name(arguments.path));
-  }
-  progress.clear();
+  const Answer answer =
+      watched_run(scene, arguments.path, arguments.options,
+                  [&file](const Scene& s, const CheckOptions& options) { return prove(s, file.stream(), options); });
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
   if (proof) file.commit();
@@ -53,11 +42,9 @@ int run_prove(ProveArguments arguments) {
 void add_prove(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("prove", "Check a scene and write a proof of the answer");
   const auto arguments = std::make_shared<ProveArguments>();
-  add_scene(*command, arguments->path);
+  add_run(*command, arguments->path, arguments->options);
   command->add_option("-o,--output", arguments->output, "the proof log to write")->required()->option_text("FILE");
   command->add_flag("--json", arguments->json, "print the answer as one JSON object");
-  add_touch(*command, arguments->options.touch);
-  add_limits(*command, arguments->options);
   command->footer(
       "Example:\n"
       "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "taut/motions.hpp"
+
 namespace taut::cli {
 
 namespace {
@@ -14,13 +16,19 @@ std::string edge_text(const Scene& scene, const Feature& edge) {
   return fmt::format("edge {}-{} of {}", edge.index, next, body.name);
 }
 
+/// Of a sweep.
+std::string angle_text(const Scene& scene, const Contact& contact) {
+  const auto angle = contact_angle(scene, contact);
+  return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
+}
+
 std::string headline(const Scene& scene, const Answer& answer) {
   const std::string pair = scene.bodies[0].name + " x " + scene.bodies[1].name;
   switch (answer.outcome) {
     case Outcome::free:
       return "FREE  " + pair;
     case Outcome::contact:
-      return "CONTACT  " + pair + "   t = " + time_text(answer.contact->time);
+      return "CONTACT  " + pair + "   t = " + time_text(answer.contact->time) + angle_text(scene, *answer.contact);
     case Outcome::overlap_at_start:
       return fmt::format("OVERLAP AT START  {}   t = {}", pair, scene.start);
     case Outcome::undecided:

@@ -32,7 +32,7 @@ void add_engine(CLI::App& command, EngineChoice& engine) {
                                         "spacetime: bounding volumes over time, for a second opinion\n"
                                         "both: ask both, and compare")
       ->check(CLI::IsMember({"kinetic", "spacetime", "both"}))
-      ->option_text("NAME");
+      ->option_text("kinetic|spacetime|both");
 }
 
 void add_limits(CLI::App& command, CheckOptions& options) {

@@ -6,11 +6,11 @@
 
 #include "commands.hpp"
 #include "io/json_text.hpp"
-#include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
+#include "watched_run.hpp"
 
 namespace taut::cli {
 
@@ -98,12 +98,7 @@ int run_separator(const SeparatorArguments& arguments) {
     throw InputError("--at", fmt::format("{} is outside the scene's time [{}, {}]", t, scene.start, scene.end),
                      "choose an instant within");
   }
-  Separator found;
-  try {
-    found = separator(scene, t);
-  } catch (const InputError& error) {
-    throw error.within(display_name(arguments.path));
-  }
+  const Separator found = within_file(arguments.path, [&] { return separator(scene, t); });
   if (!arguments.picture.empty() && !found.overlap) write_file(arguments.picture, picture(scene, t, found));
   fmt::print("{}", arguments.json ? to_json(scene, t, found) : to_text(scene, t, found));
   return found.overlap ? exit_contact : exit_free;

@@ -3,12 +3,10 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "io/trace_json.hpp"
-#include "scene_argument.hpp"
 #include "taut/check.hpp"
-#include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "watched_run.hpp"
 
 namespace taut::cli {
 
@@ -34,14 +32,9 @@ int run_trace(TraceArguments arguments) {
   const Scene scene = load_scene(arguments.path);
   LineTracer tracer(scene);
   arguments.options.tracer = &tracer;
-  arguments.options.stop = stop_on_signals();
-  try {
-    const Answer answer = check(scene, arguments.options);
-    fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch));
-    return exit_code(answer.outcome);
-  } catch (const InputError& error) {
-    throw error.within(display_name(arguments.path));
-  }
+  const Answer answer = watched_run(scene, arguments.path, arguments.options, check);
+  fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch));
+  return exit_code(answer.outcome);
 }
 
 }  // namespace
@@ -49,10 +42,8 @@ int run_trace(TraceArguments arguments) {
 void add_trace(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("trace", "Print one JSON line per event, then the answer");
   const auto arguments = std::make_shared<TraceArguments>();
-  add_scene(*command, arguments->path);
+  add_run(*command, arguments->path, arguments->options);
   command->add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
-  add_touch(*command, arguments->options.touch);
-  add_limits(*command, arguments->options);
   command->footer(
       "Example:\n"
       "  taut trace scene.json | head\n"

@@ -9,6 +9,7 @@
 
 #include "io/json_text.hpp"
 #include "taut/error.hpp"
+#include "taut/motions.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::cli {
@@ -32,9 +33,11 @@ std::string claim(const Scene& scene, const Verified& v) {
     return fmt::format("free on [{}, {}){}; nothing after that", scene.start, v.free_until, touching);
   }
   const Contact& c = *v.contact;
-  const std::string what = vertex_text(scene, c.vertex) + " meets " + edge_text(scene, c.edge);
-  if (c.time.lo == c.time.hi) return fmt::format("contact at the start, t = {}: {}", c.time.lo, what);
-  return fmt::format("free on [{}, {}){}; contact within [{}, {}]: {}", scene.start, c.time.lo, touching, c.time.lo,
+  const auto angle = contact_angle(scene, c);
+  const std::string at = angle ? fmt::format(", at an angle within [{}, {}] deg", angle->lo, angle->hi) : "";
+  const std::string what = at + ": " + vertex_text(scene, c.vertex) + " meets " + edge_text(scene, c.edge);
+  if (c.time.lo == c.time.hi) return fmt::format("contact at the start, t = {}{}", c.time.lo, what);
+  return fmt::format("free on [{}, {}){}; contact within [{}, {}]{}", scene.start, c.time.lo, touching, c.time.lo,
                      c.time.hi, what);
 }
 

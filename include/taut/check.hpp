@@ -12,7 +12,7 @@
 #include "taut/tracer.hpp"
 
 namespace taut {
-
+/// What is known about the first collision.
 enum class Outcome {
   free,              ///< proved: no collision at any time of the interval
   contact,           ///< the first collision, with its witness
@@ -56,6 +56,7 @@ struct Contact {
   Point normal;  ///< unit outward normal of the edge's body at the contact
 };
 
+/// How to check; the defaults are those of `taut check`.
 struct CheckOptions {
   Touch touch = Touch::open;
   EngineChoice engine = EngineChoice::kinetic;
@@ -69,6 +70,7 @@ struct CheckOptions {
   Tracer* tracer = nullptr;
 };
 
+/// What check() and prove() found out.
 struct Answer {
   Outcome outcome = Outcome::undecided;
   EngineChoice engine = EngineChoice::kinetic;
@@ -89,6 +91,7 @@ struct Answer {
 
 /// The two engines contradict each other: one of them is wrong, and taut has a defect.
 struct EngineDisagreement : std::logic_error {
+  /// What they disagree about, and the answers of the kinetic and of the spacetime engine.
   EngineDisagreement(const std::string& what, Answer first, Answer second)
       : std::logic_error(what), kinetic(std::move(first)), spacetime(std::move(second)) {}
   Answer kinetic, spacetime;

@@ -18,6 +18,7 @@ struct Culprits {
 /// `what()` is the whole message, on one line per sentence: "place: problem\nhint: remedy".
 class InputError : public std::runtime_error {
  public:
+  /// Place, problem, hint and culprits as the functions below give them back.
   InputError(std::string place, std::string problem, std::string hint = {}, Culprits culprits = {})
       : std::runtime_error(compose(place, problem, hint)),
         place_(std::move(place)),

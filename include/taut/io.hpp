@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/check.hpp"
+#include "taut/motions.hpp"
 #include "taut/scene.hpp"
 #include "taut/simulation.hpp"
 
@@ -16,18 +17,20 @@ namespace taut {
 struct ReadLimits {
   std::size_t max_bytes = std::size_t{1} << 30;     ///< of one file
   std::size_t max_vertices = std::size_t{1} << 27;  ///< of one polygon
-  std::size_t max_pieces = std::size_t{1} << 20;    ///< of one motion
+  std::size_t max_pieces = std::size_t{1} << 20;    ///< of one motion; also keyframes
 };
 
-/// Reads a scene in the format taut-scene/1; outlines named by {"wkt": file} or {"geojson": file} are found relative
-/// to the scene's folder. Throws InputError naming the file, line and column or JSON path, and the remedy.
-/// The geometry itself (simple polygons, joints of motions, ...) is validated by check() and Simulation, or by
-/// validate() in taut/validate.hpp.
+/// Reads a scene in the format taut-scene/1; outlines named by {"wkt": file} or {"geojson": file}, and keyframes named
+/// by {"csv": file}, are found relative to the scene's folder. Throws InputError naming the file, line and column or
+/// JSON path, and the remedy. The geometry itself (simple polygons, joints of motions, ...) is validated by check() and
+/// Simulation, or by validate() in taut/validate.hpp.
 Scene read_scene(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages, `folder` is where outlines are looked up.
 Scene parse_scene(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",
                   const ReadLimits& limits = {});
-/// One JSON object, the inverse of parse_scene: numbers are written so that they read back the same.
+/// One JSON object, the inverse of parse_scene: numbers are written so that they read back the same. Motions are
+/// written as their pieces, whatever they were compiled from: a sweep is then a rotation like any other (Motion::sweep
+/// is lost).
 std::string write_scene(const Scene& scene);
 
 /// Reads the outer ring of a WKT POLYGON (a repeated last vertex is dropped).
@@ -36,13 +39,19 @@ Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
 Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages.
 Polygon parse_wkt(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
+/// The same from text in memory.
 Polygon parse_geojson(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});
+/// Reads keyframes for from_keyframes(): a header of the columns t, x, y, angle_deg in any order (those left out are 0,
+/// t must be there), then a line of numbers for each keyframe, in order of time. Fields are separated by commas; spaces
+/// around them and blank lines are skipped.
+std::vector<Keyframe> read_keyframes_csv(const std::string& path, const ReadLimits& limits = {});
 
 /// The JSON object of `taut check --json` (see the README), on one line, without a line break.
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch);
 
 /// A line to draw over a picture.
 struct DrawnPath {
+  /// What the line is; it has a look of its own, and an entry in the legend.
   enum class Kind : std::uint8_t {
     geodesic_0,  ///< a geodesic of body 0, in its colour
     geodesic_1,  ///< of body 1
@@ -63,6 +72,7 @@ struct DrawnLabel {
   std::string text;
 };
 
+/// What draw_svg() shows, and how.
 struct DrawOptions {
   int width = 800;           ///< pixels
   bool faces = true;         ///< colour the faces by depth in the chain tree
@@ -81,6 +91,23 @@ struct DrawOptions {
 DrawnPath drawn_cycle(const Tiling& tiling, const GeodesicCycle& cycle);
 /// An SVG picture of bodies and tiling.
 std::string draw_svg(const Scene& scene, const Tiling& tiling, const DrawOptions& options = {});
+
+/// What animate_svg() shows, and how.
+struct AnimateOptions {
+  int width = 800;          ///< pixels
+  double seconds = 6;       ///< that the frames take
+  double pause = 2;         ///< seconds on the last frame, before it begins anew
+  bool edges = true;        ///< draw the edges between the bodies
+  std::string title = {};   ///< instead of the bodies' names
+  std::string ending = {};  ///< shown with the last frame: how it ends, in words
+  /// Mark this contact on the last frame, if given.
+  const Contact* contact = nullptr;
+};
+/// An SVG picture that moves, without script: bodies and the edges between them, from the first frame (a tiling at an
+/// instant, as Simulation::tiling() gives it) to the last at an even pace, then from the beginning. At least two
+/// frames; a body must turn by less than 180 degrees from one to the next. Who prefers reduced motion sees the last
+/// frame.
+std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, const AnimateOptions& options = {});
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "taut/geometry.hpp"
+
 namespace taut {
 
 /// Coefficients of a polynomial in the absolute time t, in ascending powers. Empty means zero.
@@ -29,22 +31,27 @@ struct HalfAngleRotation {
 struct CosineRotation {
   Coefficients a;
 };
-
+/// How a piece turns: one of the forms above.
 using Rotation = std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation>;
 
-/// One piece of a motion: the body's point (u, v) is at o(t) + u x(t) + v y(t), where o = (x, y) below,
-/// x(t) is given by `rotation`, and y(t) is x(t) turned by +90 degrees.
+/// One piece of a motion: the body's point (u, v) is at o(t) + c + (u - c.x) x(t) + (v - c.y) y(t), where o = (x, y)
+/// below, c is the pivot, x(t) is given by `rotation`, and y(t) is x(t) turned by +90 degrees.
 struct MotionPiece {
   Coefficients x, y;
   Rotation rotation;
   /// The piece holds before this instant; the last piece of a motion may leave it infinite.
   double until = std::numeric_limits<double>::infinity();
+  /// What the body turns about, in its own coordinates. No difference u - c.x is ever rounded. Without a rotation it
+  /// means nothing.
+  Point pivot = {};
 };
 
 /// Pieces in order of time; piece k holds on [until of k-1, until of k). No piece at all: the body rests at its
 /// own coordinates.
 struct Motion {
   std::vector<MotionPiece> pieces;
+  /// The angle is the parameter of this motion: answers state it (see angle_at() in taut/motions.hpp).
+  bool sweep = false;
 };
 
 /// Highest degree of a polynomial that a motion may have.

@@ -33,12 +33,14 @@ struct TilingFace {
   int chain_from = 0, chain_to = 0;
 };
 
+/// A vertex of a body, where it is now.
 struct TilingVertex {
   int body = 0;
   int index = 0;   ///< of the input
   Point position;  ///< world coordinates, rounded
 };
 
+/// An edge of the tiling.
 struct TilingEdge {
   int from = 0, to = 0;  ///< indices into Tiling::vertices
   bool polygon = false;  ///< an edge of a body
@@ -101,9 +103,12 @@ class Simulation {
   /// Validates the scene, builds the tiling at its start. Throws InputError.
   explicit Simulation(const Scene& scene, Touch touch = Touch::open, Tracer* tracer = nullptr);
   ~Simulation();
+  /// The one moved from may only be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
+  /// The one moved from may only be destroyed or assigned to.
   Simulation& operator=(Simulation&&) noexcept;
 
+  /// Whether it can go on, and if not, why.
   SimulationState state() const;
   /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
   /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
@@ -123,18 +128,23 @@ class Simulation {
 
   /// The first contact, once state() is `contact`.
   const std::optional<Contact>& contact() const;
+  /// Events processed so far.
   std::uint64_t events() const;
+  /// Size of the active set.
   std::uint64_t certificates() const;
+  /// The largest that the active set has been.
   std::uint64_t certificates_max() const;
   /// The planar map at time().
   Tiling tiling() const;
   /// The same map as half-edges. Their number may grow with an event, and never shrinks.
   std::vector<TilingHalfedge> halfedges() const;
+  /// One of them, by its position in halfedges().
   TilingHalfedge halfedge(int index) const;
   /// The half-edges that the last event may have changed: a constant number, all others are as before. Between events
   /// the map does not change. A Tracer may ask from on_event(), where events are seen one by one. Empty before the
   /// first event.
   std::vector<int> changed_halfedges() const;
+  /// The certificates that can fail: corners with vertices of both bodies.
   std::vector<ActiveCertificate> active_set() const;
   /// Number of levels of a body's tree, the edges of the body being the last.
   int levels(int body) const;

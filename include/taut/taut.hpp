@@ -8,7 +8,7 @@
 //     scene.start = 0;
 //     scene.end = 10;
 //     scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
-//                     {"hammer", {{1, 5}, {3, 5}, {2, 6}}, {{{{}, {0, -0.5}, taut::NoRotation{}}}}}};
+//                     {"hammer", {{1, 5}, {3, 5}, {2, 6}}, taut::from_velocity({0, -0.5})}};
 //     taut::Answer answer = taut::check(scene);
 //     std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
 //   }
@@ -18,8 +18,9 @@
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
-// taut/shape.hpp       shapes that come again, prepared once
+// taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
 // taut/pose.hpp        where a body is at one instant, for drawing
+// taut/shape.hpp       shapes that come again, prepared once
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
 #pragma once
@@ -29,6 +30,7 @@
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 #include "taut/motion.hpp"
+#include "taut/motions.hpp"
 #include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"

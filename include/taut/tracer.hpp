@@ -41,6 +41,7 @@ struct TraceEvent {
 class Tracer {
  public:
   virtual ~Tracer() = default;
+  /// Called once for every event, after its repair.
   virtual void on_event(const TraceEvent& event) = 0;
 };
 

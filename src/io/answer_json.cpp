@@ -12,11 +12,17 @@ std::string feature_text(const Scene& scene, const Feature& feature) {
          ",\"index\":" + std::to_string(feature.index) + "}";
 }
 
+/// Of a sweep.
+std::string angle_text(const Scene& scene, const Contact& contact) {
+  const auto angle = contact_angle(scene, contact);
+  return angle ? ",\"angle_deg\":" + io::array_text({angle->lo, angle->hi}) : "";
+}
+
 std::string contact_text(const Scene& scene, const Contact& contact) {
   return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) +
          ",\"contact\":{\"vertex\":" + feature_text(scene, contact.vertex) +
          ",\"edge\":" + feature_text(scene, contact.edge) + ",\"point\":" + io::point_text(contact.point) +
-         ",\"normal\":" + io::point_text(contact.normal) + "}";
+         ",\"normal\":" + io::point_text(contact.normal) + angle_text(scene, contact) + "}";
 }
 
 std::string scope_text(const Scene& scene, Touch touch) {

@@ -45,6 +45,10 @@ std::string element_path(const std::string& path, std::size_t index) {
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   if (word.size() < 3 || word.size() > 40) return "";
+  // "angle" is meant for "angle_deg", whatever the distance.
+  for (const std::string& candidate : known) {
+    if (candidate.compare(0, word.size() + 1, lower_case(word) + "_") == 0) return candidate;
+  }
   std::string best;
   std::size_t best_distance = word.size() / 3 + 2;
   for (const std::string& candidate : known) {

@@ -1,9 +1,12 @@
 #include "io/motion_reader.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
+#include "io/keyframe_reader.hpp"
+#include "taut/motions.hpp"
 
 namespace taut::io {
 
@@ -49,10 +52,26 @@ Rotation read_rotation(const JsonDocument& document, std::size_t token, const st
   return HalfAngleRotation{std::move(c)};
 }
 
+const char* const motion_shape = R"(a motion as {"x":[c0,c1,...],"y":[c0,...],"rotation":{"angle":[a0,a1,...]}})";
+const std::vector<std::string> piece_keys = {"x", "y", "rotation", "until", "pivot"};
+const std::vector<std::string> form_keys = {"keyframes", "csv", "velocity", "spin_deg", "sweep"};
+
+Point read_pair(const JsonDocument& document, std::size_t token, const std::string& path) {
+  const std::string shape = "two numbers as [x, y]";
+  const auto numbers = read_numbers(document, token, path, shape, 2, "write " + shape);
+  if (numbers.size() == 2) return {numbers[0], numbers[1]};
+  throw document.error(token, path, "expected two numbers, found " + std::to_string(numbers.size()), "write " + shape);
+}
+
+Point read_pivot(const JsonDocument& document, const JsonObject& object) {
+  const auto pivot = object.find("pivot");
+  return pivot ? read_pair(document, *pivot, object.path("pivot")) : Point{};
+}
+
 MotionPiece read_piece(const JsonDocument& document, std::size_t token, const std::string& path) {
-  const JsonObject object(document, token, path, {"x", "y", "rotation", "until"},
-                          R"(a motion as {"x":[c0,c1,...],"y":[c0,...],"rotation":{"angle":[a0,a1,...]}})");
+  const JsonObject object(document, token, path, piece_keys, motion_shape);
   MotionPiece piece;
+  piece.pivot = read_pivot(document, object);
   if (const auto x = object.find("x")) piece.x = read_coefficients(document, *x, object.path("x"));
   if (const auto y = object.find("y")) piece.y = read_coefficients(document, *y, object.path("y"));
   if (const auto r = object.find("rotation")) piece.rotation = read_rotation(document, *r, object.path("rotation"));
@@ -75,25 +94,140 @@ void require_ascending(const JsonDocument& document, std::size_t token, const st
   }
 }
 
+/// The forms of taut/motions.hpp, each of which is a whole motion.
+class FormReader {
+ public:
+  FormReader(const JsonDocument& document, std::size_t token, const std::string& path, const JsonObject& object,
+             const MotionContext& context)
+      : document_(document), token_(token), path_(path), object_(object), context_(context) {}
+
+  Motion read() const {
+    const Point pivot = read_pivot(document_, object_);
+    if (const auto keyframes = object_.find("keyframes")) {
+      allow_only("keyframes", {"keyframes", "pivot"});
+      return compiled(*keyframes, "keyframes", from_keyframes,
+                      read_keyframes(document_, *keyframes, object_.path("keyframes"), context_.limits), pivot);
+    }
+    if (const auto file = object_.find("csv")) {
+      allow_only("csv", {"csv", "pivot"});
+      return compiled(*file, "csv", from_keyframes, read_csv(*file), pivot);
+    }
+    if (const auto sweep = object_.find("sweep")) {
+      allow_only("sweep", {"sweep"});
+      return read_sweep(*sweep);
+    }
+    allow_only(object_.find("velocity") ? "velocity" : "spin_deg", {"velocity", "spin_deg", "pivot"});
+    return read_velocity(pivot);
+  }
+
+ private:
+  /// What the function of taut/motions.hpp makes of its arguments; an error is said to be at `token`.
+  template <class Function, class... Arguments>
+  Motion compiled(std::size_t token, const char* key, Function function, const Arguments&... arguments) const {
+    try {
+      return function(arguments...);
+    } catch (const InputError& e) {
+      throw e.within(document_.error(token, object_.path(key), "", "").place());
+    }
+  }
+
+  void allow_only(const std::string& form, const std::vector<std::string>& keys) const {
+    for (const auto* group : {&form_keys, &piece_keys}) {
+      for (const std::string& key : *group) {
+        const auto value = object_.find(key);
+        if (!value || std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+        throw document_.error(
+            token_, path_, "both \"" + form + "\" and \"" + key + "\" are given",
+            "\"" + form + "\" describes a whole motion: leave out \"" + key + "\"" + remedy(form, key));
+      }
+    }
+  }
+
+  static std::string remedy(const std::string& form, const std::string& key) {
+    if (form == "sweep" && key == "pivot") return R"(, and write the pivot as {"sweep":{"pivot":[x,y],...}})";
+    return "";
+  }
+
+  std::vector<Keyframe> read_csv(std::size_t token) const {
+    document_.require(token, JsonKind::string, object_.path("csv"), R"({"csv": "file.csv"})");
+    try {
+      return read_keyframes_csv(in_folder(context_.folder, document_.string_at(token)), context_.limits);
+    } catch (const InputError& e) {
+      throw e.within(document_.error(token, object_.path("csv"), "", "").place());
+    }
+  }
+
+  Motion read_velocity(const Point& pivot) const {
+    const auto velocity = object_.find("velocity"), spin = object_.find("spin_deg");
+    return from_velocity(velocity ? read_pair(document_, *velocity, object_.path("velocity")) : Point{},
+                         spin ? read_number(document_, *spin, object_.path("spin_deg")) : 0, pivot);
+  }
+
+  Motion read_sweep(std::size_t token) const {
+    const std::string here = object_.path("sweep");
+    const JsonObject sweep(document_, token, here, {"pivot", "from_deg", "to_deg"},
+                           R"({"sweep":{"pivot":[x,y],"from_deg":0,"to_deg":90}})");
+    const double from = read_number(document_, sweep.get("from_deg"), sweep.path("from_deg"));
+    const double to = read_number(document_, sweep.get("to_deg"), sweep.path("to_deg"));
+    if (!(context_.start < context_.end)) {
+      throw document_.error(token, here, "the scene's time interval has no length",
+                            "give the sweep a time [start, end] with start < end, for instance that of its angles");
+    }
+    return compiled(token, "sweep", from_sweep, read_pivot(document_, sweep), from, to, context_.start, context_.end);
+  }
+
+  const JsonDocument& document_;
+  std::size_t token_;
+  std::string path_;
+  const JsonObject& object_;
+  const MotionContext& context_;
+};
+
+Motion read_object(const JsonDocument& document, std::size_t token, const std::string& path,
+                   const MotionContext& context) {
+  std::vector<std::string> keys = piece_keys;
+  keys.insert(keys.end(), form_keys.begin(), form_keys.end());
+  const JsonObject object(document, token, path, keys, motion_shape);
+  const bool form = std::any_of(form_keys.begin(), form_keys.end(),
+                                [&object](const std::string& key) { return object.find(key).has_value(); });
+  if (form) return FormReader(document, token, path, object, context).read();
+  return {{read_piece(document, token, path)}};
+}
+
+/// In an array only pieces may stand; whoever writes a whole motion there gets more than "unknown key".
+void refuse_forms(const JsonDocument& document, std::size_t token, const std::string& path) {
+  if (document.at(token).kind() != JsonKind::object) return;
+  for (std::size_t key = token + 1; key < document.after(token); key = document.after(key + 1)) {
+    const std::string& name = document.string_at(key);
+    if (std::find(form_keys.begin(), form_keys.end(), name) == form_keys.end()) continue;
+    throw document.error(key, path, "\"" + name + "\" describes a whole motion, not a piece of one",
+                         "write it without the array, or write pieces with \"x\", \"y\" and \"rotation\"");
+  }
+}
+
 }  // namespace
 
-Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_pieces) {
+std::string in_folder(const std::string& folder, const std::string& file) {
+  const bool absolute = !file.empty() && file[0] == '/';
+  return absolute || folder.empty() || folder == "." ? file : folder + "/" + file;
+}
+
+Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
+                   const MotionContext& context) {
   Motion motion;
   if (document.at(token).kind() == JsonKind::null) return motion;
-  if (document.at(token).kind() != JsonKind::array) {
-    motion.pieces.push_back(read_piece(document, token, path));
-    return motion;
-  }
+  if (document.at(token).kind() != JsonKind::array) return read_object(document, token, path, context);
   const std::size_t end = document.after(token);
   if (end == token + 1) {
     throw document.error(token, path, "no pieces", "leave \"motion\" out, or write null, for a body at rest");
   }
   for (std::size_t i = token + 1; i < end; i = document.after(i)) {
     const std::string here = element_path(path, motion.pieces.size());
-    if (motion.pieces.size() == max_pieces) {
-      throw document.error(i, path, "more pieces than the limit of " + std::to_string(max_pieces),
+    if (motion.pieces.size() == context.limits.max_pieces) {
+      throw document.error(i, path, "more pieces than the limit of " + std::to_string(context.limits.max_pieces),
                            "split the scene in time, or raise ReadLimits::max_pieces");
     }
+    refuse_forms(document, i, here);
     motion.pieces.push_back(read_piece(document, i, here));
     require_ascending(document, i, here, motion, document.after(i) == end);
   }

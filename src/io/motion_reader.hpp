@@ -4,11 +4,23 @@
 #include <string>
 
 #include "io/json_document.hpp"
+#include "taut/io.hpp"
 #include "taut/motion.hpp"
 
 namespace taut::io {
 
-/// null, an object, or an array of at most `max_pieces` objects with ascending "until".
-Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_pieces);
+/// What a motion is read in.
+struct MotionContext {
+  double start = 0, end = 0;  ///< the scene's time
+  std::string folder;         ///< where files are looked up
+  ReadLimits limits;
+};
+
+/// null, a piece, an array of pieces with ascending "until", or one of the forms of taut/motions.hpp.
+Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
+                   const MotionContext& context);
+
+/// A file named in a scene, relative to the scene's folder.
+std::string in_folder(const std::string& folder, const std::string& file);
 
 }  // namespace taut::io

@@ -26,7 +26,8 @@ class SceneReader {
       : document_(document), folder_(folder), limits_(limits) {}
 
   Scene read() const {
-    const JsonObject root(document_, 0, "", {"format", "time", "bodies"}, scene_shape);
+    // "$schema" is for editors.
+    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "$schema"}, scene_shape);
     read_format(root.get("format"));
     Scene scene;
     read_time(root.get("time"), scene);
@@ -65,7 +66,7 @@ class SceneReader {
           count < 2 ? "a scene needs two bodies" : "two bodies are supported now: write one scene for each pair");
     }
     for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
-      scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size())));
+      scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size()), scene));
     }
     if (scene.bodies[0].name == scene.bodies[1].name) {
       throw document_.error(token, "bodies", "both bodies are called \"" + io::excerpt(scene.bodies[0].name) + "\"",
@@ -73,14 +74,15 @@ class SceneReader {
     }
   }
 
-  Body read_body(std::size_t token, const std::string& path) const {
+  Body read_body(std::size_t token, const std::string& path, const Scene& scene) const {
     const JsonObject object(document_, token, path, {"name", "polygon", "motion"},
                             R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
     Body body;
     body.name = read_name(object.get("name"), object.path("name"));
     body.polygon = read_polygon(object.get("polygon"), object.path("polygon"));
     if (const auto motion = object.find("motion")) {
-      body.motion = io::read_motion(document_, *motion, object.path("motion"), limits_.max_pieces);
+      const io::MotionContext context{scene.start, scene.end, folder_, limits_};
+      body.motion = io::read_motion(document_, *motion, object.path("motion"), context);
     }
     return body;
   }
@@ -111,17 +113,12 @@ class SceneReader {
     }
     const std::size_t file = wkt ? *wkt : *geojson;
     document_.require(file, JsonKind::string, object.path(wkt ? "wkt" : "geojson"), shape);
-    const std::string outline = in_folder(document_.string_at(file));
+    const std::string outline = io::in_folder(folder_, document_.string_at(file));
     try {
       return wkt ? read_wkt(outline, limits_) : read_geojson(outline, limits_);
     } catch (const InputError& e) {
       throw e.within(document_.error(file, path, "", "").place());
     }
-  }
-
-  std::string in_folder(const std::string& file) const {
-    const bool absolute = !file.empty() && file[0] == '/';
-    return absolute || folder_.empty() || folder_ == "." ? file : folder_ + "/" + file;
   }
 
   const JsonDocument& document_;

@@ -28,6 +28,7 @@ std::string piece_text(const MotionPiece& piece) {
   if (!piece.y.empty()) member("y", io::array_text(piece.y));
   const std::string rotation = rotation_text(piece.rotation);
   if (!rotation.empty()) member("rotation", rotation);
+  if (piece.pivot != Point{}) member("pivot", io::point_text(piece.pivot));
   if (piece.until != std::numeric_limits<double>::infinity()) member("until", io::number_text(piece.until));
   return "{" + s + "}";
 }

@@ -183,11 +183,12 @@ bool FailureSolver::advance_from_zero(Certificate& c, const Now& instant) {
 }
 
 /// Interval Newton on an isolated failure. The slope's bounds are taken anew in each step, over the enclosure at hand:
-/// bounds of the first enclosure would leave it converging linearly.
+/// bounds of the first enclosure would leave it converging linearly. Where they include zero, the sign in the middle
+/// halves the enclosure.
 void FailureSolver::refine_fast(Certificate& c) {
   const double sign = c.sign;
   const bool pp = c.function.pp;
-  for (int step = 0; step < 6; ++step) {
+  for (int step = 0; step < 30; ++step) {
     const double width = c.hi - c.lo;
     const double m = c.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
@@ -196,14 +197,20 @@ void FailureSolver::refine_fast(Certificate& c) {
     const Bounded k = c.function.curvature(clock_.cell(m).curvature(pp));
     const double spread = d.error + (std::fabs(k.value) + k.error) * (width / 2) * (1 + 0x1p-40);
     const double steep = -sign * d.value + spread, flat = -sign * d.value - spread;
-    if (!(flat > 0)) return;
     const double lo_value = sign * v.value - v.error, hi_value = sign * v.value + v.error;
-    const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
-    const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
-    const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
-    c.lo = std::max(c.lo, lo - slack);
-    c.hi = std::min(c.hi, hi + slack);
-    if (!(c.hi - c.lo < 0.5 * width)) return;
+    if (flat > 0) {
+      const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
+      const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
+      const double slack =
+          0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
+      c.lo = std::max(c.lo, lo - slack);
+      c.hi = std::min(c.hi, hi + slack);
+    } else if (lo_value > 0) {
+      c.lo = m;
+    } else if (hi_value < 0) {
+      c.hi = m;
+    }
+    if (!(c.hi - c.lo < 0.75 * width)) return;
   }
 }
 

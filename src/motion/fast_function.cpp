@@ -8,11 +8,10 @@
 namespace taut {
 namespace {
 
-/// A vertex as the leg sees it: the shift of a body that does not turn is part of its coordinates.
+/// A vertex as the leg sees it.
 Point seen(const Leg& leg, const DisplacedPoint& v, bool of_p) {
-  if (of_p && leg.shift_p) return {v.x - leg.shift.x, v.y - leg.shift.y};
-  if (!of_p && leg.shift_q) return {v.x + leg.shift.x, v.y + leg.shift.y};
-  return {v.x, v.y};
+  const ExactVector& offset = leg.offset(of_p);
+  return {v.x + offset.x, v.y + offset.y};
 }
 
 double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
@@ -67,7 +66,7 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
   f.a[1] = -ey * side;
   f.a[2] = ex * side;
   f.w = std::fabs(ex) + std::fabs(ey);
-  const double shift = leg.shift_p || leg.shift_q ? std::fabs(leg.shift.x) + std::fabs(leg.shift.y) : 0;
+  const double shift = leg.offset_size();
   const double size_a = std::fabs(pa.x) + std::fabs(pa.y) + shift, size_c = std::fabs(pc.x) + std::fabs(pc.y) + shift;
   if (leg.translation) {
     f.a[0] = ex * (c.y - a.y) - ey * (c.x - a.x);

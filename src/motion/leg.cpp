@@ -53,13 +53,18 @@ void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re
   im = ax * by - ay * bx;
 }
 
-/// The parts that depend on how the bodies turn; most scenes have one that does not.
-template <class J, class Time>
-void turning_frame(const Leg& leg, const Time& t, const J& dx, const J& dy, FrameOf<J>& f) {
+/// x_P and x_Q; of a body that does not turn they are not set.
+template <class J>
+struct Axes {
   J px, py, qx, qy;
+};
+
+/// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
+template <class J>
+void turning_frame(const Leg& leg, const Axes<J>& axes, const J& dx, const J& dy, FrameOf<J>& f) {
+  const auto& [px, py, qx, qy] = axes;
   const bool p_turns = turns(leg.p), q_turns = turns(leg.q);
   if (p_turns) {
-    rotation_jet(leg.p.rotation, t, px, py);
     conjugate_product(px, py, dx, dy, f.for_pp[1], f.for_pp[2]);
   } else {
     f.for_pp[1] = dx;
@@ -79,7 +84,6 @@ void turning_frame(const Leg& leg, const Time& t, const J& dx, const J& dy, Fram
     f.for_qq[2] = dy;
     return;
   }
-  rotation_jet(leg.q.rotation, t, qx, qy);
   conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
   if (p_turns) {
     conjugate_product(px, py, qx, qy, f.for_pp[3], f.for_pp[4]);
@@ -89,16 +93,45 @@ void turning_frame(const Leg& leg, const Time& t, const J& dx, const J& dy, Fram
   }
 }
 
+/// Bodies that turn about pivots a (P) and b (Q) have a - x_P a and b - x_Q b added to their origins, which adds to
+/// conj(x_P) D and conj(x_Q) D. conj(x_P) x_P is 1, and conj(x_P) x_Q is c + i s, which is known: products would be
+/// wider over an interval.
+template <class J>
+void add_pivots(const Leg& leg, const Axes<J>& axes, FrameOf<J>& f) {
+  const Point a = pivot_of(leg.p), b = pivot_of(leg.q);
+  const J ax = J::constant(a.x), ay = J::constant(a.y), bx = J::constant(b.x), by = J::constant(b.y);
+  const J &c = f.for_pp[3], &s = f.for_pp[4];
+  const J x = bx - ax, y = by - ay;
+  J in_p_x = x, in_p_y = y, in_q_x = x, in_q_y = y;
+  if (turns(leg.p)) conjugate_product(axes.px, axes.py, x, y, in_p_x, in_p_y);
+  if (leg.aligned) {
+    in_q_x = in_p_x;
+    in_q_y = in_p_y;
+  } else if (turns(leg.q)) {
+    conjugate_product(axes.qx, axes.qy, x, y, in_q_x, in_q_y);
+  }
+  f.for_pp[1] = f.for_pp[1] + (in_p_x + ax - (c * bx - s * by));
+  f.for_pp[2] = f.for_pp[2] + (in_p_y + ay - (s * bx + c * by));
+  f.for_qq[1] = f.for_qq[1] + (in_q_x - bx + (c * ax + s * ay));
+  f.for_qq[2] = f.for_qq[2] + (in_q_y - by + (c * ay - s * ax));
+}
+
+/// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool shifted) {
+FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
   FrameOf<J> f;
   J dx, dy;
-  if (shifted) {
+  if (offset && (leg.shift_p || leg.shift_q)) {
     dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
     dy = J::polynomial(VaryingPart{leg.q.y}, t) - J::polynomial(VaryingPart{leg.p.y}, t);
   } else {
     dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
     dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);
+  }
+  if (offset && leg.pivots && !leg.shift_p && !leg.shift_q) {
+    const Point a = pivot_of(leg.p), b = pivot_of(leg.q);
+    dx = dx + (J::constant(b.x) - J::constant(a.x));
+    dy = dy + (J::constant(b.y) - J::constant(a.y));
   }
   const J one = J::constant(1.0), zero = J::constant(0.0);
   f.for_pp[0] = f.for_qq[0] = one;
@@ -107,7 +140,11 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool shifted) {
     f.for_qq = f.for_pp;
     return f;
   }
-  turning_frame(leg, t, dx, dy, f);
+  Axes<J> axes;
+  if (turns(leg.p)) rotation_jet(leg.p.rotation, t, axes.px, axes.py);
+  if (turns(leg.q) && !leg.aligned) rotation_jet(leg.q.rotation, t, axes.qx, axes.qy);
+  turning_frame(leg, axes, dx, dy, f);
+  if (leg.pivots && !offset) add_pivots(leg, axes, f);
   f.for_qq[3] = f.for_pp[3];
   f.for_qq[4] = f.for_pp[4];
   return f;
@@ -142,7 +179,7 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
 
 template <class J, class Time>
 FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
-  return motion_frame<J>(leg, t, leg.shift_p || leg.shift_q);
+  return motion_frame<J>(leg, t, true);
 }
 
 template <class Real>
@@ -168,6 +205,23 @@ FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
   return values;
 }
 
+/// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
+void exact_difference(const std::array<double, 2>& to, const std::array<double, 2>& from, double& hi, double& low,
+                      double& rest) {
+  if (to[1] == 0 && from[1] == 0) {
+    const TwoDoubles sum = two_sum(to[0], -from[0]);
+    hi = sum.hi;
+    low = sum.lo;
+    return;
+  }
+  ExactSum<4> sum;
+  for (const double x : {to[0], to[1], -from[0], -from[1]}) sum.add(x);
+  const std::size_t n = sum.size();
+  hi = n > 0 ? sum.term(n - 1) : 0;
+  low = n > 1 ? sum.term(n - 2) : 0;
+  rest = n > 2 ? sum.term(n - 3) : 0;
+}
+
 int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
   for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
     if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
@@ -185,13 +239,19 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
   leg.end = end;
   leg.translation = !turns(p) && !turns(q);
   leg.aligned = same_rotation(p.rotation, q.rotation);
+  leg.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
   leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
   leg.shift_p = !turns(p);
   leg.shift_q = turns(p) && !turns(q);
+  const Point a = pivot_of(p), b = pivot_of(q);
+  leg.offset_p = {-a.x, 0, -a.y};
+  leg.offset_q = {-b.x, 0, -b.y};
   if (leg.shift_p || leg.shift_q) {
-    const TwoDoubles x = two_sum(coefficient(q.x, 0), -coefficient(p.x, 0));
-    const TwoDoubles y = two_sum(coefficient(q.y, 0), -coefficient(p.y, 0));
-    leg.shift = {x.hi, x.lo, y.hi, y.lo};
+    exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, leg.shift.x, leg.shift.x_low,
+                     leg.shift.x_rest);
+    exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, leg.shift.y, leg.shift.y_low,
+                     leg.shift.y_rest);
+    (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
   }
   return leg;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "motion/pose.hpp"
 #include "numeric/series.hpp"
@@ -28,9 +29,12 @@ using FrameValues = FrameOf<Ball<Real>>;
 inline constexpr int model_degree = 9;
 using ModelSeries = Series<double, model_degree>;
 
-/// A constant vector known exactly as two doubles per coordinate.
+/// A constant vector known exactly as two doubles per coordinate; three where there are pivots.
 struct ExactVector {
   double x = 0, x_low = 0, y = 0, y_low = 0;
+  double x_rest = 0, y_rest = 0;
+
+  ExactVector operator-() const { return {-x, -x_low, -y, -y_low, -x_rest, -y_rest}; }
 };
 
 /// One leg of the relative motion.
@@ -46,10 +50,14 @@ struct Leg {
   bool translation = false;  ///< neither body turns
   int degree = 0;            ///< of D on a translation
   bool aligned = false;      ///< both turn alike: c = 1, s = 0
+  bool pivots = false;       ///< a body turns about a point that is not its origin
   /// A body that does not turn absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
   /// and pivoting contacts then have coefficients that are exactly zero.
   bool shift_p = false, shift_q = false;
   ExactVector shift;
+  /// Added to the coordinates of P and of Q: the shift, or of a body that turns minus its pivot, so that the frame is
+  /// about the pivot.
+  ExactVector offset_p, offset_q;
 
   static Leg motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
   static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
@@ -57,13 +65,18 @@ struct Leg {
 
   /// Does a body turn with infinite speed at that end of the leg, in a way that TimeFromEnd makes smooth?
   bool singular_at(double end) const;
+  const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
+  /// A bound of what the offsets add to a coordinate's magnitude.
+  double offset_size() const {
+    return (std::fabs(offset_p.x) + std::fabs(offset_q.x)) + (std::fabs(offset_p.y) + std::fabs(offset_q.y));
+  }
   /// The time of the world at this parameter.
   double time(double parameter) const { return bridge ? joint : parameter; }
 };
 
 /// The frame over the ball t of the leg's parameter.
 Frame<double> frame(const Leg& leg, const Ball<double>& t);
-/// Without the shift of a body that does not turn: comparable between legs.
+/// For the bodies' own coordinates, without the offsets: comparable between legs.
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
 Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
@@ -77,5 +90,24 @@ FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
 /// Its Taylor series about the ball t (not of a bridge).
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
+
+/// Turns a vertex of P or Q into what the leg sees of it.
+template <class Real>
+void add_offset(const Leg& leg, bool of_p, Ball<Real>& x, Ball<Real>& y) {
+  using B = Ball<Real>;
+  const ExactVector& s = leg.offset(of_p);
+  if (of_p ? leg.shift_p : leg.shift_q) {
+    x = x + B::exact(s.x) + B::exact(s.x_low);
+    y = y + B::exact(s.y) + B::exact(s.y_low);
+  }
+  if (!leg.pivots) return;
+  if (of_p ? leg.shift_p : leg.shift_q) {
+    x = x + B::exact(s.x_rest);
+    y = y + B::exact(s.y_rest);
+  } else {
+    x = x + B::exact(s.x);
+    y = y + B::exact(s.y);
+  }
+}
 
 }  // namespace taut

@@ -99,14 +99,7 @@ class PreciseFunction {
     using B = Ball<Real>;
     x = B::exact(v.x) + B::exact(v.dx);
     y = B::exact(v.y) + B::exact(v.dy);
-    const ExactVector& s = leg_.shift;
-    if (of_p && leg_.shift_p) {
-      x = x - B::exact(s.x) - B::exact(s.x_low);
-      y = y - B::exact(s.y) - B::exact(s.y_low);
-    } else if (!of_p && leg_.shift_q) {
-      x = x + B::exact(s.x) + B::exact(s.x_low);
-      y = y + B::exact(s.y) + B::exact(s.y_low);
-    }
+    add_offset(leg_, of_p, x, y);
   }
   Jet<Real> combine(const std::array<Jet<Real>, 5>& f) const {
     Jet<Real> sum = f[0] * coefficients_[0];

@@ -34,11 +34,12 @@ MotionPiece scaled(const MotionPiece& piece, int exponent) {
   MotionPiece out = piece;
   for (double& c : out.x) c = std::ldexp(c, exponent);
   for (double& c : out.y) c = std::ldexp(c, exponent);
+  out.pivot = {std::ldexp(out.pivot.x, exponent), std::ldexp(out.pivot.y, exponent)};
   return out;
 }
 
 bool same_motion(const MotionPiece& a, const MotionPiece& b) {
-  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation);
+  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation) && pivot_of(a) == pivot_of(b);
 }
 
 std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,

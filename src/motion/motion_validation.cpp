@@ -39,6 +39,7 @@ class PieceCheck {
   void run() const {
     coefficients("x", piece_.x);
     coefficients("y", piece_.y);
+    coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
     if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) coefficients("rotation.angle", r->angle);
     if (const auto* r = std::get_if<HalfAngleRotation>(&piece_.rotation)) {
       coefficients("rotation.half_angle_tangent", r->s);

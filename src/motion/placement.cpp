@@ -23,9 +23,7 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : g
   positions_.resize(n + 4);
   keys_.resize(n + 4);
   const double ax = f.for_pp[1].v.mid, ay = f.for_pp[2].v.mid, c = f.for_pp[3].v.mid, s = f.for_pp[4].v.mid;
-  const ExactVector& shift = leg.shift;
-  const double px = leg.shift_p ? -shift.x : 0, py = leg.shift_p ? -shift.y : 0;
-  const double qx = leg.shift_q ? shift.x : 0, qy = leg.shift_q ? shift.y : 0;
+  const double px = leg.offset_p.x, py = leg.offset_p.y, qx = leg.offset_q.x, qy = leg.offset_q.y;
   pose_p_ = {1, 0, px, py};
   pose_q_ = {c, s, ax + (c * qx - s * qy), ay + (s * qx + c * qy)};
   double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY, local = 0;
@@ -46,10 +44,10 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : g
   }
   // Rounding: each coordinate is a sum of at most five terms, each at most `size`, after at most six operations; the
   // displacement is far below. The frame's own error is added.
-  const double size = local + std::fabs(shift.x) + std::fabs(shift.y) + std::fabs(ax) + std::fabs(ay);
-  const double frame_error =
-      std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
-      (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + std::fabs(shift.x) + std::fabs(shift.y));
+  const double far_x = std::fabs(px) + std::fabs(qx), far_y = std::fabs(py) + std::fabs(qy);
+  const double size = local + far_x + far_y + std::fabs(ax) + std::fabs(ay);
+  const double frame_error = std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
+                             (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + far_x + far_y);
   error_ = 16 * 0x1p-53 * size + frame_error + 0x1p-150;
   // A box around everything, with irregular corners.
   const double w = std::max({hi_x - lo_x, hi_y - lo_y, 1e-3 * size}), x0 = lo_x, y0 = lo_y;
@@ -118,20 +116,13 @@ void Placement::position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<R
     return;
   }
   const DisplacedPoint& p = geometry_->points[v.value];
-  const ExactVector& s = leg_->shift;
+  const bool of_p = v.value < geometry_->np;
   B px = B::exact(p.x) + B::exact(p.dx), py = B::exact(p.y) + B::exact(p.dy);
-  if (v.value < geometry_->np) {
-    if (leg_->shift_p) {
-      px = px - B::exact(s.x) - B::exact(s.x_low);
-      py = py - B::exact(s.y) - B::exact(s.y_low);
-    }
+  add_offset(*leg_, of_p, px, py);
+  if (of_p) {
     x = px;
     y = py;
     return;
-  }
-  if (leg_->shift_q) {
-    px = px + B::exact(s.x) + B::exact(s.x_low);
-    py = py + B::exact(s.y) + B::exact(s.y_low);
   }
   const B &c = f.for_pp[3].v, &sine = f.for_pp[4].v;
   x = f.for_pp[1].v + c * px - sine * py;

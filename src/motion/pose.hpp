@@ -81,16 +81,26 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
   }
 }
 
+inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
+
+/// What the body turns about; (0, 0) if it does not turn.
+inline Point pivot_of(const MotionPiece& piece) { return turns(piece) ? piece.pivot : Point{}; }
+
 template <class Real>
 Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
+  using J = Jet<Real>;
   Pose<Real> p;
-  p.ox = Jet<Real>::polynomial(piece.x, t);
-  p.oy = Jet<Real>::polynomial(piece.y, t);
+  p.ox = J::polynomial(piece.x, t);
+  p.oy = J::polynomial(piece.y, t);
   rotation_jet(piece.rotation, t, p.xx, p.xy);
+  const Point c = pivot_of(piece);
+  if (c == Point{}) return p;
+  // c - R c, exactly zero where the body is not turned.
+  const J x = J::constant(c.x), y = J::constant(c.y), versine = J::constant(1.0) - p.xx;
+  p.ox = p.ox + (x * versine + y * p.xy);
+  p.oy = p.oy + (y * versine - x * p.xy);
   return p;
 }
-
-inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
 
 /// Are the two given by the very same coefficients?
 bool same_rotation(const Rotation& a, const Rotation& b);

@@ -50,6 +50,9 @@ std::uint64_t scene_fingerprint(const Scene& scene) {
       hash.add(piece.y);
       hash.add(piece.rotation);
       hash.add(piece.until);
+      if (piece.pivot == Point{}) continue;  // as before there were pivots
+      hash.add(piece.pivot.x);
+      hash.add(piece.pivot.y);
     }
   }
   return hash.value();

@@ -8,11 +8,10 @@
 namespace taut::spacetime {
 namespace {
 
-/// A point as the leg sees it: the shift of a body that does not turn is part of its coordinates.
+/// A point as the leg sees it.
 Point seen(const Leg& leg, const Point& v, bool of_p) {
-  if (of_p && leg.shift_p) return {v.x - leg.shift.x, v.y - leg.shift.y};
-  if (!of_p && leg.shift_q) return {v.x + leg.shift.x, v.y + leg.shift.y};
-  return v;
+  const ExactVector& offset = leg.offset(of_p);
+  return {v.x + offset.x, v.y + offset.y};
 }
 
 double size_of(const Point& v) { return std::fabs(v.x) + std::fabs(v.y); }
@@ -23,7 +22,7 @@ DirectedDistance::DirectedDistance(const Leg& leg, bool pp, const Point& n, cons
     : pp_(pp) {
   const Point a = seen(leg, fixed, pp), c = seen(leg, moving, !pp);
   const double side = pp ? 1 : -1;
-  const double shift = leg.shift_p || leg.shift_q ? std::fabs(leg.shift.x) + std::fabs(leg.shift.y) : 0;
+  const double shift = leg.offset_size();
   const double w = size_of(n), size_a = size_of(fixed) + shift, size_c = size_of(moving) + shift;
   a_[1] = side * n.x;
   a_[2] = side * n.y;

@@ -56,13 +56,13 @@ struct RawCarriage {
   double shift_error = 0, turn_error = 0, scale_error = 0;
 };
 
-/// A body that does not turn has its vertices at v + shift (Q) or v - shift (P), up to rounding.
+/// The leg sees a vertex at v + offset, up to rounding.
 Carriage finish(const Leg& leg, RawCarriage raw, bool in_p, double r) {
-  const Vector s = in_p ? Vector{leg.shift.x, leg.shift.y} : Vector{-leg.shift.x, -leg.shift.y};
-  const bool fixed_shifts = in_p ? leg.shift_p : leg.shift_q, moving_shifts = in_p ? leg.shift_q : leg.shift_p;
-  if (fixed_shifts) raw.shift.x.a += s.x, raw.shift.y.a += s.y;
-  if (moving_shifts) raw.shift = raw.shift + raw.turn * s;
-  const double shift = fixed_shifts || moving_shifts ? size(s) : 0;
+  const Vector fixed{leg.offset(in_p).x, leg.offset(in_p).y}, moving{leg.offset(!in_p).x, leg.offset(!in_p).y};
+  raw.shift.x.a -= fixed.x;
+  raw.shift.y.a -= fixed.y;
+  if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.turn * moving;
+  const double shift = size(fixed) + size(moving);
   // Bounds of lengths: of points as they are, and of the shift.
   constexpr double points = 5;
   Carriage out;

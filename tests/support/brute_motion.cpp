@@ -112,9 +112,15 @@ Real magnitude_of(const Coefficients& c, Real t) {
 
 }  // namespace
 
+Vec BrutePiece::pivot() const {
+  if (std::holds_alternative<NoRotation>(piece_.rotation)) return {};
+  return {piece_.pivot.x, piece_.pivot.y};
+}
+
 Frame BrutePiece::at(Real t) const {
-  return {{evaluate(piece_.x, t), evaluate(piece_.y, t)},
-          std::visit([&](const auto& r) { return axis(r, t); }, piece_.rotation)};
+  const Vec c = pivot(), a = std::visit([&](const auto&r) { return axis(r, t); }, piece_.rotation);
+  const Vec turned{a.x * c.x - a.y * c.y, a.y * c.x + a.x * c.y};
+  return {Vec{evaluate(piece_.x, t), evaluate(piece_.y, t)} + (c - turned), a};
 }
 
 FrameBounds BrutePiece::over(Real middle, Real half) const {
@@ -124,6 +130,12 @@ FrameBounds BrutePiece::over(Real middle, Real half) const {
   b.origin_way = std::hypot(x.value_way, y.value_way);
   b.origin_velocity = {x.first, y.first};
   bound_rotation(middle, half, b);
+  const Vec c = pivot();
+  if (length(c) == 0) return b;  // rates may be infinite
+  const Vec a = at(middle).axis, turned{a.x * c.x - a.y * c.y, a.y * c.x + a.x * c.y};
+  b.acceleration += length(c) * (b.rate * b.rate + b.rate_change);
+  b.origin_way += length(c) * b.angle_way;
+  b.origin_velocity = b.origin_velocity - b.middle_rate * Vec{-turned.y, turned.x};
   return b;
 }
 
@@ -138,7 +150,7 @@ void BrutePiece::bound_rotation(Real middle, Real half, FrameBounds& b) const {
 Real BrutePiece::magnitude(Real t, Real radius) const {
   Real turned = 1;
   if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) turned += magnitude_of(r->angle, t);
-  return magnitude_of(piece_.x, t) + magnitude_of(piece_.y, t) + turned * radius;
+  return magnitude_of(piece_.x, t) + magnitude_of(piece_.y, t) + turned * (radius + 2 * length(pivot()));
 }
 
 }  // namespace taut::testing

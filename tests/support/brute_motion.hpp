@@ -50,6 +50,7 @@ class BrutePiece {
   Real magnitude(Real t, Real radius) const;
 
  private:
+  Vec pivot() const;
   void bound_rotation(Real middle, Real half, FrameBounds& b) const;
 
   MotionPiece piece_;

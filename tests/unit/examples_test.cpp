@@ -58,6 +58,8 @@ const std::vector<Example> examples = {
     always("paper/fig7.json", is_free),
     always("paper/fig8a.json", is_free),
     always("paper/fig8b.json", is_free),
+    always("parking.json", is_free),
+    always("parking_clips.json", touches_at(6.2544562952190725)),
     always("rotor.json", is_free),
     always("rotor_long_tooth.json", touches_at(0.6663450654749891)),
     always("spiral.json", is_free),

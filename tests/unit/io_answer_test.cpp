@@ -34,6 +34,18 @@ TEST(AnswerJson, OfAContactIsExactlyThis) {
             R"("scope":{"bodies":["lid","the \"bin\""],"time":[0,2.5],"touch":"open"}})");
 }
 
+TEST(AnswerJson, OfASweepStatesTheAngle) {
+  Scene scene = two_bodies();
+  scene.bodies[1].motion = from_sweep({}, 0, 90, 0, 1);
+  const auto answer = nlohmann::json::parse(answer_json(scene, contact_answer(), Touch::open));
+  const auto& angle = answer.at("contact").at("angle_deg");
+  ASSERT_EQ(angle.size(), 2u);
+  EXPECT_LT(angle[0].get<double>(), 9);
+  EXPECT_GT(angle[0].get<double>(), 9 - 1e-13);
+  EXPECT_GT(angle[1].get<double>(), 22.5);
+  EXPECT_LT(angle[1].get<double>(), 22.5 + 1e-13);
+}
+
 TEST(AnswerJson, OfNoContactHasNeitherTimeNorContact) {
   for (Outcome outcome : {Outcome::free, Outcome::overlap_at_start, Outcome::undecided}) {
     Answer answer;

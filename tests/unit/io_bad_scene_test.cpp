@@ -196,11 +196,78 @@ std::vector<BadScene> motions() {
   };
 }
 
+/// Motions of taut/motions.hpp.
+std::vector<BadScene> forms() {
+  const std::string at = ": bodies[1].motion";
+  const auto frames = [](const std::string& list) { return scene_with_motion("{\"keyframes\":" + list + "}"); };
+  const std::string two = R"([{"t":0,"x":1},{"t":1,"x":2}])";
+  return {
+      {"keyframes_misspelt", scene_with_motion(R"({"keyframe":[{"t":0}]})"), "s.json:2:53" + at,
+       "unknown key \"keyframe\"", "did you mean \"keyframes\"?"},
+      {"keyframes_as_object", frames("{}"), "s.json:2:65" + at + ".keyframes", "expected an array, found an object",
+       "\"angle_deg\":90"},
+      {"no_keyframes", frames("[]"), "s.json:2:65" + at + ".keyframes", "there are no keyframes", "\"angle_deg\":90"},
+      {"keyframe_without_time", frames("[{\"x\":1}]"), "s.json:2:66" + at + ".keyframes[0]", "the key \"t\" is missing",
+       "a keyframe as"},
+      {"keyframe_key_misspelt", frames(R"([{"t":0,"angle":1}])"), "s.json:2:73" + at + ".keyframes[0]",
+       "unknown key \"angle\"", "did you mean \"angle_deg\"?"},
+      {"keyframe_as_array", frames("[[0,1,2]]"), "s.json:2:66" + at + ".keyframes[0]",
+       "expected an object, found an array", "a keyframe as"},
+      {"keyframe_time_as_text", frames(R"([{"t":"0"}])"), "s.json:2:71" + at + ".keyframes[0].t",
+       "expected a number, found a string", "without quotes"},
+      {"keyframes_same_time", frames("[{\"t\":0},\n{\"t\":0}]"), "s.json:3:6" + at + ".keyframes[1].t",
+       "not later than", "no two may have the same"},
+      {"keyframes_unsorted", frames("[{\"t\":1},\n{\"t\":0.5}]"), "s.json:3:6" + at + ".keyframes[1].t",
+       "not later than", "by time"},
+      {"keyframe_lacks_a_column", frames("[{\"t\":0,\"x\":1},\n{\"t\":1}]"), "s.json:3:1" + at + ".keyframes[1]",
+       "the key \"x\" is missing", "in every keyframe or in none"},
+      {"keyframe_has_a_new_column", frames("[{\"t\":0},\n{\"t\":1,\"y\":1}]"), "s.json:3:1" + at + ".keyframes[1]",
+       "\"y\" is given, but not in the first", "in every keyframe or in none"},
+      {"keyframes_and_x", scene_with_motion("{\"keyframes\":" + two + ",\"x\":[1]}"), "s.json:2:52" + at,
+       "both \"keyframes\" and \"x\" are given", "leave out \"x\""},
+      {"keyframes_and_rotation", scene_with_motion("{\"rotation\":{\"angle\":[1]},\"keyframes\":" + two + "}"),
+       "s.json:2:52" + at, "both \"keyframes\" and \"rotation\" are given", "leave out \"rotation\""},
+      {"keyframes_and_velocity", scene_with_motion("{\"velocity\":[1,0],\"keyframes\":" + two + "}"),
+       "s.json:2:52" + at, "both \"keyframes\" and \"velocity\" are given", "leave out \"velocity\""},
+      {"keyframes_as_piece", scene_with_motion("[{\"until\":1},\n{\"keyframes\":" + two + "}]"),
+       "s.json:3:2" + at + "[1]", "describes a whole motion", "without the array"},
+      {"keyframes_too_steep", frames(R"([{"t":0,"x":1e308},{"t":1e-300,"x":-1e308}])"),
+       "s.json:2:65" + at + ".keyframes", "too large for a double", "other units"},
+      {"velocity_of_three", scene_with_motion("{\"velocity\":[1,2,3]}"), "s.json:2:69" + at + ".velocity",
+       "more than 2 numbers", "[x, y]"},
+      {"velocity_of_one", scene_with_motion("{\"velocity\":[1]}"), "s.json:2:64" + at + ".velocity",
+       "expected two numbers, found 1", "[x, y]"},
+      {"velocity_and_until", scene_with_motion("{\"velocity\":[1,2],\"until\":3}"), "s.json:2:52" + at,
+       "both \"velocity\" and \"until\" are given", "leave out \"until\""},
+      {"spin_as_text", scene_with_motion("{\"spin_deg\":\"fast\"}"), "s.json:2:64" + at + ".spin_deg",
+       "expected a number, found a string", "without quotes"},
+      {"pivot_as_number", scene_with_motion("{\"spin_deg\":1,\"pivot\":0}"), "s.json:2:74" + at + ".pivot",
+       "expected an array, found a number", "[x, y]"},
+      {"sweep_without_angle", scene_with_motion("{\"sweep\":{\"from_deg\":0}}"), "s.json:2:61" + at + ".sweep",
+       "the key \"to_deg\" is missing", "\"to_deg\":90"},
+      {"sweep_misspelt", scene_with_motion("{\"sweep\":{\"from\":0,\"to_deg\":1}}"), "s.json:2:62" + at + ".sweep",
+       "unknown key \"from\"", "did you mean \"from_deg\"?"},
+      {"sweep_with_pivot_outside", scene_with_motion(R"({"sweep":{"from_deg":0,"to_deg":9},"pivot":[1,2]})"),
+       "s.json:2:52" + at, "both \"sweep\" and \"pivot\" are given", "{\"sweep\":{\"pivot\":[x,y]"},
+      {"sweep_in_no_time",
+       R"({"format":"taut-scene/1","time":[1,1],"bodies":[)" + body_p + ",\n" + R"({"name":"Q","polygon":)" + triangle +
+           R"(,"motion":{"sweep":{"from_deg":0,"to_deg":9}}}]})",
+       "s.json:2:61" + at + ".sweep", "no length", "start < end"},
+      {"csv_as_number", scene_with_motion("{\"csv\":1}"), "s.json:2:59" + at + ".csv",
+       "expected a string, found a number", "{\"csv\": \"file.csv\"}"},
+      {"csv_missing", scene_with_motion("{\"csv\":\"no/such.csv\"}"), "s.json:2:59" + at + ".csv: no/such.csv",
+       "cannot open the file: No such file", "path"},
+      {"csv_and_keyframes", scene_with_motion("{\"csv\":\"a\",\"keyframes\":" + two + "}"), "s.json:2:52" + at,
+       "both \"keyframes\" and \"csv\" are given", "leave out \"csv\""},
+  };
+}
+
 std::string test_name(const testing::TestParamInfo<BadScene>& bad) { return bad.param.name; }
 INSTANTIATE_TEST_SUITE_P(Syntax, BadSceneTest, testing::ValuesIn(syntax()), test_name);
 INSTANTIATE_TEST_SUITE_P(Structure, BadSceneTest, testing::ValuesIn(structure()), test_name);
 INSTANTIATE_TEST_SUITE_P(Bodies, BadSceneTest, testing::ValuesIn(bodies()), test_name);
 INSTANTIATE_TEST_SUITE_P(Motions, BadSceneTest, testing::ValuesIn(motions()), test_name);
+INSTANTIATE_TEST_SUITE_P(Forms, BadSceneTest, testing::ValuesIn(forms()), test_name);
 
 TEST(ReadLimitsTest, AreKept) {
   const std::string text = scene_with_motion("[{\"until\":1},{\"until\":2},{}]");
@@ -220,6 +287,9 @@ TEST(ReadLimitsTest, AreKept) {
             std::string::npos);
   EXPECT_EQ(problem({.max_pieces = 3}), "");
   EXPECT_NE(problem({.max_pieces = 2}).find("bodies[1].motion: more pieces than the limit of 2"), std::string::npos);
+  const std::string frames = scene_with_motion(R"({"keyframes":[{"t":0},{"t":1},{"t":2}]})");
+  EXPECT_NO_THROW(parse_scene(frames, "s.json", ".", {.max_pieces = 3}));
+  EXPECT_THROW(parse_scene(frames, "s.json", ".", {.max_pieces = 2}), InputError);
 }
 
 // A parser must not do worse than refuse, whatever is cut off or changed.

@@ -34,6 +34,7 @@ void expect_same(const Scene& a, const Scene& b) {
       EXPECT_EQ(p[k].x, q[k].x);
       EXPECT_EQ(p[k].y, q[k].y);
       EXPECT_EQ(p[k].until, q[k].until);
+      EXPECT_EQ(p[k].pivot, q[k].pivot);
       EXPECT_TRUE(same(p[k].rotation, q[k].rotation));
     }
   }
@@ -52,7 +53,7 @@ Scene every_feature() {
                      {{}, {2}, AngleRotation{{1, 2, 3}}, 0.02},
                      {{}, {}, DirectionRotation{{1, 0.5}, {0, 1}}, 0.03},
                      {{}, {}, HalfAngleRotation{{0.25}}, 0.04},
-                     {{}, {}, CosineRotation{{0.5, -0.1}}, std::numeric_limits<double>::infinity()}};
+                     {{}, {}, CosineRotation{{0.5, -0.1}}, std::numeric_limits<double>::infinity(), {0.1, -7}}};
   scene.bodies = {p, q};
   return scene;
 }
@@ -95,6 +96,37 @@ TEST(SceneText, OnePieceNeedsNoArray) {
   EXPECT_EQ(pieces[0].y, (Coefficients{0, -0.5}));
   EXPECT_TRUE(std::holds_alternative<NoRotation>(pieces[0].rotation));
   EXPECT_EQ(pieces[0].until, std::numeric_limits<double>::infinity());
+}
+
+void expect_same_pieces(const Motion& a, const Motion& b) {
+  Scene x, y;
+  x.bodies = {{"a", {}, a}};
+  y.bodies = {{"a", {}, b}};
+  expect_same(x, y);
+  EXPECT_EQ(a.sweep, b.sweep);
+}
+
+TEST(SceneText, ReadsMotionsAsPeopleWriteThem) {
+  const auto read = [](const std::string& text) {
+    return parse_scene(with_motion(",\"motion\":" + text)).bodies[1].motion;
+  };
+  expect_same_pieces(read(R"({"keyframes":[{"t":0,"x":1,"y":2,"angle_deg":30},{"angle_deg":40,"y":1,"x":0,"t":2}]})"),
+                     from_keyframes({{0, 1, 2, 30}, {2, 0, 1, 40}}));
+  expect_same_pieces(read(R"({"pivot":[5,6],"keyframes":[{"t":3,"y":2}]})"), from_keyframes({{3, 0, 2, 0}}, {5, 6}));
+  expect_same_pieces(read(R"({"velocity":[1,-2],"spin_deg":90,"pivot":[0.5,0]})"),
+                     from_velocity({1, -2}, 90, {0.5, 0}));
+  expect_same_pieces(read(R"({"velocity":[1,-2]})"), from_velocity({1, -2}));
+  expect_same_pieces(read(R"({"spin_deg":-3})"), from_velocity({}, -3));
+  expect_same_pieces(read(R"({"sweep":{"pivot":[7,8],"from_deg":10,"to_deg":-20}})"),
+                     from_sweep({7, 8}, 10, -20, 0, 1));
+  expect_same_pieces(read(R"({"sweep":{"from_deg":0,"to_deg":90}})"), from_sweep({}, 0, 90, 0, 1));
+  const Motion piece = read(R"({"rotation":{"angle":[1]},"pivot":[3,4]})");
+  EXPECT_EQ(piece.pieces.at(0).pivot, (Point{3, 4}));
+}
+
+TEST(SceneText, ASchemaMayBeNamed) {
+  const std::string text = with_motion("");
+  EXPECT_NO_THROW(parse_scene("{\"$schema\":\"taut-scene.schema.json\"," + text.substr(1)));
 }
 
 TEST(SceneText, OrderOfVerticesIsKept) {

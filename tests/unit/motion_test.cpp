@@ -42,6 +42,7 @@ MotionPiece random_piece(Rng& rng) {
     default:
       piece.rotation = CosineRotation{{0.1, rng.real(-0.5, 0.5)}};
   }
+  if (rng.below(2)) piece.pivot = {rng.real(-1, 1), rng.real(-1, 1)};
   return piece;
 }
 
@@ -68,8 +69,9 @@ void world(const MotionPiece& piece, long double t, const DisplacedPoint& v, lon
     c = value(k->a);
     s = std::sqrt(1 - c * c);
   }
-  x = value(piece.x) + c * v.x - s * v.y;
-  y = value(piece.y) + s * v.x + c * v.y;
+  const long double px = turns(piece) ? piece.pivot.x : 0, py = turns(piece) ? piece.pivot.y : 0;
+  x = value(piece.x) + px + c * (v.x - px) - s * (v.y - py);
+  y = value(piece.y) + py + s * (v.x - px) + c * (v.y - py);
 }
 
 PairGeometry random_pair(Rng& rng) {
@@ -332,6 +334,7 @@ TEST(MotionValidation, RefusesWhatIsNotAMotion) {
   expect_refusal(with_motion({{{}, {}, CosineRotation{{0, 0.5}}}}), "must stay within [-1, 1]");
   EXPECT_EQ(refusal(with_motion({{{3}, {}, CosineRotation{{0, 0.1}}}})), "");
   expect_refusal(with_motion({{{1e200}, {}, NoRotation{}}}), "outside the range of magnitudes");
+  expect_refusal(with_motion({{{}, {}, NoRotation{}, INFINITY, {0, NAN}}}), "pivot[1] is not a finite number");
 }
 
 TEST(MotionValidation, RefusesPiecesThatDoNotFit) {

@@ -1,0 +1,130 @@
+// taut demo NAME: something to look at, and what to type next.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "animation.hpp"
+#include "commands.hpp"
+#include "demo_scenes.hpp"
+#include "gen/generators.hpp"
+#include "scene_argument.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "viewer_page.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+struct Demo {
+  const char* name;
+  const char* what;
+  std::function<std::string()> scene;
+};
+
+/// Scenes for editors to complete do not name a schema that is not there.
+std::string without_schema(std::string text) {
+  const std::size_t at = text.find("  \"$schema\"");
+  return at == std::string::npos ? text : text.erase(at, text.find('\n', at) + 1 - at);
+}
+
+std::string gears() {
+  gen::GearOptions options;
+  options.teeth_1 = 19;
+  options.teeth_2 = 13;
+  options.flank_points = 3;
+  options.hit = true;
+  return write_scene(gen::make_gears(options));
+}
+
+const Demo demos[] = {
+    {"lid", "a bin's lid on its hinge: it hits the back wall at 106.6 degrees",
+     [] { return without_schema(lid_scene); }},
+    {"parking", "a car backs into a parking space by keyframes, and clips another car",
+     [] { return without_schema(parking_scene); }},
+    {"gears", "two involute gears, one with a tooth that is too thick", gears},
+    {"jigsaw", "two pieces of a puzzle are pulled apart: free",
+     [] { return write_scene(gen::make_jigsaw(gen::JigsawOptions())); }},
+    {"combs", "interlocked combs swing within their play: free",
+     [] { return write_scene(gen::make_combs(gen::CombOptions())); }},
+    {"spiral", "a spiral is screwed along the groove of another: free",
+     [] { return write_scene(gen::make_spiral(gen::SpiralOptions())); }},
+};
+
+std::string list() {
+  std::string s = "Demos, for `taut demo NAME`:\n";
+  for (const Demo& demo : demos) s += fmt::format("  {:8}  {}\n", demo.name, demo.what);
+  return s;
+}
+
+const Demo& find_demo(const std::string& name) {
+  for (const Demo& demo : demos) {
+    if (name == demo.name) return demo;
+  }
+  throw InputError("", fmt::format("there is no demo \"{}\"", name), "`taut demo` lists them");
+}
+
+/// What somebody wrote is not to be lost.
+void require_new(const std::string& path) {
+  if (std::filesystem::exists(path))
+    throw InputError(path, "the file is there already", "write to another folder with -d, or over it with --force");
+}
+
+void write_new(const std::string& path, const std::string& text, bool force) {
+  if (!force) require_new(path);
+  write_file(path, text);
+}
+
+/// The page is built apart from the program, by `./dev web`.
+bool viewer_is_there() {
+  try {
+    load_viewer_template("");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+struct DemoArguments {
+  std::string name, folder = ".";
+  bool force = false;
+};
+
+int run_demo(const DemoArguments& arguments) {
+  if (arguments.name.empty()) {
+    fmt::print("{}", list());
+    return exit_free;
+  }
+  const Demo& demo = find_demo(arguments.name);
+  const std::string stem = arguments.folder == "." ? demo.name : arguments.folder + "/" + demo.name;
+  const std::string text = demo.scene();
+  const Scene scene = parse_scene(text);
+  write_new(stem + ".json", text, arguments.force);
+  fmt::print("{}.json  {}\n", stem, demo.what);
+  write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
+  fmt::print("{}.svg   the motion, to open in a browser\n", stem);
+  if (viewer_is_there()) {
+    if (!arguments.force) require_new(stem + ".html");
+    write_viewer(scene, {}, stem + ".html");
+    fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", stem);
+  }
+  fmt::print("next:  taut check {}.json\n", stem);
+  return exit_free;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("demo", "Write a scene to try, a page to look at, and say what to type next");
+  const auto arguments = std::make_shared<DemoArguments>();
+  command->add_option("NAME", arguments->name, "which one; without it, they are listed")->option_text(" ");
+  command->add_option("-d,--directory", arguments->folder, "write to FOLDER instead of this one")
+      ->option_text("FOLDER");
+  command->add_flag("--force", arguments->force, "write over files that are there");
+  command->footer("Example:\n  taut demo lid\n");
+  command->callback([&action, arguments] { action = [arguments] { return run_demo(*arguments); }; });
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,48 @@
+// taut completion SHELL and taut man: what an installation needs.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command_model.hpp"
+#include "commands.hpp"
+
+namespace taut::cli {
+
+void add_completion(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("completion", "Print completions for bash, zsh or fish");
+  command->group("");  // not in `taut --help`, which is to fit a screen; its last line tells
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("SHELL", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->option_text("bash|zsh|fish");
+  command->footer(
+      "Example:\n"
+      "  source <(taut completion bash)        for this shell\n"
+      "  taut completion bash >~/.local/share/bash-completion/completions/taut\n"
+      "  taut completion fish >~/.config/fish/completions/taut.fish\n"
+      "  taut completion zsh >_taut            into a folder of $fpath\n");
+  command->callback([&app, &action, shell] {
+    action = [&app, shell] {
+      fmt::print("{}", completion(command_model(app), *shell));
+      return static_cast<int>(exit_free);
+    };
+  });
+}
+
+void add_man(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("man", "Print the manual page");
+  command->group("");
+  command->footer(
+      "Example:\n"
+      "  taut man | man -l -\n"
+      "  taut man >/usr/local/share/man/man1/taut.1\n");
+  command->callback([&app, &action] {
+    action = [&app] {
+      fmt::print("{}", manual(command_model(app), TAUT_VERSION));
+      return static_cast<int>(exit_free);
+    };
+  });
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,31 @@
+// What check, prove and trace share: they run a scene, watched.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "scene_argument.hpp"
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+
+namespace taut::cli {
+
+/// Adds SCENE, --touch, --max-events and --max-seconds.
+void add_run(CLI::App& command, std::string& path, CheckOptions& options);
+
+/// What `work` returns; an error in the scene is said to be in its file.
+template <class Work>
+auto within_file(const std::string& path, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw error.within(display_name(path));
+  }
+}
+
+/// What `run` answers. Ctrl-C ends it with an answer, and progress is shown on a terminal, unless there is a tracer.
+Answer watched_run(const Scene& scene, const std::string& path, CheckOptions options,
+                   const std::function<Answer(const Scene&, const CheckOptions&)>& run);
+
+}  // namespace taut::cli

@@ -1,0 +1,55 @@
+// Motions as people write them, in degrees and by keyframes, compiled to pieces.
+//
+// Rounding. A motion's coefficients are doubles, and they are what check() takes exactly. Each coefficient made here is
+// the double nearest to its exact value: degrees become radians, slopes are divided, and lines are extended to t = 0 in
+// 960 bits, and the result is rounded once. So a line through two keyframes misses the number written at either of
+// them by at most 2^-52 (|a| + |b| + |v| T): a and b are the two numbers (angles in radians), v the slope between them,
+// and T the larger of the two times in magnitude. Where lines meet, this is far below the 1e-6 of the larger body's
+// size that validation allows and bridges, unless times are so far from 0 that |v| T is a billion sizes. Numbers at t =
+// 0, pivots, velocities, and angles held at a multiple of 90 degrees are not rounded at all.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "taut/check.hpp"
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// Where a body is at an instant: moved by (x, y), and turned counterclockwise about the motion's pivot.
+struct Keyframe {
+  double t = 0;
+  double x = 0, y = 0;
+  double angle_deg = 0;
+};
+
+/// An angle in degrees, enclosed.
+struct AngleInterval {
+  double lo = 0, hi = 0;
+};
+
+/// The double nearest to degrees * pi / 180 (one of the two, should it lie within 2^-900 of their middle).
+double radians(double degrees);
+
+/// Linear from each keyframe to the next, angles as written: from 350 to 370 is 20 degrees, from 350 to 10 is -340.
+/// Before the first keyframe and after the last one the body rests. Throws InputError if there is none, if times do not
+/// ascend, or if a number is not finite.
+Motion from_keyframes(const std::vector<Keyframe>& keyframes, const Point& pivot = {});
+
+/// Moved by velocity * t and turned by spin_deg * t degrees about a pivot that moves along: at t = 0 the body is at its
+/// own coordinates. Throws InputError if a number is not finite.
+Motion from_velocity(const Point& velocity, double spin_deg = 0, const Point& pivot = {});
+
+/// Turned about a pivot at rest by an angle that goes evenly from `from_deg` at time `start` to `to_deg` at time `end`,
+/// and on at the same rate outside. Answers state the angle. Throws InputError if a number is not finite, or if
+/// start >= end.
+Motion from_sweep(const Point& pivot, double from_deg, double to_deg, double start, double end);
+
+/// The angle of a sweep during an interval of time: what the motion's coefficients say, in degrees. Nothing if the
+/// motion is not a sweep.
+std::optional<AngleInterval> angle_at(const Motion& motion, const TimeInterval& time);
+/// The same at a contact, for the body that sweeps; for the first one if both do.
+std::optional<AngleInterval> contact_angle(const Scene& scene, const Contact& contact);
+
+}  // namespace taut

@@ -1,0 +1,141 @@
+#include "taut/motions.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "numeric/real.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+/// Sums of products of two doubles are exact in it, unless their magnitudes differ by more than 2^800.
+using Wide = RealMax;
+
+double rounded(const Wide& x) {
+  const double nearest = RealTraits<Wide>::to_double(x);
+  if (std::isfinite(nearest)) return nearest;
+  throw InputError("", "the motion needs a coefficient that is too large for a double",
+                   "choose other units, or times that are farther apart");
+}
+
+Wide radians_per_degree() { return boost::math::constants::pi<Wide>() / 180; }
+
+void require_finite(std::initializer_list<double> numbers, const std::string& place) {
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
+    throw InputError(place, "a number is not finite", "write finite numbers");
+}
+
+/// The line through (t0, a) and (t1, b), t0 < t1, times a factor.
+Coefficients line(double t0, double a, double t1, double b, const Wide& factor = 1) {
+  if (a == b) return a == 0 ? Coefficients{} : Coefficients{rounded(a * factor)};
+  const Wide length = Wide(t1) - Wide(t0);
+  return {rounded((Wide(a) * t1 - Wide(b) * t0) / length * factor), rounded((Wide(b) - Wide(a)) / length * factor)};
+}
+
+Coefficients constant(double value) { return value == 0 ? Coefficients{} : Coefficients{value}; }
+
+/// Quarter turns have exact directions; other angles are rounded to radians.
+Rotation held(double degrees) {
+  const double rest = std::fmod(degrees, 360);
+  if (rest == 0) return NoRotation{};
+  if (std::fmod(rest, 90) != 0) return AngleRotation{{radians(degrees)}};
+  const int quarters = (static_cast<int>(rest / 90) + 4) % 4;
+  constexpr double cosines[] = {1, 0, -1, 0}, sines[] = {0, 1, 0, -1};
+  return DirectionRotation{{cosines[quarters]}, {sines[quarters]}};
+}
+
+MotionPiece rest_at(const Keyframe& k, const Point& pivot) {
+  MotionPiece piece;
+  piece.x = constant(k.x);
+  piece.y = constant(k.y);
+  piece.rotation = held(k.angle_deg);
+  piece.pivot = pivot;
+  return piece;
+}
+
+MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
+  MotionPiece piece;
+  piece.x = line(a.t, a.x, b.t, b.x);
+  piece.y = line(a.t, a.y, b.t, b.y);
+  piece.rotation = a.angle_deg == b.angle_deg
+                       ? held(a.angle_deg)
+                       : Rotation(AngleRotation{line(a.t, a.angle_deg, b.t, b.angle_deg, radians_per_degree())});
+  piece.until = b.t;
+  piece.pivot = pivot;
+  return piece;
+}
+
+void require_keyframes(const std::vector<Keyframe>& keyframes) {
+  if (keyframes.empty()) throw InputError("keyframes", "there are none", "write at least one keyframe");
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    const Keyframe& k = keyframes[i];
+    const std::string place = "keyframe " + std::to_string(i);
+    require_finite({k.t, k.x, k.y, k.angle_deg}, place);
+    if (i > 0 && !(keyframes[i - 1].t < k.t))
+      throw InputError(place, "its time does not come after that of the keyframe before", "order keyframes by time");
+  }
+}
+
+}  // namespace
+
+double radians(double degrees) { return rounded(degrees * radians_per_degree()); }
+
+Motion from_keyframes(const std::vector<Keyframe>& keyframes, const Point& pivot) {
+  require_keyframes(keyframes);
+  require_finite({pivot.x, pivot.y}, "pivot");
+  Motion motion;
+  motion.pieces.push_back(rest_at(keyframes.front(), pivot));
+  for (std::size_t i = 0; i + 1 < keyframes.size(); ++i) {
+    if (i == 0) motion.pieces[0].until = keyframes[0].t;
+    motion.pieces.push_back(between(keyframes[i], keyframes[i + 1], pivot));
+  }
+  if (keyframes.size() > 1) motion.pieces.push_back(rest_at(keyframes.back(), pivot));
+  return motion;
+}
+
+Motion from_velocity(const Point& velocity, double spin_deg, const Point& pivot) {
+  require_finite({velocity.x, velocity.y, spin_deg, pivot.x, pivot.y}, "velocity");
+  MotionPiece piece;
+  if (velocity.x != 0) piece.x = {0, velocity.x};
+  if (velocity.y != 0) piece.y = {0, velocity.y};
+  if (spin_deg != 0) piece.rotation = AngleRotation{{0, radians(spin_deg)}};
+  piece.pivot = pivot;
+  return {{std::move(piece)}};
+}
+
+Motion from_sweep(const Point& pivot, double from_deg, double to_deg, double start, double end) {
+  require_finite({pivot.x, pivot.y, from_deg, to_deg, start, end}, "sweep");
+  if (!(start < end))
+    throw InputError("sweep", "the time interval has no length", "give the sweep a time interval with start < end");
+  MotionPiece piece;
+  piece.pivot = pivot;
+  piece.rotation = AngleRotation{line(start, from_deg, end, to_deg, radians_per_degree())};
+  return {{std::move(piece)}, true};
+}
+
+std::optional<AngleInterval> angle_at(const Motion& motion, const TimeInterval& time) {
+  if (!motion.sweep || motion.pieces.size() != 1) return std::nullopt;
+  const auto* rotation = std::get_if<AngleRotation>(&motion.pieces[0].rotation);
+  if (!rotation || rotation->angle.size() > 2) return std::nullopt;
+  const auto degrees = [rotation](double t) {
+    Wide angle = 0;
+    for (std::size_t k = rotation->angle.size(); k-- > 0;) angle = angle * t + rotation->angle[k];
+    return Wide(angle / radians_per_degree());
+  };
+  const Wide a = degrees(time.lo), b = degrees(time.hi);
+  const Wide &low = std::min(a, b), &high = std::max(a, b);
+  return AngleInterval{low.is_zero() ? 0 : double_below(low), high.is_zero() ? 0 : double_above(high)};
+}
+
+std::optional<AngleInterval> contact_angle(const Scene& scene, const Contact& contact) {
+  for (const Body& body : scene.bodies) {
+    if (const auto angle = angle_at(body.motion, contact.time)) return angle;
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut
