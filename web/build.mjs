@@ -10,8 +10,14 @@ if (!out) throw new Error("usage: node build.mjs TAUT_JS OUT_FOLDER");
 
 async function bundle(entry) {
   const result = await build({
-    entryPoints: [join(here, entry)], bundle: true, minify: true, write: false, format: "iife", target: "es2021",
-    charset: "utf8", logLevel: "warning",
+    entryPoints: [join(here, entry)],
+    bundle: true,
+    minify: true,
+    write: false,
+    format: "iife",
+    target: "es2021",
+    charset: "utf8",
+    logLevel: "warning",
   });
   return result.outputFiles[0].text.trim();
 }
@@ -20,10 +26,21 @@ async function bundle(entry) {
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 
 const titles = {
-  hello: "Hammer and anvil", lid: "A lid that opens", gears: "Gears", gears_thick_tooth: "Gears, one tooth too thick",
-  combs: "Combs", dips: "Dips (Fig. 16)", jigsaw: "Jigsaw", jigsaw_caught: "Jigsaw, caught", lock: "Lock and key",
-  lock_wrong_key: "Lock and a wrong key", maze: "A ship in a maze", maze_long_ship: "A ship too long for the maze",
-  rotor: "Rotor (Fig. 17)", rotor_long_tooth: "Rotor, one tooth too long", spiral: "Spirals",
+  hello: "Hammer and anvil",
+  lid: "A lid that opens",
+  gears: "Gears",
+  gears_thick_tooth: "Gears, one tooth too thick",
+  combs: "Combs",
+  dips: "Dips (Fig. 16)",
+  jigsaw: "Jigsaw",
+  jigsaw_caught: "Jigsaw, caught",
+  lock: "Lock and key",
+  lock_wrong_key: "Lock and a wrong key",
+  maze: "A ship in a maze",
+  maze_long_ship: "A ship too long for the maze",
+  rotor: "Rotor (Fig. 17)",
+  rotor_long_tooth: "Rotor, one tooth too long",
+  spiral: "Spirals",
 };
 
 /** As JSON that may stand inside a script element. */
@@ -39,7 +56,11 @@ async function examples() {
 async function page(name, script) {
   let text = await readFile(join(here, name), "utf8");
   const wasm = await readFile(wasmFile, "utf8");
-  const parts = { "@STYLE@": await bundle("src/style.css"), "@WASM@": inScript(wasm), "@SCRIPT@": inScript(await bundle(script)) };
+  const parts = {
+    "@STYLE@": await bundle("src/style.css"),
+    "@WASM@": inScript(wasm),
+    "@SCRIPT@": inScript(await bundle(script)),
+  };
   if (text.includes("@EXAMPLES@")) parts["@EXAMPLES@"] = await examples();
   for (const [mark, content] of Object.entries(parts)) text = text.replace(mark, () => content);
   await writeFile(join(out, name), text);

@@ -1,4 +1,14 @@
 // From world coordinates to pixels: y points up in the world, down on the screen.
+import type { Pose } from "./engine";
+
+export interface Placing {
+  a: number;
+  b: number;
+  c: number;
+  d: number;
+  e: number;
+  f: number;
+}
 
 export interface Box {
   lowX: number;
@@ -31,6 +41,19 @@ export class Camera {
 
   pixel(x: number, y: number): [number, number] {
     return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
+  }
+
+  /** Pixels of a body's own points: x = e + a u + b v, y = f + c u + d v. */
+  placing(pose: Pose): Placing {
+    const k = this.scale;
+    return {
+      a: k * pose.c,
+      b: -k * pose.s,
+      e: this.width / 2 + (pose.x - this.x) * k,
+      c: -k * pose.s,
+      d: -k * pose.c,
+      f: this.height / 2 - (pose.y - this.y) * k,
+    };
   }
 
   world(px: number, py: number): [number, number] {

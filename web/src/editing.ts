@@ -1,7 +1,7 @@
 // Editing by hand, in the picture: bodies and vertices, ghosts at the keyframes, and the motion from now on.
 import type { Camera } from "./camera";
 import type { Pose, Scene } from "./engine";
-import type { FaultMarks, Frame } from "./drawing";
+import type { FaultMarks, Frame } from "./frame";
 import { Figure, local, placed } from "./figure";
 import { continued, keyframesOf, motionOf, moved, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
@@ -10,7 +10,9 @@ import type { Colours } from "./theme";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
-const reach = 12;
+/** How near a handle has to be, in pixels. */
+const reachOfMouse = 12;
+const reachOfFinger = 24;
 const spinRadius = 46;
 /** Handles of more vertices than this in view would hide the body. */
 const mostHandles = 300;
@@ -44,6 +46,9 @@ export class Editor implements Tool {
   scene!: Scene;
   faults: FaultMarks[] = [];
   vertex = -1;
+  /** The map is that of an older scene: it is not drawn. */
+  stale = false;
+  private reach = reachOfMouse;
   private drag: Drag | null = null;
   private figures: [Figure, Figure] | null = null;
 
@@ -93,7 +98,7 @@ export class Editor implements Tool {
   }
 
   private near(a: [number, number], b: [number, number]): boolean {
-    return Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+    return Math.hypot(a[0] - b[0], a[1] - b[1]) <= this.reach;
   }
 
   private inside(body: number, pose: Pose, x: number, y: number): boolean {
@@ -161,12 +166,14 @@ export class Editor implements Tool {
       }
     } else {
       const frames = this.keyframes() ?? [];
-      for (let i = frames.length; i-- > 0; ) {
-        if (this.near(at, this.turnHandle(this.ghostPose(frames[i])))) return { kind: "turn", index: i, body: this.body };
+      for (let i = frames.length; i-- > 0;) {
+        if (this.near(at, this.turnHandle(this.ghostPose(frames[i]))))
+          return { kind: "turn", index: i, body: this.body };
       }
       // The last ghost first: where all lie on one another, it is the one that sets a body in motion.
-      for (let i = frames.length; i-- > 0; ) {
-        if (this.inside(this.body, this.ghostPose(frames[i]), x, y)) return { kind: "ghost", index: i, body: this.body };
+      for (let i = frames.length; i-- > 0;) {
+        if (this.inside(this.body, this.ghostPose(frames[i]), x, y))
+          return { kind: "ghost", index: i, body: this.body };
       }
     }
     return null;
@@ -176,7 +183,8 @@ export class Editor implements Tool {
     return this.find(x, y) ? "move" : "";
   }
 
-  down(x: number, y: number): boolean {
+  down(x: number, y: number, e: PointerEvent): boolean {
+    this.reach = e.pointerType === "touch" ? reachOfFinger : reachOfMouse;
     const found = this.find(x, y);
     if (!found) {
       // In the other modes a click chooses the body.
@@ -189,8 +197,14 @@ export class Editor implements Tool {
     this.host.begun();
     const poses = this.player.poses();
     this.drag = {
-      kind: found.kind, index: found.index, from: this.camera.world(x, y), before: structuredClone(this.scene),
-      t: this.player.t, posesBefore: poses, poses, velocity: this.velocity(),
+      kind: found.kind,
+      index: found.index,
+      from: this.camera.world(x, y),
+      before: structuredClone(this.scene),
+      t: this.player.t,
+      posesBefore: poses,
+      poses,
+      velocity: this.velocity(),
     };
     this.host.redraw();
     return true;
@@ -259,7 +273,11 @@ export class Editor implements Tool {
     const time = this.arrowTime();
     const pose = drag.poses[this.body];
     if (drag.kind === "arrow") {
-      drag.velocity = { ...drag.velocity, x: (x - ax) / time / this.camera.scale, y: (ay - y) / time / this.camera.scale };
+      drag.velocity = {
+        ...drag.velocity,
+        x: (x - ax) / time / this.camera.scale,
+        y: (ay - y) / time / this.camera.scale,
+      };
     } else {
       const angle = Math.atan2(ay - y, x - ax) - Math.PI / 2;
       const turn = angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
@@ -272,6 +290,7 @@ export class Editor implements Tool {
   up(): void {
     const drag = this.drag;
     this.drag = null;
+    this.stale = false;
     if (drag) this.host.edited(this.scene, true, drag.kind === "arrow" || drag.kind === "spin");
     this.host.redraw();
   }
@@ -287,7 +306,7 @@ export class Editor implements Tool {
     if (this.mode !== "shape") return false;
     const { polygon } = this.scene.bodies[this.body];
     let best = -1;
-    let distance = reach;
+    let distance = this.reach;
     for (let i = 0; i < polygon.length; ++i) {
       const a = this.pixel(this.body, i);
       const b = this.pixel(this.body, (i + 1) % polygon.length);
@@ -327,7 +346,8 @@ export class Editor implements Tool {
   frame(): Frame | null {
     if (!this.drag && this.faults.length === 0) return null;
     const { player } = this;
-    const valid = this.faults.length === 0 && (!this.drag || (player.t === this.drag.t && !player.overlapping));
+    const valid =
+      this.faults.length === 0 && !this.stale && (!this.drag || (player.t === this.drag.t && !player.overlapping));
     return {
       figures: this.currentFigures(),
       names: [this.scene.bodies[0].name, this.scene.bodies[1].name],
@@ -351,7 +371,13 @@ export class Editor implements Tool {
     if (this.mode === "drive") this.drawArrow(c, colours);
   }
 
-  private handle(c: CanvasRenderingContext2D, [x, y]: [number, number], line: string, fill: string, radius: number): void {
+  private handle(
+    c: CanvasRenderingContext2D,
+    [x, y]: [number, number],
+    line: string,
+    fill: string,
+    radius: number,
+  ): void {
     c.beginPath();
     c.arc(x, y, radius, 0, 2 * Math.PI);
     c.fillStyle = fill;
@@ -418,7 +444,10 @@ export class Editor implements Tool {
     const from = this.camera.pixel(...this.anchor(this.body));
     const tip = this.arrowTip(velocity);
     const spin = this.spinHandle(velocity);
-    for (const [colour, width] of [[colours.paper, 6], [colours.come, 3]] as [string, number][]) {
+    for (const [colour, width] of [
+      [colours.paper, 6],
+      [colours.come, 3],
+    ] as [string, number][]) {
       c.strokeStyle = colour;
       c.lineWidth = width;
       c.beginPath();
@@ -434,7 +463,11 @@ export class Editor implements Tool {
     this.handle(c, tip, colours.come, colours.paper, 7);
     this.handle(c, spin, colours.come, colours.paper, 6);
     c.font = "600 12px system-ui, sans-serif";
-    for (const [label, at] of [["velocity", tip], ["spin", spin], ["pivot", pivot]] as [string, [number, number]][]) {
+    for (const [label, at] of [
+      ["velocity", tip],
+      ["spin", spin],
+      ["pivot", pivot],
+    ] as [string, [number, number]][]) {
       c.strokeStyle = colours.paper;
       c.lineWidth = 3.5;
       c.strokeText(label, at[0] + 10, at[1] - 8);

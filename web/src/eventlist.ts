@@ -15,8 +15,13 @@ export class EventList {
     this.element = h(
       "div",
       {
-        class: "events", role: "listbox", tabindex: 0, "aria-label": "Events", id: "events",
-        onscroll: () => this.render(), onkeydown: (e: KeyboardEvent) => this.key(e),
+        class: "events",
+        role: "listbox",
+        tabindex: 0,
+        "aria-label": "Events",
+        id: "events",
+        onscroll: () => this.render(),
+        onkeydown: (e: KeyboardEvent) => this.key(e),
       },
       this.rows,
     );
@@ -53,15 +58,25 @@ export class EventList {
     const count = replay.count;
     const first = Math.max(0, Math.floor(this.element.scrollTop / rowHeight) - 4);
     const last = Math.min(count, first + Math.ceil(this.element.clientHeight / rowHeight) + 8);
-    const key = [first, last, count, this.current, selected, replay.version === 0].join();
+    const key = [first, last, count, this.current, selected, this.player.opened].join();
     if (key === this.shown) return;
     this.shown = key;
     this.rows.style.height = `${count * rowHeight}px`;
     const rows: HTMLElement[] = [];
-    for (let k = first; k < last; ++k) rows.push(this.row(k, selected, scene.bodies.map((b) => b.name)));
+    for (let k = first; k < last; ++k)
+      rows.push(
+        this.row(
+          k,
+          selected,
+          scene.bodies.map((b) => b.name),
+        ),
+      );
     this.rows.replaceChildren(...rows);
     if (count === 0) this.rows.append(h("p", { class: "none" }, this.player.finished ? "No events." : "None yet."));
-    this.element.setAttribute("aria-activedescendant", this.current >= first && this.current < last ? `event-${this.current}` : "");
+    this.element.setAttribute(
+      "aria-activedescendant",
+      this.current >= first && this.current < last ? `event-${this.current}` : "",
+    );
   }
 
   private row(k: number, selected: number, names: string[]): HTMLElement {
@@ -74,8 +89,12 @@ export class EventList {
     const row = h(
       "div",
       {
-        class: classes.join(" "), role: "option", id: `event-${k}`, "aria-selected": k === selected,
-        title: `corner at vertex ${vertexIndex[v]} of ${names[vertexBody[v]]}`, onclick: () => this.player.show(k),
+        class: classes.join(" "),
+        role: "option",
+        id: `event-${k}`,
+        "aria-selected": k === selected,
+        title: `corner at vertex ${vertexIndex[v]} of ${names[vertexBody[v]]}`,
+        onclick: () => this.player.show(k),
       },
       h("span", { class: "number" }, String(event.number)),
       h("span", { class: "when" }, roundText(event.lo, 7)),

@@ -90,7 +90,9 @@ export function motionOf(keyframes: Keyframe[]): Body["motion"] {
   const pieces: Motion[] = [];
   for (let i = 0; i + 1 < keyframes.length; ++i) {
     const last = i + 2 === keyframes.length;
-    pieces.push(steady(keyframes[i], velocityBetween(keyframes[i], keyframes[i + 1]), last ? undefined : keyframes[i + 1].t));
+    pieces.push(
+      steady(keyframes[i], velocityBetween(keyframes[i], keyframes[i + 1]), last ? undefined : keyframes[i + 1].t),
+    );
   }
   return pieces.length === 1 ? pieces[0] : pieces;
 }
@@ -130,4 +132,32 @@ export function moved(body: Body, dx: number, dy: number): Body["motion"] {
   const shift = (c: number[] | undefined, d: number): number[] => [(c?.[0] ?? 0) + d, ...(c ?? []).slice(1)];
   const out = (pieces.length > 0 ? pieces : [{}]).map((p) => ({ ...p, x: shift(p.x, dx), y: shift(p.y, dy) }));
   return out.length === 1 ? out[0] : out;
+}
+
+/** One more keyframe at t, on the way between its neighbours; null if there is one, or t is at an end. */
+export function withKeyframe(frames: Keyframe[], t: number, start: number, end: number): Keyframe[] | null {
+  const all = frames.length === 1 ? [frames[0], { ...frames[0], t: end }] : [...frames];
+  const after = all.findIndex((k) => k.t > t);
+  if (after < 1 || t <= start || all.some((k) => k.t === t)) return null;
+  const a = all[after - 1];
+  const b = all[after];
+  const share = (t - a.t) / (b.t - a.t);
+  const between = (x: number, y: number): number => x + share * (y - x);
+  all.splice(after, 0, { t, x: between(a.x, b.x), y: between(a.y, b.y), angle: between(a.angle, b.angle) });
+  return all;
+}
+
+/** Eight keyframes on a motion of any form. */
+export function sampled(poses: (t: number) => Pose, start: number, end: number): Keyframe[] {
+  const frames: Keyframe[] = [];
+  let last = 0;
+  for (let i = 0; i < 8; ++i) {
+    const t = start + ((end - start) * i) / 7;
+    const pose = poses(t);
+    const angle = Math.atan2(pose.s, pose.c);
+    // The nearest of the angles that differ by full turns.
+    last = i === 0 ? angle : angle + 2 * Math.PI * Math.round((last - angle) / (2 * Math.PI));
+    frames.push({ t, x: pose.x, y: pose.y, angle: last });
+  }
+  return frames;
 }

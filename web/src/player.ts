@@ -1,8 +1,8 @@
 // Time: what the engine has found so far, which instant is shown, and how it moves.
 import { Engine, TautError, type Pose, type Scene, type Status } from "./engine";
 import { Figure } from "./figure";
-import { Replay } from "./replay";
-import type { ContactMarks, EventMarks } from "./drawing";
+import { Replay, type MapEvent } from "./replay";
+import type { ContactMarks, EventMarks } from "./frame";
 
 /** For so long after it an event stays marked while the motion plays, in milliseconds. */
 const markFor = 450;
@@ -18,6 +18,8 @@ export class Player {
   /** The instant shown. */
   t = 0;
   playing = false;
+  /** Grows with every scene that is opened and every plan that is changed. */
+  opened = 0;
   speed = 1;
   /** The event that was stepped to and is explained, or -1. */
   selected = -1;
@@ -75,7 +77,8 @@ export class Player {
 
   /** The right end of the slider: as limit, but the scene's end while the engine is at work. */
   get end(): number {
-    return this.status.state === "running" ? this.scene.time[1] : Math.max(this.limit, this.start);
+    const whole = this.status.state === "running" || this.overlapping;
+    return whole ? this.scene.time[1] : Math.max(this.limit, this.start);
   }
 
   get finished(): boolean {
@@ -158,6 +161,13 @@ export class Player {
     return { event: this.replay.event(k), ...this.replay.edgesOf(k) };
   }
 
+  /** The event to explain in words: at the contact, the contact. */
+  told(): MapEvent | null {
+    const marks = this.marks();
+    if (marks) return marks.event;
+    return this.atContact && this.replay.count > 0 ? this.replay.event(this.replay.count - 1) : null;
+  }
+
   contactMarks(): ContactMarks | null {
     const contact = this.status.answer.contact;
     if (!contact || !this.atContact) return null;
@@ -181,19 +191,29 @@ export class Player {
     this.scene = scene;
     this.status = status;
     this.failure = null;
+    this.opened++;
   }
 
-  /** Lets the engine work in slices, so that the page stays responsive. */
+  /**
+   * Lets the engine work in slices, so that the page stays responsive. What it found is taken up now and then only, for
+   * that costs as much as all events so far.
+   */
   private pump(): void {
     const run = ++this.run;
+    let taken = performance.now();
     const slice = (): void => {
       if (run !== this.run) return;
       try {
-        this.status = this.engine.advance(this.scene.time[1], 10);
+        const status = this.engine.advance(this.scene.time[1], 10);
+        const now = performance.now();
+        if (status.state !== "running" || now - taken > 30 + 0.01 * this.replay.count) {
+          taken = now;
+          this.status = status;
+          this.replay.update(this.engine);
+        }
       } catch (error) {
         this.failure = error instanceof TautError ? error.message : String(error);
       }
-      this.replay.update(this.engine);
       if (this.wanted !== null && (this.finished || this.limit >= this.wanted)) this.seek(this.wanted);
       this.onChange();
       if (!this.finished) setTimeout(slice, 0);

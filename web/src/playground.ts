@@ -1,9 +1,10 @@
 // The page for trying things out: scenes are opened, changed by hand, shared and saved.
 import { h } from "./dom";
-import { Engine, TautError, type Body, type Scene } from "./engine";
+import { Engine, TautError, type Pose, type Scene } from "./engine";
 import { Editor, type Mode } from "./editing";
-import { Figure } from "./figure";
-import { keyframesOf, motionOf, piecesOf, type Keyframe } from "./motions";
+import { besideOther, withOutline } from "./importing";
+import { KeyframeTable } from "./keyframetable";
+import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { Player } from "./player";
 import { fromFragment, toFragment, type Shared } from "./sharing";
 import { Workbench } from "./workbench";
@@ -13,10 +14,16 @@ const modes: [Mode, string, string][] = [
   ["look", "Look", "Drag to move the view."],
   ["shape", "Shape", "Drag a body or a vertex. Double-click an edge to add a vertex; Delete removes the chosen one."],
   ["keyframes", "Keyframes", "Drag a ghost to where the body is to be at that instant; drag its handle to turn it."],
-  ["drive", "Drive", "Drag the arrow or the spin handle: the plan changes from the instant shown on, also while time runs."],
+  [
+    "drive",
+    "Drive",
+    "Drag the arrow or the spin handle: the plan changes from the instant shown on, also while time runs.",
+  ],
 ];
 const firstExample = "lid";
 const mostUndo = 100;
+/** Milliseconds. */
+const slowOpening = 50;
 
 interface Example {
   title: string;
@@ -26,17 +33,42 @@ interface Example {
 class Playground {
   private readonly workbench: Workbench;
   private readonly editor: Editor;
-  private readonly examples = JSON.parse(document.getElementById("taut-examples")!.textContent!) as Record<string, Example>;
+  private readonly examples = JSON.parse(document.getElementById("taut-examples")!.textContent!) as Record<
+    string,
+    Example
+  >;
   private readonly message = h("div", { class: "message", role: "alert", hidden: true, id: "message" });
   private readonly note = h("p", { class: "note", role: "status", id: "note" });
   private readonly hint = h("p", { class: "hint" });
   private readonly modeButtons: HTMLButtonElement[];
-  private readonly bodySelect = h("select", { id: "body", onchange: () => this.editor.choose(Number(this.bodySelect.value)) });
-  private readonly touch = h("select", { id: "touch", onchange: () => this.reopen() },
-    h("option", { value: "open" }, "open: touching is allowed"), h("option", { value: "closed" }, "closed: touching counts"));
-  private readonly start = h("input", { type: "number", step: "any", id: "time-start", onchange: () => this.setTime() });
+  private readonly bodySelect = h("select", {
+    id: "body",
+    onchange: () => this.editor.choose(Number(this.bodySelect.value)),
+  });
+  private readonly touch = h(
+    "select",
+    { id: "touch", onchange: () => this.reopen() },
+    h("option", { value: "open" }, "open: touching is allowed"),
+    h("option", { value: "closed" }, "closed: touching counts"),
+  );
+  private readonly start = h("input", {
+    type: "number",
+    step: "any",
+    id: "time-start",
+    onchange: () => this.setTime(),
+  });
   private readonly end = h("input", { type: "number", step: "any", id: "time-end", onchange: () => this.setTime() });
-  private readonly table = h("div", { class: "keyframes", id: "keyframes" });
+  private readonly table = new KeyframeTable({
+    set: (frames) => this.setKeyframes(frames),
+    add: (frames) => {
+      const more = withKeyframe(frames, this.player.t, ...this.editor.scene.time);
+      if (more) this.setKeyframes(more, "keyframes");
+    },
+    sample: () => {
+      const poses = (t: number): Pose => this.player.engine.poses(t)[this.editor.body];
+      this.setKeyframes(sampled(poses, ...this.editor.scene.time), "keyframes");
+    },
+  });
   private readonly text = h("textarea", { id: "scene-text", rows: 9, spellcheck: "false", "aria-label": "Scene file" });
   private readonly undoButton: HTMLButtonElement;
   private readonly redoButton: HTMLButtonElement;
@@ -47,7 +79,11 @@ class Playground {
   private pending: { final: boolean; driven: boolean } | null = null;
 
   constructor(private readonly player: Player) {
-    this.workbench = new Workbench(player);
+    this.workbench = new Workbench(player, [
+      ["1 2 3 4", "what dragging does"],
+      ["Delete", "remove the chosen vertex"],
+      ["Ctrl-Z", "undo; with Shift, redo"],
+    ]);
     const { stage } = this.workbench;
     this.editor = new Editor(player, stage.camera, {
       edited: (_, final, driven) => this.schedule(final, driven),
@@ -58,9 +94,22 @@ class Playground {
     this.editor.onChoose = () => this.showBody();
     stage.onDoubleClick = (x, y) => this.editor.addVertex(x, y);
     this.modeButtons = modes.map(([mode, label]) =>
-      h("button", { type: "button", id: `mode-${mode}`, "aria-pressed": "false", onclick: () => this.setMode(mode) }, label));
-    this.undoButton = h("button", { type: "button", id: "undo", onclick: () => this.travel(this.past, this.future) }, "Undo");
-    this.redoButton = h("button", { type: "button", id: "redo", onclick: () => this.travel(this.future, this.past) }, "Redo");
+      h(
+        "button",
+        { type: "button", id: `mode-${mode}`, "aria-pressed": "false", onclick: () => this.setMode(mode) },
+        label,
+      ),
+    );
+    this.undoButton = h(
+      "button",
+      { type: "button", id: "undo", onclick: () => this.travel(this.past, this.future) },
+      "Undo",
+    );
+    this.redoButton = h(
+      "button",
+      { type: "button", id: "redo", onclick: () => this.travel(this.future, this.past) },
+      "Redo",
+    );
     this.build();
     document.addEventListener("keydown", (e) => this.key(e));
     addEventListener("hashchange", () => void this.fromAddress());
@@ -91,36 +140,76 @@ class Playground {
 
   private build(): void {
     const { workbench } = this;
-    const examples = h("select", { id: "example", "aria-label": "Example",
-      onchange: () => {
-        const example = this.examples[examples.value];
-        if (example) this.loadExample(example);
-        examples.value = "";
-      } },
+    const examples = h(
+      "select",
+      {
+        id: "example",
+        "aria-label": "Example",
+        onchange: () => {
+          const example = this.examples[examples.value];
+          if (example) this.loadExample(example);
+          examples.value = "";
+        },
+      },
       h("option", { value: "" }, "Examples"),
-      ...Object.entries(this.examples).map(([name, { title }]) => h("option", { value: name }, title)));
-    const file = h("input", { type: "file", id: "file", multiple: true, class: "hidden", accept: ".json,.wkt,.geojson,.txt",
-      onchange: () => void this.readFiles([...(file.files ?? [])]).then(() => (file.value = "")) });
+      ...Object.entries(this.examples).map(([name, { title }]) => h("option", { value: name }, title)),
+    );
+    const file = h("input", {
+      type: "file",
+      id: "file",
+      multiple: true,
+      class: "hidden",
+      accept: ".json,.wkt,.geojson,.txt",
+      onchange: () => void this.readFiles([...(file.files ?? [])]).then(() => (file.value = "")),
+    });
     const button = (id: string, label: string, title: string, action: () => void): HTMLButtonElement =>
       h("button", { type: "button", id, title, onclick: action }, label);
     workbench.headerTools.append(
       examples,
-      h("label", { class: "button", for: "file", title: "A scene, or an outline in WKT or GeoJSON for the chosen body. Files can be dropped on the page, too." }, "Open", file),
+      h(
+        "label",
+        {
+          class: "button",
+          for: "file",
+          title: "A scene, or an outline in WKT or GeoJSON for the chosen body. Files can be dropped on the page, too.",
+        },
+        "Open",
+        file,
+      ),
       button("share", "Copy link", "A link with the whole scene in it", () => void this.share()),
-      button("export", "Save scene", "The scene as a file for taut", () => this.save(JSON.stringify(this.editor.scene, null, 1), "scene.json", "application/json")),
+      button("export", "Save scene", "The scene as a file for taut", () =>
+        this.save(JSON.stringify(this.editor.scene, null, 1), "scene.json", "application/json"),
+      ),
       button("svg", "Save SVG", "The instant shown as a picture", () => this.saveSvg()),
-      this.undoButton, this.redoButton);
-    const edit = h("details", { open: true, class: "part part-edit" }, h("summary", {}, "Edit"),
+      this.undoButton,
+      this.redoButton,
+    );
+    const edit = h(
+      "details",
+      { open: true, class: "part part-edit" },
+      h("summary", {}, "Edit"),
       h("div", { class: "modes", role: "group", "aria-label": "What dragging does" }, ...this.modeButtons),
       this.hint,
-      h("div", { class: "fields" },
-        h("label", { for: "body" }, "Body"), this.bodySelect,
-        h("label", { for: "time-start" }, "Time"), h("span", { class: "pair" }, this.start, h("label", { for: "time-end" }, "to"), this.end),
-        h("label", { for: "touch" }, "Touch"), this.touch),
-      this.table,
-      this.note);
-    const text = h("details", { class: "part part-text" }, h("summary", {}, "Scene file"),
-      this.text, h("button", { type: "button", id: "apply", onclick: () => this.applyText() }, "Apply"));
+      h(
+        "div",
+        { class: "fields" },
+        h("label", { for: "body" }, "Body"),
+        this.bodySelect,
+        h("label", { for: "time-start" }, "Time"),
+        h("span", { class: "pair" }, this.start, h("label", { for: "time-end" }, "to"), this.end),
+        h("label", { for: "touch" }, "Touch"),
+        this.touch,
+      ),
+      this.table.element,
+      this.note,
+    );
+    const text = h(
+      "details",
+      { class: "part part-text" },
+      h("summary", {}, "Scene file"),
+      this.text,
+      h("button", { type: "button", id: "apply", onclick: () => this.applyText() }, "Apply"),
+    );
     text.addEventListener("toggle", () => this.showText());
     workbench.side.insertBefore(edit, workbench.side.children[1]);
     workbench.side.append(text);
@@ -196,8 +285,13 @@ class Playground {
       this.remember();
       this.base = { scene: structuredClone(this.valid), t: this.player.t };
     }
-    if (pending.driven) this.drive();
+    // Where opening takes long, the answer has to wait until the pointer is let go.
+    this.editor.stale = !pending.final && this.cost > slowOpening;
+    const begun = performance.now();
+    if (this.editor.stale) this.workbench.redraw();
+    else if (pending.driven) this.drive();
     else this.apply(pending.final, this.base.t);
+    if (!this.editor.stale) this.cost = performance.now() - begun;
     if (!pending.final) return;
     this.base = null;
     if (this.resume) this.player.play(true);
@@ -206,6 +300,8 @@ class Playground {
 
   /** The scene and the instant at which the present drag began. */
   private resume = false;
+  /** Of opening the scene the last time, in milliseconds. */
+  private cost = 0;
   private base: { scene: Scene; t: number } | null = null;
 
   /** Opens the edited scene, and shows what is wrong with it if it cannot be opened. */
@@ -279,85 +375,31 @@ class Playground {
   /** Fields and keyframes of the chosen body. */
   private showBody(): void {
     const { scene, body } = this.editor;
-    this.bodySelect.replaceChildren(...scene.bodies.map((b, i) => h("option", { value: i, selected: i === body }, b.name)));
+    this.bodySelect.replaceChildren(
+      ...scene.bodies.map((b, i) => h("option", { value: i, selected: i === body }, b.name)),
+    );
     if (document.activeElement !== this.start) this.start.value = String(scene.time[0]);
     if (document.activeElement !== this.end) this.end.value = String(scene.time[1]);
     this.undoButton.disabled = this.past.length === 0;
     this.redoButton.disabled = this.future.length === 0;
-    this.showKeyframes();
+    this.table.show(this.editor.keyframes());
     this.showText();
   }
 
-  private showKeyframes(): void {
-    const frames = this.editor.keyframes();
-    if (!frames) {
-      this.table.replaceChildren(
-        h("p", {}, "This motion is a formula. Keyframes would replace it by steady motion between eight instants."),
-        h("button", { type: "button", id: "sample", onclick: () => this.sample() }, "Replace by keyframes"));
-      return;
-    }
-    const input = (k: number, field: keyof Keyframe, label: string): HTMLInputElement => {
-      const scale = field === "angle" ? 180 / Math.PI : 1;
-      const element = h("input", {
-        type: "number", step: "any", value: roundText(frames[k][field] * scale, 8), "aria-label": `${label} of keyframe ${k + 1}`,
-        disabled: field === "t" && (k === 0 || k === frames.length - 1),
-        onchange: () => {
-          frames[k] = { ...frames[k], [field]: Number(element.value) / scale };
-          this.setKeyframes(frames);
-        },
-      });
-      return element;
-    };
-    const rows = frames.map((_, k) =>
-      h("tr", {}, ...(["t", "x", "y", "angle"] as const).map((field) => h("td", {}, input(k, field, field))),
-        h("td", {}, frames.length > 1 ? h("button", { type: "button", "aria-label": `Remove keyframe ${k + 1}`, title: "Remove",
-          onclick: () => this.setKeyframes(frames.length === 2 ? [{ ...frames[1 - k], t: frames[0].t }] : keepEnds(frames, k)) }, "×") : null)));
-    this.table.replaceChildren(
-      h("table", {}, h("thead", {}, h("tr", {}, ...["t", "x", "y", "angle °", ""].map((t) => h("th", { scope: "col" }, t)))), h("tbody", {}, ...rows)),
-      h("button", { type: "button", id: "add-keyframe", title: "Where the body is now", onclick: () => this.addKeyframe(frames) }, "Add keyframe at the instant shown"));
-  }
-
-  private setKeyframes(frames: Keyframe[]): void {
+  private setKeyframes(frames: Keyframe[], mode?: Mode): void {
     this.remember();
     frames.sort((a, b) => a.t - b.t);
     this.editor.scene.bodies[this.editor.body].motion = motionOf(frames);
     this.apply(true);
-  }
-
-  private addKeyframe(frames: Keyframe[]): void {
-    const { t } = this.player;
-    const [start, end] = this.editor.scene.time;
-    if (frames.length === 1) frames = [frames[0], { ...frames[0], t: end }];
-    const after = frames.findIndex((k) => k.t > t);
-    if (after < 1 || t <= start || frames.some((k) => k.t === t)) return;
-    const a = frames[after - 1];
-    const b = frames[after];
-    const share = (t - a.t) / (b.t - a.t);
-    const between = (x: number, y: number): number => x + share * (y - x);
-    frames.splice(after, 0, { t, x: between(a.x, b.x), y: between(a.y, b.y), angle: between(a.angle, b.angle) });
-    this.setKeyframes(frames);
-    this.setMode("keyframes");
-  }
-
-  private sample(): void {
-    const { player, editor } = this;
-    const [start, end] = editor.scene.time;
-    const frames: Keyframe[] = [];
-    let last = 0;
-    for (let i = 0; i < 8; ++i) {
-      const t = start + ((end - start) * i) / 7;
-      const pose = player.engine.poses(t)[editor.body];
-      const angle = Math.atan2(pose.s, pose.c);
-      last = i === 0 ? angle : angle + 2 * Math.PI * Math.round((last - angle) / (2 * Math.PI));
-      frames.push({ t, x: pose.x, y: pose.y, angle: last });
-    }
-    this.setKeyframes(frames);
-    this.setMode("keyframes");
+    if (mode) this.setMode(mode);
   }
 
   private showText(): void {
     if (!this.text.closest("details")!.open || document.activeElement === this.text) return;
-    this.text.value = JSON.stringify(this.editor.scene, null, 1).replace(/\[\s+([-\d.e+]+),\s+([-\d.e+]+)\s+\]/g, "[$1, $2]");
+    this.text.value = JSON.stringify(this.editor.scene, null, 1).replace(
+      /\[\s+([-\d.e+]+),\s+([-\d.e+]+)\s+\]/g,
+      "[$1, $2]",
+    );
   }
 
   private applyText(): void {
@@ -374,26 +416,32 @@ class Playground {
       let body = files.length > 1 ? 0 : this.editor.body;
       for (const file of files) {
         const text = await file.text();
-        if (/"taut-scene\//.test(text)) this.load(this.player.engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
-        else this.adoptOutline(this.player.engine.readOutline(text, file.name), file.name.replace(/\.[^.]*$/, ""), body++ & 1);
+        if (/"taut-scene\//.test(text))
+          this.load(this.player.engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
+        else
+          this.adoptOutline(
+            this.player.engine.readOutline(text, file.name),
+            file.name.replace(/\.[^.]*$/, ""),
+            body++ & 1,
+          );
       }
     } catch (error) {
       this.fail(error);
     }
   }
 
-  /** The body turns about the middle of its outline, which is where the file has it. */
   private adoptOutline(polygon: [number, number][], name: string, index: number): void {
     this.remember();
-    const [x, y] = new Figure(polygon).centre;
-    const { scene } = this.editor;
-    const other = scene.bodies[1 - index].name;
-    const body: Body = { name: name === other ? `${name} 2` : name, polygon: polygon.map(([u, v]) => [u - x, v - y]) };
-    body.motion = motionOf([{ t: scene.time[0], x, y, angle: 0 }]);
-    scene.bodies[index] = body;
+    const scene = withOutline(this.editor.scene, index, polygon, name);
     this.editor.adopt(scene);
     this.workbench.title = null;
+    this.note.textContent = "";
     this.apply(true, scene.time[0]);
+    if (this.player.overlapping) {
+      this.editor.adopt(besideOther(scene, index, this.player.engine.poses(scene.time[0])));
+      this.apply(true, scene.time[0]);
+      this.note.textContent = `${scene.bodies[index].name} lay on ${scene.bodies[1 - index].name}, and was put beside it.`;
+    }
     this.workbench.opened();
   }
 
@@ -405,7 +453,8 @@ class Playground {
     await navigator.clipboard?.writeText(location.href).catch(() => (copied = false));
     const size = location.href.length;
     this.note.textContent =
-      (copied && navigator.clipboard ? "The link is copied" : "The link is in the address bar") + `, ${size} characters` +
+      (copied && navigator.clipboard ? "The link is copied" : "The link is in the address bar") +
+      `, ${size} characters` +
       (size > 30000 ? ". Some programs cut links as long as that: save the scene instead." : ".");
   }
 
@@ -440,16 +489,12 @@ class Playground {
   /** For tests: what the page stands on. */
   get state(): { scene: Scene; keyframes: Keyframe[] | null; pieces: number } {
     const { scene, body } = this.editor;
-    return { scene, keyframes: keyframesOf(scene.bodies[body], ...scene.time), pieces: piecesOf(scene.bodies[body]).length };
+    return {
+      scene,
+      keyframes: keyframesOf(scene.bodies[body], ...scene.time),
+      pieces: piecesOf(scene.bodies[body]).length,
+    };
   }
-}
-
-function keepEnds(frames: Keyframe[], remove: number): Keyframe[] {
-  const out = frames.filter((_, i) => i !== remove);
-  // The first and the last keyframe stand at the ends of the time.
-  out[0] = { ...out[0], t: frames[0].t };
-  out[out.length - 1] = { ...out[out.length - 1], t: frames[frames.length - 1].t };
-  return out;
 }
 
 async function main(): Promise<void> {
@@ -459,5 +504,7 @@ async function main(): Promise<void> {
 }
 
 main().catch((error: unknown) => {
-  document.body.replaceChildren(h("main", { class: "fatal" }, h("h1", {}, "The playground cannot start"), h("p", {}, String(error))));
+  document.body.replaceChildren(
+    h("main", { class: "fatal" }, h("h1", {}, "The playground cannot start"), h("p", {}, String(error))),
+  );
 });

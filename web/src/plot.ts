@@ -33,7 +33,18 @@ export class CountPlot {
     if (width === 0) return;
     const ratio = fitCanvas(this.canvas, width, height);
     const { start, end, replay, limit, status } = this.player;
-    const key = [width, height, ratio, start, end, replay.count, limit, status.max, colours.paper].join();
+    const key = [
+      width,
+      height,
+      ratio,
+      start,
+      end,
+      replay.count,
+      limit,
+      status.max,
+      this.player.opened,
+      colours.paper,
+    ].join();
     if (key !== this.baseKey) {
       this.baseKey = key;
       fitCanvas(this.base, width, height);

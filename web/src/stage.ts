@@ -1,9 +1,11 @@
 // The canvas: what is shown of the world, and moving about in it.
 import { Camera, type Box } from "./camera";
 import { fitCanvas, h, iconButton } from "./dom";
-import { Painter, type FaultMarks, type Frame, type Layers } from "./drawing";
+import { Painter } from "./drawing";
 import { placed } from "./figure";
+import type { FaultMarks, Frame, Layers } from "./frame";
 import type { Player } from "./player";
+import { roundText } from "./words";
 import { coloursOf, type Colours, type ThemeChoice } from "./theme";
 
 /** What may take the pointer before the view does, and draws over the picture: the editor. */
@@ -22,6 +24,8 @@ export class Stage {
   readonly camera = new Camera();
   readonly canvas = h("canvas", { class: "picture", tabindex: 0, role: "img" });
   readonly element: HTMLElement;
+  /** The vertex below the pointer. */
+  private readonly readout = h("output", { class: "readout", id: "readout" });
   readonly painter: Painter;
   layers: Layers = { faces: true, tiling: true, corners: true, vertices: false };
   theme: ThemeChoice = "auto";
@@ -45,7 +49,7 @@ export class Stage {
       iconButton("minus", "Zoom out", () => this.zoom(1 / 1.4), "-"),
       iconButton("fit", "Show everything", () => this.fit(), "0"),
     );
-    this.element = h("div", { class: "stage" }, this.canvas, buttons);
+    this.element = h("div", { class: "stage" }, this.canvas, buttons, this.readout);
     this.painter = new Painter(this.canvas.getContext("2d", { alpha: false })!, this.camera);
     this.listen();
     new ResizeObserver(() => {
@@ -172,11 +176,24 @@ export class Stage {
     canvas.addEventListener("pointercancel", end);
   }
 
+  private readOut([x, y]: [number, number]): void {
+    const frame = this.frame();
+    const found = this.painter.nearestVertex(frame, x, y, 10);
+    let text = "";
+    if (found) {
+      const figure = frame.figures[found.body];
+      const [wx, wy] = placed(frame.poses[found.body], figure.x[found.index], figure.y[found.index]);
+      text = `vertex ${found.index} of ${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
+    }
+    if (this.readout.textContent !== text) this.readout.textContent = text;
+  }
+
   private dragged(e: PointerEvent): void {
     const at = this.place(e);
     const before = this.pointers.get(e.pointerId);
     if (!before) {
       this.canvas.style.cursor = this.tool?.hover(...at) || "grab";
+      this.readOut(at);
       return;
     }
     if (this.toolDrags) {

@@ -24,5 +24,7 @@ async function main(): Promise<void> {
 
 main().catch((error: unknown) => {
   const lines = error instanceof TautError ? [error.message, error.fault.hint] : [String(error)];
-  document.body.replaceChildren(h("main", { class: "fatal" }, h("h1", {}, "This scene cannot be shown"), ...lines.map((l) => h("p", {}, l))));
+  document.body.replaceChildren(
+    h("main", { class: "fatal" }, h("h1", {}, "This scene cannot be shown"), ...lines.map((l) => h("p", {}, l))),
+  );
 });

@@ -90,6 +90,8 @@ export function explanation(answer: Answer, scene: Scene, freeUntil: number, run
     case "overlap_at_start":
       return ["The bodies overlap already when the motion starts: there is no free space to tile."];
     case "undecided":
-      return running ? [`Free so far, until t = ${roundText(freeUntil)}.`] : [answer.reason ?? "", `Free until ${freeUntil}.`];
+      return running
+        ? [`Free so far, until t = ${roundText(freeUntil)}.`]
+        : [answer.reason ?? "", `Free until ${freeUntil}.`];
   }
 }

@@ -1,25 +1,14 @@
 // The page around the picture: answer, event, counts, list of events, time.
-import { fitCanvas, h, iconButton, setIcon } from "./dom";
+import { h, iconButton, setIcon } from "./dom";
 import { EventList } from "./eventlist";
 import { placed } from "./figure";
+import { helpDialog } from "./help";
 import { CountPlot } from "./plot";
 import type { Player } from "./player";
 import { Stage } from "./stage";
+import { EventStrip } from "./strip";
 import { isDark } from "./theme";
 import { clockText, explanation, headline, repairNames, roundText, story } from "./words";
-
-const keys: [string, string][] = [
-  ["Space", "play or pause"],
-  ["→ ←", "next or previous event"],
-  ["Shift → ←", "a hundredth of the time on or back"],
-  ["Home End", "start, or contact or end"],
-  ["+ − 0", "zoom in, zoom out, show everything"],
-  ["w a s d", "move the view"],
-  ["z", "zoom to the event or the contact"],
-  ["f e c v", "faces, edges of the tiling, corners, vertices"],
-  ["t", "light or dark"],
-  ["?", "this list"],
-];
 
 export class Workbench {
   readonly stage: Stage;
@@ -40,8 +29,15 @@ export class Workbench {
   private readonly eventText = h("div", { class: "event", id: "event", "aria-live": "polite" });
   private readonly counts = h("div", { class: "counts", id: "counts" });
   private readonly playButton: HTMLButtonElement;
-  private readonly slider = h("input", { type: "range", id: "time", min: 0, max: 1, step: "any", "aria-label": "Time" });
-  private readonly strip = h("canvas", { class: "strip", "aria-hidden": "true" });
+  private readonly slider = h("input", {
+    type: "range",
+    id: "time",
+    min: 0,
+    max: 1,
+    step: "any",
+    "aria-label": "Time",
+  });
+  private readonly strip: EventStrip;
   private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
   private readonly help: HTMLDialogElement;
   private readonly layerBoxes: Record<string, HTMLInputElement> = {};
@@ -53,16 +49,24 @@ export class Workbench {
   private drew = false;
   private settledOnce = false;
   private panelsShown = 0;
-  private stripKey = "";
 
-  constructor(readonly player: Player) {
+  constructor(
+    readonly player: Player,
+    moreKeys: [string, string][] = [],
+  ) {
     this.stage = new Stage(player, () => this.redraw());
     this.events = new EventList(player);
-    const plotCanvas = h("canvas", { class: "plot", id: "plot", role: "img", "aria-label": "Active certificates and events over time" });
+    this.strip = new EventStrip(player);
+    const plotCanvas = h("canvas", {
+      class: "plot",
+      id: "plot",
+      role: "img",
+      "aria-label": "Active certificates and events over time",
+    });
     this.plot = new CountPlot(plotCanvas, player, (t) => player.seek(t));
     this.playButton = iconButton("play", "Play", () => player.play(!player.playing), "Space");
     this.playButton.id = "play";
-    this.help = this.helpDialog();
+    this.help = helpDialog(moreKeys);
     this.side = h(
       "aside",
       { "aria-label": "Details" },
@@ -76,9 +80,14 @@ export class Workbench {
     this.element = h(
       "div",
       { class: "app" },
-      h("header", {}, this.titleLine, this.headerTools,
+      h(
+        "header",
+        {},
+        this.titleLine,
+        this.headerTools,
         iconButton("theme", "Light or dark", () => this.toggleTheme(), "t"),
-        iconButton("help", "Keys", () => this.help.showModal(), "?")),
+        iconButton("help", "Keys", () => this.help.showModal(), "?"),
+      ),
       this.stage.element,
       this.side,
       this.transport,
@@ -164,7 +173,7 @@ export class Workbench {
     this.showEvent();
     this.showCounts();
     this.events.update();
-    this.drawStrip();
+    this.strip.draw(stage.colours());
   }
 
   private showTitle(): void {
@@ -195,26 +204,49 @@ export class Workbench {
 
   private showEvent(): void {
     const { player } = this;
-    const marks = player.marks();
-    if (!marks) {
-      setLines(this.eventText, [player.replay.count > 0 ? "Step to an event to see which corner fails and what changes." : ""]);
+    // Nobody can listen as fast as events come.
+    this.eventText.setAttribute("aria-live", player.playing ? "off" : "polite");
+    const event = player.told();
+    if (!event) {
+      setLines(this.eventText, [
+        player.replay.count > 0 ? "Step to an event to see which corner fails and what changes." : "",
+      ]);
       return;
     }
-    const { event } = marks;
     const { vertexBody, vertexIndex } = player.replay;
     const vertex = (v: number): string => `${vertexIndex[v]} of ${player.scene.bodies[vertexBody[v]].name}`;
     const [u, v, w] = event.corner;
-    const key = `${event.number}/${player.replay.count}`;
+    const key = `${event.number}/${player.replay.count}/${event.lo}`;
     if (this.eventText.dataset.key === key) return;
     this.eventText.dataset.key = key;
     this.eventText.replaceChildren(
-      h("p", { class: "event-name" }, h("strong", {}, repairNames[event.repair]), ` event ${event.number} of ${player.replay.count}`),
+      h(
+        "p",
+        { class: "event-name" },
+        h("strong", {}, repairNames[event.repair]),
+        ` event ${event.number} of ${player.replay.count}`,
+      ),
       h("p", {}, story(event)),
-      h("dl", {},
-        h("dt", {}, "Time"), h("dd", { id: "event-time" }, event.lo === event.hi ? String(event.lo) : `[${event.lo}, ${event.hi}]`),
-        h("dt", {}, "Corner"), h("dd", {}, `u: vertex ${vertex(u)}; v: ${vertex(v)}; w: ${vertex(w)}`),
-        h("dt", {}, "Certificates after"), h("dd", {}, String(event.certificates))),
-      h("p", { class: "marks" }, swatch("gone", "line dashed"), " gone ", swatch("come", "line"), " come ", swatch("failing", "line"), " failing corner"),
+      h(
+        "dl",
+        {},
+        h("dt", {}, "Time"),
+        h("dd", { id: "event-time" }, event.lo === event.hi ? String(event.lo) : `[${event.lo}, ${event.hi}]`),
+        h("dt", {}, "Corner"),
+        h("dd", {}, `u: vertex ${vertex(u)}; v: ${vertex(v)}; w: ${vertex(w)}`),
+        h("dt", {}, "Certificates after"),
+        h("dd", {}, String(event.certificates)),
+      ),
+      h(
+        "p",
+        { class: "marks" },
+        swatch("gone", "line dashed"),
+        " gone ",
+        swatch("come", "line"),
+        " come ",
+        swatch("failing", "line"),
+        " failing corner",
+      ),
     );
   }
 
@@ -224,8 +256,22 @@ export class Workbench {
     if (this.counts.dataset.key === key) return;
     this.counts.dataset.key = key;
     this.counts.replaceChildren(
-      h("span", {}, swatch("certificates", "line"), " certificates ", h("b", { id: "certificates" }, String(player.certificates())), ` (at most ${player.status.max})`),
-      h("span", {}, swatch("events-line", "line"), " events ", h("b", { id: "events-count" }, String(player.replay.applied)), ` of ${player.replay.count}`),
+      h(
+        "span",
+        {},
+        swatch("certificates", "line"),
+        " certificates ",
+        h("b", { id: "certificates" }, String(player.certificates())),
+        ` (at most ${player.status.max})`,
+      ),
+      h(
+        "span",
+        {},
+        swatch("events-line", "line"),
+        " events ",
+        h("b", { id: "events-count" }, String(player.replay.applied)),
+        ` of ${player.replay.count}`,
+      ),
     );
   }
 
@@ -237,49 +283,6 @@ export class Workbench {
     this.clock.dataset.t = String(player.t);
     slider.setAttribute("aria-valuetext", `t = ${text}`);
     setIcon(this.playButton, player.playing ? "pause" : "play", player.playing ? "Pause" : "Play", "Space");
-  }
-
-  /** Ticks of the events above the slider, and the contact. */
-  private drawStrip(): void {
-    const { player, strip } = this;
-    const { clientWidth: width, clientHeight: height } = strip;
-    if (width === 0) return;
-    const ratio = fitCanvas(strip, width, height);
-    const key = [width, ratio, player.start, player.end, player.limit, player.replay.count, player.finished, isDark(this.stage.theme)].join();
-    if (key === this.stripKey) return;
-    this.stripKey = key;
-    const c = strip.getContext("2d")!;
-    const colours = this.stage.colours();
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    const whole = player.end - player.start || 1;
-    const edge = 8; // as far as the slider's thumb reaches in
-    const x = (t: number): number => edge + ((t - player.start) / whole) * (width - 2 * edge);
-    c.strokeStyle = colours.muted;
-    c.lineWidth = 1;
-    c.beginPath();
-    let last = -9;
-    for (let k = 0; k < player.replay.count; ++k) {
-      const at = Math.round(x(player.replay.timeOf(k))) + 0.5;
-      if (at === last) continue;
-      c.moveTo(at, 3);
-      c.lineTo(at, height);
-      last = at;
-    }
-    c.stroke();
-    if (!player.finished) {
-      c.fillStyle = colours.line;
-      c.fillRect(x(player.limit), height / 2, width - edge - x(player.limit), 2);
-    }
-    if (player.status.answer.t) {
-      c.fillStyle = colours.contact;
-      const at = x(player.limit);
-      c.beginPath();
-      c.moveTo(at, height);
-      c.lineTo(at - 5, 1);
-      c.lineTo(at + 5, 1);
-      c.fill();
-    }
   }
 
   private transportBar(): HTMLElement {
@@ -296,7 +299,12 @@ export class Workbench {
       const share = Number(this.slider.value);
       player.seek(share >= 1 ? player.end : player.start + share * (player.end - player.start));
     });
-    const button = (name: "first" | "previous" | "next" | "last", label: string, action: () => void, key: string): HTMLButtonElement => {
+    const button = (
+      name: "first" | "previous" | "next" | "last",
+      label: string,
+      action: () => void,
+      key: string,
+    ): HTMLButtonElement => {
       const b = iconButton(name, label, action, key);
       b.id = name;
       return b;
@@ -304,22 +312,31 @@ export class Workbench {
     return h(
       "footer",
       { class: "transport" },
-      h("div", { class: "buttons", role: "group", "aria-label": "Time" },
+      h(
+        "div",
+        { class: "buttons", role: "group", "aria-label": "Time" },
         button("first", "Start", () => player.show(-1), "Home"),
         button("previous", "Previous event", () => player.stepEvent(-1), "←"),
         this.playButton,
         button("next", "Next event", () => player.stepEvent(1), "→"),
-        button("last", "Contact or end", () => player.seek(player.limit), "End")),
-      h("div", { class: "scrub" }, this.strip, this.slider),
+        button("last", "Contact or end", () => player.seek(player.limit), "End"),
+      ),
+      h("div", { class: "scrub" }, this.strip.canvas, this.slider),
       this.clock,
       speed,
     );
   }
 
   private legend(): HTMLElement {
-    const layer = (name: "faces" | "tiling" | "corners" | "vertices", label: string, key: string, ...marks: Node[]): HTMLElement => {
+    const layer = (
+      name: "faces" | "tiling" | "corners" | "vertices",
+      label: string,
+      key: string,
+      ...marks: Node[]
+    ): HTMLElement => {
       const box = h("input", {
-        type: "checkbox", id: `layer-${name}`,
+        type: "checkbox",
+        id: `layer-${name}`,
         onchange: () => {
           this.stage.layers[name] = box.checked;
           this.redraw();
@@ -336,22 +353,11 @@ export class Workbench {
       h("p", {}, swatch("body0"), " ", this.legendNames[0]),
       h("p", {}, swatch("body1"), " ", this.legendNames[1]),
       h("p", {}, swatch("pq", "line"), " edges between the bodies"),
-      layer("faces", "faces of the tiling, strong near the root", "f", swatch("face0"), swatch("face1")),
+      layer("faces", "faces, strong near the root", "f", swatch("face0"), swatch("face1")),
       layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
       layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
       layer("vertices", "vertices", "v"),
     );
-  }
-
-  private helpDialog(): HTMLDialogElement {
-    const list = h("dl", { class: "keys" });
-    for (const [key, what] of keys) list.append(h("dt", {}, key), h("dd", {}, what));
-    const dialog = h("dialog", { "aria-label": "Keys" },
-      h("h2", {}, "Keys"), list,
-      h("p", {}, "Drag to move the view, scroll or pinch to zoom, double-click to show everything."),
-      h("p", {}, "Bold edges join the two bodies. Only corners at such an edge can fail; each has a certificate, whose failure is an event. While no corner fails, the bodies cannot touch."),
-      h("form", { method: "dialog" }, h("button", {}, "Close")));
-    return dialog;
   }
 
   private toggleTheme(): void {
@@ -421,7 +427,12 @@ export class Workbench {
 }
 
 function section(title: string, ...children: Node[]): HTMLElement {
-  const details = h("details", { open: true, class: `part part-${title.toLowerCase().split(" ")[0]}` }, h("summary", {}, title), ...children);
+  const details = h(
+    "details",
+    { open: true, class: `part part-${title.toLowerCase().split(" ")[0]}` },
+    h("summary", {}, title),
+    ...children,
+  );
   return details;
 }
 
@@ -435,4 +446,3 @@ function setLines(element: HTMLElement, lines: string[]): void {
   element.dataset.key = key;
   element.replaceChildren(...lines.filter((l) => l !== "").map((l) => h("p", {}, l)));
 }
-

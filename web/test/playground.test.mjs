@@ -4,7 +4,20 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { artefacts, check, launch, openPage, pages, pixelsOf, root, run, screenshot, serve, settled, shownTime } from "./support.mjs";
+import {
+  artefacts,
+  check,
+  launch,
+  openPage,
+  pages,
+  pixelsOf,
+  root,
+  run,
+  screenshot,
+  serve,
+  settled,
+  shownTime,
+} from "./support.mjs";
 
 let browser, server;
 before(async () => {
@@ -47,11 +60,14 @@ async function compare(page, name) {
 
 /** Where a vertex of a body is on the screen. */
 const vertexAt = (page, body, index) =>
-  page.evaluate(([b, i]) => {
-    const box = document.querySelector("canvas.picture").getBoundingClientRect();
-    const [x, y] = window.taut.stage.tool.pixel(b, i);
-    return [box.left + x, box.top + y];
-  }, [body, index]);
+  page.evaluate(
+    ([b, i]) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const [x, y] = window.taut.stage.tool.pixel(b, i);
+      return [box.left + x, box.top + y];
+    },
+    [body, index],
+  );
 const place = (page, expression) =>
   page.evaluate((code) => {
     const box = document.querySelector("canvas.picture").getBoundingClientRect();
@@ -63,7 +79,8 @@ const place = (page, expression) =>
 async function drag(page, from, to) {
   await page.mouse.move(...from);
   await page.mouse.down();
-  for (let k = 1; k <= 5; ++k) await page.mouse.move(from[0] + ((to[0] - from[0]) * k) / 5, from[1] + ((to[1] - from[1]) * k) / 5);
+  for (let k = 1; k <= 5; ++k)
+    await page.mouse.move(from[0] + ((to[0] - from[0]) * k) / 5, from[1] + ((to[1] - from[1]) * k) / 5);
   await page.mouse.up();
   await finished(page);
   await settled(page);
@@ -123,7 +140,10 @@ test("a vertex dragged across the boundary is refused, and the crossing edges ar
   assert.ok((await pixelsOf(page, "#c4161c")) > 200, "the crossing edges are marked");
   const file = join(artefacts, "crossing.json");
   writeFileSync(file, JSON.stringify(await sceneOf(page)));
-  assert.throws(() => run("check", file), (error) => error.status === 2 && String(error.stderr).includes(message.slice(0, 70)));
+  assert.throws(
+    () => run("check", file),
+    (error) => error.status === 2 && String(error.stderr).includes(message.slice(0, 70)),
+  );
   assert.equal(await page.textContent("#headline"), "No valid scene");
   await screenshot(page, "playground-crossing");
   // Dragged back, all is well again.
@@ -172,7 +192,10 @@ test("ghosts make keyframes: a body at rest is set in motion, turned, and given 
   await page.click("#add-keyframe");
   await finished(page);
   frames = await page.evaluate(() => window.playground.state.keyframes);
-  assert.deepEqual(frames.map((k) => k.t), [0, 3, 10]);
+  assert.deepEqual(
+    frames.map((k) => k.t),
+    [0, 3, 10],
+  );
   await page.getByLabel("y of keyframe 2").fill("-1.5");
   await page.getByLabel("y of keyframe 2").press("Enter");
   await finished(page);
@@ -225,7 +248,10 @@ test("a new plan while time runs: the past stays, the future is the command's an
   assert.equal(await page.evaluate(() => window.taut.player.playing), true, "time runs on");
   await page.click("#play");
   await finished(page);
-  assert.match(await page.textContent("#note"), /New plan for hammer at t = .*the map stays, \d+ certificates get new failure times/);
+  assert.match(
+    await page.textContent("#note"),
+    /New plan for hammer at t = .*the map stays, \d+ certificates get new failure times/,
+  );
   const scene = await sceneOf(page);
   assert.equal(scene.bodies[1].motion.length, 2);
   assert.ok(scene.bodies[1].motion[0].until >= t);
@@ -242,7 +268,11 @@ test("a new plan while time runs: the past stays, the future is the command's an
   await drag(page, tip2, [origin[0] - 30, origin[1] + 120]);
   const answer = await compare(page, "plan-down");
   assert.equal((await sceneOf(page)).bodies[1].motion.length, 3);
-  assert.equal(await page.evaluate(() => window.taut.player.replay.count), answer.events, "as many events as in one run");
+  assert.equal(
+    await page.evaluate(() => window.taut.player.replay.count),
+    answer.events,
+    "as many events as in one run",
+  );
   await screenshot(page, "playground-drive");
   assert.deepEqual(page.problems, []);
   await page.close();
@@ -275,17 +305,31 @@ test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are sa
   await page.setInputFiles("#file", join(root, "examples/combs.json"));
   await finished(page);
   assert.equal((await compare(page, "imported")).outcome, check("examples/combs.json").outcome);
-  await page.setInputFiles("#file", [join(root, "examples/continents/south_america_ne50m.wkt"), join(root, "examples/continents/africa_ne50m.wkt")]);
+  await page.setInputFiles("#file", [
+    join(root, "examples/continents/south_america_ne50m.wkt"),
+    join(root, "examples/continents/africa_ne50m.wkt"),
+  ]);
   await finished(page);
   const scene = await sceneOf(page);
-  assert.deepEqual(scene.bodies.map((b) => b.name), ["south_america_ne50m", "africa_ne50m"]);
+  assert.deepEqual(
+    scene.bodies.map((b) => b.name),
+    ["south_america_ne50m", "africa_ne50m"],
+  );
   assert.ok(scene.bodies[0].polygon.length > 1000);
-  await compare(page, "continents");
+  // Their coordinates overlap: the second one was put beside the first.
+  assert.equal((await compare(page, "continents")).outcome, "free");
+  assert.match(await page.textContent("#note"), /was put beside/);
   await screenshot(page, "playground-continents");
   // Dropped on the page.
   const data = await page.evaluateHandle(() => {
     const transfer = new DataTransfer();
-    const ring = [[0, 0], [3, 0], [3, 1], [0, 1], [0, 0]];
+    const ring = [
+      [0, 0],
+      [3, 0],
+      [3, 1],
+      [0, 1],
+      [0, 0],
+    ];
     transfer.items.add(new File([JSON.stringify({ type: "Polygon", coordinates: [ring] })], "box.geojson"));
     return transfer;
   });
@@ -314,13 +358,21 @@ test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are sa
 
 test("it works from a file, too, and on a phone", async () => {
   const page = await openPage(browser, pathToFileURL(join(pages, "index.html")).href, {
-    viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2, colorScheme: "dark" });
+    viewport: { width: 390, height: 844 },
+    isMobile: true,
+    hasTouch: true,
+    deviceScaleFactor: 2,
+    colorScheme: "dark",
+  });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), true);
   await page.tap("#mode-keyframes");
   await page.evaluate(() => window.scrollTo(0, 0));
   await screenshot(page, "playground-phone");
   const nameless = await page.$$eval("button, input, select, textarea, [tabindex]", (all) =>
-    all.filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML));
+    all
+      .filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length))
+      .map((e) => e.outerHTML),
+  );
   assert.deepEqual(nameless, []);
   assert.deepEqual(page.problems, []);
   await page.close();

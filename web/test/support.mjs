@@ -13,15 +13,22 @@ export const pages = join(root, "build/web");
 export const artefacts = join(root, "build/browser");
 mkdirSync(artefacts, { recursive: true });
 
-const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", process.env.TAUT_CHROMIUM].find((p) => p && existsSync(p));
+const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", process.env.TAUT_CHROMIUM].find(
+  (p) => p && existsSync(p),
+);
 
 export async function launch() {
   if (!executable) throw new Error("no Chromium: install the package chromium, or name the program in TAUT_CHROMIUM");
   return chromium.launch({
     executablePath: executable,
     args: [
-      "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync",
+      "--no-sandbox",
+      "--disable-gpu",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
     ],
   });
 }
@@ -54,7 +61,8 @@ export async function openPage(browser, address, options = {}) {
     if (message.type() === "error") page.problems.push(message.text());
   });
   page.on("request", (request) => {
-    if (request.url() !== address.split("#")[0] && !/^(data|blob):/.test(request.url())) page.problems.push(`request: ${request.url()}`);
+    if (request.url() !== address.split("#")[0] && !/^(data|blob):/.test(request.url()))
+      page.problems.push(`request: ${request.url()}`);
   });
   await page.goto(address);
   await page.waitForFunction(() => window.taut?.player.finished, null, { timeout: 120000 });
@@ -71,7 +79,9 @@ export const shownTime = (page) => page.$eval("#clock", (e) => Number(e.dataset.
 
 /** After the next frame has been drawn. */
 export const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))),
+  );
 
 /** How many pixels of the picture are close to a colour #rrggbb. */
 export const pixelsOf = (page, colour) =>
@@ -91,7 +101,9 @@ export async function serve(folder) {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
     const file = join(folder, path === "/" ? "index.html" : path);
     if (!file.startsWith(folder) || !existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" }).end(readFileSync(file));
+    response
+      .writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" })
+      .end(readFileSync(file));
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };

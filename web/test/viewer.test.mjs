@@ -3,7 +3,19 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { artefacts, check, launch, openPage, pixelsOf, root, run, screenshot, settled, shownTime, viewPage } from "./support.mjs";
+import {
+  artefacts,
+  check,
+  launch,
+  openPage,
+  pixelsOf,
+  root,
+  run,
+  screenshot,
+  settled,
+  shownTime,
+  viewPage,
+} from "./support.mjs";
 
 let browser;
 before(async () => {
@@ -12,8 +24,12 @@ before(async () => {
 after(() => browser?.close());
 
 const names = {
-  convex_flip: "convex, flip", convex_triangle: "convex, triangle", reflex_a: "reflex, case (a)",
-  reflex_b: "reflex, case (b)", reflex_c: "reflex, case (c)", collision: "contact",
+  convex_flip: "convex, flip",
+  convex_triangle: "convex, triangle",
+  reflex_a: "reflex, case (a)",
+  reflex_b: "reflex, case (b)",
+  reflex_c: "reflex, case (c)",
+  collision: "contact",
 };
 
 test("scrubbing to the contact shows the command line's time and witness", async () => {
@@ -33,9 +49,13 @@ test("scrubbing to the contact shows the command line's time and witness", async
     assert.equal(await page.textContent("#headline"), `Contact at t = ${headline}`);
     const { vertex, edge } = answer.contact;
     const text = await page.textContent("#answer");
-    assert.match(text, new RegExp(`[Vv]ertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-\\d+ of ${edge.body}`));
+    assert.match(
+      text,
+      new RegExp(`[Vv]ertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-\\d+ of ${edge.body}`),
+    );
     assert.ok((await pixelsOf(page, "#c4161c")) > 60, `${name}: the contact is marked`);
     assert.equal(await page.textContent("#events-count"), String(answer.events));
+    assert.match(await page.textContent("#event"), new RegExp(`^contact event ${answer.events} of ${answer.events}`));
     await screenshot(page, `${name}-contact`);
     assert.deepEqual(page.problems, []);
     await page.close();
@@ -49,8 +69,43 @@ test("before the contact nothing is marked", async () => {
   await page.close();
 });
 
+test("a million times larger, the picture of the contact is the same", async () => {
+  const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"));
+  await page.keyboard.press("End");
+  await page.keyboard.press("z");
+  await settled(page);
+  const share = await page.evaluate(async () => {
+    const canvas = document.querySelector("canvas.picture");
+    // Without the scale bar, which is at the bottom.
+    const picture = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height - 60).data;
+    const near = picture();
+    window.taut.stage.zoom(1e6);
+    window.taut.stage.draw();
+    const nearer = picture();
+    let different = 0;
+    for (let i = 0; i < near.length; i += 4) {
+      if (Math.abs(near[i] - nearer[i]) + Math.abs(near[i + 2] - nearer[i + 2]) > 60) ++different;
+    }
+    return (4 * different) / near.length;
+  });
+  assert.ok(share < 0.002, `${100 * share} % of the pixels differ`);
+  await page.close();
+});
+
 test("closed touching, a title and a first instant are taken over", async () => {
-  const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "closed", "--touch", "closed", "--at", "0.25", "--title", "Two <gears>"));
+  const page = await openPage(
+    browser,
+    viewPage(
+      "examples/gears_thick_tooth.json",
+      "closed",
+      "--touch",
+      "closed",
+      "--at",
+      "0.25",
+      "--title",
+      "Two <gears>",
+    ),
+  );
   assert.equal(await page.textContent("h1"), "Two <gears>");
   assert.equal(await shownTime(page), 0.25);
   const answer = check("examples/gears_thick_tooth.json", "--touch", "closed");
@@ -73,7 +128,9 @@ test("playing moves time on, and stops at the end", async () => {
   await page.selectOption("#speed", "10");
   await page.click("#play");
   await page.waitForFunction(() => document.querySelector("#play").getAttribute("aria-label") === "Pause");
-  await page.waitForFunction(() => document.querySelector("#play").getAttribute("aria-label") === "Play", null, { timeout: 60000 });
+  await page.waitForFunction(() => document.querySelector("#play").getAttribute("aria-label") === "Play", null, {
+    timeout: 60000,
+  });
   assert.equal(await shownTime(page), JSON.parse(readFileSync(join(root, "examples/gears.json"), "utf8")).time[1]);
   assert.deepEqual(page.problems, []);
   await page.close();
@@ -82,7 +139,10 @@ test("playing moves time on, and stops at the end", async () => {
 test("events are those of the trace, forwards and backwards", async () => {
   for (const name of ["gears_thick_tooth", "combs", "spiral"]) {
     const scene = `examples/${name}.json`;
-    const trace = run("trace", scene).trim().split("\n").map((line) => JSON.parse(line));
+    const trace = run("trace", scene)
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
     const answer = trace.pop();
     const page = await openPage(browser, viewPage(scene, name));
     const seen = await page.evaluate(() => {
@@ -96,9 +156,18 @@ test("events are those of the trace, forwards and backwards", async () => {
         const e = player.replay.event(k);
         const { gone, come } = replay.edgesOf(k);
         events.push({
-          shown: player.selected, t: player.t, lo: e.lo, hi: e.hi, repair: e.repair, certificates: e.certificates,
-          corner: e.corner.map((v) => ({ body: player.scene.bodies[replay.vertexBody[v]].name, index: replay.vertexIndex[v] })),
-          gone: gone.length, come: come.length,
+          shown: player.selected,
+          t: player.t,
+          lo: e.lo,
+          hi: e.hi,
+          repair: e.repair,
+          certificates: e.certificates,
+          corner: e.corner.map((v) => ({
+            body: player.scene.bodies[replay.vertexBody[v]].name,
+            index: replay.vertexIndex[v],
+          })),
+          gone: gone.length,
+          come: come.length,
         });
       }
       const end = state();
@@ -116,7 +185,14 @@ test("events are those of the trace, forwards and backwards", async () => {
       assert.equal(e.repair, line.repair);
       assert.deepEqual(e.corner, line.corner);
       assert.equal(e.certificates, line.certificates);
-      const edges = { convex_flip: [1, 1], convex_triangle: [1, 0], reflex_a: [0, 1], reflex_b: [1, 1], reflex_c: [1, 1], collision: [0, 0] };
+      const edges = {
+        convex_flip: [1, 1],
+        convex_triangle: [1, 0],
+        reflex_a: [0, 1],
+        reflex_b: [1, 1],
+        reflex_c: [1, 1],
+        collision: [0, 0],
+      };
       assert.deepEqual([e.gone, e.come], edges[e.repair], `${name}, event ${k + 1}: ${e.repair}`);
     });
     assert.ok(seen.same, `${name}: the map at the start comes back`);
@@ -143,7 +219,8 @@ test("the map shown is the one that the library draws", async () => {
       return { t: player.t, ...counts };
     }, share);
     const svg = run("draw", scene, "--at", String(shown.t));
-    const segments = (colour) => (new RegExp(`<path d="([^"]*)" fill="none" stroke="${colour}"`).exec(svg)?.[1].match(/L/g) ?? []).length;
+    const segments = (colour) =>
+      (new RegExp(`<path d="([^"]*)" fill="none" stroke="${colour}"`).exec(svg)?.[1].match(/L/g) ?? []).length;
     assert.equal(shown.rigid, segments("#5f6b76"), `tiling edges at ${shown.t}`);
     assert.equal(shown.pq, segments("#c2187a"), `edges between the bodies at ${shown.t}`);
   }
@@ -152,13 +229,20 @@ test("the map shown is the one that the library draws", async () => {
 
 test("stepping names the corner and its case, in the panel, the list and the picture", async () => {
   const scene = "examples/gears_thick_tooth.json";
-  const trace = run("trace", scene).trim().split("\n").slice(0, -1).map((line) => JSON.parse(line));
+  const trace = run("trace", scene)
+    .trim()
+    .split("\n")
+    .slice(0, -1)
+    .map((line) => JSON.parse(line));
   const page = await openPage(browser, viewPage(scene, "gears_thick_tooth"));
   const cases = new Set();
   for (let k = 0; k < 40; ++k) {
     await page.keyboard.press("ArrowRight");
     await settled(page);
-    assert.match(await page.textContent("#event"), new RegExp(`^${names[trace[k].repair].replace(/[()]/g, "\\$&")} event ${k + 1} of ${trace.length}`));
+    assert.match(
+      await page.textContent("#event"),
+      new RegExp(`^${names[trace[k].repair].replace(/[()]/g, "\\$&")} event ${k + 1} of ${trace.length}`),
+    );
     assert.match(await page.textContent(".row.selected"), new RegExp(`^${k + 1}`));
     cases.add(trace[k].repair);
   }
@@ -206,14 +290,37 @@ test("the keyboard alone suffices", async () => {
   assert.equal(await page.getAttribute("html", "data-theme"), "dark");
   // Everything that can be reached has a name.
   const nameless = await page.$$eval("button, input, select, [tabindex]", (all) =>
-    all.filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML));
+    all
+      .filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length))
+      .map((e) => e.outerHTML),
+  );
   assert.deepEqual(nameless, []);
+  await page.close();
+});
+
+test("the vertex below the pointer is named as in the command's reports", async () => {
+  const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
+  await page.keyboard.press("End");
+  await settled(page);
+  const { contact } = check("examples/lid.json");
+  const at = await page.evaluate(([x, y]) => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const [px, py] = window.taut.stage.camera.pixel(x, y);
+    return [box.left + px, box.top + py];
+  }, contact.point);
+  await page.mouse.move(at[0] + 2, at[1] + 1);
+  const { body, index } = contact.vertex;
+  assert.equal(await page.textContent("#readout"), `vertex ${index} of ${body} at (4, -13.4164079)`);
+  await page.mouse.move(at[0] + 2, at[1] - 60);
+  assert.equal(await page.textContent("#readout"), "");
   await page.close();
 });
 
 test("text has enough contrast, light and dark", async () => {
   for (const colorScheme of ["light", "dark"]) {
-    const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"), { colorScheme });
+    const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"), {
+      colorScheme,
+    });
     await page.keyboard.press("ArrowRight");
     await settled(page);
     await page.waitForTimeout(300);
@@ -246,8 +353,16 @@ test("text has enough contrast, light and dark", async () => {
 });
 
 test("a phone shows picture, time and answer without scrolling sideways", async () => {
-  for (const [name, viewport] of [["phone", { width: 390, height: 844 }], ["phone-wide", { width: 844, height: 390 }]]) {
-    const page = await openPage(browser, viewPage("examples/lid.json", "lid"), { viewport, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+  for (const [name, viewport] of [
+    ["phone", { width: 390, height: 844 }],
+    ["phone-wide", { width: 844, height: 390 }],
+  ]) {
+    const page = await openPage(browser, viewPage("examples/lid.json", "lid"), {
+      viewport,
+      hasTouch: true,
+      isMobile: true,
+      deviceScaleFactor: 2,
+    });
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), true, name);
     assert.ok(await page.locator("#play").isVisible());
     const picture = await page.locator("canvas.picture").boundingBox();
@@ -264,8 +379,32 @@ test("a phone shows picture, time and answer without scrolling sideways", async 
 
 test("an overlap at the start is said, and shown", async () => {
   const file = join(artefacts, "overlap.json");
-  writeFileSync(file, JSON.stringify({ format: "taut-scene/1", time: [0, 1], bodies: [
-    { name: "one", polygon: [[0, 0], [2, 0], [2, 2], [0, 2]] }, { name: "two", polygon: [[1, 1], [3, 1], [3, 3]] }] }));
+  writeFileSync(
+    file,
+    JSON.stringify({
+      format: "taut-scene/1",
+      time: [0, 1],
+      bodies: [
+        {
+          name: "one",
+          polygon: [
+            [0, 0],
+            [2, 0],
+            [2, 2],
+            [0, 2],
+          ],
+        },
+        {
+          name: "two",
+          polygon: [
+            [1, 1],
+            [3, 1],
+            [3, 3],
+          ],
+        },
+      ],
+    }),
+  );
   const page = await openPage(browser, viewPage(file, "overlap"));
   assert.equal(await page.textContent("#headline"), "Overlap at the start");
   await page.keyboard.press("ArrowRight");
@@ -276,8 +415,31 @@ test("an overlap at the start is said, and shown", async () => {
 test("names are text, never markup", async () => {
   const file = join(artefacts, "markup.json");
   const name = '</script><img src=x onerror="window.hit = 1">';
-  writeFileSync(file, JSON.stringify({ format: "taut-scene/1", time: [0, 1], bodies: [
-    { name, polygon: [[0, 0], [2, 0], [2, 2]] }, { name: "two", polygon: [[5, 1], [6, 1], [6, 3]] }] }));
+  writeFileSync(
+    file,
+    JSON.stringify({
+      format: "taut-scene/1",
+      time: [0, 1],
+      bodies: [
+        {
+          name,
+          polygon: [
+            [0, 0],
+            [2, 0],
+            [2, 2],
+          ],
+        },
+        {
+          name: "two",
+          polygon: [
+            [5, 1],
+            [6, 1],
+            [6, 3],
+          ],
+        },
+      ],
+    }),
+  );
   const page = await openPage(browser, viewPage(file, "markup"));
   assert.equal(await page.textContent("h1"), `${name} and two`);
   assert.equal(await page.evaluate(() => window.hit), undefined);
@@ -310,9 +472,11 @@ test("two bodies of 5,000 vertices: the time that a frame takes", async (t) => {
     assert.ok(frames.moved);
     const answer = check(file);
     assert.equal(await page.evaluate(() => window.taut.player.replay.count), answer.events);
-    t.diagnostic(`${kind} (${sizes.join(" + ")} vertices, ${answer.events} events), canvas 940 x 706: to a new instant ` +
-      `and down to the pixels, median ${times[30].toFixed(1)} ms, 9 of 10 below ${times[54].toFixed(1)} ms; playing, ` +
-      `${frames.perSecond.toFixed(0)} frames a second at detail ${frames.detail.toFixed(2)}`);
+    t.diagnostic(
+      `${kind} (${sizes.join(" + ")} vertices, ${answer.events} events), canvas 940 x 706: to a new instant ` +
+        `and down to the pixels, median ${times[30].toFixed(1)} ms, 9 of 10 below ${times[54].toFixed(1)} ms; playing, ` +
+        `${frames.perSecond.toFixed(0)} frames a second at detail ${frames.detail.toFixed(2)}`,
+    );
     await page.evaluate(() => window.taut.player.seek((window.taut.player.start + window.taut.player.limit) / 2));
     await screenshot(page, `large-${kind}`);
     await page.close();

@@ -1,0 +1,186 @@
+// What is marked in the picture: events, the contact, faults; and what is written into it.
+import type { Camera } from "./camera";
+import { placed } from "./figure";
+import type { ContactMarks, EventMarks, FaultMarks, Frame } from "./frame";
+import { addSegment } from "./pixels";
+import type { Edge } from "./replay";
+import type { Colours } from "./theme";
+
+/** The pixels of all vertices of the map, by internal number. */
+export interface VertexPixels {
+  px: Float64Array;
+  py: Float64Array;
+}
+
+export function pixelOf(camera: Camera, frame: Frame, body: number, index: number): [number, number] {
+  const figure = frame.figures[body];
+  return camera.pixel(...placed(frame.poses[body], figure.x[index], figure.y[index]));
+}
+
+export class Marks {
+  constructor(
+    private readonly context: CanvasRenderingContext2D,
+    private readonly camera: Camera,
+    private readonly at: VertexPixels,
+  ) {}
+
+  private lines(lines: Edge[], colour: string, width: number): void {
+    const c = this.context;
+    const { px, py } = this.at;
+    c.beginPath();
+    for (const [a, b] of lines) addSegment(c, px[a], py[a], px[b], py[b], this.camera);
+    c.strokeStyle = colour;
+    c.lineWidth = width;
+    c.stroke();
+  }
+
+  event(marks: EventMarks, colours: Colours): void {
+    const c = this.context;
+    const { px, py } = this.at;
+    const [u, v, w] = marks.event.corner;
+    this.lines(
+      [
+        [u, v],
+        [v, w],
+      ],
+      colours.failing,
+      14,
+    );
+    this.lines(marks.come, colours.paper, 6);
+    this.lines(marks.come, colours.come, 3.2);
+    this.gone(marks.gone, colours);
+    const dots: [number, string, number][] = [
+      [u, "u", 4],
+      [v, "v", 6],
+      [w, "w", 4],
+    ];
+    c.font = "600 13px system-ui, sans-serif";
+    for (const [vertex, label, radius] of dots) {
+      c.beginPath();
+      c.arc(px[vertex], py[vertex], radius, 0, 2 * Math.PI);
+      c.fillStyle = label === "v" ? colours.failingEdge : colours.paper;
+      c.fill();
+      c.strokeStyle = colours.failingEdge;
+      c.lineWidth = 2;
+      c.stroke();
+      this.text(label, px[vertex] + 10, py[vertex] - 9, colours.ink, colours.paper);
+    }
+  }
+
+  /** Beside its place, for at an event the edge that goes and the one that comes lie on one another. */
+  private gone(gone: Edge[], colours: Colours): void {
+    const c = this.context;
+    const { px, py } = this.at;
+    c.beginPath();
+    for (const [a, b] of gone) {
+      const dx = px[b] - px[a];
+      const dy = py[b] - py[a];
+      const shift = 4.5 / (Math.hypot(dx, dy) || 1);
+      const [ox, oy] = [-dy * shift, dx * shift];
+      addSegment(c, px[a] + ox, py[a] + oy, px[b] + ox, py[b] + oy, this.camera);
+    }
+    c.strokeStyle = colours.paper;
+    c.lineWidth = 4.5;
+    c.stroke();
+    c.setLineDash([7, 5]);
+    c.strokeStyle = colours.gone;
+    c.lineWidth = 2.2;
+    c.stroke();
+    c.setLineDash([]);
+  }
+
+  contact(frame: Frame, contact: ContactMarks, colours: Colours): void {
+    const c = this.context;
+    const size = frame.figures[contact.edge.body].size;
+    const [ax, ay] = pixelOf(this.camera, frame, contact.edge.body, contact.edge.index);
+    const [bx, by] = pixelOf(this.camera, frame, contact.edge.body, (contact.edge.index + 1) % size);
+    const [x, y] = this.camera.pixel(contact.point[0], contact.point[1]);
+    const tip: [number, number] = [x + 34 * contact.normal[0], y - 34 * contact.normal[1]];
+    for (const [colour, width] of [
+      [colours.paper, 6],
+      [colours.contact, 3],
+    ] as [string, number][]) {
+      c.strokeStyle = colour;
+      c.lineWidth = width;
+      c.beginPath();
+      addSegment(c, ax, ay, bx, by, this.camera);
+      c.moveTo(x + (tip[0] - x) * 0.26, y + (tip[1] - y) * 0.26);
+      c.lineTo(tip[0], tip[1]);
+      c.moveTo(x + 9, y);
+      c.arc(x, y, 9, 0, 2 * Math.PI);
+      c.stroke();
+    }
+    c.beginPath();
+    c.arc(x, y, 2.5, 0, 2 * Math.PI);
+    c.fillStyle = colours.contact;
+    c.fill();
+    c.font = "600 13px system-ui, sans-serif";
+    this.text("contact", x + 14, y + 18, colours.contact, colours.paper);
+  }
+
+  fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
+    const c = this.context;
+    const figure = frame.figures[fault.body];
+    const wrap = (i: number) => ((i % figure.size) + figure.size) % figure.size;
+    c.strokeStyle = colours.fault;
+    c.lineWidth = 4;
+    c.beginPath();
+    for (const j of fault.edges) {
+      c.moveTo(...pixelOf(this.camera, frame, fault.body, wrap(j)));
+      c.lineTo(...pixelOf(this.camera, frame, fault.body, wrap(j + 1)));
+    }
+    for (const i of fault.vertices) {
+      const [x, y] = pixelOf(this.camera, frame, fault.body, wrap(i));
+      c.moveTo(x + 10, y);
+      c.arc(x, y, 10, 0, 2 * Math.PI);
+    }
+    c.stroke();
+  }
+
+  names(frame: Frame, colours: Colours): void {
+    const c = this.context;
+    c.font = "600 13px system-ui, sans-serif";
+    let first: { x: number; y: number; width: number } | null = null;
+    for (const b of [0, 1]) {
+      let top: [number, number] = [0, Infinity];
+      for (const i of frame.figures[b].outline(4 / this.camera.scale)) {
+        const p = pixelOf(this.camera, frame, b, i);
+        if (p[1] < top[1]) top = p;
+      }
+      const width = c.measureText(frame.names[b]).width;
+      const x = Math.min(Math.max(top[0] - width / 2, 10), Math.max(10, this.camera.width - width - 58));
+      let y = Math.min(Math.max(top[1] - 9, 20 + 18 * b), this.camera.height - 40 - 18 * b);
+      const meets = first && x < first.x + first.width + 8 && x + width + 8 > first.x && Math.abs(y - first.y) < 18;
+      if (first && meets) y = first.y > 38 ? first.y - 18 : first.y + 18;
+      first ??= { x, y, width };
+      this.text(frame.names[b], x, y, colours.bodyLine[b], colours.paper);
+    }
+  }
+
+  scaleBar(colours: Colours): void {
+    const c = this.context;
+    const unit = 10 ** Math.floor(Math.log10(110 / this.camera.scale));
+    const length = [5, 2, 1].map((k) => k * unit).find((l) => l * this.camera.scale <= 110) ?? unit;
+    const pixels = length * this.camera.scale;
+    const y = this.camera.height - 14;
+    c.strokeStyle = colours.muted;
+    c.lineWidth = 1.5;
+    c.beginPath();
+    c.moveTo(14, y - 4);
+    c.lineTo(14, y);
+    c.lineTo(14 + pixels, y);
+    c.lineTo(14 + pixels, y - 4);
+    c.stroke();
+    c.font = "12px system-ui, sans-serif";
+    this.text(String(Number(length.toPrecision(3))), 20, y - 5, colours.muted, colours.paper);
+  }
+
+  private text(text: string, x: number, y: number, colour: string, halo: string): void {
+    const c = this.context;
+    c.strokeStyle = halo;
+    c.lineWidth = 3.5;
+    c.strokeText(text, x, y);
+    c.fillStyle = colour;
+    c.fillText(text, x, y);
+  }
+}
