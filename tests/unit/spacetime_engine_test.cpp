@@ -23,6 +23,8 @@ using spacetime::Course;
 using spacetime::DirectedDistance;
 using spacetime::FrameWindow;
 using spacetime::Hierarchy;
+using spacetime::hierarchy_of_p;
+using spacetime::hierarchy_of_q;
 using spacetime::Parabola;
 using spacetime::Stretch;
 using spacetime::TranslationPolynomial;
