@@ -108,6 +108,9 @@ void change_rotation(Rng& rng, Scene& scene) {
   const Rotation forms[] = {NoRotation{}, AngleRotation{{0, speed}}, DirectionRotation{{1}, {0, speed}},
                             HalfAngleRotation{{0, speed}}, CosineRotation{{1, -std::fabs(speed) / 2}}};
   piece.rotation = forms[rng.below(5)];
+  // Often a corner, of either body: what turns about it stays in touch with it.
+  const Polygon& around = scene.bodies[index_below(rng, 2)].polygon;
+  if (rng.below(2)) piece.pivot = rng.below(3) ? around[index_below(rng, around.size())] : Point{};
 }
 
 /// From some instant on, a body moves otherwise: what a change of plan is.

@@ -115,6 +115,8 @@ class Runner:
         for name in ("taut", "taut-verify"):
             # A copy: the viewer's page that may have been built is not found from here.
             shutil.copy(os.path.join(os.path.dirname(self.taut), name), os.path.join(self.folder, "bin", name))
+        os.makedirs(os.path.join(self.folder, "build"))
+        os.symlink(os.path.join(self.folder, "bin"), os.path.join(self.folder, "build/release"))
         # `./dev run` builds, then runs; the build has been done.
         dev = os.path.join(self.folder, "dev")
         with open(dev, "w") as file:
