@@ -38,6 +38,7 @@ const titles = {
   lock_wrong_key: "Lock and a wrong key",
   maze: "A ship in a maze",
   maze_long_ship: "A ship too long for the maze",
+  parking_clips: "Parking, clipping a corner",
   rotor: "Rotor (Fig. 17)",
   rotor_long_tooth: "Rotor, one tooth too long",
   spiral: "Spirals",

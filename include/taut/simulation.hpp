@@ -139,6 +139,7 @@ class Simulation {
   /// The same map as half-edges. Their number may grow with an event, and never shrinks.
   std::vector<TilingHalfedge> halfedges() const;
   /// One of them, by its position in halfedges().
+  /// One of them; its origin is -1 if there is no such half-edge, or it is not in use.
   TilingHalfedge halfedge(int index) const;
   /// The half-edges that the last event may have changed: a constant number, all others are as before. Between events
   /// the map does not change. A Tracer may ask from on_event(), where events are seen one by one. Empty before the

@@ -3,7 +3,17 @@ import type { Camera } from "./camera";
 import type { Pose, Scene } from "./engine";
 import type { FaultMarks, Frame } from "./frame";
 import { Figure, local, placed } from "./figure";
-import { continued, keyframesOf, motionOf, moved, velocityAt, type Keyframe, type Velocity } from "./motions";
+import {
+  continued,
+  keyframesOf,
+  motionOf,
+  moved,
+  pivotOf,
+  poseOf,
+  velocityAt,
+  type Keyframe,
+  type Velocity,
+} from "./motions";
 import type { Player } from "./player";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
@@ -113,13 +123,17 @@ export class Editor implements Tool {
     return odd;
   }
 
-  private ghostPose(k: Keyframe): Pose {
-    return { x: k.x, y: k.y, c: Math.cos(k.angle), s: Math.sin(k.angle) };
+  private pivot(): [number, number] {
+    return pivotOf(this.scene.bodies[this.body]) ?? [0, 0];
   }
 
-  /** The handle that turns a ghost: beside the body's origin, in the direction of its x axis. */
+  private ghostPose(k: Keyframe): Pose {
+    return poseOf(k, this.pivot());
+  }
+
+  /** The handle that turns a ghost: beside the pivot, in the direction of its x axis. */
   private turnHandle(pose: Pose): [number, number] {
-    const [x, y] = this.camera.pixel(pose.x, pose.y);
+    const [x, y] = this.camera.pixel(...placed(pose, ...this.pivot()));
     return [x + spinRadius * pose.c, y - spinRadius * pose.s];
   }
 
@@ -131,7 +145,7 @@ export class Editor implements Tool {
   private velocity(): Velocity {
     if (this.drag) return this.drag.velocity;
     const poses = (t: number): Pose => this.player.engine.poses(t)[this.body];
-    return velocityAt(poses, this.player.t, this.scene.time[1]);
+    return velocityAt(poses, this.pivot(), this.player.t, this.scene.time[1]);
   }
 
   private arrowTip(velocity: Velocity): [number, number] {
@@ -259,13 +273,14 @@ export class Editor implements Tool {
     if (drag.kind === "ghost") {
       frames[index] = { ...k, x: this.rounded(k.x + dx), y: this.rounded(k.y + dy) };
     } else {
-      const [ox, oy] = this.camera.pixel(k.x, k.y);
+      const [u, v] = this.pivot();
+      const [ox, oy] = this.camera.pixel(k.x + u, k.y + v);
       const angle = Math.atan2(oy - y, x - ox);
       const turn = angle - k.angle;
       const nearest = turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI));
       frames[index] = { ...k, angle: Number((k.angle + nearest).toFixed(4)) };
     }
-    this.scene.bodies[this.body].motion = motionOf(frames);
+    this.scene.bodies[this.body].motion = motionOf(frames, this.pivot());
   }
 
   private drive(drag: Drag, x: number, y: number): void {
@@ -397,7 +412,7 @@ export class Editor implements Tool {
     c.lineWidth = 1.5;
     c.beginPath();
     frames.forEach((k, i) => {
-      const [x, y] = camera.pixel(k.x, k.y);
+      const [x, y] = camera.pixel(...placed(this.ghostPose(k), ...this.pivot()));
       if (i === 0) c.moveTo(x, y);
       else c.lineTo(x, y);
     });
@@ -417,7 +432,7 @@ export class Editor implements Tool {
     c.font = "600 12px system-ui, sans-serif";
     frames.forEach((k, i) => {
       const pose = this.ghostPose(k);
-      const origin = camera.pixel(k.x, k.y);
+      const origin = camera.pixel(...placed(pose, ...this.pivot()));
       const turn = this.turnHandle(pose);
       c.strokeStyle = colour;
       c.lineWidth = 1;
@@ -439,7 +454,7 @@ export class Editor implements Tool {
   private drawArrow(c: CanvasRenderingContext2D, colours: Colours): void {
     const velocity = this.velocity();
     const pose = this.poses()[this.body];
-    const pivot = this.camera.pixel(pose.x, pose.y);
+    const pivot = this.camera.pixel(...placed(pose, ...this.pivot()));
     this.handle(c, pivot, colours.come, colours.paper, 2.5);
     const from = this.camera.pixel(...this.anchor(this.body));
     const tip = this.arrowTip(velocity);

@@ -50,6 +50,8 @@ export interface Motion {
   x?: number[];
   y?: number[];
   rotation?: Record<string, unknown>;
+  /** What the body turns about, in its own coordinates. */
+  pivot?: [number, number];
   until?: number;
 }
 

@@ -1,8 +1,9 @@
 // Motions as people handle them: poses at certain instants, with steady motion in between; and cutting a motion short
 // to go on differently.
 import type { Body, Motion, Pose } from "./engine";
+import { placed } from "./figure";
 
-/** The body's own origin is at (x, y), and the body is turned by `angle` radians, at time t. */
+/** The body is moved by (x, y) and turned by `angle` radians about its pivot, at time t. */
 export interface Keyframe {
   t: number;
   x: number;
@@ -23,6 +24,26 @@ export function piecesOf(body: Body): Motion[] {
   return Array.isArray(body.motion) ? body.motion : [body.motion];
 }
 
+/** What all pieces of the motion turn about, in the body's coordinates; null if they differ in it. */
+export function pivotOf(body: Body): [number, number] | null {
+  const turning = piecesOf(body).filter((piece) => piece.rotation);
+  const [x, y] = turning[0]?.pivot ?? [0, 0];
+  return turning.every(({ pivot = [0, 0] }) => pivot[0] === x && pivot[1] === y) ? [x, y] : null;
+}
+
+/** By how much a pose moves the pivot. */
+function shift(pose: Pose, [u, v]: [number, number]): [number, number] {
+  const [x, y] = placed(pose, u, v);
+  return [x - u, y - v];
+}
+
+/** The pose of a keyframe. */
+export function poseOf(k: Keyframe, [u, v]: [number, number]): Pose {
+  const c = Math.cos(k.angle);
+  const s = Math.sin(k.angle);
+  return { x: k.x + u - (c * u - s * v), y: k.y + v - (s * u + c * v), c, s };
+}
+
 const value = (coefficients: number[] | undefined, t: number): number =>
   (coefficients ?? []).reduceRight((sum, c) => sum * t + c, 0);
 
@@ -36,6 +57,7 @@ function angleOf(piece: Motion): number[] | null {
 export function keyframesOf(body: Body, start: number, end: number): Keyframe[] | null {
   const pieces = piecesOf(body);
   if (pieces.length === 0) return [{ t: start, x: 0, y: 0, angle: 0 }];
+  if (!pivotOf(body)) return null;
   const out: Keyframe[] = [];
   let from = start;
   for (let i = 0; i < pieces.length; ++i) {
@@ -65,7 +87,7 @@ function trimmed(coefficients: number[]): number[] | undefined {
   return out.length > 0 ? out.map((c) => (Object.is(c, -0) ? 0 : c)) : undefined;
 }
 
-function steady(at: Keyframe, velocity: Velocity, until?: number): Motion {
+function steady(at: Keyframe, velocity: Velocity, pivot: [number, number], until?: number): Motion {
   const piece: Motion = {};
   const x = trimmed([at.x - velocity.x * at.t, velocity.x]);
   const y = trimmed([at.y - velocity.y * at.t, velocity.y]);
@@ -73,6 +95,7 @@ function steady(at: Keyframe, velocity: Velocity, until?: number): Motion {
   if (x) piece.x = x;
   if (y) piece.y = y;
   if (angle) piece.rotation = { angle };
+  if (angle && (pivot[0] !== 0 || pivot[1] !== 0)) piece.pivot = pivot;
   if (until !== undefined) piece.until = until;
   return piece;
 }
@@ -82,35 +105,38 @@ export function velocityBetween(a: Keyframe, b: Keyframe): Velocity {
   return d > 0 ? { x: (b.x - a.x) / d, y: (b.y - a.y) / d, spin: (b.angle - a.angle) / d } : { x: 0, y: 0, spin: 0 };
 }
 
-export function motionOf(keyframes: Keyframe[]): Body["motion"] {
+export function motionOf(keyframes: Keyframe[], pivot: [number, number] = [0, 0]): Body["motion"] {
   if (keyframes.length === 1) {
-    const piece = steady(keyframes[0], { x: 0, y: 0, spin: 0 });
+    const piece = steady(keyframes[0], { x: 0, y: 0, spin: 0 }, pivot);
     return Object.keys(piece).length > 0 ? piece : null;
   }
   const pieces: Motion[] = [];
   for (let i = 0; i + 1 < keyframes.length; ++i) {
     const last = i + 2 === keyframes.length;
-    pieces.push(
-      steady(keyframes[i], velocityBetween(keyframes[i], keyframes[i + 1]), last ? undefined : keyframes[i + 1].t),
-    );
+    const velocity = velocityBetween(keyframes[i], keyframes[i + 1]);
+    pieces.push(steady(keyframes[i], velocity, pivot, last ? undefined : keyframes[i + 1].t));
   }
   return pieces.length === 1 ? pieces[0] : pieces;
 }
 
-/** The body's velocity right after t, by differences. */
-export function velocityAt(poses: (t: number) => Pose, t: number, end: number): Velocity {
+/** The velocity of the pivot, and the spin, right after t, by differences. */
+export function velocityAt(poses: (t: number) => Pose, pivot: [number, number], t: number, end: number): Velocity {
   const d = (end - t || Math.abs(t) || 1) * 1e-6;
   const a = poses(t);
   const b = poses(t + d);
+  const from = shift(a, pivot);
+  const to = shift(b, pivot);
   const turn = Math.atan2(a.c * b.s - a.s * b.c, a.c * b.c + a.s * b.s);
-  return { x: (b.x - a.x) / d, y: (b.y - a.y) / d, spin: turn / d };
+  return { x: (to[0] - from[0]) / d, y: (to[1] - from[1]) / d, spin: turn / d };
 }
 
 /** As before until t, where the body is at `pose`, and steadily on from there. */
 export function continued(body: Body, pose: Pose, t: number, start: number, velocity: Velocity): Body["motion"] {
   const before = piecesOf(body).filter((_, i, all) => i === 0 || (all[i - 1].until ?? Infinity) < t);
   const angle = unwound(body, pose, t);
-  const next = steady({ t, x: pose.x, y: pose.y, angle }, velocity);
+  const pivot = pivotOf(body) ?? [0, 0];
+  const [x, y] = shift(pose, pivot);
+  const next = steady({ t, x, y, angle }, velocity, pivot);
   if (t <= start) return next;
   if (before.length === 0) before.push({});
   before[before.length - 1] = { ...before[before.length - 1], until: t };
@@ -129,8 +155,8 @@ function unwound(body: Body, pose: Pose, t: number): number {
 /** The whole motion moved by (dx, dy). */
 export function moved(body: Body, dx: number, dy: number): Body["motion"] {
   const pieces = piecesOf(body);
-  const shift = (c: number[] | undefined, d: number): number[] => [(c?.[0] ?? 0) + d, ...(c ?? []).slice(1)];
-  const out = (pieces.length > 0 ? pieces : [{}]).map((p) => ({ ...p, x: shift(p.x, dx), y: shift(p.y, dy) }));
+  const plus = (c: number[] | undefined, d: number): number[] => [(c?.[0] ?? 0) + d, ...(c ?? []).slice(1)];
+  const out = (pieces.length > 0 ? pieces : [{}]).map((p) => ({ ...p, x: plus(p.x, dx), y: plus(p.y, dy) }));
   return out.length === 1 ? out[0] : out;
 }
 
@@ -148,7 +174,7 @@ export function withKeyframe(frames: Keyframe[], t: number, start: number, end: 
 }
 
 /** Eight keyframes on a motion of any form. */
-export function sampled(poses: (t: number) => Pose, start: number, end: number): Keyframe[] {
+export function sampled(poses: (t: number) => Pose, pivot: [number, number], start: number, end: number): Keyframe[] {
   const frames: Keyframe[] = [];
   let last = 0;
   for (let i = 0; i < 8; ++i) {
@@ -157,7 +183,8 @@ export function sampled(poses: (t: number) => Pose, start: number, end: number):
     const angle = Math.atan2(pose.s, pose.c);
     // The nearest of the angles that differ by full turns.
     last = i === 0 ? angle : angle + 2 * Math.PI * Math.round((last - angle) / (2 * Math.PI));
-    frames.push({ t, x: pose.x, y: pose.y, angle: last });
+    const [x, y] = shift(pose, pivot);
+    frames.push({ t, x, y, angle: last });
   }
   return frames;
 }

@@ -4,7 +4,7 @@ import { Engine, TautError, type Pose, type Scene } from "./engine";
 import { Editor, type Mode } from "./editing";
 import { besideOther, withOutline } from "./importing";
 import { KeyframeTable } from "./keyframetable";
-import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
+import { keyframesOf, motionOf, piecesOf, pivotOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { Player } from "./player";
 import { fromFragment, toFragment, type Shared } from "./sharing";
 import { Workbench } from "./workbench";
@@ -66,7 +66,7 @@ class Playground {
     },
     sample: () => {
       const poses = (t: number): Pose => this.player.engine.poses(t)[this.editor.body];
-      this.setKeyframes(sampled(poses, ...this.editor.scene.time), "keyframes");
+      this.setKeyframes(sampled(poses, this.pivot(), ...this.editor.scene.time), "keyframes");
     },
   });
   private readonly text = h("textarea", { id: "scene-text", rows: 9, spellcheck: "false", "aria-label": "Scene file" });
@@ -386,10 +386,14 @@ class Playground {
     this.showText();
   }
 
+  private pivot(): [number, number] {
+    return pivotOf(this.editor.scene.bodies[this.editor.body]) ?? [0, 0];
+  }
+
   private setKeyframes(frames: Keyframe[], mode?: Mode): void {
     this.remember();
     frames.sort((a, b) => a.t - b.t);
-    this.editor.scene.bodies[this.editor.body].motion = motionOf(frames);
+    this.editor.scene.bodies[this.editor.body].motion = motionOf(frames, this.pivot());
     this.apply(true);
     if (mode) this.setMode(mode);
   }

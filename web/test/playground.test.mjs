@@ -209,6 +209,37 @@ test("ghosts make keyframes: a body at rest is set in motion, turned, and given 
   await page.close();
 });
 
+test("a body that turns about a pivot keeps it", async () => {
+  const page = await open();
+  await page.click(".part-text > summary");
+  const scene = await sceneOf(page);
+  scene.bodies[1].motion = { velocity: [0, 3], spin_deg: 1, pivot: [90, 0] };
+  await page.fill("#scene-text", JSON.stringify(scene));
+  await page.click("#apply");
+  await finished(page);
+  await page.click("#mode-keyframes");
+  const before = await page.evaluate(() => window.taut.player.poses(0));
+  const ghost = await page.evaluate(() => window.taut.stage.tool.ghostPose(window.taut.stage.tool.keyframes()[0]));
+  assert.ok(Math.abs(ghost.x - before[1].x) + Math.abs(ghost.y - before[1].y) < 1e-9);
+  await page.getByLabel("y of keyframe 2").fill("200");
+  await page.getByLabel("y of keyframe 2").press("Enter");
+  await finished(page);
+  assert.deepEqual((await sceneOf(page)).bodies[1].motion.pivot, [90, 0]);
+  await compare(page, "pivot-keyframes");
+  await page.click("#mode-drive");
+  await page.evaluate(() => window.taut.player.seek(30));
+  await page.keyboard.press("0");
+  await settled(page);
+  const spin = await place(page, "tool.spinHandle(tool.velocity())");
+  await drag(page, spin, [spin[0] + 40, spin[1] + 20]);
+  const { motion } = (await sceneOf(page)).bodies[1];
+  assert.equal(motion.length, 2);
+  assert.deepEqual(motion[1].pivot, [90, 0]);
+  await compare(page, "pivot-drive");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("a formula becomes keyframes on request", async () => {
   const page = await open();
   await choose(page, "rotor");
@@ -286,7 +317,7 @@ test("a link holds the scene and the way of touching", async () => {
   await page.click("#share");
   await page.waitForFunction(() => location.hash.startsWith("#s="));
   const link = page.url();
-  assert.match(await page.textContent("#note"), /link/);
+  await page.waitForFunction(() => /link/.test(document.querySelector("#note").textContent));
   const other = await openPage(browser, link);
   const closed = check("examples/gears_thick_tooth.json", "--touch", "closed");
   assert.deepEqual(await other.evaluate(() => window.taut.player.status.answer), closed);
@@ -303,12 +334,14 @@ test("a link holds the scene and the way of touching", async () => {
 test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are saved", async () => {
   const page = await open();
   await page.setInputFiles("#file", join(root, "examples/combs.json"));
+  await page.waitForFunction(() => window.playground.state.scene.bodies[1].name === "upper");
   await finished(page);
   assert.equal((await compare(page, "imported")).outcome, check("examples/combs.json").outcome);
   await page.setInputFiles("#file", [
     join(root, "examples/continents/south_america_ne50m.wkt"),
     join(root, "examples/continents/africa_ne50m.wkt"),
   ]);
+  await page.waitForFunction(() => window.playground.state.scene.bodies[1].name === "africa_ne50m");
   await finished(page);
   const scene = await sceneOf(page);
   assert.deepEqual(
