@@ -281,6 +281,27 @@ mkdir -p share/taut && cp page.html share/taut/viewer.html
 bin/taut view free.json >c.html && cmp -s a.html c.html || { echo "FAILED: the installed page is not found"; failures=$((failures + 1)); }
 rm -rf bin share
 
+# Many scenes: answers in their order whatever the threads, errors in their place, the worst exit code of all.
+tr -d '\n' <hit.json >lines.jsonl
+echo >>lines.jsonl
+echo >>lines.jsonl
+tr -d '\n' <free.json >>lines.jsonl
+expect 1 '"scene":"lines.jsonl:3","outcome":"free"' '' check --json --lines lines.jsonl
+is_json_lines
+expect 1 '"scene":"hit.json","outcome":"contact"' '' check --json free.json hit.json free.json
+[ "$(grep -o '"scene":"[a-z.]*"' out | tr '\n' ' ')" = '"scene":"free.json" "scene":"hit.json" "scene":"free.json" ' ] ||
+  { echo "FAILED: answers out of order" && cat out; failures=$((failures + 1)); }
+expect 0 'FREE' '' check free.json free.json
+expect 2 '"error":' 'bad.json' check --json bad.json hit.json
+is_json_lines
+[ "$(wc -l <out)" = 2 ] || { echo "FAILED: a scene without an answer"; failures=$((failures + 1)); }
+expect 2 '' 'missing.jsonl: cannot open' check --lines missing.jsonl
+expect 1 '"outcome"' '2 scenes in .* 1 thread$' check --json --timing --threads 1 --lines lines.jsonl
+for i in $(seq 60); do cat lines.jsonl; echo; done >many.jsonl
+"$taut" check --json --lines --threads 1 many.jsonl >one.out
+"$taut" check --json --lines --threads 4 - <many.jsonl | sed 's/<stdin>/many.jsonl/' >four.out
+[ "$(wc -l <one.out)" = 120 ] && cmp -s one.out four.out || { echo "FAILED: threads change the output"; failures=$((failures + 1)); }
+
 # Separators.
 expect 0 'fewest links: 1, a line' '' separator free.json
 expect 0 'hulls do not touch' '' separator free.json --at 1

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -97,8 +98,17 @@ class Row {
   std::vector<int> batch_;
 };
 
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "an unknown processor";
+}
+
 int compare(const Options& options) {
   pin_to_this_core();
+  fmt::print("One core of {}, compiler version {}.\n\n", processor(), __VERSION__);
   fmt::print("| family | n ");
   std::string rule = "|---|---:";
   for (const Column& column : columns()) {

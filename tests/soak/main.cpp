@@ -19,6 +19,7 @@
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
+#include "taut/shape.hpp"
 
 namespace taut::testing {
 namespace {
@@ -43,8 +44,20 @@ std::string refutation(const Answer& answer, const Verified& v) {
   return apart ? "the proof has another time of contact" : std::string();
 }
 
+/// Prepared shapes must not change anything.
+std::string prepared_difference(const SoakScene& s, const CheckOptions& options, const Answer& bare) {
+  Scene scene = s.scene;
+  for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
+  const Answer answer = run_kinetic(scene, options, nullptr);
+  if (answer.outcome != bare.outcome) return "prepared shapes give another outcome";
+  if (answer.events != bare.events) return "prepared shapes give another number of events";
+  if (!bare.contact) return {};
+  const TimeInterval &a = answer.contact->time, &b = bare.contact->time;
+  return a.lo == b.lo && a.hi == b.hi ? "" : "prepared shapes give another time of contact";
+}
+
 /// Empty if all agree.
-std::string examine(const SoakScene& s, Tally& tally, StageCounts& stages) {
+std::string examine(const SoakScene& s, bool also_prepared, Tally& tally, StageCounts& stages) {
   ++tally.scenes;
   CheckOptions options;
   options.touch = s.touch;
@@ -56,6 +69,9 @@ std::string examine(const SoakScene& s, Tally& tally, StageCounts& stages) {
     stages += writer.stages;
     tally.events += kinetic.events;
     if (kinetic.outcome == Outcome::undecided) return "undecided: " + kinetic.reason;
+    if (also_prepared) {
+      if (const std::string wrong = prepared_difference(s, options, kinetic); !wrong.empty()) return wrong;
+    }
     if (answer.outcome == Outcome::overlap_at_start) {
       ++tally.at_start;
       return {};
@@ -121,7 +137,7 @@ class Soak {
   void look_at(std::uint64_t number, SoakTotals& part) {
     const SoakScene s = soak_scene(number);
     Tally tally;
-    const std::string wrong = examine(s, tally, part.stages);
+    const std::string wrong = examine(s, number % 4 == 0, tally, part.stages);
     part.by_family[s.family] += tally;
     part.by_injection[to_string(s.injection)] += tally;
     if (wrong.empty()) return;
