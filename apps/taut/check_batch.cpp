@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "io/json_text.hpp"
+#include "io/text_file.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
@@ -20,11 +21,6 @@
 namespace taut::cli {
 
 namespace {
-
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == path.npos ? "." : path.substr(0, slash + 1);
-}
 
 /// Files one by one, or their lines.
 class Tasks {
@@ -74,7 +70,8 @@ BatchResult failure(const BatchTask& task, int code, const std::string& what, bo
 
 BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
   try {
-    const Scene scene = task.text ? parse_scene(*task.text, task.place, folder_of(task.place)) : load_scene(task.place);
+    const Scene scene =
+        task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place)) : load_scene(task.place);
     Answer answer;
     try {
       answer = check(scene, batch.options);

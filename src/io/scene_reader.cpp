@@ -136,11 +136,9 @@ Scene parse_scene(const std::string& text, const std::string& name, const std::s
 }
 
 Scene read_scene(const std::string& path, const ReadLimits& limits) {
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
   const JsonDocument document =
       io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + scene_shape);
-  return SceneReader(document, folder, limits).read();
+  return SceneReader(document, io::folder_of(path), limits).read();
 }
 
 }  // namespace taut

@@ -23,6 +23,11 @@ void require_size(const std::string& text, const std::string& name, std::size_t 
     throw InputError(name, size_problem(max_bytes), "simplify the outline, or raise ReadLimits::max_bytes");
 }
 
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
 std::string read_text_file(const std::string& path, std::size_t max_bytes) {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw InputError(path, std::string("cannot open the file: ") + std::strerror(errno), "check the path");

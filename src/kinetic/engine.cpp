@@ -90,7 +90,6 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   c.v = map_.target(h);
   c.w = map_.target(map_.next(h));
   certificate_of_[h.value] = id;
-  leave_open(id);
   ++active_;
   return id;
 }
