@@ -69,7 +69,7 @@ struct RealTraits<BinaryFloat<Bits>> {
   static constexpr int bits = static_cast<int>(Bits);
   /// Twice the true unit roundoff: nothing is lost by being generous.
   static double unit() { return power_of_two(1 - bits); }
-  /// An upper bound of |x|, at most twice too large.
+  /// An upper bound of |x|, at most twice too large from 2^-1020 on; 2^-1018 for what is smaller.
   static double magnitude(const Real& x) {
     if (x.is_zero()) return 0;
     const auto e = x.backend().exponent();
