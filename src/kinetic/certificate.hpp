@@ -96,9 +96,28 @@ class EventQueue {
   bool breaks_tie(const Certificate& a, const Certificate& b) const {
     if (b.precise < 0) return false;
     if (a.precise < 0) return true;
-    return (*pool_)[static_cast<std::size_t>(a.precise)].lo < (*pool_)[static_cast<std::size_t>(b.precise)].lo;
+    return (*pool_)[static_cast<std::size_t>(a.precise)].begins_before((*pool_)[static_cast<std::size_t>(b.precise)]);
   }
 
+  /// Ties are rare: keys alone are compared without branches.
+  std::size_t least_of(std::size_t first, std::size_t last) const {
+    std::size_t best = first;
+    double key = entries_[first].key;
+    bool tie = false;
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double other = entries_[k].key;
+      tie |= other == key;
+      const bool smaller = other < key;
+      best = smaller ? k : best;
+      key = smaller ? other : key;
+    }
+    if (tie) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (less(entries_[k], entries_[best])) best = k;
+      }
+    }
+    return best;
+  }
   void place(std::size_t i, const Entry& e) {
     entries_[i] = e;
     (*certificates_)[e.id.value].heap = static_cast<std::int32_t>(i);
@@ -116,12 +135,9 @@ class EventQueue {
   void sift_down(std::size_t i) {
     const Entry e = entries_[i];
     for (;;) {
-      std::size_t best = i * arity + 1;
-      if (best >= entries_.size()) break;
-      const std::size_t last = std::min(best + arity, entries_.size());
-      for (std::size_t k = best + 1; k < last; ++k) {
-        if (less(entries_[k], entries_[best])) best = k;
-      }
+      const std::size_t first = i * arity + 1;
+      if (first >= entries_.size()) break;
+      const std::size_t best = least_of(first, std::min(first + arity, entries_.size()));
       if (!less(entries_[best], e)) break;
       place(i, entries_[best]);
       i = best;

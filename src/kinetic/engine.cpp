@@ -38,7 +38,16 @@ void Engine::build(const KnownTilings& known) {
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
   certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
-  const std::size_t room = 2 * static_cast<std::size_t>(geometry_.size()) + 64;
+  scan_.reserve(64);
+  add_certificates(placement);
+  // Room to double the active set before anything is allocated again: few events of few motions do.
+  expect_certificates(2 * active_ + 1024);
+  initial_ = max_active_ = active_;
+  enter_leg();
+  solver_.expect(active_);
+}
+
+void Engine::expect_certificates(std::size_t room) {
   certificates_.reserve(room);
   settled_.reserve(room);
   settled_before_.reserve(room);
@@ -47,11 +56,6 @@ void Engine::build(const KnownTilings& known) {
   trial_.reserve(room);
   free_.reserve(room);
   queue_.reserve(room);
-  scan_.reserve(64);
-  add_certificates(placement);
-  initial_ = max_active_ = active_;
-  enter_leg();
-  solver_.expect(active_);
 }
 
 /// Of all corners with a PQ edge.

@@ -95,6 +95,7 @@ class Engine {
  private:
   void build(const KnownTilings& known);
   void add_certificates(const Placement& placement);
+  void expect_certificates(std::size_t room);
   bool find_next(double limit);
   bool certainly_first(CertificateId head);
   void process(CertificateId id, double limit);

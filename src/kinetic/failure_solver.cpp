@@ -10,8 +10,9 @@
 namespace taut {
 namespace {
 
-double below(double x) { return std::nextafter(x, -never); }
-double above(double x) { return std::nextafter(x, never); }
+/// A double certainly below (above) a finite x, a unit or two in the last place away: without std::nextafter's cases.
+double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
+double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
 
 /// The sign of a value that may still change by `drift`; 0 if unknown.
 int sign_of(const Bounded& v, double drift) {
@@ -58,8 +59,8 @@ void FailureSolver::set_not_before(Certificate& c, double t) {
 void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
   precise_slot(c) = t;
   c.kind = FailureKind::isolated;
-  c.lo = double_floor(t.lo);
-  c.hi = std::min(double_above(t.hi), leg().end);
+  c.lo = t.floor();
+  c.hi = std::min(t.ceiling(), leg().end);
   c.monotone_until = c.lo;  // nothing is known in doubles
 }
 
@@ -182,36 +183,63 @@ bool FailureSolver::advance_from_zero(Certificate& c, const Now& instant) {
   return false;
 }
 
-/// Interval Newton on an isolated failure. The slope's bounds are taken anew in each step, over the enclosure at hand:
-/// bounds of the first enclosure would leave it converging linearly. Where they include zero, the sign in the middle
-/// halves the enclosure.
+/// Encloses an isolated failure within a few ulps, if doubles can. Most cells have a polynomial that is as good as the
+/// function: a narrow interval about its root, once certified, leaves one step of the general way.
 void FailureSolver::refine_fast(Certificate& c) {
-  const double sign = c.sign;
-  const bool pp = c.function.pp;
+  if (!narrow(c)) newton(c);
+}
+
+/// Takes [m - r, m + r] for the enclosure, where m is a root of the cell's polynomial found without bounds, if the
+/// certificate's function has its root there: it has if |f(m)| is less than r times the least slope. Then one step of
+/// Newton's. False if the enclosure may still be far wider than doubles allow.
+bool FailureSolver::narrow(Certificate& c) {
+  const double middle = c.lo + (c.hi - c.lo) / 2;
+  const ClockCell& cell = clock_.cell(middle);
+  if (!cell.sharp || cell.start > c.lo || cell.end < c.hi) return false;
+  const double m = c.function.root_of(cell.model, middle);
+  const double radius = 0x1p-34 * (cell.end - cell.start);
+  if (!(m - radius > c.lo && m + radius < c.hi)) return false;
+  const Course here = course(c.function, m);
+  const double bend = (std::fabs(here.bend.value) + here.bend.error) * (1 + 0x1p-40);
+  const double flat = -c.sign * here.slope.value - here.slope.error - bend * radius;
+  if (!(std::fabs(here.value.value) + here.value.error < flat * radius * (1 - 0x1p-40))) return false;
+  c.lo = m - radius;
+  c.hi = m + radius;
+  return newton_step(c, here);
+}
+
+/// Interval Newton. The slope's bounds are taken anew in each step, over the enclosure at hand: bounds of the first
+/// enclosure would leave it converging linearly.
+void FailureSolver::newton(Certificate& c) {
   for (int step = 0; step < 30; ++step) {
-    const double width = c.hi - c.lo;
-    const double m = c.lo + width / 2;
+    const double width = c.hi - c.lo, m = c.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
-    const FastSide& side = clock_.at(m, pp);
-    const Bounded v = c.function.value(side), d = c.function.slope(side);
-    const Bounded k = c.function.curvature(clock_.cell(m).curvature(pp));
-    const double spread = d.error + (std::fabs(k.value) + k.error) * (width / 2) * (1 + 0x1p-40);
-    const double steep = -sign * d.value + spread, flat = -sign * d.value - spread;
-    const double lo_value = sign * v.value - v.error, hi_value = sign * v.value + v.error;
-    if (flat > 0) {
-      const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
-      const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
-      const double slack =
-          0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
-      c.lo = std::max(c.lo, lo - slack);
-      c.hi = std::min(c.hi, hi + slack);
-    } else if (lo_value > 0) {
-      c.lo = m;
-    } else if (hi_value < 0) {
-      c.hi = m;
-    }
-    if (!(c.hi - c.lo < 0.75 * width)) return;
+    if (newton_step(c, course(c.function, m)) || !(c.hi - c.lo < 0.75 * width)) return;
   }
+}
+
+/// With the function's course at an instant in the enclosure, about its middle. Where the slope's bounds include zero,
+/// the sign there cuts the enclosure in two. True if what is left is about what the value's error makes of it.
+bool FailureSolver::newton_step(Certificate& c, const Course& here) {
+  const double sign = c.sign, m = here.t, reach = std::max(m - c.lo, c.hi - m);
+  const double spread = here.slope.error + (std::fabs(here.bend.value) + here.bend.error) * reach * (1 + 0x1p-40);
+  const double steep = -sign * here.slope.value + spread, flat = -sign * here.slope.value - spread;
+  const double lo_value = sign * here.value.value - here.value.error;
+  const double hi_value = sign * here.value.value + here.value.error;
+  if (flat > 0) {
+    const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
+    const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
+    const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
+    c.lo = std::max(c.lo, lo - slack);
+    c.hi = std::min(c.hi, hi + slack);
+    return c.hi - c.lo <= 4 * (here.value.error / flat + slack);
+  }
+  if (lo_value > 0) {
+    c.lo = m;
+  } else if (hi_value < 0) {
+    c.hi = m;
+  }
+  return false;
 }
 
 void FailureSolver::advance_hard(Certificate& c, double t) {
@@ -233,9 +261,9 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
 void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
   ++counts_.precise;
   // Events may crowd closer to the end of the leg than doubles can tell.
-  if (from.hi >= RealMax(leg().end)) return set_not_before(c, leg().end);
-  const double t = RealTraits<RealMax>::to_double(from.hi);
-  const double to = clock_.cell(std::clamp(t, leg().start, leg().end)).end;
+  const double t = from.last().floor();
+  if (t >= leg().end) return set_not_before(c, leg().end);
+  const double to = clock_.cell(std::max(t, leg().start)).end;
   if (const auto found = precise_of(c).first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
@@ -292,8 +320,7 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
     c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
     if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
     if (advance_from_zero(c, now)) return;
-    const PreciseTime& t = precise_now(now);
-    advance_precise(c, {t.hi, t.hi, t.stage});
+    advance_precise(c, precise_now(now).last());
     return;
   }
   if (start_in_doubles(c, now)) return;
@@ -328,9 +355,9 @@ bool FailureSolver::known_before(const Certificate& a, const Certificate& b) con
   const auto at = [this](const Certificate& c) -> const PreciseTime& {
     return pool_[static_cast<std::size_t>(c.precise)];
   };
-  if (b.precise < 0) return at(a).hi < RealMax(b.lo);
-  if (a.precise < 0) return RealMax(a.hi) < at(b).lo;
-  return at(a).hi < at(b).lo;
+  if (b.precise < 0) return at(a).certainly_before(PreciseTime::between(b.lo, b.lo));
+  if (a.precise < 0) return PreciseTime::between(a.hi, a.hi).certainly_before(at(b));
+  return at(a).certainly_before(at(b));
 }
 
 /// One stage further for one certificate.
@@ -339,8 +366,8 @@ void FailureSolver::sharpen(Certificate& c, int stage) {
   PreciseTime& t = pool_[static_cast<std::size_t>(c.precise)];
   precise_of(c).refine(c.sign, t, stage);
   t.stage = std::max(t.stage, stage);  // what a stage could not improve, it will not improve next time either
-  c.lo = double_floor(t.lo);
-  c.hi = std::min(double_above(t.hi), leg().end);
+  c.lo = t.floor();
+  c.hi = std::min(t.ceiling(), leg().end);
 }
 
 void FailureSolver::separate(Certificate& a, Certificate& b) {
@@ -400,8 +427,8 @@ void FailureSolver::tighten(Certificate& c) {
   if (c.hi - c.lo <= 8 * few_ulps) return;
   PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
   if (!precise_of(c).refine(c.sign, t, 0, few_ulps)) return;
-  c.lo = std::max(c.lo, double_below(t.lo));
-  c.hi = std::min(c.hi, double_above(t.hi));
+  c.lo = std::max(c.lo, t.floor());
+  c.hi = std::min(c.hi, t.ceiling());
 }
 
 }  // namespace taut

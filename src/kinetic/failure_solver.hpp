@@ -113,6 +113,9 @@ class FailureSolver {
   bool start_in_doubles(Certificate& c, const Now& now);
   double positive_beyond(const ClockPlace& cell, const Certificate& c, double t, double value, double slope);
   void refine_fast(Certificate& c);
+  bool narrow(Certificate& c);
+  void newton(Certificate& c);
+  bool newton_step(Certificate& c, const Course& here);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTime& from);
   void set_isolated(Certificate& c, const PreciseTime& t);

@@ -108,4 +108,26 @@ bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const MixedT
   return true;
 }
 
+double FastFunction::root_of(const FrameModel& model, double t) const {
+  const int first = pp ? 0 : 2;
+  double c[model_degree];
+  for (int k = 0; k < model.terms; ++k) {
+    const double* f = model.c[k];
+    c[k] = (a[1] * f[first] + a[2] * f[first + 1]) + (a[3] * f[4] + a[4] * f[5]);
+  }
+  c[0] += a[0];
+  double h = t - model.middle;
+  for (int step = 0; step < 6; ++step) {
+    double value = 0, slope = 0;
+    for (int k = model.terms; k-- > 0;) {
+      slope = slope * h + value;
+      value = value * h + c[k];
+    }
+    const double change = value / slope;
+    h -= change;
+    if (!(std::fabs(change) > 0x1p-20 * model.radius)) break;
+  }
+  return model.middle + h;
+}
+
 }  // namespace taut

@@ -1,6 +1,7 @@
 // A mixed triple's function in doubles with error bounds: the first stage of every evaluation.
 #pragma once
 
+#include "motion/frame_model.hpp"
 #include "motion/mixed_function.hpp"
 
 namespace taut {
@@ -41,6 +42,8 @@ struct FastFunction {
   Bounded value(const FastSide& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
   Bounded slope(const FastSide& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
   Bounded curvature(const FastCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
+  /// About where the polynomial of a model is zero, by Newton's steps from `t` on: a good guess, no more.
+  double root_of(const FrameModel& model, double t) const;
   /// Covers the displacement at level 0, its square at level 1, and underflow.
   double floor_error = 0;
 

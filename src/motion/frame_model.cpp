@@ -16,10 +16,12 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
   constexpr int n = model_degree;
   double noise = 0, size = 0, size_d = 0, size_dd = 0, vague = 0, vague_d = 0, vague_dd = 0;
   double power[3] = {1, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2)
-  for (int k = 0; k <= n; ++k) {
+  for (int k = 0; k < n; ++k) m.c[k][i] = at_middle.c[k].mid;
+  m.remainder[i] = 0;
+  const int last = std::max(at_middle.terms, over.terms) - 1;  // what comes after is zero
+  for (int k = 0; k <= last; ++k) {
     const double known = k < n ? std::fabs(at_middle.c[k].mid) : 0;
     const double open = k < n ? at_middle.c[k].rad : over.c[n].magnitude();
-    if (k < n) m.c[k][i] = at_middle.c[k].mid;
     if (k < n && at_middle.c[k].mid != 0) m.terms = std::max(m.terms, k + 1);
     if (k < n) noise += open * power[0];
     size += known * power[0];

@@ -17,27 +17,33 @@ struct FrameModel {
   static constexpr int functions = 6;
   static FrameModel over(const Leg& leg, double start, double end);
 
-  /// f and f' of all functions at t, side by side: six chains of dependent operations take little longer than one.
+  /// f and f' at t of all functions, in pairs side by side: chains of dependent operations take little longer than one.
   void evaluate(double t, double (&value)[functions], double (&slope)[functions]) const {
     const Lanes h = both(t - middle);
     const double* at = c[terms - 1];
-    Lanes v0 = load_lanes(at), v1 = load_lanes(at + 2), v2 = load_lanes(at + 4);
-    Lanes d0 = {}, d1 = {}, d2 = {};
+    Horner p(at), q(at + 2), angle(at + 4);
     for (int k = terms - 1; k-- > 0;) {
       at -= functions;
-      d0 = d0 * h + v0;
-      d1 = d1 * h + v1;
-      d2 = d2 * h + v2;
-      v0 = v0 * h + load_lanes(at);
-      v1 = v1 * h + load_lanes(at + 2);
-      v2 = v2 * h + load_lanes(at + 4);
+      p.step(at, h);
+      q.step(at + 2, h);
+      angle.step(at + 4, h);
     }
-    store_lanes(value, v0);
-    store_lanes(value + 2, v1);
-    store_lanes(value + 4, v2);
-    store_lanes(slope, d0);
-    store_lanes(slope + 2, d1);
-    store_lanes(slope + 4, d2);
+    p.store(value, slope);
+    q.store(value + 2, slope + 2);
+    angle.store(value + 4, slope + 4);
+  }
+  /// Of the pairs that begin with numbers `first` and 4 only.
+  void evaluate(double t, int first, double (&value)[4], double (&slope)[4]) const {
+    const Lanes h = both(t - middle);
+    const double* at = c[terms - 1];
+    Horner way(at + first), angle(at + 4);
+    for (int k = terms - 1; k-- > 0;) {
+      at -= functions;
+      way.step(at + first, h);
+      angle.step(at + 4, h);
+    }
+    way.store(value, slope);
+    angle.store(value + 2, slope + 2);
   }
   /// All bounds are finite.
   bool finite() const;
@@ -58,6 +64,19 @@ struct FrameModel {
   double size[functions];       ///< bounds of |f_i|
 
  private:
+  /// Horner's rule for a pair of functions and their slopes.
+  struct Horner {
+    Lanes v, d = {};
+    explicit Horner(const double* c) : v(load_lanes(c)) {}
+    void step(const double* c, Lanes h) {
+      d = d * h + v;
+      v = v * h + load_lanes(c);
+    }
+    void store(double* value, double* slope) const {
+      store_lanes(value, v);
+      store_lanes(slope, d);
+    }
+  };
   /// What an error of function i is measured by.
   double scale(int i) const { return i < 4 ? size[i] + size[i ^ 1] : 1; }
 };

@@ -278,10 +278,12 @@ Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
 
+Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t) { return motion_frame<Jet<double>>(leg, t); }
 Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t) { return motion_frame<Jet<Real320>>(leg, t); }
 Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t) { return motion_frame<Jet<Real640>>(leg, t); }
 Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t) { return motion_frame<Jet<Real960>>(leg, t); }
 
+FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t) { return any_values(leg, t); }
 FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t) { return any_values(leg, t); }
 FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { return any_values(leg, t); }
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }

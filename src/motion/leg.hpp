@@ -82,9 +82,11 @@ Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
 /// The same as functions of s, at an end at which the leg is singular.
+Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t);
 Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t);
 Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t);
 Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t);
+FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t);
 FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t);
 FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);

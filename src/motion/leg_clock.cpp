@@ -42,10 +42,9 @@ FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
 
 }  // namespace
 
-void LegClock::evaluate_exactly(double t) {
+void LegClock::evaluate_exactly(double t, Side& side) {
   const Frame<double> f = frame(*leg_, Ball<double>::exact(t));
-  pp_ = fast_side(f.for_pp);
-  if (!leg_->translation) qq_ = fast_side(f.for_qq);
+  side.functions = fast_side(side.first == 0 ? f.for_pp : f.for_qq);
 }
 
 namespace {
@@ -54,15 +53,14 @@ namespace {
 constexpr int deepest = 40;
 
 /// The side whose first two functions are the model's functions `first` and `first` + 1.
-void assemble(FastSide& s, const FrameModel& m, int first, const double* value, const double* slope) {
+void assemble(FastSide& s, const FrameModel& m, int first, const double (&value)[4], const double (&slope)[4]) {
   s.f[0] = 1;
   s.d[0] = 0;
   s.error_0 = rounding;
   s.error_0d = 0;
-  const int source[4] = {first, first + 1, 4, 5};
   for (int k = 0; k < 4; ++k) {
-    s.f[k + 1] = value[source[k]];
-    s.d[k + 1] = slope[source[k]];
+    s.f[k + 1] = value[k];
+    s.d[k + 1] = slope[k];
   }
   s.error_a = m.error[first] + m.error[first + 1] + rounding * (std::fabs(s.f[1]) + std::fabs(s.f[2]));
   s.error_b = m.error[4] + m.error[5] + rounding * (std::fabs(s.f[3]) + std::fabs(s.f[4]));
@@ -87,10 +85,10 @@ FastCurvature curvature_of(const FrameModel& m, int first) {
 
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
-  cached_ = false;
+  pp_.known = qq_.known = false;
   level_ = 0;
   index_ = 0;
-  last_start_ = last_end_ = 0;
+  last_ = nullptr;
   std::fill_n(keys_.begin(), own, 0);
   deep_ = false;
 }
@@ -142,6 +140,7 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   const std::size_t slot = slot_of(key);
   ClockCell& cell = cells_[slot];
   if (!holds(slot, key)) {
+    if (&cell == last_) last_ = nullptr;
     keys_[slot] = key;
     cell.level = level;
     cell.index = index;
@@ -152,13 +151,11 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   return cell;
 }
 
-const ClockCell& LegClock::cell(double t) {
-  if (t >= last_start_ && t < last_end_) return at_level(level_, index_);
+const ClockCell& LegClock::find_cell(double t) {
   const ClockCell& found = find_leaf(t);
   level_ = found.level;
   index_ = found.index;
-  last_start_ = found.start;
-  last_end_ = found.end;
+  last_ = &found;
   return found;
 }
 
@@ -180,15 +177,14 @@ const ClockCell* LegClock::wider(const ClockPlace& cell) {
   return cell.level > 0 ? &at_level(cell.level - 1, cell.index / 2) : nullptr;
 }
 
-void LegClock::evaluate(double t) {
-  cached_t_ = t;
-  cached_ = true;
+void LegClock::evaluate(double t, Side& side) {
+  side.t = t;
+  side.known = true;
   const ClockCell& here = cell(t);
-  if (!here.sharp) return evaluate_exactly(t);
-  double value[FrameModel::functions], slope[FrameModel::functions];
-  here.model.evaluate(t, value, slope);
-  assemble(pp_, here.model, 0, value, slope);
-  if (!leg_->translation) assemble(qq_, here.model, 2, value, slope);
+  if (!here.sharp) return evaluate_exactly(t, side);
+  double value[4], slope[4];
+  here.model.evaluate(t, side.first, value, slope);
+  assemble(side.functions, here.model, side.first, value, slope);
 }
 
 }  // namespace taut

@@ -36,13 +36,14 @@ class LegClock {
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg);
   const Leg& leg() const { return *leg_; }
-  /// Functions at parameter t (remembers the last instant).
+  /// Functions at parameter t (remembers the last instants).
   const FastSide& at(double t, bool pp) {
-    if (t != cached_t_ || !cached_) evaluate(t);
-    return pp || leg_->translation ? pp_ : qq_;
+    Side& side = pp || leg_->translation ? pp_ : qq_;
+    if (t != side.t || !side.known) evaluate(t, side);
+    return side.functions;
   }
   /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
-  const ClockCell& cell(double t);
+  const ClockCell& cell(double t) { return last_ && t >= last_->start && t < last_->end ? *last_ : find_cell(t); }
   /// The next larger cell around this one; none around the whole leg.
   const ClockCell* wider(const ClockPlace& cell);
 
@@ -57,20 +58,26 @@ class LegClock {
 
   bool holds(std::size_t slot, std::uint64_t key);
   const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& find_cell(double t);
   const ClockCell& find_leaf(double t);
   double boundary(int level, std::uint64_t index) const;
   std::uint64_t index_of(int level, double t) const;
   void make(ClockCell& cell);
-  void evaluate(double t);
-  void evaluate_exactly(double t);
+  /// The functions of one kind of triple at an instant.
+  struct Side {
+    int first;  ///< of the model's functions
+    bool known = false;
+    double t = 0;
+    FastSide functions{};
+  };
+  void evaluate(double t, Side& side);
+  void evaluate_exactly(double t, Side& side);
 
   const Leg* leg_ = nullptr;
-  bool cached_ = false;
-  double cached_t_ = 0;
-  int level_ = 0;  ///< of the leaf last used, with its place
+  int level_ = 0;  ///< of the leaf last used
   std::uint64_t index_ = 0;
-  double last_start_ = 0, last_end_ = 0;
-  FastSide pp_{}, qq_{};  ///< the first one serves both on a translation
+  const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept
+  Side pp_{.first = 0}, qq_{.first = 2};  ///< the first one serves both on a translation
   /// Which cell lies in which slot; the scattered ones count once one of them is used. The memory of a cell is not
   /// touched before it is used.
   std::array<std::uint64_t, own + scattered> keys_;

@@ -1,5 +1,6 @@
 #include "motion/precise_triple.hpp"
 
+#include "motion/exact_line.hpp"
 #include "motion/placement.hpp"
 #include "numeric/root_isolation.hpp"
 
@@ -8,9 +9,9 @@ namespace {
 
 template <class Real>
 Ball<Real> as_ball(const PreciseTime& t) {
-  const RealMax middle = (t.lo + t.hi) / 2;
+  const RealMax lo = t.lo(), hi = t.hi(), middle = (lo + hi) / 2;
   Ball<Real> b(Real(middle), 0.0);
-  const double half = RealTraits<RealMax>::magnitude(RealMax(t.hi - t.lo));
+  const double half = RealTraits<RealMax>::magnitude(RealMax(hi - lo));
   b.rad = detail::inflate(half + RealTraits<RealMax>::magnitude(middle) * (4 * unit_roundoff<Real>()));
   return b;
 }
@@ -28,10 +29,11 @@ class SearchFromEnd {
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, int stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
     const Real a = first.lower(), b = last.upper();
-    // The search starts a little before `from`, unless that is the end itself.
-    if (first.rad > 0 && (*this)(first).v.sign() != sign) throw PrecisionExhausted{};
     auto root = first_sign_change<Real>(*this, sign, a, b);
     if (!root) return std::nullopt;
+    // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
+    // interval with `from` in it, the root comes after; an interval before it says nothing.
+    if (first.rad > 0 && !(root->hi > first.upper())) throw PrecisionExhausted{};
     taut::refine(*this, sign, *root);
     const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
     // What the search found within the rounding of `to` may be beyond.
@@ -57,41 +59,93 @@ class SearchFromEnd {
   double end_, direction_;
 };
 
-/// Searches that touch a singular end of the leg take the way that makes the motion smooth there.
-template <class Real>
-std::optional<std::optional<PreciseTime>> search_at_ends(const Leg& leg, const PreciseFunction<Real>& f, int sign,
-                                                         const PreciseTime& from, double to, int stage) {
+/// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
+/// motion is smooth enough over [from, to].
+int singular_end(const Leg& leg, const PreciseTime& from, double to) {
   const double near = (leg.end - leg.start) / 16;
+  if (to - leg.start <= near && leg.singular_at(leg.start)) return 1;
+  if (leg.end - from.floor() <= near && leg.singular_at(leg.end)) return -1;
+  return 0;
+}
+
+/// Nothing if this precision does not tell.
+template <class Real>
+std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
+                                                          int sign, const PreciseTime& from, double to, int stage) {
   try {
-    if (to - leg.start <= near && leg.singular_at(leg.start))
-      return SearchFromEnd<Real>(f, leg.start, 1).first_failure(sign, from.hi, to, stage);
-    if (RealMax(leg.end) - from.hi <= RealMax(near) && leg.singular_at(leg.end))
-      return SearchFromEnd<Real>(f, leg.end, -1).first_failure(sign, from.hi, to, stage);
+    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end).first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {
+    return std::nullopt;
   }
+}
+
+/// The slope over an enclosure in doubles, if it is known well enough for Newton's steps to gain many bits each.
+std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const RealMax& lo, const RealMax& hi) {
+  const Ball<double> slope = f(Ball<double>::between(double_floor(lo), double_above(hi))).d;
+  if (slope.rad <= 0x1p-24 * std::fabs(slope.mid)) return slope;
   return std::nullopt;
 }
 
 }  // namespace
 
+template <class Real>
+void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
+                                double enough) const {
+  const PreciseFunction<double> rough(leg_, geometry_, triple_, measure_);
+  if (const auto slope = steady_slope(rough, RealMax(root.lo), RealMax(root.hi))) {
+    refine_with_slope(f, *slope, sign, root, enough);
+  } else {
+    taut::refine(f, sign, root, enough);
+  }
+}
+
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
+  if (t.fine() && ExactLine::fits(leg_)) {
+    const ExactLine line(leg_, geometry_, triple_, measure_);
+    if (line.exact()) {
+      if (const int sign = line.sign_over(t)) return sign;
+    }
+  }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     return PreciseFunction<Real>(leg_, geometry_, triple_, measure_).value(as_ball<Real>(t)).sign();
   });
 }
 
+/// Of a function that is a line: when it changes its sign.
+PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTime& from, double to) const {
+  if (from.stage > 0 || !ExactLine::fits(leg_)) return {};
+  const ExactLine line(leg_, geometry_, triple_, measure_);
+  if (!line.exact()) return {};
+  // The sign holds just after `from`.
+  if (line.slope_sign() != -sign) return {true, std::nullopt};
+  const std::optional<PreciseTime> root = line.root(0);
+  if (!root) return {};
+  const FineNumber end(to);
+  if (root->fine_lo().compare(end) > 0) return {true, std::nullopt};
+  return {root->fine_hi().compare(end) <= 0, root};
+}
+
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
+  if (const LineFailure line = line_failure(sign, from, to); line.known) return line.time;
+  const int end = singular_end(leg_, from, to);
+  if (end != 0 && from.stage <= 0) {
+    // In the distance's root the motion is so smooth that doubles nearly always do.
+    const PreciseFunction<double> f(leg_, geometry_, triple_, measure_);
+    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) return *answer;
+  }
   for (int stage = 0; stage < precise_stages; ++stage) {
     if (stage < from.stage) continue;
     try {
       return with_stage(stage, [&](auto zero) -> std::optional<PreciseTime> {
         using Real = decltype(zero);
         const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
-        if (const auto answer = search_at_ends(leg_, f, sign, from, to, stage)) return *answer;
-        auto root = first_sign_change<Real>(f, sign, Real(from.hi), Real(to));
+        if (end != 0) {
+          if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
+        }
+        auto root = first_sign_change<Real>(f, sign, Real(from.hi()), Real(to));
         if (!root) return std::nullopt;
-        taut::refine(f, sign, *root);
+        refine_root(f, sign, *root, 0);
         return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
       });
     } catch (const PrecisionExhausted&) {
@@ -102,16 +156,23 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
 
 bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {
   if (t.stage >= stage) return true;
+  if (stage == 0 && ExactLine::fits(leg_)) {
+    const ExactLine line(leg_, geometry_, triple_, measure_);
+    if (const auto root = line.exact() && line.slope_sign() != 0 ? line.root(stage, enough) : std::nullopt) {
+      t = *root;
+      return true;
+    }
+  }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
-    RootEnclosure<Real> root{Real(t.lo), Real(t.hi)};
+    RootEnclosure<Real> root{Real(t.lo()), Real(t.hi())};
     try {
-      taut::refine(f, sign, root, enough);
+      refine_root(f, sign, root, enough);
     } catch (const PrecisionExhausted&) {
       return false;
     }
-    t = {RealMax(root.lo), RealMax(root.hi), stage};
+    t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
     return true;
   });
 }

@@ -4,16 +4,10 @@
 #include <optional>
 
 #include "motion/mixed_function.hpp"
+#include "motion/precise_time.hpp"
+#include "numeric/root_isolation.hpp"
 
 namespace taut {
-
-/// An instant, enclosed. `stage` is the index into precision_ladder at which it was found, -1 for doubles.
-struct PreciseTime {
-  RealMax lo, hi;
-  int stage = -1;
-
-  static PreciseTime between(double lo, double hi) { return {RealMax(lo), RealMax(hi), -1}; }
-};
 
 inline constexpr int precise_stages = 3;
 
@@ -34,6 +28,14 @@ class PreciseTriple {
   bool refine(int sign, PreciseTime& t, int stage, double enough = 0) const;
 
  private:
+  struct LineFailure {
+    bool known = false;
+    std::optional<PreciseTime> time;
+  };
+  LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
+  template <class Real>
+  void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
+
   const Leg& leg_;
   const PairGeometry& geometry_;
   MixedTriple triple_;

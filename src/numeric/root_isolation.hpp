@@ -115,4 +115,27 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough =
   }
 }
 
+/// The same where the slope over the whole enclosure is known to a few digits at least: each step needs one value, and
+/// gains as many bits as the slope has, down to what the value's own error allows.
+template <class Real, class Function>
+void refine_with_slope(const Function& f, const Ball<double>& slope, int sign, RootEnclosure<Real>& r,
+                       double enough = 0) {
+  using B = Ball<Real>;
+  const B steep(RealTraits<Real>::from_double(slope.mid), slope.rad);
+  for (int step = 0; step < 64; ++step) {
+    const Real middle = (r.lo + r.hi) / 2;
+    const B value = detail::value_of(f, B(middle, 0.0));
+    const Real before = r.hi - r.lo;
+    if (const int s = value.sign()) (s == sign ? r.lo : r.hi) = middle;
+    const B newton = B(middle, 0.0) - value / steep;
+    const Real lo = newton.lower(), hi = newton.upper();
+    if (lo > r.lo) r.lo = lo;
+    if (hi < r.hi) r.hi = hi;
+    if (r.hi < r.lo) throw PrecisionExhausted{};
+    const double width = RealTraits<Real>::magnitude(Real(r.hi - r.lo));
+    if (width <= enough || !(width < 0x1p-10 * RealTraits<Real>::magnitude(before))) return;
+    if (width <= unit_roundoff<Real>() * 8 * RealTraits<Real>::magnitude(r.hi)) return;
+  }
+}
+
 }  // namespace taut

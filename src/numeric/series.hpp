@@ -12,11 +12,12 @@
 
 namespace taut {
 
-/// The sum of a[i] b[k - i], i = first .. k, in one go: the middles as they come, and what they round in one bound.
+/// The sum of a[i] b[k - i], i = first .. last, in one go: the middles as they come, and what they round in one bound.
 /// Nothing if something is not finite.
-inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, const Ball<double>* b, int first, int k) {
+inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, const Ball<double>* b, int first, int last,
+                                                      int k) {
   double sum = 0, size = 0, spread = 0;
-  for (int i = first; i <= k; ++i) {
+  for (int i = first; i <= last; ++i) {
     const Ball<double>&x = a[i], &y = b[k - i];
     const double product = x.mid * y.mid, x_size = std::fabs(x.mid), y_size = std::fabs(y.mid);
     sum += product;
@@ -25,22 +26,25 @@ inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, con
   }
   // n products and n - 1 sums of them err by less than n + 1 roundings of their sizes' sum, and the bound itself by
   // less than 4 n of its own.
-  const double n = k - first + 1;
+  const double n = last - first + 1;
   const double bound = (spread + (n + 1) * 0x1p-53 * size) * (1 + 0x1p-45) + n * underflow_slack;
   if (!(bound < INFINITY)) return std::nullopt;
   return Ball<double>(sum, bound);
 }
 
-/// c[k] encloses f^(k)(t)/k!, k = 0 .. N, at a point or over a ball of times.
+/// c[k] encloses f^(k)(t)/k!, k = 0 .. N, at a point or over a ball of times. Those from `terms` on are exactly zero,
+/// as they are for the polynomials of low degree that most motions are made of, and cost nothing.
 template <class Real, int N>
 struct Series {
   using Number = Real;
   std::array<Ball<Real>, N + 1> c;
+  int terms = N + 1;
 
   static Series constant(double x) {
     Series s;
     s.c.fill(Ball<Real>::exact(0));
     s.c[0] = Ball<Real>::exact(x);
+    s.terms = 1;
     return s;
   }
   /// A polynomial with the given coefficients (ascending) about the ball t: Horner's rule with t + h for t.
@@ -52,60 +56,70 @@ struct Series {
       for (int k = std::min(degree + 1, N); k > 0; --k) s.c[k] = s.c[k] * t + s.c[k - 1];
       s.c[0] = s.c[0] * t + Ball<Real>::exact(coefficients[i]);
     }
+    s.terms = std::clamp(degree + 1, 1, N + 1);
+    return s;
+  }
+  /// With so many terms, all of them still to be set; the rest is zero.
+  static Series of_terms(int terms) {
+    Series s;
+    s.terms = terms;
+    std::fill(s.c.begin() + terms, s.c.end(), Ball<Real>::exact(0));
     return s;
   }
 };
 
 template <class Real, int N>
 Series<Real, N> operator-(const Series<Real, N>& a) {
-  Series<Real, N> r;
-  for (int k = 0; k <= N; ++k) r.c[k] = -a.c[k];
+  auto r = Series<Real, N>::of_terms(a.terms);
+  for (int k = 0; k <= N && k < r.terms; ++k) r.c[k] = -a.c[k];
   return r;
 }
 template <class Real, int N>
 Series<Real, N> operator+(const Series<Real, N>& a, const Series<Real, N>& b) {
-  Series<Real, N> r;
-  for (int k = 0; k <= N; ++k) r.c[k] = a.c[k] + b.c[k];
+  auto r = Series<Real, N>::of_terms(std::max(a.terms, b.terms));
+  for (int k = 0; k <= N && k < r.terms; ++k) r.c[k] = a.c[k] + b.c[k];
   return r;
 }
 template <class Real, int N>
 Series<Real, N> operator-(const Series<Real, N>& a, const Series<Real, N>& b) {
-  Series<Real, N> r;
-  for (int k = 0; k <= N; ++k) r.c[k] = a.c[k] - b.c[k];
+  auto r = Series<Real, N>::of_terms(std::max(a.terms, b.terms));
+  for (int k = 0; k <= N && k < r.terms; ++k) r.c[k] = a.c[k] - b.c[k];
   return r;
 }
-/// The sum of a[i] b[k - i], i = first .. k.
+/// The sum of a[i] b[k - i], i = first .. last.
 template <class Real, std::size_t Terms>
 Ball<Real> convolution(const std::array<Ball<Real>, Terms>& a, const std::array<Ball<Real>, Terms>& b, int first,
-                       int k) {
+                       int last, int k) {
   if constexpr (std::is_same_v<Real, double>) {
-    if (const auto sum = finite_convolution(a.data(), b.data(), first, k)) return *sum;
+    if (const auto sum = finite_convolution(a.data(), b.data(), first, last, k)) return *sum;
   }
   Ball<Real> sum = a[first] * b[k - first];
-  for (int i = first + 1; i <= k; ++i) sum = sum + a[i] * b[k - i];
+  for (int i = first + 1; i <= last; ++i) sum = sum + a[i] * b[k - i];
   return sum;
 }
 template <class Real, int N>
 Series<Real, N> operator*(const Series<Real, N>& a, const Series<Real, N>& b) {
-  Series<Real, N> r;
-  for (int k = 0; k <= N; ++k) r.c[k] = convolution(a.c, b.c, 0, k);
+  auto r = Series<Real, N>::of_terms(std::min(a.terms + b.terms - 1, N + 1));
+  for (int k = 0; k <= N && k < r.terms; ++k) {
+    r.c[k] = convolution(a.c, b.c, std::max(0, k - b.terms + 1), std::min(k, a.terms - 1), k);
+  }
   return r;
 }
 template <class Real, int N>
 Series<Real, N> operator/(const Series<Real, N>& a, const Series<Real, N>& b) {
-  Series<Real, N> q;
-  for (int k = 0; k <= N; ++k) {
+  auto q = Series<Real, N>::of_terms(b.terms == 1 ? a.terms : N + 1);
+  for (int k = 0; k <= N && k < q.terms; ++k) {
     Ball<Real> x = a.c[k];
-    for (int i = 0; i < k; ++i) x = x - q.c[i] * b.c[k - i];
+    for (int i = std::max(0, k - b.terms + 1); i < k; ++i) x = x - q.c[i] * b.c[k - i];
     q.c[k] = x / b.c[0];
   }
   return q;
 }
 template <class Real, int N>
 Series<Real, N> sqrt(const Series<Real, N>& a) {
-  Series<Real, N> r;
+  auto r = Series<Real, N>::of_terms(a.terms == 1 ? 1 : N + 1);
   r.c[0] = sqrt(a.c[0]);
-  for (int k = 1; k <= N; ++k) {
+  for (int k = 1; k <= N && k < r.terms; ++k) {
     Ball<Real> x = a.c[k];
     for (int i = 1; i < k; ++i) x = x - r.c[i] * r.c[k - i];
     r.c[k] = x / (r.c[0] * 2.0);
@@ -114,15 +128,17 @@ Series<Real, N> sqrt(const Series<Real, N>& a) {
 }
 template <class Real, int N>
 void sin_cos(const Series<Real, N>& a, Series<Real, N>& sine, Series<Real, N>& cosine) {
+  sine = cosine = Series<Real, N>::of_terms(a.terms == 1 ? 1 : N + 1);
   const SinCos<Real> start = sin_cos(a.c[0]);
   sine.c[0] = start.sin;
   cosine.c[0] = start.cos;
   std::array<Ball<Real>, N + 1> slope;  // k times the coefficient
-  for (int k = 1; k <= N; ++k) slope[k] = a.c[k] * static_cast<double>(k);
-  for (int k = 1; k <= N; ++k) {
+  for (int k = 1; k <= N && k < a.terms; ++k) slope[k] = a.c[k] * static_cast<double>(k);
+  for (int k = 1; k <= N && k < sine.terms; ++k) {
     const Ball<Real> divisor = Ball<Real>::exact(k);
-    sine.c[k] = convolution(slope, cosine.c, 1, k) / divisor;
-    cosine.c[k] = -convolution(slope, sine.c, 1, k) / divisor;
+    const int last = std::min(k, a.terms - 1);
+    sine.c[k] = convolution(slope, cosine.c, 1, last, k) / divisor;
+    cosine.c[k] = -convolution(slope, sine.c, 1, last, k) / divisor;
   }
 }
 

@@ -126,9 +126,9 @@ bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
     const std::optional<PreciseTime> root = f.first_failure(c.sign, birth, until.hi);
     if (!root) return !own;
     // The first root since the birth: with its own vertices it must be the very instant, and an enclosure holds one.
-    if (own) return root->hi >= end.lo && root->lo <= end.hi;
-    if (root->lo > end.hi) return true;
-    if (root->hi < end.lo) return false;
+    if (own) return !root->certainly_before(end) && !end.certainly_before(*root);
+    if (end.certainly_before(*root)) return true;
+    if (root->certainly_before(end)) return false;
   }
   throw Undecidable{"whether a corner lasts until an event"};
 }
@@ -155,8 +155,8 @@ Instant Lifetimes::failure(const Corner& c, double about) {
     if (!c.birth.concerns(c.u, c.v, c.w) && f.sign_at(birth, stage) != c.sign) continue;
     const std::optional<PreciseTime> found = f.first_failure(c.sign, birth, std::min(leg().end, about + nearness()));
     if (!found) throw ProofError("a corner does not fail where the log says");
-    root.lo = double_floor(found->lo);
-    root.hi = std::min(double_above(found->hi), leg().end);
+    root.lo = found->floor();
+    root.hi = std::min(found->ceiling(), leg().end);
     root.fine = std::make_shared<const PreciseTime>(*found);
     return root;
   }
@@ -166,8 +166,8 @@ Instant Lifetimes::failure(const Corner& c, double about) {
 Instant Lifetimes::tightened(Instant event) const {
   PreciseTime t;
   if (!at_stage(event, 0, t)) return event;
-  event.lo = std::max(event.lo, double_floor(t.lo));
-  event.hi = std::min(event.hi, double_above(t.hi));
+  event.lo = std::max(event.lo, t.floor());
+  event.hi = std::min(event.hi, t.ceiling());
   return event;
 }
 
@@ -177,8 +177,8 @@ bool Lifetimes::in_order(const Instant& a, const Instant& b) {
   for (int stage = 0; stage < precise_stages; ++stage) {
     PreciseTime x, y;
     if (!at_stage(a, stage, x) || !at_stage(b, stage, y)) continue;
-    if (x.hi <= y.lo) return true;
-    if (y.hi < x.lo) return false;
+    if (x.not_after(y)) return true;
+    if (y.certainly_before(x)) return false;
   }
   throw Undecidable{"the order of two events"};
 }

@@ -1,0 +1,79 @@
+// Numbers given exactly as sums of a few doubles: fine enough for events that differ by a displacement only.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "numeric/exact_sum.hpp"
+#include "numeric/real.hpp"
+
+namespace taut {
+
+/// A nonoverlapping sum of doubles, smallest first, without zeros; zero has no parts.
+class FineNumber {
+ public:
+  static constexpr std::size_t capacity = 8;
+
+  FineNumber() = default;
+  explicit FineNumber(double x) {
+    if (x != 0) part_[size_++] = x;
+  }
+  /// Of a sum with few enough terms.
+  template <std::size_t Terms>
+  static FineNumber of(const ExactSum<Terms>& sum) {
+    FineNumber number;
+    for (std::size_t i = 0; i < sum.size() && i < capacity; ++i) number.part_[number.size_++] = sum.term(i);
+    return number;
+  }
+
+  std::size_t size() const { return size_; }
+  double part(std::size_t i) const { return part_[i]; }
+  /// Within an ulp of the number.
+  double leading() const { return size_ > 0 ? part_[size_ - 1] : 0; }
+  /// Exact: the parts lie within 960 bits.
+  RealMax real() const {
+    RealMax sum(0);
+    for (std::size_t i = size_; i-- > 0;) sum += RealTraits<RealMax>::from_double(part_[i]);
+    return sum;
+  }
+
+  /// -1, 0 or 1 as the number is less than, equal to, or greater than `o`.
+  int compare(const FineNumber& o) const {
+    std::size_t i = size_, k = o.size_;
+    for (; i > 0 && k > 0; --i, --k) {
+      const double a = part_[i - 1], b = o.part_[k - 1], d = a - b;
+      if (d == 0) continue;
+      // What the other parts add is less than two units in the last place of either.
+      if (std::fabs(d) > 0x1p-49 * (std::fabs(a) + std::fabs(b))) return d > 0 ? 1 : -1;
+      return compare_rest(i, o, k);
+    }
+    return compare_rest(i, o, k);
+  }
+  /// The largest double not above, and the smallest not below.
+  double floor() const {
+    double x = leading();
+    while (compare(FineNumber(x)) < 0) x = std::nextafter(x, -INFINITY);
+    for (double next; compare(FineNumber(next = std::nextafter(x, INFINITY))) >= 0;) x = next;
+    return x;
+  }
+  double ceiling() const { return -negated().floor(); }
+
+ private:
+  /// Of the first i parts and the other's first k.
+  int compare_rest(std::size_t i, const FineNumber& o, std::size_t k) const {
+    ExactSum<2 * capacity> difference;
+    while (i-- > 0) difference.add(part_[i]);
+    while (k-- > 0) difference.add(-o.part_[k]);
+    return difference.sign();
+  }
+  FineNumber negated() const {
+    FineNumber n = *this;
+    for (std::size_t i = 0; i < size_; ++i) n.part_[i] = -part_[i];
+    return n;
+  }
+
+  std::array<double, capacity> part_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace taut

@@ -1,0 +1,160 @@
+// Lines in time, exactly: against the same functions in 960 bits.
+#include "motion/exact_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/mixed_function.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/pair_plan.hpp"
+#include "motion/precise_triple.hpp"
+#include "support/random_scenes.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// A pair on a straight way, and a triple of its vertices.
+struct Setting {
+  PairGeometry geometry;
+  Leg leg;
+
+  static Setting of(std::uint64_t seed, bool grid) {
+    SceneOptions options;
+    options.grid = grid;
+    options.kinds = {MotionKind::rest, MotionKind::linear};
+    const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
+    const PairPlan plan = plan_pair(scene);
+    Setting s;
+    s.geometry = displaced_pair(plan, seed % 2 == 0);
+    for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+      if (!leg.bridge) s.leg = leg;
+    }
+    return s;
+  }
+  MixedTriple triple(Rng& rng) const {
+    for (;;) {
+      const auto any = [&] { return VertexId(static_cast<std::uint32_t>(rng.below(geometry.size()))); };
+      const VertexId u = any(), v = any(), w = any();
+      const bool mixed = !(geometry.same_body(u, v) && geometry.same_body(v, w));
+      if (mixed && u != v && v != w && u != w) return MixedTriple::of(geometry, u, v, w);
+    }
+  }
+};
+
+Measure any_measure(Rng& rng) { return rng.below(2) ? Measure::orientation : Measure::projection; }
+
+TEST(ExactLine, SignsAreThoseOf960Bits) {
+  Rng rng(1);
+  int zeros_in_doubles = 0;
+  for (std::uint64_t seed = 0; seed < 1200; ++seed) {
+    const Setting s = Setting::of(seed, seed % 3 != 0);
+    ASSERT_TRUE(ExactLine::fits(s.leg));
+    for (int k = 0; k < 20; ++k) {
+      const MixedTriple triple = s.triple(rng);
+      const Measure measure = any_measure(rng);
+      const ExactLine line(s.leg, s.geometry, triple, measure);
+      ASSERT_TRUE(line.exact());
+      const PreciseFunction<Real960> f(s.leg, s.geometry, triple, measure);
+      const double t = rng.below(2) ? rng.real(0, 1) : static_cast<double>(rng.below(5)) / 4;
+      const Ball<Real960> value = f.value(Ball<Real960>::exact(t));
+      if (std::fabs(RealTraits<Real960>::to_double(value.mid)) < 1e-40) ++zeros_in_doubles;
+      EXPECT_EQ(line.sign_over(PreciseTime::between(t, t)), value.sign()) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(zeros_in_doubles, 50);  // only the displacement tells
+}
+
+TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
+  Rng rng(2);
+  int roots = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Setting s = Setting::of(seed, seed % 3 != 0);
+    for (int k = 0; k < 20; ++k) {
+      const MixedTriple triple = s.triple(rng);
+      const Measure measure = any_measure(rng);
+      const ExactLine line(s.leg, s.geometry, triple, measure);
+      if (line.slope_sign() == 0) continue;
+      const auto root = line.root(0);
+      ASSERT_TRUE(root);
+      ++roots;
+      const PreciseFunction<Real960> f(s.leg, s.geometry, triple, measure);
+      const Real960 lo = root->lo(), hi = root->hi();
+      const int before = f.value(Ball<Real960>(lo, 0.0)).sign(), after = f.value(Ball<Real960>(hi, 0.0)).sign();
+      if (lo == hi) {
+        EXPECT_EQ(line.sign_over(*root), 0);
+      } else {
+        EXPECT_EQ(before, -line.slope_sign()) << "seed " << seed;
+        EXPECT_EQ(after, line.slope_sign()) << "seed " << seed;
+      }
+      EXPECT_LE(RealTraits<Real960>::magnitude(Real960(hi - lo)), 0x1p-190 * (1 + std::fabs(root->floor())));
+      EXPECT_LE(Real960(root->floor()), lo);
+      EXPECT_GT(Real960(std::nextafter(root->floor(), INFINITY)), lo);
+      EXPECT_GE(Real960(root->ceiling()), hi);
+      // A coarser root is one of the same function.
+      const auto coarse = line.root(0, 1e-10);
+      ASSERT_TRUE(coarse);
+      EXPECT_FALSE(coarse->certainly_before(*root));
+      EXPECT_FALSE(root->certainly_before(*coarse));
+    }
+  }
+  EXPECT_GT(roots, 2000);
+}
+
+TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
+  Rng rng(3);
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Setting s = Setting::of(seed, true);
+    for (int k = 0; k < 10; ++k) {
+      const MixedTriple triple = s.triple(rng);
+      const PreciseTriple precise(s.leg, s.geometry, triple);
+      const PreciseTime start = PreciseTime::between(0, 0);
+      const int sign = precise.sign_at(start, 0);
+      if (sign == 0) continue;
+      const auto failure = precise.first_failure(sign, start, 1);
+      const PreciseFunction<Real640> f(s.leg, s.geometry, triple);
+      auto root = first_sign_change<Real640>(f, sign, Real640(0), Real640(1));
+      ASSERT_EQ(failure.has_value(), root.has_value()) << "seed " << seed;
+      if (!failure) continue;
+      ++found;
+      taut::refine(f, sign, *root);
+      EXPECT_LE(failure->lo(), RealMax(root->hi));
+      EXPECT_GE(failure->hi(), RealMax(root->lo));
+    }
+  }
+  EXPECT_GT(found, 200);
+}
+
+TEST(ExactLine, SaysSoWhenProductsUnderflow) {
+  Setting s = Setting::of(3, false);
+  for (DisplacedPoint& p : s.geometry.points) p = {p.x * 1e-150, p.y * 1e-150, p.dx * 1e-150, p.dy * 1e-150};
+  Rng rng(4);
+  EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());
+}
+
+TEST(FineNumber, ComparesAndRoundsExactly) {
+  const auto number = [](std::initializer_list<double> parts) {
+    ExactSum<8> sum;
+    for (const double x : parts) sum.add(x);
+    return FineNumber::of(sum);
+  };
+  const FineNumber one = number({1}), more = number({1, 0x1p-200}), less = number({1, -0x1p-200});
+  EXPECT_EQ(one.compare(one), 0);
+  EXPECT_LT(one.compare(more), 0);
+  EXPECT_GT(one.compare(less), 0);
+  EXPECT_EQ(more.floor(), 1);
+  EXPECT_EQ(more.ceiling(), std::nextafter(1, 2));
+  EXPECT_EQ(less.floor(), std::nextafter(1, 0));
+  EXPECT_EQ(less.ceiling(), 1);
+  EXPECT_EQ(one.floor(), 1);
+  EXPECT_EQ(one.ceiling(), 1);
+  EXPECT_EQ(FineNumber(0).compare(number({0x1p-300})), -1);
+  EXPECT_EQ(FineNumber(0).floor(), 0);
+  // The same number, split differently.
+  EXPECT_EQ(number({1, 0x1p-53, 0x1p-54}).compare(number({1, 0x1.8p-53})), 0);
+  EXPECT_EQ(more.real() - one.real(), RealMax(0x1p-200));
+}
+
+}  // namespace
+}  // namespace taut::testing
