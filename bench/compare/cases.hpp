@@ -26,8 +26,13 @@ struct ContestFamily {
   const char* what;
   std::vector<int> sizes;
   Contest (*make)(int n);
+  /// Why the scenes cannot be made here; empty if they can. May be null.
+  std::string (*obstacle)() = nullptr;
 };
 
 const std::vector<ContestFamily>& contest_families();
+
+/// Those named in `only`, or all of them. What cannot be made here is left out, with a message on standard error.
+std::vector<ContestFamily> chosen_families(const std::vector<std::string>& only);
 
 }  // namespace taut::bench

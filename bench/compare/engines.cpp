@@ -89,4 +89,13 @@ std::string fault(const Contest& contest, const std::vector<Answer>& answers) {
   return {};
 }
 
+std::string disagreement(const std::vector<Answer>& first, const std::vector<Answer>& second) {
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (!first[k].contact || !second[k].contact) continue;
+    const TimeInterval a = first[k].contact->time, b = second[k].contact->time;
+    if (a.lo > b.hi || b.lo > a.hi) return fmt::format("contact at {} and at {}", a.lo, b.lo);
+  }
+  return {};
+}
+
 }  // namespace taut::bench

@@ -29,4 +29,7 @@ const std::vector<Column>& columns();
 /// What is wrong with the answers; empty if nothing.
 std::string fault(const Contest& contest, const std::vector<Answer>& answers);
 
+/// Why two engines' answers to one contest, neither at fault, cannot both be true; empty if they can.
+std::string disagreement(const std::vector<Answer>& first, const std::vector<Answer>& second);
+
 }  // namespace taut::bench
