@@ -290,4 +290,8 @@ FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { retu
 
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
 
+FrameOf<EndSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
+  return motion_frame<EndSeries<Real320>>(leg, t);
+}
+
 }  // namespace taut

@@ -93,6 +93,12 @@ FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
 /// Its Taylor series about the ball t (not of a bridge).
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
 
+/// Its Taylor series in s about a place near a singular end.
+inline constexpr int end_degree = 9;
+template <class Real>
+using EndSeries = Series<Real, end_degree>;
+FrameOf<EndSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
+
 /// Turns a vertex of P or Q into what the leg sees of it.
 template <class Real>
 void add_offset(const Leg& leg, bool of_p, Ball<Real>& x, Ball<Real>& y) {

@@ -51,6 +51,21 @@ class PreciseFunction {
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
+  /// As a polynomial in s that is right for all s from the end to `farthest`: Taylor's formula about the end.
+  BallPolynomial<Real> from_end(double end, double direction, const Ball<Real>& farthest) const {
+    const FrameOf<EndSeries<Real>> at_end = frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
+    const FrameOf<EndSeries<Real>> over =
+        frame_series(leg_, TimeFromEnd<Real>{end, direction, hull(Ball<Real>::exact(0), farthest)});
+    BallPolynomial<Real> sum;
+    for (int k = 0; k <= end_degree; ++k) {
+      const FrameOf<EndSeries<Real>>& from = k < end_degree ? at_end : over;
+      const std::array<EndSeries<Real>, 5>& f = pp_ ? from.for_pp : from.for_qq;
+      Ball<Real> c = f[0].c[k] * coefficients_[0];
+      for (std::size_t i = 1; i < 5; ++i) c = c + f[i].c[k] * coefficients_[i];
+      sum.push_back(c);
+    }
+    return sum;
+  }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
     if (leg_.translation) return polynomial_value(polynomial_, t);

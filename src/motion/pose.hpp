@@ -21,34 +21,46 @@ struct VaryingPart {
   double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
 };
 
-/// A polynomial divided by t, its constant dropped.
+/// A polynomial divided by t^order, the lower powers dropped.
 struct Quotient {
   const Coefficients& whole;
-  std::size_t size() const { return whole.empty() ? 0 : whole.size() - 1; }
-  double operator[](std::size_t k) const { return whole[k + 1]; }
+  std::size_t order;
+  std::size_t size() const { return whole.size() - order; }
+  double operator[](std::size_t k) const { return whole[k + order]; }
 };
 
 /// Is the cosine exactly 1 or -1 at `end`, and can it be divided by the distance from there without rounding? Then the
 /// angle starts, or ends, with infinite speed.
 bool singular_at(const CosineRotation& rotation, double end);
 
-/// sqrt(1 - c^2) for a cosine c that is singular at that end: with c = e + h r, where e is 1 or -1 and h = t - end, it
-/// is sqrt(-e h r (2 + e h r)), and h is direction * s^2.
-template <class Real>
-void cosine_from_end(const CosineRotation& rotation, const TimeFromEnd<Real>& t, Jet<Real>& xx, Jet<Real>& xy) {
-  using J = Jet<Real>;
-  const J s{t.s, Ball<Real>::exact(1), Ball<Real>::exact(0)};
-  // By singular_at(), either the end is 0 or c is linear: r is the same polynomial about both.
-  const J r = J::polynomial(Quotient{rotation.a}, t);
-  const J change = s * s * r * Ball<Real>::exact(t.direction);
-  const double e = rotation.a[0] + t.end * (rotation.a.size() > 1 ? rotation.a[1] : 0) > 0 ? 1 : -1;
-  xx = J::constant(e) + change;
-  const J two = J::constant(2.0);
-  xy = s * sqrt(r * (two + change * Ball<Real>::exact(e)) * Ball<Real>::exact(-e * t.direction)) *
-       Ball<Real>::exact(t.direction);
+/// The lowest power of t in the polynomial, apart from its constant; 0 if there is none.
+inline std::size_t first_power(const Coefficients& a) {
+  for (std::size_t k = 1; k < a.size(); ++k) {
+    if (a[k] != 0) return k;
+  }
+  return 0;
 }
-template <class J, class Time>
-void cosine_from_end(const CosineRotation&, const Time&, J&, J&) {}
+
+/// sqrt(1 - c^2) for a cosine c that is singular at that end: with c = e + h^m r, where e is 1 or -1, h = t - end and r
+/// is not zero there, it is sqrt(-e h^m r (2 + e h^m r)), and h is direction * s^2.
+template <class J, class Real>
+void cosine_from_end(const CosineRotation& rotation, const TimeFromEnd<Real>& t, J& xx, J& xy) {
+  const double e = rotation.a[0] + t.end * (rotation.a.size() > 1 ? rotation.a[1] : 0) > 0 ? 1 : -1;
+  const std::size_t m = first_power(rotation.a);
+  xx = J::constant(e);
+  xy = J::constant(0.0);
+  if (m == 0) return;
+  const J s = J::variable(t.s);
+  // By singular_at(), either the end is 0 or c is linear: r is the same polynomial about both.
+  const J r = J::polynomial(Quotient{rotation.a, m}, t);
+  J distance = J::constant(1.0);  // |s|^m
+  for (std::size_t k = 0; k < m; ++k) distance = distance * s * Ball<Real>::exact(t.direction);
+  const double side = m % 2 == 1 ? t.direction : 1;
+  const J change = distance * distance * r * Ball<Real>::exact(side);
+  xx = xx + change;
+  const J two = J::constant(2.0);
+  xy = distance * sqrt(r * (two + change * Ball<Real>::exact(e)) * Ball<Real>::exact(-e * side));
+}
 
 /// x(t) of a rotation; J is Jet<Real> or Series<Real, N>, and the time a ball or, for jets, TimeFromEnd.
 template <class J, class Time>

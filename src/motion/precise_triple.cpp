@@ -29,7 +29,7 @@ class SearchFromEnd {
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, int stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
     const Real a = first.lower(), b = last.upper();
-    auto root = first_sign_change<Real>(*this, sign, a, b);
+    auto root = search(sign, a, b);
     if (!root) return std::nullopt;
     // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
     // interval with `from` in it, the root comes after; an interval before it says nothing.
@@ -42,6 +42,25 @@ class SearchFromEnd {
   }
 
  private:
+  /// A polynomial in s.
+  struct Expanded {
+    BallPolynomial<Real> p;
+    Jet<Real> operator()(const Ball<Real>& s) const { return polynomial_range(p, s); }
+    Ball<Real> value(const Ball<Real>& s) const { return polynomial_value(p, s); }
+  };
+
+  /// By the Taylor polynomial about the end, whose first terms are what ties are decided by; its ranges over orders of
+  /// magnitude are far better than the function's own. That one is asked where the polynomial leaves out too much.
+  std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
+    if constexpr (std::is_same_v<Real, Real320>) {
+      try {
+        const Expanded near_end{f_.from_end(end_, direction_, Ball<Real>(direction_ > 0 ? b : a, 0.0))};
+        return first_sign_change<Real>(near_end, sign, a, b, Magnitudes{});
+      } catch (const PrecisionExhausted&) {
+      }
+    }
+    return first_sign_change<Real>(*this, sign, a, b, Magnitudes{});
+  }
   Ball<Real> root_of_distance(const RealMax& t) const {
     const RealMax distance = (t - RealMax(end_)) * RealMax(direction_);
     if (distance == 0) return Ball<Real>::exact(0);

@@ -26,6 +26,8 @@ struct Jet {
 
   static Jet constant(const Ball<Real>& c) { return {c, Ball<Real>::exact(0), Ball<Real>::exact(0)}; }
   static Jet constant(double c) { return constant(Ball<Real>::exact(c)); }
+  /// The argument itself.
+  static Jet variable(const Ball<Real>& t) { return {t, Ball<Real>::exact(1), Ball<Real>::exact(0)}; }
   /// A polynomial with the given coefficients (ascending) at the ball t, by Horner's rule.
   template <class Coefficients>
   static Jet polynomial(const Coefficients& c, const Ball<Real>& t) {

@@ -44,11 +44,31 @@ int sign_over(const Jet<Real>& wide, const Jet<Real>& at_middle, double reach) {
 
 }  // namespace detail
 
+/// Where to cut an interval in two.
+struct Halves {
+  template <class Real>
+  Real operator()(const Real& lo, const Real& hi) const {
+    return (lo + hi) / 2;
+  }
+};
+/// For functions whose scale may be any power of their argument near zero, which does not lie inside the interval:
+/// orders of magnitude at a time.
+struct Magnitudes {
+  template <class Real>
+  Real operator()(const Real& lo, const Real& hi) const {
+    constexpr double step = 0x1p-16;
+    if (hi > 0 && lo < hi * (step * step)) return hi * step;
+    if (lo < 0 && hi > lo * (step * step)) return lo * step;
+    return (lo + hi) / 2;
+  }
+};
+
 /// The first root in (a, b] at which the sign changes from `sign`, which holds just after a.
 /// Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted.
-/// The idea: exclude the sign change over an interval, or certify monotonicity, or halve.
-template <class Real, class Function>
-std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b) {
+/// The idea: exclude the sign change over an interval, or certify monotonicity, or cut in two.
+template <class Real, class Function, class Cut = Halves>
+std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b,
+                                                     const Cut& cut = {}) {
   using B = Ball<Real>;
   // Depth first from the left: `lo` is where everything before is done, `ends` the right ends of what is left. The
   // buffer outlives the call, so that the event loop allocates nothing.
@@ -76,7 +96,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
       }
       if (!excluded) {
         if (!(RealTraits<Real>::magnitude(Real(hi - lo)) > tiny)) throw PrecisionExhausted{};
-        ends.push_back(whole.mid);
+        ends.push_back(cut(lo, hi));
         continue;
       }
     }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "numeric/trig.hpp"
+#include "numeric/jet.hpp"
 
 namespace taut {
 
@@ -59,6 +59,26 @@ struct Series {
     s.terms = std::clamp(degree + 1, 1, N + 1);
     return s;
   }
+  /// The same as a function of s.
+  template <class Coefficients>
+  static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {
+    Series t = constant(at.end);
+    t.c[0] = t.c[0] + at.s * at.s * at.direction;
+    t.c[1] = at.s * (2 * at.direction);
+    t.c[2] = Ball<Real>::exact(at.direction);
+    t.terms = 3;
+    Series sum = constant(0.0);
+    for (std::size_t i = coefficients.size(); i-- > 0;) sum = sum * t + constant(coefficients[i]);
+    return sum;
+  }
+  /// The argument itself.
+  static Series variable(const Ball<Real>& t) {
+    Series s = constant(0.0);
+    s.c[0] = t;
+    s.c[1] = Ball<Real>::exact(1);
+    s.terms = 2;
+    return s;
+  }
   /// With so many terms, all of them still to be set; the rest is zero.
   static Series of_terms(int terms) {
     Series s;
@@ -103,6 +123,12 @@ Series<Real, N> operator*(const Series<Real, N>& a, const Series<Real, N>& b) {
   for (int k = 0; k <= N && k < r.terms; ++k) {
     r.c[k] = convolution(a.c, b.c, std::max(0, k - b.terms + 1), std::min(k, a.terms - 1), k);
   }
+  return r;
+}
+template <class Real, int N>
+Series<Real, N> operator*(const Series<Real, N>& a, const Ball<Real>& b) {
+  auto r = Series<Real, N>::of_terms(a.terms);
+  for (int k = 0; k <= N && k < r.terms; ++k) r.c[k] = a.c[k] * b;
   return r;
 }
 template <class Real, int N>

@@ -126,8 +126,12 @@ TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     const double e = rng.chance(0.5) ? 1 : -1, change = -e * rng.real(0.1, 0.5);
     // |c| = 1 at the end; a linear cosine may have its end anywhere.
     const double end = linear ? 0.75 : 0, direction = at_start ? 1 : -1, slope = direction * change;
-    p.rotation = CosineRotation{linear ? Coefficients{e - slope * end, slope}
-                                       : Coefficients{e, slope, rng.real(-0.05, 0.05), rng.real(-0.05, 0.05)}};
+    // The first power that is there: with the second one the body starts at a finite speed.
+    const int order = linear || !at_start ? 1 : rng.between(1, 3);
+    Coefficients a{e, 0, 0, 0};
+    a[static_cast<std::size_t>(order)] = slope;
+    for (int k = order + 1; k < 4; ++k) a[static_cast<std::size_t>(k)] = rng.real(-0.05, 0.05);
+    p.rotation = CosineRotation{linear ? Coefficients{e - slope * end, slope} : a};
     const Leg leg =
         at_start ? Leg::motion(p, random_piece(rng), end, end + 1) : Leg::motion(p, random_piece(rng), end - 1, end);
     if (!leg.singular_at(end)) {
@@ -146,6 +150,18 @@ TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     // At the end itself everything is finite, where in t the slope is not.
     const Jet<Real320> there = f(TimeFromEnd<Real320>{end, direction, Ball<Real320>::exact(0)});
     EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
+    // The polynomial about the end holds the function everywhere up to there.
+    const double near = direction * 0.05;
+    const BallPolynomial<Real320> polynomial = f.from_end(end, direction, Ball<Real320>::exact(near));
+    for (const double share : {0.0, 0.01, 0.5, 1.0}) {
+      const Ball<Real320> at = Ball<Real320>::exact(near * share);
+      const Jet<Real320> expanded = polynomial_range(polynomial, at);
+      const Jet<Real320> direct = f(TimeFromEnd<Real320>{end, direction, at});
+      EXPECT_EQ((expanded.v - direct.v).sign(), 0);
+      EXPECT_EQ((expanded.d - direct.d).sign(), 0);
+      EXPECT_EQ((expanded.dd - direct.dd).sign(), 0);
+      EXPECT_LT(expanded.v.rad, share < 0.1 ? 1e-20 : 1e-3);
+    }
   }
 }
 
