@@ -4,16 +4,17 @@
 #include <filesystem>
 
 #include "examine.hpp"
+#include "support/effort.hpp"
 #include "taut/io.hpp"
 
 namespace taut::fuzz {
 namespace {
 
-class Examined : public testing::TestWithParam<std::string> {};
+class Examined : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Examined, NothingIsWrong) {
   Looks looks;
-  looks.max_events = 500;
+  looks.max_events = testing::effort(500);
   looks.max_seconds = 60;
   std::string report;
   const Finding found = examine(read_scene(GetParam()), looks, &report);
@@ -31,7 +32,7 @@ std::vector<std::string> scenes() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Examined, testing::ValuesIn(scenes()));
+INSTANTIATE_TEST_SUITE_P(Scenes, Examined, ::testing::ValuesIn(scenes()));
 
 }  // namespace
 }  // namespace taut::fuzz

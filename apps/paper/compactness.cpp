@@ -16,7 +16,7 @@
 namespace taut::paper {
 namespace {
 
-struct Placement {
+struct Situation {
   std::string family;
   Scene scene;
 };
@@ -26,7 +26,7 @@ Scene shifted(Scene scene, double dx, double dy) {
   return scene;
 }
 
-Scene combs(int n) {
+Scene interlocked_combs(int n) {
   gen::CombOptions o;
   o.teeth = std::max(1, (n / 2 - 2) / 4);
   return at_rest(gen::make_combs(o), 0);
@@ -41,8 +41,8 @@ Scene islands(int n) {
 }
 
 /// From far apart to fully interlocked, n vertices in all, about.
-std::vector<Placement> placements(int n) {
-  std::vector<Placement> out;
+std::vector<Situation> placements(int n) {
+  std::vector<Situation> out;
   out.push_back({"islands apart", islands(n)});
   gen::DipOptions dip;
   dip.sides = std::max(3, n - 8);
@@ -56,7 +56,7 @@ std::vector<Placement> placements(int n) {
     out.push_back({"spirals, 2 turns", at_rest(gen::make_spiral(spiral), 0)});
   }
   if (n >= 128) out.push_back({"headland in a bay", at_rest(bench::bay(static_cast<std::size_t>(n)), 0)});
-  const Scene interlocked = combs(n);
+  const Scene interlocked = interlocked_combs(n);
   const int teeth = static_cast<int>(interlocked.bodies[0].polygon.size() - 2) / 4;
   // Shifted along by all but m teeth, m slots are shared.
   for (const auto& [name, m] : {std::pair<std::string, double>{"combs, 2 teeth", 2},
@@ -78,7 +78,7 @@ void study_compactness(Output& output) {
   double largest = 0, largest_constant = 0;
   std::string where, constant_where;
   for (int n = 16; n <= 16384; n *= 2) {
-    for (const Placement& placement : placements(n)) {
+    for (const Situation& placement : placements(n)) {
       const Scene& scene = placement.scene;
       const auto vertices = static_cast<double>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
       const Separator found = separator(scene, scene.start);

@@ -12,8 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// Runs to the end, a contact, or a limit; says which limit.
 std::string run(Session& session, const CheckOptions& options, const InterruptionScope& scope, Answer& answer) {
   const double end = session.scene().end;

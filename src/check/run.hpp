@@ -1,6 +1,8 @@
 // One engine, one answer.
 #pragma once
 
+#include <chrono>
+
 #include "taut/check.hpp"
 
 namespace taut {
@@ -15,5 +17,9 @@ Answer run_spacetime(const Scene& scene, const CheckOptions& options);
 
 /// What both say. Throws EngineDisagreement.
 Answer agreed(const Answer& kinetic, const Answer& spacetime);
+
+inline double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace taut

@@ -17,8 +17,6 @@ using Clock = std::chrono::steady_clock;
 using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// The tree of P (side 0) or of Q (side 1): kept with a prepared shape, or made for this question.
 class Tree {
  public:

@@ -35,6 +35,9 @@ struct StagedSign {
 inline constexpr double min_coordinate = 0x1p-400;
 inline constexpr double max_coordinate = 0x1p+400;
 
+/// For coordinates that are computed: those as good as zero become zero, and so stay within the contract.
+inline double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
+
 /// The second stage alone: the sign of the six products, summed exactly.
 int orientation_exact(const Point& a, const Point& b, const Point& c);
 /// The exact sign of (b - a) x (d - c), for the same range; 0 if and only if the two vectors are parallel or null.

@@ -16,11 +16,11 @@ namespace {
 
 const char* const csv_shape = "write the header t,x,y,angle_deg, then a line of numbers for each keyframe";
 
-struct Column {
+struct KnownColumn {
   const char* name;
   double Keyframe::*member;
 };
-constexpr Column known_columns[] = {
+constexpr KnownColumn known_columns[] = {
     {"t", &Keyframe::t}, {"x", &Keyframe::x}, {"y", &Keyframe::y}, {"angle_deg", &Keyframe::angle_deg}};
 
 class CsvReader {
@@ -67,7 +67,7 @@ class CsvReader {
 
   void add_column(const std::string& name, std::size_t begin) {
     const auto* column = std::find_if(std::begin(known_columns), std::end(known_columns),
-                                      [&name](const Column& c) { return c.name == name; });
+                                      [&name](const KnownColumn& c) { return c.name == name; });
     const bool known = column != std::end(known_columns);
     if (known && std::find(columns_.begin(), columns_.end(), column->member) == columns_.end()) {
       columns_.push_back(column->member);

@@ -13,11 +13,11 @@ const char* const keyframes_shape = R"([{"t":0,"x":0,"y":0,"angle_deg":0},{"t":1
 
 /// What a keyframe says besides its time. All of a motion must say the same, so that nothing is left to guess: does a
 /// keyframe without "x" stay where it was, or go to 0?
-struct Column {
+struct KeyColumn {
   const char* key;
   double Keyframe::*member;
 };
-constexpr Column columns[] = {{"x", &Keyframe::x}, {"y", &Keyframe::y}, {"angle_deg", &Keyframe::angle_deg}};
+constexpr KeyColumn columns[] = {{"x", &Keyframe::x}, {"y", &Keyframe::y}, {"angle_deg", &Keyframe::angle_deg}};
 
 class KeyframeReader {
  public:

@@ -25,7 +25,6 @@ constexpr int palette_size = 8;
 const char* const palettes[2][palette_size] = {
     {"#6aa5d8", "#7fb2de", "#93bfe4", "#a7cbe9", "#bad6ee", "#cbe0f2", "#dae9f6", "#e8f1fa"},
     {"#f0a35e", "#f3b075", "#f5bc8b", "#f7c8a1", "#f9d3b5", "#fbdec8", "#fce8d9", "#fdf1e8"}};
-constexpr double title_height = 30;
 
 class TilingPicture {
  public:
@@ -34,7 +33,7 @@ class TilingPicture {
         tiling_(tiling),
         options_(options),
         legend_(scene, tiling, options),
-        canvas_(all_points(tiling, options), options.width, title_height, options.legend ? legend_.height() : 0) {
+        canvas_(all_points(tiling, options), options.width, io::title_height, options.legend ? legend_.height() : 0) {
     pixels_.reserve(tiling.vertices.size());
     for (const TilingVertex& v : tiling.vertices) pixels_.push_back(canvas_.pixel(v.position));
   }

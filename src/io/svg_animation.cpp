@@ -19,7 +19,7 @@ namespace {
 
 using io::pixel_text;
 
-constexpr double title_height = 30, bar_height = 34, margin = 24;
+constexpr double bar_height = 34, margin = 24;
 
 /// Values of one attribute at moments of the loop, which repeats for ever.
 class Track {
@@ -60,7 +60,7 @@ class Animation {
       : scene_(scene),
         frames_(frames),
         options_(options),
-        canvas_(all_points(frames), options.width, title_height, bar_height),
+        canvas_(all_points(frames), options.width, io::title_height, bar_height),
         loop_(options.seconds + options.pause) {}
 
   std::string draw() const {

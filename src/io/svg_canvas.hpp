@@ -24,6 +24,9 @@ class SvgCanvas {
   double scale_ = 1;
 };
 
+/// The room above a picture for its title.
+inline constexpr double title_height = 30;
+
 /// "x,y" with two decimals: finer than any screen shows, and short.
 std::string pixel_text(const Point& pixel);
 /// A closed outline as the data of a path.

@@ -6,19 +6,19 @@
 namespace taut {
 namespace {
 
-struct Bounds {
+struct EdgeBounds {
   double left = 0, right = 0, low = 0, high = 0;
 
   /// Of an edge, with room for the displacement.
-  static Bounds of(const PairGeometry& g, VertexId e) {
+  static EdgeBounds of(const PairGeometry& g, VertexId e) {
     const DisplacedPoint &a = g.point(e), &b = g.point(g.next(e));
     constexpr double room = 0x1p-150;
     return {std::min(a.x, b.x) - room, std::max(a.x, b.x) + room, std::min(a.y, b.y) - room, std::max(a.y, b.y) + room};
   }
-  static Bounds both(const Bounds& a, const Bounds& b) {
+  static EdgeBounds both(const EdgeBounds& a, const EdgeBounds& b) {
     return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
   }
-  friend bool meet(const Bounds& a, const Bounds& b) {
+  friend bool meet(const EdgeBounds& a, const EdgeBounds& b) {
     return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
   }
 };
@@ -61,18 +61,18 @@ class SelfJoin {
 
  private:
   struct Node {
-    Bounds bounds;
+    EdgeBounds bounds;
     std::uint32_t first, count, left = 0, right = 0;
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t count) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({Bounds::of(g_, VertexId(first)), first, count});
+    nodes_.push_back({EdgeBounds::of(g_, VertexId(first)), first, count});
     if (count == 1) return index;
     const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
     nodes_[index].left = left;
     nodes_[index].right = right;
-    nodes_[index].bounds = Bounds::both(nodes_[left].bounds, nodes_[right].bounds);
+    nodes_[index].bounds = EdgeBounds::both(nodes_[left].bounds, nodes_[right].bounds);
     return index;
   }
 

@@ -6,8 +6,6 @@
 namespace taut {
 namespace {
 
-double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
-
 /// Adds a b exactly; false if that is so small that its rounding may be lost.
 template <std::size_t Terms>
 bool add_product(ExactSum<Terms>& sum, double a, double b) {

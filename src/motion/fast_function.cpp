@@ -14,8 +14,6 @@ Point seen(const Leg& leg, const DisplacedPoint& v, bool of_p) {
   return {v.x + offset.x, v.y + offset.y};
 }
 
-double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
-
 /// Is (b - a) x (c - a + D(t)) the zero polynomial? D's constant part is the shift.
 bool vanishes(const Leg& leg, const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, bool pp) {
   const double side = pp ? 1 : -1;

@@ -67,10 +67,10 @@ struct FrameModel {
   /// Horner's rule for a pair of functions and their slopes.
   struct Horner {
     Lanes v, d = {};
-    explicit Horner(const double* c) : v(load_lanes(c)) {}
-    void step(const double* c, Lanes h) {
+    explicit Horner(const double* leading) : v(load_lanes(leading)) {}
+    void step(const double* next, Lanes h) {
       d = d * h + v;
-      v = v * h + load_lanes(c);
+      v = v * h + load_lanes(next);
     }
     void store(double* value, double* slope) const {
       store_lanes(value, v);

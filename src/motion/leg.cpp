@@ -44,8 +44,6 @@ bool Leg::singular_at(double t) const {
 
 namespace {
 
-double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
-
 /// (re, im) of conj(a) b.
 template <class J>
 void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re, J& im) {

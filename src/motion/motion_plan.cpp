@@ -4,13 +4,6 @@
 #include <cmath>
 
 namespace taut {
-namespace {
-
-/// The same bits on every platform, which std::hypot does not promise.
-double length(double x, double y) { return std::sqrt(x * x + y * y); }
-
-}  // namespace
-
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
   for (const MotionPiece& piece : motion.pieces) {

@@ -1,6 +1,8 @@
 // Where a body is: its moving frame as functions of time (section 3 of the paper).
 #pragma once
 
+#include <cmath>
+
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
@@ -12,6 +14,12 @@ struct Pose {
   Jet<Real> ox, oy;
   Jet<Real> xx, xy;
 };
+
+/// A polynomial's k-th coefficient; 0 beyond the last.
+inline double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
+
+/// The same bits on every platform, which std::hypot does not promise.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A polynomial's coefficients with 0 for the constant.
 struct VaryingPart {

@@ -11,9 +11,6 @@
 namespace taut {
 namespace {
 
-/// The same bits on every platform, which std::hypot does not promise.
-double length(double x, double y) { return std::sqrt(x * x + y * y); }
-
 /// x + i y of a pose's frame applied to a local point.
 Point place(const Pose<double>& pose, double x, double y) {
   const double c = pose.xx.v.mid, s = pose.xy.v.mid;

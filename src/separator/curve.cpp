@@ -10,9 +10,7 @@
 namespace taut {
 namespace {
 
-bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
 
 /// The intersection of two lines, rounded once.
 Point meet(const Sight& a, const Sight& b) {
@@ -101,12 +99,12 @@ bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const 
     touches = true;
     if (at_c == 0 && between(a, b, c)) {
       const Point& before = polygon[(i + n - 1) % n];
-      if (!same(c, a) && enters_at_vertex(before, c, d, a)) return true;
-      if (!same(c, b) && enters_at_vertex(before, c, d, b)) return true;
+      if (c != a && enters_at_vertex(before, c, d, a)) return true;
+      if (c != b && enters_at_vertex(before, c, d, b)) return true;
     }
     // An end of the segment within the edge.
-    if (at_a == 0 && between(c, d, a) && !same(a, c) && !same(a, d) && at_b > 0) return true;
-    if (at_b == 0 && between(c, d, b) && !same(b, c) && !same(b, d) && at_a > 0) return true;
+    if (at_a == 0 && between(c, d, a) && a != c && a != d && at_b > 0) return true;
+    if (at_b == 0 && between(c, d, b) && b != c && b != d && at_a > 0) return true;
   }
   return !touches && strictly_inside(a, polygon);
 }
@@ -163,7 +161,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   bool odd = false;
   for (std::size_t i = 0; i < edges; ++i) {
     const Point &a = curve.vertices[i], &b = curve.vertices[(i + 1) % n];
-    if (same(a, b)) continue;
+    if (a == b) continue;
     if (meets_inside(a, b, p, at_p) || meets_inside(a, b, q, at_q)) return false;
     // The curve avoids both points, so of two sides that differ at most one is zero.
     const bool left_a = orientation(*inside_p, *inside_q, a) > 0, left_b = orientation(*inside_p, *inside_q, b) > 0;

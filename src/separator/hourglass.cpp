@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace taut {
-namespace {
-
-bool same(const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }
-
-}  // namespace
-
 Hourglass::Hourglass(std::vector<Point> left, std::vector<Point> right) {
   for (const Point& p : left) push_left(p, 0);
   for (const Point& p : right) push_right(p, 0);
@@ -18,7 +12,7 @@ Hourglass::Hourglass(std::vector<Point> left, std::vector<Point> right) {
 
 /// String points up to `keep` stay.
 void Hourglass::push_left(const Point& p, std::size_t keep) {
-  if (!left_.empty() && same(left_.back(), p)) return;
+  if (!left_.empty() && left_.back() == p) return;
   while (left_string_.size() > keep + 1 && left_string_.size() > 1 &&
          orientation(left_point(left_string_.size() - 2), left_point(left_string_.size() - 1), p) < 0) {
     left_string_.pop_back();
@@ -28,7 +22,7 @@ void Hourglass::push_left(const Point& p, std::size_t keep) {
 }
 
 void Hourglass::push_right(const Point& p, std::size_t keep) {
-  if (!right_.empty() && same(right_.back(), p)) return;
+  if (!right_.empty() && right_.back() == p) return;
   while (right_string_.size() > keep + 1 && right_string_.size() > 1 &&
          orientation(right_point(right_string_.size() - 2), right_point(right_string_.size() - 1), p) > 0) {
     right_string_.pop_back();

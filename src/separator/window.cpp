@@ -33,9 +33,6 @@ Way follow(const Arena& arena, const Sight& line, std::uint32_t edge, bool ahead
   throw StructureError("a line of sight goes round in circles");
 }
 
-/// Coordinates too small for the exact predicates are as good as zero.
-double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
-
 /// A point on the line or ahead of it, and on the edge left-right or beyond it, such that the segment from the foot
 /// passes through the edge.
 Point head_of(const Sight& line, const Point& foot, const Point& left, const Point& right, bool ahead_is_right) {

@@ -23,7 +23,7 @@ constexpr double patience = 0.75;
 /// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
 constexpr double hopeful = 0x1p-5;
 /// Stretches as short as this share of the leg are not divided any more.
-constexpr double shortest = 0x1p-40;
+constexpr double shortest_stretch = 0x1p-40;
 /// After a window could not be made longer than the one before, this many do not try to be.
 constexpr int windows_before_growing = 8;
 
@@ -38,7 +38,7 @@ class LegSearch {
         leg_(leg),
         leaves_(geometry, leg),
         polynomial_(leg),
-        shortest_(shortest * (leg.end - leg.start)),
+        shortest_(shortest_stretch * (leg.end - leg.start)),
         proved_(leg.start) {}
 
   /// The first contact on the leg.

@@ -64,7 +64,7 @@ class Corruption : public ::testing::Test {
       accepted += count.accepted;
     }
     std::cout << tried << " in all, " << accepted << " still proofs\n";
-    EXPECT_GE(static_cast<std::uint64_t>(tried), effort(10000));
+    EXPECT_GE(static_cast<std::uint64_t>(tried), enough(10000));
     delete specimens_;
     delete truths_;
   }

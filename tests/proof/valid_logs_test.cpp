@@ -88,8 +88,8 @@ TEST(ValidLogs, RandomScenes) {
       }
     }
   }
-  EXPECT_GT(counts.free, static_cast<int>(effort(200)));
-  EXPECT_GT(counts.contact, static_cast<int>(effort(200)));
+  EXPECT_GT(counts.free, static_cast<int>(enough(200)));
+  EXPECT_GT(counts.contact, static_cast<int>(enough(200)));
 }
 
 /// 13 bytes an event, and nothing else that grows.

@@ -59,20 +59,20 @@ TEST(KineticEqualsStatic, RandomScenes) {
     }
   }
   print(counts);
-  EXPECT_GE(counts.scenes, effort(2000));
-  EXPECT_GE(static_cast<std::uint64_t>(oracle.agreed), effort(2000));
+  EXPECT_GE(counts.scenes, enough(2000));
+  EXPECT_GE(static_cast<std::uint64_t>(oracle.agreed), enough(2000));
   for (const char* root : {"disjoint", "bridged", "mouth", "pinched"})
-    EXPECT_GT(counts.roots[root], effort(20)) << root;
+    EXPECT_GT(counts.roots[root], enough(20)) << root;
   for (const char* repair : {"convex_flip", "convex_triangle", "reflex_a", "reflex_b", "reflex_c", "collision"})
-    EXPECT_GT(counts.repairs[repair], effort(20)) << repair;
+    EXPECT_GT(counts.repairs[repair], enough(20)) << repair;
   for (const char* corner : {"convex", "reflex"}) {
     for (const char* face : {"P", "Q", "PT", "F"}) {
       const std::string key = std::string(corner) + " at face " + face;
-      EXPECT_GT(counts.repairs[key], effort(20)) << key;
+      EXPECT_GT(counts.repairs[key], enough(20)) << key;
     }
   }
-  EXPECT_GT(counts.pinch_rule, effort(20));
-  EXPECT_GT(counts.three_corners, effort(20));
+  EXPECT_GT(counts.pinch_rule, enough(20));
+  EXPECT_GT(counts.three_corners, enough(20));
   // Responsiveness: a repair touches a constant number of corners.
   EXPECT_LE(counts.largest_repair, 5u);
 }
@@ -93,7 +93,7 @@ TEST(KineticEqualsStatic, DegenerateScenes) {
     }
   }
   print(counts);
-  EXPECT_GT(static_cast<std::uint64_t>(oracle.agreed), effort(300));
+  EXPECT_GT(static_cast<std::uint64_t>(oracle.agreed), enough(300));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "kinetic/session.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/static_tiling.hpp"
@@ -162,7 +163,7 @@ std::set<Edge> root_edges(const PlanarMap& map) {
 
 TEST(Lasso, GivesTheRootEdgesInAllStates) {
   std::map<std::string, int> states;
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(120); ++seed) {
     for (const Family family : {Family::apart, Family::intertwined, Family::nested, Family::corridor}) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       const Scene scene = random_scene(5000 + seed, family);
@@ -192,7 +193,8 @@ TEST(Lasso, GivesTheRootEdgesInAllStates) {
       }
     }
   }
-  for (const char* state : {"disjoint", "bridged", "mouth", "pinched"}) EXPECT_GT(states[state], 5) << state;
+  for (const char* state : {"disjoint", "bridged", "mouth", "pinched"})
+    EXPECT_GT(states[state], static_cast<int>(enough(5))) << state;
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Paper, Observation22CyclesAndTangentsAreAllEdges) {
       }
     }
   }
-  EXPECT_GT(compared, static_cast<int>(effort(200)));
+  EXPECT_GT(compared, static_cast<int>(enough(200)));
 }
 
 /// Lemma 4.2: "Any QQ edge of PGC(P) is also an edge of RCH(P) and of RCH(Q)."
@@ -122,7 +122,7 @@ TEST(Paper, Lemma42ForeignEdgesAreOnBothHulls) {
       }
     }
   }
-  EXPECT_GT(edges, static_cast<int>(effort(200)));
+  EXPECT_GT(edges, static_cast<int>(enough(200)));
 }
 
 /// Lemma 3.3: "Any combinatorial change to the ERGT involves the appearance or disappearance of some PP or QQ edge in a
@@ -167,7 +167,7 @@ TEST(Paper, Lemma33ChangesShowInEdgesWithinABody) {
       }
     }
   }
-  EXPECT_GT(changes, static_cast<int>(effort(200)));
+  EXPECT_GT(changes, static_cast<int>(enough(200)));
 }
 
 /// The proof of Lemma 2.4, with its constants: at most 2 kappa PQ edges on a cycle, 2 kappa (2 + log2 n - log2 kappa) +
@@ -219,8 +219,8 @@ TEST(Paper, Lemma24BoundsTheActiveSet) {
   }
   std::cout << compactness.placements << " placements, " << compactness.intertwined
             << " with more than three links, largest share of the bound " << compactness.largest_share << '\n';
-  EXPECT_GT(compactness.placements, static_cast<int>(effort(400)));
-  EXPECT_GT(compactness.intertwined, static_cast<int>(effort(60)));
+  EXPECT_GT(compactness.placements, static_cast<int>(enough(400)));
+  EXPECT_GT(compactness.intertwined, static_cast<int>(enough(60)));
 }
 
 /// Section 2.3: "the update of the ERGT involves the destruction and creation of a constant number of edges": one of
@@ -246,7 +246,7 @@ TEST(Paper, ARepairChangesAtMostOneEdgeEachWay) {
       }
     }
   }
-  EXPECT_GT(events, static_cast<int>(effort(1000)));
+  EXPECT_GT(events, static_cast<int>(enough(1000)));
 }
 
 /// The scenes of docs/paper.md show what they are there to show.

@@ -91,8 +91,8 @@ TEST(Pivot, IsAShiftOfTheOrigin) {
       ASSERT_NO_FATAL_FAILURE(compare(scene, pivoted, seen));
     }
   }
-  EXPECT_GT(seen.contacts, static_cast<int>(effort(20)));
-  EXPECT_GT(seen.free, static_cast<int>(effort(10)));
+  EXPECT_GT(seen.contacts, static_cast<int>(enough(20)));
+  EXPECT_GT(seen.free, static_cast<int>(enough(10)));
   EXPECT_LT(seen.rounded, static_cast<int>(effort(30)));
 }
 

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "support/audit.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/error.hpp"
@@ -34,7 +35,7 @@ Motion new_plan(Rng& rng, const MotionPiece& old, double t, double speed) {
 TEST(PlanChange, MapsStayRight) {
   AuditCounts counts;
   int changes = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(60); ++seed) {
     for (const Family family : {Family::apart, Family::intertwined, Family::nested, Family::corridor, Family::combs}) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       Rng rng(seed * 8 + static_cast<std::uint64_t>(family));
@@ -64,8 +65,8 @@ TEST(PlanChange, MapsStayRight) {
     }
   }
   std::cout << changes << " changes, " << counts.compared << " maps compared\n";
-  EXPECT_GT(changes, 1000);
-  EXPECT_GT(counts.compared, 2000u);
+  EXPECT_GT(changes, static_cast<int>(enough(1000)));
+  EXPECT_GT(counts.compared, enough(2000));
 }
 
 Scene two_squares() {

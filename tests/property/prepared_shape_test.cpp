@@ -9,6 +9,7 @@
 #include "gen/generators.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/pair_plan.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
@@ -85,13 +86,13 @@ TEST(PreparedShape, JoinedTilingsOfLargeBodiesAreThoseFromScratch) {
   compare_tilings(gen::make_jigsaw({}), 20, true, counts);
   SceneOptions straight;
   straight.kinds = {MotionKind::linear};
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(40); ++seed) {
     for (const Family family : all_families) compare_tilings(random_scene(seed, family, straight), 4, true, counts);
   }
   for (const auto& [root, number] : counts.roots) std::cout << number << ' ' << root << ", ";
   std::cout << counts.overlaps << " overlaps\n";
-  EXPECT_GT(counts.joined, 300);
-  EXPECT_GT(counts.overlaps, 20);
+  EXPECT_GT(counts.joined, static_cast<int>(enough(300)));
+  EXPECT_GT(counts.overlaps, static_cast<int>(enough(20)));
   EXPECT_EQ(counts.roots.size(), 4u) << "a state of the root was never seen";
 }
 
@@ -115,7 +116,7 @@ TEST(PreparedShape, ChordsKeepOutOfThePocketsOfAThinBody) {
   EXPECT_GT(counts.overlaps, 0);
 }
 
-void expect_same(const Answer& a, const Answer& b) {
+void expect_identical(const Answer& a, const Answer& b) {
   EXPECT_EQ(a.outcome, b.outcome);
   EXPECT_EQ(a.events, b.events);
   EXPECT_EQ(a.certificates_initial, b.certificates_initial);
@@ -131,7 +132,7 @@ void expect_same(const Answer& a, const Answer& b) {
 
 TEST(PreparedShape, AnswersAreThoseOfTheBarePolygons) {
   int scenes = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort(40); ++seed) {
     for (const Family family : all_families) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       const Scene bare = random_scene(7000 + seed, family, {});
@@ -141,13 +142,13 @@ TEST(PreparedShape, AnswersAreThoseOfTheBarePolygons) {
           CheckOptions options;
           options.touch = touch;
           options.engine = engine;
-          expect_same(check(bare, options), check(known, options));
+          expect_identical(check(bare, options), check(known, options));
           ++scenes;
         }
       }
     }
   }
-  EXPECT_GT(scenes, 1000);
+  EXPECT_GT(scenes, static_cast<int>(enough(1000)));
 }
 
 TEST(PreparedShape, IsSharedBetweenScenesRolesAndThreads) {

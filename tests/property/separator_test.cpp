@@ -75,7 +75,7 @@ TinyPair tiny_pair(Rng& rng, int kind) {
 TEST(SeparatorOracle, NoLatticeCurveHasFewerEdges) {
   constexpr int extent = 9;
   int compared = 0, equal = 0, by_links[16] = {};
-  for (std::uint64_t seed = 0; compared < static_cast<int>(effort(255)); ++seed) {
+  for (std::uint64_t seed = 0; compared < 3 * static_cast<int>(effort(85)); ++seed) {
     Rng rng(seed);
     const int kind = compared / static_cast<int>(effort(85));
     const auto [p, q] = tiny_pair(rng, kind);

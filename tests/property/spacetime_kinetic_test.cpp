@@ -79,8 +79,8 @@ TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {
         if (HasFatalFailure()) return;
       }
     }
-    EXPECT_GT(counts.free, static_cast<int>(effort(40)));
-    EXPECT_GT(counts.contact, static_cast<int>(effort(60)));
+    EXPECT_GT(counts.free, static_cast<int>(enough(40)));
+    EXPECT_GT(counts.contact, static_cast<int>(enough(60)));
     EXPECT_EQ(counts.other_pair, 0);
   }
 }

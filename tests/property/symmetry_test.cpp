@@ -5,14 +5,15 @@
 #include <cmath>
 
 #include "numeric/exact_sum.hpp"
+#include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/check.hpp"
 
 namespace taut::testing {
 namespace {
 
-constexpr Family families[] = {Family::apart, Family::intertwined, Family::nested, Family::corridor,
-                               Family::combs, Family::stars,       Family::convex};
+constexpr Family moving_families[] = {Family::apart, Family::intertwined, Family::nested, Family::corridor,
+                                      Family::combs, Family::stars,       Family::convex};
 
 void flip_time(Coefficients& c) {
   for (std::size_t k = 1; k < c.size(); k += 2) c[k] = -c[k];
@@ -78,8 +79,8 @@ std::optional<Scene> moved(const Scene& scene, double dx, double dy) {
 
 template <class Run>
 void for_scenes(std::uint64_t seeds, const Run& run) {
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    for (const Family family : families) {
+  for (std::uint64_t seed = 0; seed < effort(seeds); ++seed) {
+    for (const Family family : moving_families) {
       SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed));
       run(random_scene(1000 + seed, family));
       if (::testing::Test::HasFatalFailure()) return;
@@ -117,7 +118,7 @@ TEST(Symmetry, SwappingTheBodiesSwapsTheFeatures) {
     EXPECT_EQ(a.contact->vertex.index, b.contact->vertex.index);
     EXPECT_EQ(a.contact->edge.index, b.contact->edge.index);
   });
-  EXPECT_GT(contacts, 50);
+  EXPECT_GT(contacts, static_cast<int>(enough(50)));
 }
 
 TEST(Symmetry, MovingTheWholeScene) {
@@ -133,7 +134,7 @@ TEST(Symmetry, MovingTheWholeScene) {
     EXPECT_EQ(a.contact->vertex.index, b.contact->vertex.index);
     EXPECT_EQ(a.contact->edge.index, b.contact->edge.index);
   });
-  EXPECT_GT(compared, 30);
+  EXPECT_GT(compared, static_cast<int>(enough(30)));
 }
 
 TEST(Symmetry, TimeReversal) {
@@ -153,8 +154,8 @@ TEST(Symmetry, TimeReversal) {
       ASSERT_EQ(check(reversed(before)).outcome, Outcome::free);
     }
   });
-  EXPECT_GT(free, 50);
-  EXPECT_GT(contacts, 50);
+  EXPECT_GT(free, static_cast<int>(enough(50)));
+  EXPECT_GT(contacts, static_cast<int>(enough(50)));
 }
 
 /// Smaller sets touch later: outwards no later than inwards.

@@ -13,10 +13,20 @@ namespace taut::testing {
 #endif
 #endif
 
-/// n, or a fifth of it under the sanitizers.
+/// n, or a tenth of it under the sanitizers, which make everything about that much slower.
 inline constexpr std::uint64_t effort(std::uint64_t n) {
 #ifdef TAUT_WATCHED
-  return n / 5;
+  return n / 10;
+#else
+  return n;
+#endif
+}
+
+/// What a count over effort(n) rounds has to exceed: n, or half of its share under the sanitizers, since fewer samples
+/// stray farther.
+inline constexpr std::uint64_t enough(std::uint64_t n) {
+#ifdef TAUT_WATCHED
+  return effort(n) / 2;
 #else
   return n;
 #endif

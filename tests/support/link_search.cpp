@@ -12,12 +12,12 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 
 template <class Number>
-struct Vec {
+struct ExactVec {
   Number x, y;
 };
 
 template <class Number>
-Number turn(const Vec<Number>& a, const Vec<Number>& b, const Vec<Number>& c) {
+Number turn(const ExactVec<Number>& a, const ExactVec<Number>& b, const ExactVec<Number>& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -28,10 +28,10 @@ int sign(const Number& x) {
 
 /// +1 inside, 0 on the boundary, -1 outside: by counting crossings of a ray to the right.
 template <class Number>
-int location(const Vec<Number>& p, const std::vector<Vec<Number>>& polygon) {
+int location(const ExactVec<Number>& p, const std::vector<ExactVec<Number>>& polygon) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec<Number>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const ExactVec<Number>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const int s = sign<Number>(turn(a, b, p));
     if (s == 0 && (a.x - p.x) * (b.x - p.x) <= 0 && (a.y - p.y) * (b.y - p.y) <= 0) return 0;
     if ((a.y <= p.y) != (b.y <= p.y) && (s > 0) == (a.y < b.y)) inside = !inside;
@@ -40,7 +40,7 @@ int location(const Vec<Number>& p, const std::vector<Vec<Number>>& polygon) {
 }
 
 /// Does the segment meet the inside? It is cut at the lines of all edges; then the middle of each part tells.
-bool meets(const Vec<Rational>& a, const Vec<Rational>& b, const std::vector<Vec<Rational>>& polygon) {
+bool meets(const ExactVec<Rational>& a, const ExactVec<Rational>& b, const std::vector<ExactVec<Rational>>& polygon) {
   std::vector<Rational> cuts{0, 1};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const auto &c = polygon[i], &d = polygon[(i + 1) % polygon.size()];
@@ -57,12 +57,13 @@ bool meets(const Vec<Rational>& a, const Vec<Rational>& b, const std::vector<Vec
 
 /// The middle of a triangle of three neighbours, if it lies inside.
 template <class Number>
-std::optional<Vec<Number>> inner_point(const std::vector<Vec<Number>>& polygon, const Number& weight) {
+std::optional<ExactVec<Number>> inner_point(const std::vector<ExactVec<Number>>& polygon, const Number& weight) {
   const std::size_t n = polygon.size();
   for (Number w = weight; w > 0; w = w / 2) {
     for (std::size_t i = 0; i < n; ++i) {
       const auto &u = polygon[i], &v = polygon[(i + 1) % n], &x = polygon[(i + 2) % n];
-      const Vec<Number> p{(u.x * w + v.x * (12 - 2 * w) + x.x * w) / 12, (u.y * w + v.y * (12 - 2 * w) + x.y * w) / 12};
+      const ExactVec<Number> p{(u.x * w + v.x * (12 - 2 * w) + x.x * w) / 12,
+                               (u.y * w + v.y * (12 - 2 * w) + x.y * w) / 12};
       if (sign(turn(u, v, x)) > 0 && location(p, polygon) > 0) return p;
     }
   }
@@ -72,14 +73,15 @@ std::optional<Vec<Number>> inner_point(const std::vector<Vec<Number>>& polygon, 
 /// Does the segment a-b cross the open segment from p to q, which it does not touch at p or q? Points on the line p-q
 /// count as being on its right.
 template <class Number>
-bool crosses_cut(const Vec<Number>& a, const Vec<Number>& b, const Vec<Number>& p, const Vec<Number>& q) {
+bool crosses_cut(const ExactVec<Number>& a, const ExactVec<Number>& b, const ExactVec<Number>& p,
+                 const ExactVec<Number>& q) {
   if ((turn(p, q, a) > 0) == (turn(p, q, b) > 0)) return false;
   return sign<Number>(turn(a, b, p)) * sign<Number>(turn(a, b, q)) < 0;
 }
 
 // ----- the lattice -----
 
-using IntVec = Vec<std::int64_t>;
+using IntVec = ExactVec<std::int64_t>;
 constexpr std::size_t most_points = 448;
 using Points = std::bitset<2 * most_points>;  ///< a point and a parity
 
@@ -236,11 +238,11 @@ int fewest_lattice_links(const std::vector<IntPoint>& p, const std::vector<IntPo
 
 bool is_separator(const std::vector<Point>& curve, bool closed, const Polygon& p, const Polygon& q) {
   const auto exact = [](const std::vector<Point>& points) {
-    std::vector<Vec<Rational>> out;
+    std::vector<ExactVec<Rational>> out;
     for (const Point& v : points) out.push_back({Rational(v.x), Rational(v.y)});
     return out;
   };
-  std::vector<Vec<Rational>> line = exact(curve);
+  std::vector<ExactVec<Rational>> line = exact(curve);
   auto exact_p = exact(p), exact_q = exact(q);
   for (auto* polygon : {&exact_p, &exact_q}) {
     Rational area = 0;
@@ -252,10 +254,10 @@ bool is_separator(const std::vector<Point>& curve, bool closed, const Polygon& p
     line.push_back(line.front());
   } else {
     // Rays: so long that they end far away from everything.
-    const auto lengthen = [](const Vec<Rational>& from, Vec<Rational>& end) {
+    const auto lengthen = [](const ExactVec<Rational>& from, ExactVec<Rational>& end) {
       end = {from.x + 4096 * (end.x - from.x), from.y + 4096 * (end.y - from.y)};
     };
-    const Vec<Rational> first = line[0];
+    const ExactVec<Rational> first = line[0];
     lengthen(line[1], line[0]);
     lengthen(line.size() == 2 ? first : line[line.size() - 2], line.back());
   }

@@ -65,12 +65,12 @@ const std::vector<Example> examples = {
     always("spiral.json", is_free),
 };
 
-const std::filesystem::path folder = "examples";
+const std::filesystem::path examples_folder = "examples";
 
-class Examples : public testing::TestWithParam<Example> {};
+class Examples : public ::testing::TestWithParam<Example> {};
 
 TEST_P(Examples, AreDecidedAsStated) {
-  const Scene scene = read_scene((folder / GetParam().file).string());
+  const Scene scene = read_scene((examples_folder / GetParam().file).string());
   for (const Touch touch : {Touch::open, Touch::closed}) {
     const Verdict& expected = touch == Touch::open ? GetParam().open : GetParam().closed;
     CheckOptions options;
@@ -85,13 +85,14 @@ TEST_P(Examples, AreDecidedAsStated) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Examples, testing::ValuesIn(examples));
+INSTANTIATE_TEST_SUITE_P(Scenes, Examples, ::testing::ValuesIn(examples));
 
 TEST(ExamplesFolder, HoldsNoSceneThatIsNotStated) {
   std::vector<std::string> stated, found;
   for (const Example& example : examples) stated.push_back(example.file);
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") found.push_back(entry.path().lexically_relative(folder).generic_string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(examples_folder)) {
+    if (entry.path().extension() == ".json")
+      found.push_back(entry.path().lexically_relative(examples_folder).generic_string());
   }
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, stated);

@@ -30,7 +30,7 @@ std::function<Scene(bool)> with(Scene (*make)(const Options&), Options options =
   };
 }
 
-class Generated : public testing::TestWithParam<Kind> {};
+class Generated : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(Generated, BodiesAreSimpleAndCounterclockwise) {
   for (bool hit : {false, true}) {
@@ -77,7 +77,7 @@ TEST_P(Generated, ReadsBack) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, Generated,
-    testing::Values(
+    ::testing::Values(
         Kind{"gears", with(gen::make_gears), 800},
         Kind{"gears_few_teeth", with(gen::make_gears, {.teeth_1 = 9, .teeth_2 = 11, .backlash = 0.02}), 800},
         Kind{"gears_pair_of_12", with(gen::make_gears, {.teeth_1 = 12, .teeth_2 = 12, .flank_points = 12}), 800},
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"maze", with(gen::make_maze), 2000},
         Kind{"maze_even", with(gen::make_maze, {.passes = 7, .ship_points = 3, .seed = 0}), 1000},
         Kind{"maze_of_one", with(gen::make_maze, {.passes = 1})}),
-    [](const testing::TestParamInfo<Kind>& kind) { return kind.param.name; });
+    [](const ::testing::TestParamInfo<Kind>& kind) { return kind.param.name; });
 
 TEST(Generators, AreTheSameForTheSameSeed) {
   EXPECT_EQ(write_scene(gen::make_lock({.seed = 5})), write_scene(gen::make_lock({.seed = 5})));

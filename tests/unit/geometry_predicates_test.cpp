@@ -1,5 +1,6 @@
 // The laws of geometry/predicates.hpp, on random and on degenerate input, against rational arithmetic.
 #include "geometry/predicates.hpp"
+#include "support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ class Triples {
 TEST(Orientation, IsTheExactSign) {
   Triples triples(1);
   int zeros = 0, exact = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < testing::effort(20000); ++i) {
     const auto [a, b, c] = triples.next();
     const int want = reference(a, b, c);
     const StagedSign got = orientation_staged(a, b, c);
@@ -94,13 +95,13 @@ TEST(Orientation, IsTheExactSign) {
     zeros += want == 0;
     exact += got.stage == SignStage::exact;
   }
-  EXPECT_GT(zeros, 2000);  // the generator does reach the hard cases
-  EXPECT_GT(exact, 1000);
+  EXPECT_GT(zeros, static_cast<int>(testing::enough(2000)));  // the generator does reach the hard cases
+  EXPECT_GT(exact, static_cast<int>(testing::enough(1000)));
 }
 
 TEST(Orientation, LawsO1AndO2PermutationsChangeTheSignAsTheyMust) {
   Triples triples(2);
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < testing::effort(20000); ++i) {
     const auto [a, b, c] = triples.next();
     const int s = orientation(a, b, c);
     ASSERT_EQ(orientation(b, c, a), s);
@@ -127,7 +128,7 @@ TEST(Orientation, LawO3ZeroExactlyForCollinearPoints) {
 TEST(Orientation, LawO4TranslationByRepresentableVectors) {
   Triples triples(3);
   int tried = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < testing::effort(20000); ++i) {
     const auto [a, b, c] = triples.next();
     const Point v{std::ldexp(triples.below(2000) - 1000, triples.below(40) - 20), double(triples.below(64))};
     const Point moved[3] = {{a.x + v.x, a.y + v.y}, {b.x + v.x, b.y + v.y}, {c.x + v.x, c.y + v.y}};
@@ -140,12 +141,12 @@ TEST(Orientation, LawO4TranslationByRepresentableVectors) {
     ++tried;
     ASSERT_EQ(orientation(moved[0], moved[1], moved[2]), orientation(a, b, c));
   }
-  EXPECT_GT(tried, 1000);
+  EXPECT_GT(tried, static_cast<int>(testing::enough(1000)));
 }
 
 TEST(Orientation, LawO5ScalingByPowersOfTwoUpToTheEndsOfTheRange) {
   Triples triples(4);
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < testing::effort(20000); ++i) {
     const auto [a, b, c] = triples.next();
     double least = max_coordinate, largest = min_coordinate;
     for (const double x : {a.x, a.y, b.x, b.y, c.x, c.y})

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "io/keyframe_reader.hpp"
+#include "support/bad_input.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -36,26 +36,13 @@ TEST(KeyframesCsv, ReadsColumnsByName) {
   EXPECT_EQ(csv("t\n7").size(), 1u);
 }
 
-struct BadCsv {
-  std::string name, text, place, problem, hint;
-};
-void PrintTo(const BadCsv& bad, std::ostream* out) { *out << bad.name; }
-
-class BadCsvTest : public testing::TestWithParam<BadCsv> {};
+class BadCsvTest : public ::testing::TestWithParam<testing::BadInput> {};
 
 TEST_P(BadCsvTest, IsRefused) {
-  const BadCsv& bad = GetParam();
-  try {
-    csv(bad.text);
-    FAIL() << "was accepted";
-  } catch (const InputError& e) {
-    EXPECT_EQ(e.place(), bad.place) << e.what();
-    EXPECT_NE(e.problem().find(bad.problem), std::string::npos) << e.what();
-    EXPECT_NE(e.hint().find(bad.hint), std::string::npos) << e.what();
-  }
+  testing::expect_refused(GetParam(), [](const std::string& text) { csv(text); });
 }
 
-const std::vector<BadCsv> bad_files = {
+const std::vector<testing::BadInput> bad_files = {
     {"empty", " \n", "k.csv", "the file is empty", "t,x,y,angle_deg"},
     {"no_header", "0,1,2,3\n1,2,3,4\n", "k.csv:1:1", "unknown column \"0\" in the header", "t,x,y,angle_deg"},
     {"no_time", "x,y\n0,1\n", "k.csv:1:1", "no column \"t\"", "t,x,y,angle_deg"},
@@ -75,8 +62,7 @@ const std::vector<BadCsv> bad_files = {
     {"unsorted", "t,x\n0,0\n2,0\n1,0\n", "k.csv:4:1", "not later than that of the line before", "by time"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Files, BadCsvTest, testing::ValuesIn(bad_files),
-                         [](const auto& bad) { return bad.param.name; });
+INSTANTIATE_TEST_SUITE_P(Files, BadCsvTest, ::testing::ValuesIn(bad_files), testing::name_of);
 
 TEST(KeyframesCsv, LimitsAreKept) {
   EXPECT_EQ(csv("t\n1\n2\n", {.max_pieces = 2}).size(), 2u);
@@ -84,7 +70,7 @@ TEST(KeyframesCsv, LimitsAreKept) {
 }
 
 TEST(KeyframesCsv, AreFoundInTheFolderOfTheScene) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "taut_keyframes";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "taut_keyframes";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "drive.csv") << "t,x\n0,5\n1,4\n";
   const std::string polygon = R"("polygon":[[0,0],[1,0],[0,1]])";

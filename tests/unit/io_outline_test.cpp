@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "io/outline_reader.hpp"
+#include "support/bad_input.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -33,26 +33,14 @@ TEST(GeoJson, ReadsAPolygonAlsoInsideAFeature) {
   EXPECT_EQ(geojson(R"({"coordinates":[[[0,0,9],[1.5,0,9],[-0.5,1000,9]]],"type":"Polygon"})"), triangle);
 }
 
-struct BadOutline {
-  std::string name, text, place, problem, hint;
-};
-void PrintTo(const BadOutline& bad, std::ostream* out) { *out << bad.name; }
-
-class BadOutlineTest : public testing::TestWithParam<BadOutline> {};
+class BadOutlineTest : public ::testing::TestWithParam<testing::BadInput> {};
 
 TEST_P(BadOutlineTest, IsRefused) {
-  const BadOutline& bad = GetParam();
-  try {
-    bad.place.rfind("o.wkt", 0) == 0 ? wkt(bad.text) : geojson(bad.text);
-    FAIL() << "was accepted";
-  } catch (const InputError& e) {
-    EXPECT_EQ(e.place(), bad.place) << e.what();
-    EXPECT_NE(e.problem().find(bad.problem), std::string::npos) << e.what();
-    EXPECT_NE(e.hint().find(bad.hint), std::string::npos) << e.what();
-  }
+  const bool is_wkt = GetParam().place.rfind("o.wkt", 0) == 0;
+  testing::expect_refused(GetParam(), [&](const std::string& text) { is_wkt ? wkt(text) : geojson(text); });
 }
 
-std::vector<BadOutline> bad_wkt() {
+std::vector<testing::BadInput> bad_wkt() {
   const std::string shape = "POLYGON ((x y, x y, x y, ...))";
   return {
       {"empty", "\n", "o.wkt", "the file is empty", shape},
@@ -71,7 +59,7 @@ std::vector<BadOutline> bad_wkt() {
   };
 }
 
-std::vector<BadOutline> bad_geojson() {
+std::vector<testing::BadInput> bad_geojson() {
   const std::string shape = R"({"type":"Polygon")";
   return {
       {"empty", "", "o.geojson", "the file is empty", shape},
@@ -94,9 +82,8 @@ std::vector<BadOutline> bad_geojson() {
   };
 }
 
-std::string test_name(const testing::TestParamInfo<BadOutline>& bad) { return bad.param.name; }
-INSTANTIATE_TEST_SUITE_P(Wkt, BadOutlineTest, testing::ValuesIn(bad_wkt()), test_name);
-INSTANTIATE_TEST_SUITE_P(GeoJson, BadOutlineTest, testing::ValuesIn(bad_geojson()), test_name);
+INSTANTIATE_TEST_SUITE_P(Wkt, BadOutlineTest, ::testing::ValuesIn(bad_wkt()), testing::name_of);
+INSTANTIATE_TEST_SUITE_P(GeoJson, BadOutlineTest, ::testing::ValuesIn(bad_geojson()), testing::name_of);
 
 template <class Read>
 std::string problem_of(const Read& read) {
@@ -139,7 +126,7 @@ TEST(OutlineLimits, NestingEndsAtOnceAndWithoutRecursion) {
 }
 
 TEST(OutlineLimits, FilesAreReadNoFurtherThanTheLimit) {
-  const std::string file = (std::filesystem::path(testing::TempDir()) / "taut_outline_limit").string();
+  const std::string file = (std::filesystem::path(::testing::TempDir()) / "taut_outline_limit").string();
   write_file(file, "POLYGON ((0 0, 1 0, 0 1))");
   EXPECT_EQ(problem_of([&] { read_wkt(file, {.max_bytes = 25}); }), "");
   const std::string large = "the file is larger than the limit of 24 bytes";
@@ -153,7 +140,7 @@ TEST(OutlineLimits, FilesAreReadNoFurtherThanTheLimit) {
 }
 
 TEST(Outline, IsFoundNextToTheScene) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "taut_outline_test" / "inner";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "taut_outline_test" / "inner";
   std::filesystem::create_directories(folder);
   write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 1.5 0, -0.5 1e3, 0 0))");
   write_file((folder / "q.geojson").string(), R"({"type":"Polygon","coordinates":[[[0,0],[1.5,0],[-0.5,1000]]]})");

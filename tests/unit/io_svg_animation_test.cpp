@@ -38,9 +38,11 @@ std::string attribute(const std::string& element, const std::string& name) {
   return element.substr(value, element.find('"', value) - value);
 }
 
-const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+const Polygon centred_square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
-Scene turning_scene() { return {0, 1, {{"P & <co>", square, {}}, {"Q", square, from_velocity({4, 0}, 720)}}}; }
+Scene turning_scene() {
+  return {0, 1, {{"P & <co>", centred_square, {}}, {"Q", centred_square, from_velocity({4, 0}, 720)}}};
+}
 
 /// P rests at the origin; Q goes right from x = 3 and turns. One edge joins them, to another vertex in the second half.
 std::vector<Tiling> frames(int count) {
@@ -49,9 +51,9 @@ std::vector<Tiling> frames(int count) {
     const double t = static_cast<double>(k) / (count - 1), a = radians(720 * t);
     Tiling tiling;
     tiling.time = t;
-    for (int i = 0; i < 4; ++i) tiling.vertices.push_back({0, i, square[static_cast<std::size_t>(i)]});
+    for (int i = 0; i < 4; ++i) tiling.vertices.push_back({0, i, centred_square[static_cast<std::size_t>(i)]});
     for (int i = 0; i < 4; ++i) {
-      const Point& v = square[static_cast<std::size_t>(i)];
+      const Point& v = centred_square[static_cast<std::size_t>(i)];
       tiling.vertices.push_back(
           {1, i, {3 + 4 * t + std::cos(a) * v.x - std::sin(a) * v.y, std::sin(a) * v.x + std::cos(a) * v.y}});
     }

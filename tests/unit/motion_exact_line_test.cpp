@@ -15,17 +15,17 @@ namespace taut::testing {
 namespace {
 
 /// A pair on a straight way, and a triple of its vertices.
-struct Setting {
+struct LineSetting {
   PairGeometry geometry;
   Leg leg;
 
-  static Setting of(std::uint64_t seed, bool grid) {
+  static LineSetting of(std::uint64_t seed, bool grid) {
     SceneOptions options;
     options.grid = grid;
     options.kinds = {MotionKind::rest, MotionKind::linear};
     const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
     const PairPlan plan = plan_pair(scene);
-    Setting s;
+    LineSetting s;
     s.geometry = displaced_pair(plan, seed % 2 == 0);
     for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
       if (!leg.bridge) s.leg = leg;
@@ -48,7 +48,7 @@ TEST(ExactLine, SignsAreThoseOf960Bits) {
   Rng rng(1);
   int zeros_in_doubles = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
-    const Setting s = Setting::of(seed, seed % 3 != 0);
+    const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
     ASSERT_TRUE(ExactLine::fits(s.leg));
     for (int k = 0; k < 20; ++k) {
       const MixedTriple triple = s.triple(rng);
@@ -69,7 +69,7 @@ TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
   Rng rng(2);
   int roots = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    const Setting s = Setting::of(seed, seed % 3 != 0);
+    const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
     for (int k = 0; k < 20; ++k) {
       const MixedTriple triple = s.triple(rng);
       const Measure measure = any_measure(rng);
@@ -105,7 +105,7 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
   Rng rng(3);
   int found = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Setting s = Setting::of(seed, true);
+    const LineSetting s = LineSetting::of(seed, true);
     for (int k = 0; k < 10; ++k) {
       const MixedTriple triple = s.triple(rng);
       const PreciseTriple precise(s.leg, s.geometry, triple);
@@ -127,7 +127,7 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
 }
 
 TEST(ExactLine, SaysSoWhenProductsUnderflow) {
-  Setting s = Setting::of(3, false);
+  LineSetting s = LineSetting::of(3, false);
   for (DisplacedPoint& p : s.geometry.points) p = {p.x * 1e-150, p.y * 1e-150, p.dx * 1e-150, p.dy * 1e-150};
   Rng rng(4);
   EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());

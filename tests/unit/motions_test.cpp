@@ -18,7 +18,7 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Polygon unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const Polygon far_square{{50, 0}, {51, 0}, {51, 1}, {50, 1}};
 
 /// Is `x` the double nearest to `exact`?
@@ -98,7 +98,8 @@ TEST(Keyframes, AreMetAsNearlyAsStated) {
 TEST(Keyframes, JoinWellEnoughForValidation) {
   Rng rng(3);
   for (int i = 0; i < 300; ++i) {
-    Scene scene{-300, 500, {{"a", square, from_keyframes(random_keyframes(rng), {0.1, 0.2})}, {"b", far_square, {}}}};
+    Scene scene{
+        -300, 500, {{"a", unit_square, from_keyframes(random_keyframes(rng), {0.1, 0.2})}, {"b", far_square, {}}}};
     EXPECT_NO_THROW(validate(scene));
   }
 }

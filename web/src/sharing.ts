@@ -28,3 +28,16 @@ export async function fromFragment(fragment: string): Promise<Shared | null> {
   const text = new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
   return JSON.parse(text) as Shared;
 }
+
+/** Puts a link to it into the address bar and the clipboard; says so. */
+export async function shareLink(shared: Shared): Promise<string> {
+  history.replaceState(null, "", await toFragment(shared));
+  let copied = Boolean(navigator.clipboard);
+  await navigator.clipboard?.writeText(location.href).catch(() => (copied = false));
+  const size = location.href.length;
+  return (
+    (copied ? "The link is copied" : "The link is in the address bar") +
+    `, ${size} characters` +
+    (size > 30000 ? ". Some programs cut links as long as that: save the scene instead." : ".")
+  );
+}

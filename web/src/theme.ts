@@ -25,51 +25,45 @@ export interface Colours {
   events: string;
 }
 
-const light: Colours = {
-  paper: "#ffffff",
-  ink: "#16202b",
-  muted: "#5b6875",
-  line: "#d5dce3",
-  bodyFill: ["#2f5d8a", "#b3622a"],
-  bodyLine: ["#12304d", "#5e2d0c"],
-  faceTint: ["58,134,200", "230,126,34"],
-  root: "rgba(90,104,118,0.10)",
-  tiling: "#5f6b76",
-  pq: "#b8106f",
-  convex: "#16202b",
-  reflex: "#00796b",
-  failing: "rgba(255,196,0,0.55)",
-  failingEdge: "#7a5600",
-  gone: "#6b7680",
-  come: "#7b1fd1",
-  contact: "#c4161c",
-  fault: "#c4161c",
-  certificates: "#b8106f",
-  events: "#2f5d8a",
+/** Each on light and on dark paper. */
+const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
+  paper: ["#ffffff", "#10161d"],
+  ink: ["#16202b", "#e8edf2"],
+  muted: ["#5b6875", "#9aa8b5"],
+  line: ["#d5dce3", "#2c3844"],
+  bodyFill: [
+    ["#2f5d8a", "#b3622a"],
+    ["#3f7fc0", "#cf7a3a"],
+  ],
+  bodyLine: [
+    ["#12304d", "#5e2d0c"],
+    ["#a9d2fb", "#ffcfa3"],
+  ],
+  faceTint: [
+    ["58,134,200", "230,126,34"],
+    ["74,150,220", "235,140,60"],
+  ],
+  root: ["rgba(90,104,118,0.10)", "rgba(170,185,200,0.10)"],
+  tiling: ["#5f6b76", "#8393a2"],
+  pq: ["#b8106f", "#ff6fbf"],
+  convex: ["#16202b", "#f2f5f8"],
+  reflex: ["#00796b", "#3fd6c0"],
+  failing: ["rgba(255,196,0,0.55)", "rgba(255,205,40,0.45)"],
+  failingEdge: ["#7a5600", "#ffd54a"],
+  gone: ["#6b7680", "#93a1ae"],
+  come: ["#7b1fd1", "#c79bff"],
+  contact: ["#c4161c", "#ff6b66"],
+  fault: ["#c4161c", "#ff6b66"],
+  certificates: ["#b8106f", "#ff6fbf"],
+  events: ["#2f5d8a", "#6fb1f2"],
 };
 
-const dark: Colours = {
-  paper: "#10161d",
-  ink: "#e8edf2",
-  muted: "#9aa8b5",
-  line: "#2c3844",
-  bodyFill: ["#3f7fc0", "#cf7a3a"],
-  bodyLine: ["#a9d2fb", "#ffcfa3"],
-  faceTint: ["74,150,220", "235,140,60"],
-  root: "rgba(170,185,200,0.10)",
-  tiling: "#8393a2",
-  pq: "#ff6fbf",
-  convex: "#f2f5f8",
-  reflex: "#3fd6c0",
-  failing: "rgba(255,205,40,0.45)",
-  failingEdge: "#ffd54a",
-  gone: "#93a1ae",
-  come: "#c79bff",
-  contact: "#ff6b66",
-  fault: "#ff6b66",
-  certificates: "#ff6fbf",
-  events: "#6fb1f2",
-};
+function shade(dark: 0 | 1): Colours {
+  const chosen = Object.entries(palette).map(([name, both]) => [name, both[dark]]);
+  return Object.fromEntries(chosen) as Colours;
+}
+const light = shade(0);
+const dark = shade(1);
 
 export type ThemeChoice = "auto" | "light" | "dark";
 

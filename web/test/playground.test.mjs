@@ -63,7 +63,7 @@ const vertexAt = (page, body, index) =>
   page.evaluate(
     ([b, i]) => {
       const box = document.querySelector("canvas.picture").getBoundingClientRect();
-      const [x, y] = window.taut.stage.tool.pixel(b, i);
+      const [x, y] = window.taut.stage.tool.handles.pixel(b, i);
       return [box.left + x, box.top + y];
     },
     [body, index],
@@ -183,7 +183,7 @@ test("ghosts make keyframes: a body at rest is set in motion, turned, and given 
   assert.equal(frames.length, 2);
   assert.ok(Math.abs(frames[1].x + 2) < 0.02 && frames[1].t === 10, JSON.stringify(frames));
   await compare(page, "keyframes-moved");
-  const handle = await place(page, "tool.turnHandle(tool.ghostPose(tool.keyframes()[1]))");
+  const handle = await place(page, "tool.handles.turn(tool.handles.ghostPose(tool.keyframes()[1]))");
   await drag(page, handle, [handle[0] - 46, handle[1] - 46]);
   frames = await page.evaluate(() => window.playground.state.keyframes);
   assert.ok(Math.abs(frames[1].angle - Math.PI / 2) < 0.05, JSON.stringify(frames));
@@ -219,7 +219,9 @@ test("a body that turns about a pivot keeps it", async () => {
   await finished(page);
   await page.click("#mode-keyframes");
   const before = await page.evaluate(() => window.taut.player.poses(0));
-  const ghost = await page.evaluate(() => window.taut.stage.tool.ghostPose(window.taut.stage.tool.keyframes()[0]));
+  const ghost = await page.evaluate(() =>
+    window.taut.stage.tool.handles.ghostPose(window.taut.stage.tool.keyframes()[0]),
+  );
   assert.ok(Math.abs(ghost.x - before[1].x) + Math.abs(ghost.y - before[1].y) < 1e-9);
   await page.getByLabel("y of keyframe 2").fill("200");
   await page.getByLabel("y of keyframe 2").press("Enter");
@@ -230,7 +232,7 @@ test("a body that turns about a pivot keeps it", async () => {
   await page.evaluate(() => window.taut.player.seek(30));
   await page.keyboard.press("0");
   await settled(page);
-  const spin = await place(page, "tool.spinHandle(tool.velocity())");
+  const spin = await place(page, "tool.handles.spin(tool.velocity())");
   await drag(page, spin, [spin[0] + 40, spin[1] + 20]);
   const { motion } = (await sceneOf(page)).bodies[1];
   assert.equal(motion.length, 2);
@@ -270,7 +272,7 @@ test("a new plan while time runs: the past stays, the future is the command's an
   await page.click("#play");
   await page.waitForFunction(() => window.taut.player.t > 1.25);
   const t = await page.evaluate(() => window.taut.player.t);
-  const now = await place(page, "tool.arrowTip(tool.velocity())");
+  const now = await place(page, "tool.handles.arrowTip(tool.velocity())");
   await page.mouse.move(...now);
   await page.mouse.down();
   await page.mouse.move(now[0] + 60, now[1] - 220, { steps: 4 });
@@ -292,10 +294,10 @@ test("a new plan while time runs: the past stays, the future is the command's an
   await page.evaluate(() => window.taut.player.seek(6));
   await page.keyboard.press("0");
   await settled(page);
-  const spin = await place(page, "tool.spinHandle(tool.velocity())");
+  const spin = await place(page, "tool.handles.spin(tool.velocity())");
   await drag(page, spin, [spin[0] - 40, spin[1] + 40]);
-  const tip2 = await place(page, "tool.arrowTip(tool.velocity())");
-  const origin = await place(page, "taut.stage.camera.pixel(...tool.anchor(1))");
+  const tip2 = await place(page, "tool.handles.arrowTip(tool.velocity())");
+  const origin = await place(page, "taut.stage.camera.pixel(...tool.handles.anchor(1))");
   await drag(page, tip2, [origin[0] - 30, origin[1] + 120]);
   const answer = await compare(page, "plan-down");
   assert.equal((await sceneOf(page)).bodies[1].motion.length, 3);

@@ -32,6 +32,28 @@ const names = {
   collision: "contact",
 };
 
+/** The events that the command tells, and its answer. */
+function traceOf(scene) {
+  const events = run("trace", scene)
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+  return { answer: events.pop(), events };
+}
+
+/** A file with two bodies at rest. */
+function sceneFile(name, bodies) {
+  const file = join(artefacts, `${name}.json`);
+  writeFileSync(file, JSON.stringify({ format: "taut-scene/1", time: [0, 1], bodies }));
+  return file;
+}
+
+/** The contact, or the end of the time. */
+async function toTheEnd(page) {
+  await page.keyboard.press("End");
+  await settled(page);
+}
+
 test("scrubbing to the contact shows the command line's time and witness", async () => {
   for (const name of ["gears_thick_tooth", "lid", "hello", "jigsaw_caught"]) {
     const scene = `examples/${name}.json`;
@@ -109,8 +131,7 @@ test("closed touching, a title and a first instant are taken over", async () => 
   assert.equal(await page.textContent("h1"), "Two <gears>");
   assert.equal(await shownTime(page), 0.25);
   const answer = check("examples/gears_thick_tooth.json", "--touch", "closed");
-  await page.keyboard.press("End");
-  await settled(page);
+  await toTheEnd(page);
   assert.equal(await shownTime(page), answer.t[0]);
   assert.match(await page.textContent("#answer"), /touching included/);
   await page.close();
@@ -139,11 +160,7 @@ test("playing moves time on, and stops at the end", async () => {
 test("events are those of the trace, forwards and backwards", async () => {
   for (const name of ["gears_thick_tooth", "combs", "spiral"]) {
     const scene = `examples/${name}.json`;
-    const trace = run("trace", scene)
-      .trim()
-      .split("\n")
-      .map((line) => JSON.parse(line));
-    const answer = trace.pop();
+    const { events: trace, answer } = traceOf(scene);
     const page = await openPage(browser, viewPage(scene, name));
     const seen = await page.evaluate(() => {
       const { player } = window.taut;
@@ -229,11 +246,7 @@ test("the map shown is the one that the library draws", async () => {
 
 test("stepping names the corner and its case, in the panel, the list and the picture", async () => {
   const scene = "examples/gears_thick_tooth.json";
-  const trace = run("trace", scene)
-    .trim()
-    .split("\n")
-    .slice(0, -1)
-    .map((line) => JSON.parse(line));
+  const trace = traceOf(scene).events;
   const page = await openPage(browser, viewPage(scene, "gears_thick_tooth"));
   const cases = new Set();
   for (let k = 0; k < 40; ++k) {
@@ -300,8 +313,7 @@ test("the keyboard alone suffices", async () => {
 
 test("the vertex below the pointer is named as in the command's reports", async () => {
   const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
-  await page.keyboard.press("End");
-  await settled(page);
+  await toTheEnd(page);
   const { contact } = check("examples/lid.json");
   const at = await page.evaluate(([x, y]) => {
     const box = document.querySelector("canvas.picture").getBoundingClientRect();
@@ -378,33 +390,25 @@ test("a phone shows picture, time and answer without scrolling sideways", async 
 });
 
 test("an overlap at the start is said, and shown", async () => {
-  const file = join(artefacts, "overlap.json");
-  writeFileSync(
-    file,
-    JSON.stringify({
-      format: "taut-scene/1",
-      time: [0, 1],
-      bodies: [
-        {
-          name: "one",
-          polygon: [
-            [0, 0],
-            [2, 0],
-            [2, 2],
-            [0, 2],
-          ],
-        },
-        {
-          name: "two",
-          polygon: [
-            [1, 1],
-            [3, 1],
-            [3, 3],
-          ],
-        },
+  const file = sceneFile("overlap", [
+    {
+      name: "one",
+      polygon: [
+        [0, 0],
+        [2, 0],
+        [2, 2],
+        [0, 2],
       ],
-    }),
-  );
+    },
+    {
+      name: "two",
+      polygon: [
+        [1, 1],
+        [3, 1],
+        [3, 3],
+      ],
+    },
+  ]);
   const page = await openPage(browser, viewPage(file, "overlap"));
   assert.equal(await page.textContent("#headline"), "Overlap at the start");
   await page.keyboard.press("ArrowRight");
@@ -413,33 +417,25 @@ test("an overlap at the start is said, and shown", async () => {
 });
 
 test("names are text, never markup", async () => {
-  const file = join(artefacts, "markup.json");
   const name = '</script><img src=x onerror="window.hit = 1">';
-  writeFileSync(
-    file,
-    JSON.stringify({
-      format: "taut-scene/1",
-      time: [0, 1],
-      bodies: [
-        {
-          name,
-          polygon: [
-            [0, 0],
-            [2, 0],
-            [2, 2],
-          ],
-        },
-        {
-          name: "two",
-          polygon: [
-            [5, 1],
-            [6, 1],
-            [6, 3],
-          ],
-        },
+  const file = sceneFile("markup", [
+    {
+      name,
+      polygon: [
+        [0, 0],
+        [2, 0],
+        [2, 2],
       ],
-    }),
-  );
+    },
+    {
+      name: "two",
+      polygon: [
+        [5, 1],
+        [6, 1],
+        [6, 3],
+      ],
+    },
+  ]);
   const page = await openPage(browser, viewPage(file, "markup"));
   assert.equal(await page.textContent("h1"), `${name} and two`);
   assert.equal(await page.evaluate(() => window.hit), undefined);

@@ -8,7 +8,7 @@ namespace taut::gen {
 namespace {
 
 /// Knobs stand at distance 3 on the seam y = 0.
-constexpr double pitch = 3;
+constexpr double knob_pitch = 3;
 
 /// A knob's outline from right to left, widened by `c`. With a neck: most of a circle on a short straight neck;
 /// without: half an ellipse, which is widest at the seam.
@@ -38,13 +38,13 @@ Scene make_jigsaw(const JigsawOptions& o) {
   require_range("--knobs", o.knobs, 1, 1000000);
   require_range("--knob-points", o.knob_points, 6, 1000000);
   require_range("--clearance", o.clearance, 1e-4, 0.1);
-  const double c = o.clearance, left = -pitch / 2, right = left + pitch * o.knobs;
+  const double c = o.clearance, left = -knob_pitch / 2, right = left + knob_pitch * o.knobs;
   Polygon upper{{right, 5}, {left, 5}, {left, c}};
   Polygon socket;
   Polygon lower{{left, 0}, {left, -2}, {right, -2}, {right, 0}};
   for (int k = o.knobs - 1; k >= 0; --k) {
-    append_knob(lower, k * pitch, o, 0);
-    append_knob(socket, k * pitch, o, c);
+    append_knob(lower, k * knob_pitch, o, 0);
+    append_knob(socket, k * knob_pitch, o, c);
   }
   upper.insert(upper.end(), socket.rbegin(), socket.rend());
   upper.push_back({right, c});

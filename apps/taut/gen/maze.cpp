@@ -10,8 +10,8 @@ namespace taut::gen {
 
 namespace {
 
-constexpr double half_width = 0.5;  ///< of the corridor
-constexpr double spacing = 1.2;     ///< between passes: the walls are 0.2 thick
+constexpr double corridor_half_width = 0.5;  ///< of the corridor
+constexpr double spacing = 1.2;              ///< between passes: the walls are 0.2 thick
 
 /// The corridor's middle line: in from below, up, over, down, over, up, ...
 std::vector<Point> middle_line(const MazeOptions& o) {
@@ -31,16 +31,17 @@ Point direction(const Point& from, const Point& to) {
   return {dx / length, dy / length};
 }
 
-/// The line moved by half_width to the left (side = 1) or right (side = -1); the ends are moved sideways only, and
-/// the last one on to the dead end's wall. All directions are axis-parallel, so the sum of two normals is the corner.
+/// The line moved by corridor_half_width to the left (side = 1) or right (side = -1); the ends are moved sideways only,
+/// and the last one on to the dead end's wall. All directions are axis-parallel, so the sum of two normals is the
+/// corner.
 Polygon wall(const std::vector<Point>& line, double side) {
   Polygon points;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const Point in = direction(line[i == 0 ? 0 : i - 1], line[i == 0 ? 1 : i]);
-    const double h = side * half_width;
+    const double h = side * corridor_half_width;
     Point p{line[i].x - h * in.y, line[i].y + h * in.x};
     if (i + 1 == line.size()) {
-      p = {p.x + half_width * in.x, p.y + half_width * in.y};
+      p = {p.x + corridor_half_width * in.x, p.y + corridor_half_width * in.y};
     } else if (i > 0) {
       const Point out = direction(line[i], line[i + 1]);
       p = {p.x - h * out.y, p.y + h * out.x};
@@ -57,7 +58,7 @@ Polygon walls(const std::vector<Point>& line) {
     high = std::max(high, p.y);
     right = std::max(right, p.x);
   }
-  const double frame = half_width + 0.2, bottom = -0.7;
+  const double frame = corridor_half_width + 0.2, bottom = -0.7;
   Polygon left = wall(line, 1);
   left.front().y = bottom;
   // The mouth is in the box's lower side: in along the left wall, out along the right one.

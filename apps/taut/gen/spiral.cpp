@@ -7,16 +7,16 @@ namespace taut::gen {
 
 namespace {
 
-constexpr double pitch = 1;     ///< growth of the radius per turn
-constexpr double width = 0.16;  ///< of either spiral, measured along the radius
-constexpr double inner = 0.6;   ///< smallest radius of the middle line
+constexpr double spiral_pitch = 1;  ///< growth of the radius per turn
+constexpr double width = 0.16;      ///< of either spiral, measured along the radius
+constexpr double inner = 0.6;       ///< smallest radius of the middle line
 
-/// The band around r = inner + pitch * angle / 2 pi, turned by `phase`.
+/// The band around r = inner + spiral_pitch * angle / 2 pi, turned by `phase`.
 Polygon band(const SpiralOptions& o, double phase) {
   Polygon inner_side, polygon;
   for (int i = 0; i < o.side_points; ++i) {
     const double angle = 2 * pi * o.turns * i / (o.side_points - 1);
-    const double radius = inner + pitch * angle / (2 * pi);
+    const double radius = inner + spiral_pitch * angle / (2 * pi);
     inner_side.push_back(polar(radius - width / 2, angle + phase));
     polygon.push_back(polar(radius + width / 2, angle + phase));
   }
@@ -31,7 +31,7 @@ Scene make_spiral(const SpiralOptions& o) {
   // Coarser ones would touch: a chord cuts off r (step)^2 / 8.
   require_range("--side-points", o.side_points, 4 + 18 * o.turns * std::sqrt(o.turns), 10000000);
   // Two bands half a pitch apart leave pitch/2 - width on either side. Turning by f moves a band by pitch f / 2 pi.
-  const double play = 2 * pi * (pitch / 2 - width) / pitch;
+  const double play = 2 * pi * (spiral_pitch / 2 - width) / spiral_pitch;
   const double share = o.hit ? 1.3 : 0.8;
   // From -play to play within time 1, starting and ending at rest. The band itself is set up screwed in.
   const double angle = (0.8 + share) * play;

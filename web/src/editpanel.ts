@@ -1,0 +1,111 @@
+// The panel beside the picture: what dragging does, and the numbers of the scene and of the chosen body.
+import { h } from "./dom";
+import type { Scene } from "./engine";
+import type { Mode } from "./handles";
+import { KeyframeTable, type KeyframeHost } from "./keyframetable";
+import type { Keyframe } from "./motions";
+
+const modes: [Mode, string, string][] = [
+  ["look", "Look", "Drag to move the view."],
+  ["shape", "Shape", "Drag a body or a vertex. Double-click an edge to add a vertex; Delete removes the chosen one."],
+  ["keyframes", "Keyframes", "Drag a ghost to where the body is to be at that instant; drag its handle to turn it."],
+  [
+    "drive",
+    "Drive",
+    "Drag the arrow or the spin handle: the plan changes from the instant shown on, also while time runs.",
+  ],
+];
+/** The mode that the key with this number stands for. */
+export const modeOfKey = (number: number): Mode => modes[number - 1][0];
+
+export interface EditPanelHost extends KeyframeHost {
+  setMode(mode: Mode): void;
+  choose(body: number): void;
+  setTouch(): void;
+  setTime(start: number, end: number): void;
+}
+
+export class EditPanel {
+  readonly element: HTMLElement;
+  private readonly noteLine = h("p", { class: "note", role: "status", id: "note" });
+  private readonly hint = h("p", { class: "hint" });
+  private readonly modeButtons: HTMLButtonElement[];
+  private readonly body: HTMLSelectElement;
+  private readonly touchSelect: HTMLSelectElement;
+  private readonly start: HTMLInputElement;
+  private readonly end: HTMLInputElement;
+  private readonly table: KeyframeTable;
+
+  constructor(host: EditPanelHost) {
+    this.modeButtons = modes.map(([mode, label]) =>
+      h(
+        "button",
+        { type: "button", id: `mode-${mode}`, "aria-pressed": "false", onclick: () => host.setMode(mode) },
+        label,
+      ),
+    );
+    this.body = h("select", { id: "body", onchange: () => host.choose(Number(this.body.value)) });
+    this.touchSelect = h(
+      "select",
+      { id: "touch", onchange: () => host.setTouch() },
+      h("option", { value: "open" }, "open: touching is allowed"),
+      h("option", { value: "closed" }, "closed: touching counts"),
+    );
+    const setTime = (): void => host.setTime(Number(this.start.value), Number(this.end.value));
+    this.start = h("input", { type: "number", step: "any", id: "time-start", onchange: setTime });
+    this.end = h("input", { type: "number", step: "any", id: "time-end", onchange: setTime });
+    this.table = new KeyframeTable(host);
+    this.element = this.build();
+  }
+
+  /** What was done, or is to be known, in words. */
+  set note(text: string) {
+    this.noteLine.textContent = text;
+  }
+
+  get touch(): "open" | "closed" {
+    return this.touchSelect.value as "open" | "closed";
+  }
+
+  set touch(touch: "open" | "closed") {
+    this.touchSelect.value = touch;
+  }
+
+  showMode(mode: Mode): void {
+    modes.forEach(([name, , hint], i) => {
+      this.modeButtons[i].setAttribute("aria-pressed", String(name === mode));
+      if (name === mode) this.hint.textContent = hint;
+    });
+  }
+
+  /** Fields and keyframes of the chosen body. */
+  show(scene: Scene, body: number, keyframes: Keyframe[] | null): void {
+    this.body.replaceChildren(...scene.bodies.map((b, i) => h("option", { value: i, selected: i === body }, b.name)));
+    [this.start, this.end].forEach((field, i) => {
+      if (document.activeElement !== field) field.value = String(scene.time[i]);
+    });
+    this.table.show(keyframes);
+  }
+
+  private build(): HTMLElement {
+    return h(
+      "details",
+      { open: true, class: "part part-edit" },
+      h("summary", {}, "Edit"),
+      h("div", { class: "modes", role: "group", "aria-label": "What dragging does" }, ...this.modeButtons),
+      this.hint,
+      h(
+        "div",
+        { class: "fields" },
+        h("label", { for: "body" }, "Body"),
+        this.body,
+        h("label", { for: "time-start" }, "Time"),
+        h("span", { class: "pair" }, this.start, h("label", { for: "time-end" }, "to"), this.end),
+        h("label", { for: "touch" }, "Touch"),
+        this.touchSelect,
+      ),
+      this.table.element,
+      this.noteLine,
+    );
+  }
+}
