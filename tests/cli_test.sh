@@ -97,8 +97,10 @@ expect 1 '"timing":\{"read":' '' check --json --timing hit.json
 expect 1 'read .*, build .*, run ' '' check --timing hit.json
 expect 3 '^UNDECIDED  anvil x hammer' '' check --max-events 0 hit.json
 expect 3 '"outcome":"undecided","free_until":' '' check --json --max-events 0 hit.json
-for engine in kinetic spacetime both; do
-  expect 1 '"outcome":"contact","t":\[(8|7\.99999).*"engine":"'$engine'"' '' check --json --engine $engine hit.json
+for engine in kinetic spacetime both either; do
+  answers=$engine
+  [ $engine != either ] || answers='(kinetic|spacetime)'
+  expect 1 '"outcome":"contact","t":\[(8|7\.99999).*"engine":"'"$answers"'"' '' check --json --engine $engine hit.json
   expect 0 '^FREE' '' check --engine $engine free.json
   expect 1 '^OVERLAP AT START' '' check --engine $engine overlap.json
   expect 1 '^CONTACT' '' check --engine $engine --touch closed touch.json

@@ -23,16 +23,19 @@ void add_touch(CLI::App& command, Touch& touch) {
 }
 
 void add_engine(CLI::App& command, EngineChoice& engine) {
-  static const std::map<std::string, EngineChoice> names = {
-      {"kinetic", EngineChoice::kinetic}, {"spacetime", EngineChoice::spacetime}, {"both", EngineChoice::both}};
+  static const std::map<std::string, EngineChoice> names = {{"kinetic", EngineChoice::kinetic},
+                                                            {"spacetime", EngineChoice::spacetime},
+                                                            {"both", EngineChoice::both},
+                                                            {"either", EngineChoice::either}};
   const auto set = [&engine](const std::string& name) { engine = names.at(name); };
   command
       .add_option_function<std::string>("--engine", set,
                                         "kinetic: a tiling of the free space, event by event (default)\n"
                                         "spacetime: bounding volumes over time, for a second opinion\n"
-                                        "both: ask both, and compare")
-      ->check(CLI::IsMember({"kinetic", "spacetime", "both"}))
-      ->option_text("kinetic|spacetime|both");
+                                        "both: ask both, and compare\n"
+                                        "either: ask both in turn, for longer and longer; the first answer counts")
+      ->check(CLI::IsMember({"kinetic", "spacetime", "both", "either"}))
+      ->option_text("kinetic|spacetime|both|either");
 }
 
 void add_limits(CLI::App& command, CheckOptions& options) {

@@ -14,7 +14,7 @@ namespace taut::cli {
 void add_scene(CLI::App& command, std::string& path);
 /// Adds --touch open|closed.
 void add_touch(CLI::App& command, Touch& touch);
-/// Adds --engine kinetic|spacetime|both.
+/// Adds --engine kinetic|spacetime|both|either.
 void add_engine(CLI::App& command, EngineChoice& engine);
 /// Adds --max-events and --max-seconds.
 void add_limits(CLI::App& command, CheckOptions& options);

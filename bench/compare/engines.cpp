@@ -73,6 +73,7 @@ const std::vector<Column>& columns() {
       {"kinetic", make<EngineChoice::kinetic, true>},
       {"spacetime, cold", make<EngineChoice::spacetime, false>},
       {"spacetime", make<EngineChoice::spacetime, true>},
+      {"either", make<EngineChoice::either, true>},
   };
   return all;
 }

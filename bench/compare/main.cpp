@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/engines.hpp"
+#include "compare/ties.hpp"
 #include "compare/timing.hpp"
 
 namespace taut::bench {
@@ -19,6 +20,7 @@ struct Options {
   double seconds = 1;
   int largest = 400000;
   std::vector<std::string> only;
+  bool ties = false;
 };
 
 /// One row: every engine in turn, again and again. What the machine does meanwhile slows all of them down.
@@ -103,9 +105,12 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds, "Processor time for each row");
   app.add_option("--largest", options.largest, "Leave out larger polygons");
   app.add_option("--only", options.only, "Families");
+  app.add_flag("--ties", options.ties, "Compare scenes drawn on a grid with nudged ones instead");
   CLI11_PARSE(app, argc, argv);
   try {
-    return taut::bench::compare(options);
+    if (!options.ties) return taut::bench::compare(options);
+    taut::bench::pin_to_this_core();
+    return taut::bench::compare_ties(options.seconds) ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

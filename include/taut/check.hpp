@@ -30,9 +30,10 @@ enum class EngineChoice {
   kinetic,    ///< the kinetic data structure: a tiling of the free space, kept valid from event to event
   spacetime,  ///< bounding volumes over the edges, followed through time
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
+  either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
 };
 
-/// "kinetic", "spacetime" or "both".
+/// "kinetic", "spacetime", "both" or "either".
 const char* to_string(EngineChoice engine);
 
 /// A vertex or an edge of a body, with the index of the input.
@@ -62,7 +63,7 @@ struct CheckOptions {
   EngineChoice engine = EngineChoice::kinetic;
   /// Stop with `undecided` after this many events (of the kinetic engine).
   std::uint64_t max_events = UINT64_MAX;
-  /// Stop with `undecided` after this much wall time, in seconds (for each engine).
+  /// Stop with `undecided` after this much wall time, in seconds (for each engine; for both together with `either`).
   double max_seconds = 1e300;
   /// Stop with `undecided` soon after this becomes true, from a signal handler, say; may be null. Not owned.
   const std::atomic<bool>* stop = nullptr;
@@ -73,6 +74,7 @@ struct CheckOptions {
 /// What check() and prove() found out.
 struct Answer {
   Outcome outcome = Outcome::undecided;
+  /// Who answered; never `either`.
   EngineChoice engine = EngineChoice::kinetic;
   /// Present for `contact`, and for nothing else.
   std::optional<Contact> contact;

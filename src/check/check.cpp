@@ -10,6 +10,8 @@ Answer check(const Scene& scene, const CheckOptions& options) {
       return run_kinetic(scene, options);
     case EngineChoice::spacetime:
       return run_spacetime(scene, options);
+    case EngineChoice::either:
+      return run_either(scene, options);
     default:
       return agreed(run_kinetic(scene, options), run_spacetime(scene, options));
   }

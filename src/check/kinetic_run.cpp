@@ -12,37 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs to the end, a contact, or a limit; says which limit.
-std::string run(Session& session, const CheckOptions& options, const InterruptionScope& scope, Answer& answer) {
-  const double end = session.scene().end;
-  try {
-    while (!session.finished()) {
-      const std::uint64_t events = session.engine().events();
-      if (events >= options.max_events) {
-        answer.free_until = session.engine().proved_until();
-        return "the limit of " + std::to_string(options.max_events) + " events was reached";
-      }
-      if (events % 64 == 0) {
-        try {
-          scope.check();
-        } catch (const Interrupted& limit) {
-          answer.free_until = session.engine().proved_until();
-          return limit.reason;
-        }
-      }
-      session.step(end);
-    }
-  } catch (const Interrupted& limit) {
-    // In the middle of an event: what it left unfinished is not looked at.
-    answer.free_until = session.engine().reached();
-    return limit.reason;
-  } catch (const Undecidable& limit) {
-    answer.free_until = session.engine().reached();
-    return not_decided(limit);
-  }
-  return {};
-}
-
 void conclude(const Session& session, Answer& answer) {
   const Engine& engine = session.engine();
   const Scene& scene = session.scene();
@@ -63,32 +32,93 @@ void conclude(const Session& session, Answer& answer) {
   }
 }
 
+class KineticRun final : public Run {
+ public:
+  KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
+      : options_(options), watcher_(watcher), scope_(options.stop, options.max_seconds) {
+    answer_.engine = EngineChoice::kinetic;
+    answer_.free_until = scene.start;
+    const Clock::time_point start = Clock::now();
+    try {
+      session_ = std::make_unique<Session>(scene, options.touch, options.tracer, watcher);
+    } catch (const Undecidable& limit) {
+      answer_.reason = not_decided(limit);
+      return;
+    } catch (const Interrupted& limit) {
+      answer_.reason = limit.reason;
+      return;
+    }
+    answer_.build_seconds = seconds_since(start);
+    if (watcher_) watcher_->started(*session_);
+  }
+
+  bool work(std::uint64_t effort) override {
+    if (!session_ || done_) return true;
+    const Clock::time_point start = Clock::now();
+    done_ = run(effort);
+    answer_.run_seconds += seconds_since(start);
+    conclude(*session_, answer_);
+    if (done_ && watcher_) watcher_->ended(*session_, answer_);
+    return done_;
+  }
+  const Answer& answer() const override { return answer_; }
+
+ private:
+  /// To the end, a contact, or a limit, of which the answer tells; or until the effort is spent.
+  bool run(std::uint64_t effort) {
+    const Engine& engine = session_->engine();
+    const std::uint64_t begun = engine.events();
+    try {
+      while (!session_->finished()) {
+        if (const std::string limit = limit_reached(); !limit.empty()) return give_up(limit, engine.proved_until());
+        if (engine.events() - begun >= effort) return false;
+        session_->step(session_->scene().end);
+      }
+    } catch (const Interrupted& limit) {
+      // In the middle of an event: what it left unfinished is not looked at.
+      return give_up(limit.reason, engine.reached());
+    } catch (const Undecidable& limit) {
+      return give_up(not_decided(limit), engine.reached());
+    }
+    return true;
+  }
+  /// Between two events: what stops the run, or nothing.
+  std::string limit_reached() const {
+    const std::uint64_t events = session_->engine().events();
+    if (events >= options_.max_events)
+      return "the limit of " + std::to_string(options_.max_events) + " events was reached";
+    if (events % 64 != 0) return {};
+    try {
+      scope_.check();
+    } catch (const Interrupted& limit) {
+      return limit.reason;
+    }
+    return {};
+  }
+  bool give_up(const std::string& reason, double free_until) {
+    answer_.reason = reason;
+    answer_.free_until = free_until;
+    return true;
+  }
+
+  const CheckOptions& options_;
+  RunWatcher* watcher_;
+  InterruptionScope scope_;
+  std::unique_ptr<Session> session_;
+  Answer answer_;
+  bool done_ = false;
+};
+
 }  // namespace
 
+std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
+  return std::make_unique<KineticRun>(scene, options, watcher);
+}
+
 Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
-  Answer answer;
-  answer.engine = EngineChoice::kinetic;
-  answer.free_until = scene.start;
-  const InterruptionScope scope(options.stop, options.max_seconds);
-  const Clock::time_point start = Clock::now();
-  std::unique_ptr<Session> session;
-  try {
-    session = std::make_unique<Session>(scene, options.touch, options.tracer, watcher);
-  } catch (const Undecidable& limit) {
-    answer.reason = not_decided(limit);
-    return answer;
-  } catch (const Interrupted& limit) {
-    answer.reason = limit.reason;
-    return answer;
-  }
-  answer.build_seconds = seconds_since(start);
-  if (watcher) watcher->started(*session);
-  const Clock::time_point built = Clock::now();
-  answer.reason = run(*session, options, scope, answer);
-  answer.run_seconds = seconds_since(built);
-  conclude(*session, answer);
-  if (watcher) watcher->ended(*session, answer);
-  return answer;
+  KineticRun run(scene, options, watcher);
+  run.work(UINT64_MAX);
+  return run.answer();
 }
 
 }  // namespace taut

@@ -1,6 +1,9 @@
 // One engine, one answer.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+
 #include <chrono>
 
 #include "taut/check.hpp"
@@ -9,11 +12,29 @@ namespace taut {
 
 class RunWatcher;
 
+/// An engine at work on a question. It can be left and taken up again; runs must end in the reverse of the order in
+/// which they began.
+class Run {
+ public:
+  virtual ~Run() = default;
+  /// Goes on for about `effort` events, or looks at pairs of boxes, which cost about the same; true once answer() says
+  /// all that will come of it. What a limit of the options stopped, or precision, is `undecided`.
+  virtual bool work(std::uint64_t effort) = 0;
+  virtual const Answer& answer() const = 0;
+};
+
+/// The scene and the options must live as long as the run. Throw InputError.
+std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
+std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options);
+
 /// By the kinetic data structure. The watcher may be null. Throws InputError.
 Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 
 /// By bounding volumes over time. Throws InputError. It has no events, and no certificates.
 Answer run_spacetime(const Scene& scene, const CheckOptions& options);
+
+/// By whichever is done first, where both work in turn, for longer and longer. Throws InputError.
+Answer run_either(const Scene& scene, const CheckOptions& options);
 
 /// What both say. Throws EngineDisagreement.
 Answer agreed(const Answer& kinetic, const Answer& spacetime);

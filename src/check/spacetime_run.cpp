@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "check/run.hpp"
@@ -40,9 +41,9 @@ class Tree {
 };
 
 /// One question with all that it is asked about.
-class SpacetimeRun {
+class Question {
  public:
-  SpacetimeRun(const Scene& scene, Touch touch)
+  Question(const Scene& scene, Touch touch)
       : scene_(scene),
         touch_(touch),
         plan_(plan_pair(scene, validated_facts(scene))),
@@ -100,28 +101,65 @@ class SpacetimeRun {
   std::vector<Leg> legs_;
 };
 
+/// A stretch of time that proves too much is begun again: what was found out about it is not kept.
+class SpacetimeRun final : public Run {
+ public:
+  SpacetimeRun(const Scene& scene, const CheckOptions& options) : scope_(options.stop, options.max_seconds) {
+    answer_.engine = EngineChoice::spacetime;
+    answer_.free_until = scene.start;
+    const Clock::time_point start = Clock::now();
+    try {
+      question_.emplace(scene, options.touch);
+      done_ = !question_->start(answer_);
+      scope_.check();
+    } catch (const Undecidable& limit) {
+      give_up(not_decided(limit));
+    } catch (const Interrupted& limit) {
+      give_up(limit.reason);
+    }
+    answer_.build_seconds = seconds_since(start);
+  }
+
+  bool work(std::uint64_t effort) override {
+    if (done_) return true;
+    const Clock::time_point start = Clock::now();
+    const InterruptionScope turn(effort);
+    answer_.reason.clear();
+    try {
+      question_->run(answer_);
+      done_ = !turn.exhausted();
+    } catch (const Undecidable& limit) {
+      give_up(not_decided(limit));
+    } catch (const Interrupted& limit) {
+      if (!turn.exhausted()) give_up(limit.reason);
+    }
+    answer_.run_seconds += seconds_since(start);
+    return done_;
+  }
+  const Answer& answer() const override { return answer_; }
+
+ private:
+  void give_up(const std::string& reason) {
+    answer_.reason = reason;
+    done_ = true;
+  }
+
+  InterruptionScope scope_;
+  std::optional<Question> question_;
+  Answer answer_;
+  bool done_ = false;
+};
+
 }  // namespace
 
+std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options) {
+  return std::make_unique<SpacetimeRun>(scene, options);
+}
+
 Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
-  Answer answer;
-  answer.engine = EngineChoice::spacetime;
-  answer.free_until = scene.start;
-  const InterruptionScope scope(options.stop, options.max_seconds);
-  const Clock::time_point start = Clock::now();
-  try {
-    const SpacetimeRun question(scene, options.touch);
-    const bool more = question.start(answer);
-    answer.build_seconds = seconds_since(start);
-    const Clock::time_point built = Clock::now();
-    scope.check();
-    if (more) question.run(answer);
-    answer.run_seconds = seconds_since(built);
-  } catch (const Undecidable& limit) {
-    answer.reason = not_decided(limit);
-  } catch (const Interrupted& limit) {
-    answer.reason = limit.reason;
-  }
-  return answer;
+  SpacetimeRun run(scene, options);
+  run.work(UINT64_MAX);
+  return run.answer();
 }
 
 }  // namespace taut

@@ -24,8 +24,10 @@ const char* to_string(EngineChoice engine) {
       return "kinetic";
     case EngineChoice::spacetime:
       return "spacetime";
-    default:
+    case EngineChoice::both:
       return "both";
+    default:
+      return "either";
   }
 }
 

@@ -39,6 +39,7 @@ void Engine::build(const KnownTilings& known) {
   initial_root_ = tiling.root;
   certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
   scan_.reserve(64);
+  expect_certificates(64);
   add_certificates(placement);
   // Room to double the active set before anything is allocated again: few events of few motions do.
   expect_certificates(2 * active_ + 1024);

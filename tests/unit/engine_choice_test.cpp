@@ -75,7 +75,8 @@ TEST(Agreed, FeaturesAtTheStartMayDiffer) {
 TEST(Stop, EveryEngineSaysHowFarItCame) {
   const Scene scene = gen::make_rotor({});
   const std::atomic<bool> stop{true};
-  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both}) {
+  for (const EngineChoice engine :
+       {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both, EngineChoice::either}) {
     CheckOptions options;
     options.engine = engine;
     options.stop = &stop;
@@ -105,6 +106,70 @@ TEST(Stop, ProvedTimesGrowUpToTheContact) {
     before = part.free_until;
   }
   EXPECT_GT(before, scene.start);
+}
+
+Answer asked(const Scene& scene, EngineChoice engine) {
+  CheckOptions options;
+  options.engine = engine;
+  return check(scene, options);
+}
+
+/// Each engine has motions on which it is far ahead: then the answer is its own.
+TEST(Either, IsTheEngineThatIsDoneFirst) {
+  gen::DipOptions dips;
+  dips.sides = 1024;
+  dips.dips = 8;
+  const Answer dip = asked(gen::make_dips(dips), EngineChoice::either);
+  EXPECT_EQ(dip.outcome, Outcome::free);
+  EXPECT_EQ(dip.engine, EngineChoice::spacetime);
+  gen::CombOptions combs;
+  combs.teeth = 128;
+  combs.swings = 16;
+  Scene slots = gen::make_combs(combs);
+  slots.end = 1;  // before they are pulled out
+  const Answer slide = asked(slots, EngineChoice::either);
+  EXPECT_EQ(slide.outcome, Outcome::free);
+  EXPECT_EQ(slide.engine, EngineChoice::kinetic);
+}
+
+/// However often the turn changes, the answer is the one that the engine gives by itself.
+TEST(Either, SaysWhatThatEngineSaysByItself) {
+  for (const bool hit : {false, true}) {
+    gen::GearOptions gears;
+    gears.hit = hit;
+    gears.teeth_1 = 96;
+    gears.teeth_2 = 97;
+    const Scene scene = gen::make_gears(gears);
+    const Answer either = asked(scene, EngineChoice::either), alone = asked(scene, either.engine);
+    EXPECT_EQ(either.outcome, hit ? Outcome::contact : Outcome::free);
+    EXPECT_EQ(either.outcome, alone.outcome);
+    EXPECT_EQ(either.events, alone.events);
+    ASSERT_EQ(either.contact.has_value(), hit);
+    if (!hit) continue;
+    EXPECT_EQ(either.contact->time.lo, alone.contact->time.lo);
+    EXPECT_EQ(either.contact->time.hi, alone.contact->time.hi);
+    EXPECT_EQ(either.contact->vertex.index, alone.contact->vertex.index);
+  }
+}
+
+/// Runs that are left and taken up again.
+TEST(Either, ManyShortTurnsAreOneLongOne) {
+  const Scene scene = gen::make_rotor({});
+  const CheckOptions options;
+  for (const auto begin : {+[](const Scene&s, const CheckOptions&o) { return begin_kinetic(s, o); }, begin_spacetime}) {
+    const auto whole = begin(scene, options);
+    ASSERT_TRUE(whole->work(UINT64_MAX));
+    const auto parts = begin(scene, options);
+    int turns = 1;
+    for (std::uint64_t effort = 1; !parts->work(effort); effort = effort * 3 / 2 + 1) {
+      EXPECT_EQ(parts->answer().outcome, Outcome::undecided);
+      ++turns;
+    }
+    EXPECT_GT(turns, 3);
+    EXPECT_EQ(parts->answer().outcome, whole->answer().outcome);
+    EXPECT_EQ(parts->answer().events, whole->answer().events);
+    EXPECT_EQ(parts->answer().free_until, whole->answer().free_until);
+  }
 }
 
 }  // namespace

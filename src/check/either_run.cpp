@@ -1,0 +1,31 @@
+// Two engines in turn. Each is far ahead of the other on some motions, and nobody knows beforehand on which.
+#include <algorithm>
+
+#include "check/run.hpp"
+
+namespace taut {
+namespace {
+
+/// Of the first turn: events, or looks. The next ones are twice as long each.
+constexpr std::uint64_t first_effort = 1024;
+
+bool decided(const Run& run) { return run.answer().outcome != Outcome::undecided; }
+
+}  // namespace
+
+Answer run_either(const Scene& scene, const CheckOptions& options) {
+  const std::unique_ptr<Run> spacetime = begin_spacetime(scene, options);
+  if (spacetime->work(first_effort) && decided(*spacetime)) return spacetime->answer();
+  const std::unique_ptr<Run> kinetic = begin_kinetic(scene, options);
+  for (std::uint64_t effort = first_effort;; effort *= 2) {
+    const bool kinetic_done = kinetic->work(effort);
+    if (kinetic_done && decided(*kinetic)) return kinetic->answer();
+    const bool spacetime_done = spacetime->work(2 * effort);
+    if (spacetime_done && decided(*spacetime)) return spacetime->answer();
+    if (!kinetic_done || !spacetime_done) continue;
+    // Limits stopped both: what the one has proved free that went further.
+    return kinetic->answer().free_until >= spacetime->answer().free_until ? kinetic->answer() : spacetime->answer();
+  }
+}
+
+}  // namespace taut
