@@ -9,6 +9,7 @@ export class EventList {
   readonly element: HTMLElement;
   private readonly rows = h("div", { class: "rows" });
   private shown = "";
+  private content = "";
   private current = -2;
 
   constructor(private readonly player: Player) {
@@ -54,7 +55,7 @@ export class EventList {
   }
 
   private render(): void {
-    const { replay, selected, scene } = this.player;
+    const { replay, selected } = this.player;
     const count = replay.count;
     const first = Math.max(0, Math.floor(this.element.scrollTop / rowHeight) - 4);
     const last = Math.min(count, first + Math.ceil(this.element.clientHeight / rowHeight) + 8);
@@ -62,37 +63,49 @@ export class EventList {
     if (key === this.shown) return;
     this.shown = key;
     this.rows.style.height = `${count * rowHeight}px`;
-    const rows: HTMLElement[] = [];
-    for (let k = first; k < last; ++k)
-      rows.push(
-        this.row(
-          k,
-          selected,
-          scene.bodies.map((b) => b.name),
-        ),
-      );
-    this.rows.replaceChildren(...rows);
-    if (count === 0) this.rows.append(h("p", { class: "none" }, this.player.finished ? "No events." : "None yet."));
+    this.showRows(first, last, count);
+    for (const row of this.rows.querySelectorAll<HTMLElement>(".row")) this.mark(row, selected);
     this.element.setAttribute(
       "aria-activedescendant",
       this.current >= first && this.current < last ? `event-${this.current}` : "",
     );
   }
 
-  private row(k: number, selected: number, names: string[]): HTMLElement {
+  /** Rows in view stay what they are: one that was replaced between press and release would not be clicked. */
+  private showRows(first: number, last: number, count: number): void {
+    const content = [count, this.player.opened].join();
+    if (content !== this.content) this.rows.replaceChildren();
+    this.content = content;
+    for (const row of [...this.rows.children] as HTMLElement[]) {
+      const k = Number(row.dataset.event);
+      if (!(k >= first && k < last)) row.remove();
+    }
+    const names = this.player.scene.bodies.map((b) => b.name);
+    for (let k = first; k < last; ++k) {
+      const next = this.rows.children[k - first] as HTMLElement | undefined;
+      if (next?.dataset.event !== String(k)) this.rows.insertBefore(this.row(k, names), next ?? null);
+    }
+    if (count === 0) this.rows.append(h("p", { class: "none" }, this.player.finished ? "No events." : "None yet."));
+  }
+
+  private mark(row: HTMLElement, selected: number): void {
+    const k = Number(row.dataset.event);
+    row.classList.toggle("selected", k === selected);
+    row.classList.toggle("current", k === this.current && k !== selected);
+    row.setAttribute("aria-selected", String(k === selected));
+  }
+
+  private row(k: number, names: string[]): HTMLElement {
     const event = this.player.replay.event(k);
     const v = event.corner[1];
     const { vertexBody, vertexIndex } = this.player.replay;
-    const classes = ["row"];
-    if (k === selected) classes.push("selected");
-    else if (k === this.current) classes.push("current");
     const row = h(
       "div",
       {
-        class: classes.join(" "),
+        class: "row",
+        "data-event": k,
         role: "option",
         id: `event-${k}`,
-        "aria-selected": k === selected,
         title: `corner at vertex ${vertexIndex[v]} of ${names[vertexBody[v]]}`,
         onclick: () => this.player.show(k),
       },
