@@ -6,8 +6,9 @@
 namespace taut {
 namespace {
 
-/// Of the first turn: events, or looks. The next ones are twice as long each.
-constexpr std::uint64_t first_effort = 1024;
+/// Of the first turn, in events; the next ones are twice as long each. In the time of an event, the other engine looks
+/// at about so many pairs of boxes.
+constexpr std::uint64_t first_effort = 1024, looks_per_event = 8;
 
 bool decided(const Run& run) { return run.answer().outcome != Outcome::undecided; }
 
@@ -15,12 +16,12 @@ bool decided(const Run& run) { return run.answer().outcome != Outcome::undecided
 
 Answer run_either(const Scene& scene, const CheckOptions& options) {
   const std::unique_ptr<Run> spacetime = begin_spacetime(scene, options);
-  if (spacetime->work(first_effort) && decided(*spacetime)) return spacetime->answer();
+  if (spacetime->work(first_effort * looks_per_event) && decided(*spacetime)) return spacetime->answer();
   const std::unique_ptr<Run> kinetic = begin_kinetic(scene, options);
   for (std::uint64_t effort = first_effort;; effort *= 2) {
     const bool kinetic_done = kinetic->work(effort);
     if (kinetic_done && decided(*kinetic)) return kinetic->answer();
-    const bool spacetime_done = spacetime->work(2 * effort);
+    const bool spacetime_done = spacetime->work(2 * effort * looks_per_event);
     if (spacetime_done && decided(*spacetime)) return spacetime->answer();
     if (!kinetic_done || !spacetime_done) continue;
     // Limits stopped both: what the one has proved free that went further.
