@@ -1,6 +1,4 @@
 // Two engines in turn. Each is far ahead of the other on some motions, and nobody knows beforehand on which.
-#include <algorithm>
-
 #include "check/run.hpp"
 
 namespace taut {

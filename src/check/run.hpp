@@ -1,10 +1,9 @@
 // One engine, one answer.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
-
-#include <chrono>
 
 #include "taut/check.hpp"
 
