@@ -20,7 +20,10 @@ class Taut : public Engine {
     contest_ = &contest;
     scene_ = contest.scene;
     if (!prepared_) return;
-    for (Body& body : scene_.bodies) body.prepared = prepare(body.polygon, body.name);
+    for (Body& body : scene_.bodies) {
+      body.prepared = prepare(body.polygon, body.name);
+      body.polygon.clear();
+    }
     check(scene_, options_);  // what the shapes keep for their roles is made when first needed
   }
 

@@ -83,7 +83,10 @@ std::vector<Drawing> drawings() {
 }
 
 void prepare_bodies(Scene& scene) {
-  for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
+  for (Body& body : scene.bodies) {
+    body.prepared = prepare(body.polygon, body.name);
+    body.polygon.clear();
+  }
 }
 
 }  // namespace
@@ -94,9 +97,9 @@ bool compare_ties(double seconds) {
   bool right = true;
   for (Drawing& drawing : drawings()) {
     Scene moved = nudged(drawing.scene);
+    const std::size_t vertices = drawing.scene.bodies[0].polygon.size() + drawing.scene.bodies[1].polygon.size();
     prepare_bodies(drawing.scene);
     prepare_bodies(moved);
-    const std::size_t vertices = drawing.scene.bodies[0].polygon.size() + drawing.scene.bodies[1].polygon.size();
     Timing on_grid, off_grid;
     Answer first, second;
     const Stopwatch whole;

@@ -17,8 +17,9 @@ struct Body {
   std::string name;
   Polygon polygon;
   Motion motion;
-  /// What prepare(polygon) returned (taut/shape.hpp), for scenes of shapes that come again; may be null. It must have
-  /// been made of exactly this polygon: anything else is an InputError.
+  /// What prepare(polygon) returned (taut/shape.hpp), for scenes of shapes that come again; may be null. `polygon` is
+  /// then best left empty. If it is not, each check compares it with the prepared one, and anything but the same
+  /// polygon is an InputError.
   std::shared_ptr<const PreparedShape> prepared = nullptr;
 };
 

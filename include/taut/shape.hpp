@@ -5,6 +5,7 @@
 #include <string>
 
 #include "taut/geometry.hpp"
+#include "taut/scene.hpp"
 
 namespace taut {
 
@@ -14,10 +15,13 @@ namespace taut {
 /// Immutable to its users, and safe to share between scenes and threads.
 class PreparedShape;
 
-/// Prepares a polygon, O(n log n). Put the result into Body::prepared of any scene with exactly this polygon: checks
-/// and simulations then start without looking at what the shapes have in themselves. Bodies whose hulls are apart
-/// start in the time that it takes to copy the tiling; where they interlock, only what lies near the other body is done
-/// anew. Throws InputError, as validate_polygon() does; `name` is used in messages.
+/// Prepares a polygon, O(n log n). Put the result into Body::prepared of any scene, and leave Body::polygon empty:
+/// checks and simulations then start without looking at what the shapes have in themselves, and copy nothing of them.
+/// For bodies whose hulls are apart, that takes time for the vertices of the hulls; where they interlock, what lies
+/// near the other body is done anew. Throws InputError, as validate_polygon() does; `name` is used in messages.
 std::shared_ptr<const PreparedShape> prepare(const Polygon& polygon, const std::string& name = "shape");
+
+/// The polygon of a body, which may be that of its prepared shape alone. The body must outlive the result.
+const Polygon& polygon_of(const Body& body);
 
 }  // namespace taut

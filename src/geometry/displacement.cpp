@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -30,6 +31,17 @@ Vector unit_towards(const Point& from, const Point& to) {
 }
 
 }  // namespace
+
+DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, bool fine)
+    : points(std::move(vertices)), fine_features(fine) {
+  if (points.empty()) return;
+  bounds = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (const DisplacedPoint& v : points) {
+    bounds.lo = {std::min(bounds.lo.x, v.x), std::min(bounds.lo.y, v.y)};
+    bounds.hi = {std::max(bounds.hi.x, v.x), std::max(bounds.hi.y, v.y)};
+  }
+  largest = std::max(std::max(-bounds.lo.x, bounds.hi.x), std::max(-bounds.lo.y, bounds.hi.y));
+}
 
 std::vector<DisplacedPoint> displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed) {
   const std::size_t n = polygon.size();

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "taut/geometry.hpp"
+#include "geometry/hull.hpp"
 
 namespace taut {
 
@@ -14,6 +15,19 @@ struct DisplacedPoint {
   double x, y;
   double dx, dy;
 };
+
+/// A polygon of such vertices, never changed: pairs and threads share it.
+struct DisplacedPolygon {
+  /// `fine_features`: some feature may be smaller than the displacement. Then it must be checked that the displaced
+  /// polygon is simple.
+  explicit DisplacedPolygon(std::vector<DisplacedPoint> vertices, bool fine_features = false);
+
+  std::vector<DisplacedPoint> points;
+  Bounds bounds;       ///< of the points before the displacement
+  double largest = 0;  ///< magnitude of their coordinates
+  bool fine_features = false;
+};
+using SharedPolygon = std::shared_ptr<const DisplacedPolygon>;
 
 /// delta, the unit of displacement, for coordinates up to 1 in magnitude.
 inline constexpr double displacement_unit = 0x1p-200;

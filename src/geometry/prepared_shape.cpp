@@ -7,15 +7,20 @@
 
 namespace taut {
 
-std::vector<DisplacedPoint> displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
-  return displace(polygon, role.inwards, displacement_unit, role.plays_p ? 1 : 0x1234567);
-}
+namespace {
 
 /// Where all coordinates are multiples of 2^-75, the distance of a vertex from an edge is at least 2^-150 / sqrt 8,
 /// above any displacement (2^-159 at the tip of the sharpest spike).
 bool has_fine_features(const std::vector<Point>& polygon) {
   const auto coarse = [](double c) { return std::ldexp(std::floor(std::ldexp(c, 75)), -75) == c; };
   return !std::all_of(polygon.begin(), polygon.end(), [&](const Point& v) { return coarse(v.x) && coarse(v.y); });
+}
+
+}  // namespace
+
+SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
+  return std::make_shared<const DisplacedPolygon>(
+      displace(polygon, role.inwards, displacement_unit, role.plays_p ? 1 : 0x1234567), has_fine_features(polygon));
 }
 
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {
@@ -30,11 +35,14 @@ const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
   }
   auto fresh = std::make_unique<ShapeInRole>();
   fresh->role = role;
-  fresh->polygon = normalised(polygon_, facts_, role.exponent);
-  fresh->points = displaced_for(fresh->polygon, role);
-  fresh->fine_features = has_fine_features(fresh->polygon);
+  fresh->polygon = std::make_shared<const std::vector<Point>>(normalised(polygon_, facts_, role.exponent));
+  fresh->displaced = displaced_for(*fresh->polygon, role);
   roles_.push_back(std::move(fresh));
   return *roles_.back();
+}
+
+const Polygon& polygon_of(const Body& body) {
+  return body.prepared && body.polygon.empty() ? body.prepared->polygon() : body.polygon;
 }
 
 std::shared_ptr<const PreparedShape> prepare(const Polygon& polygon, const std::string& name) {

@@ -26,9 +26,8 @@ struct ShapeRole {
 /// The polygon as the engines see it in a role.
 struct ShapeInRole {
   ShapeRole role;
-  std::vector<Point> polygon;          ///< normalised
-  std::vector<DisplacedPoint> points;  ///< and displaced
-  bool fine_features = false;          ///< some feature may be smaller than the displacement
+  std::shared_ptr<const std::vector<Point>> polygon;  ///< normalised
+  SharedPolygon displaced;                            ///< and displaced
 
   /// What one of the layers above makes of it, once, and keeps here.
   enum Keeper : std::size_t { tiling, hierarchy, keepers };
@@ -64,8 +63,6 @@ class PreparedShape {
 };
 
 /// A normalised polygon, displaced for a role.
-std::vector<DisplacedPoint> displaced_for(const std::vector<Point>& polygon, const ShapeRole& role);
-/// May some feature of a normalised polygon be smaller than the displacement?
-bool has_fine_features(const std::vector<Point>& polygon);
+SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role);
 
 }  // namespace taut

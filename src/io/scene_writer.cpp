@@ -2,6 +2,7 @@
 
 #include "io/json_text.hpp"
 #include "taut/io.hpp"
+#include "taut/shape.hpp"
 
 namespace taut {
 
@@ -44,7 +45,7 @@ std::string motion_text(const Motion& motion) {
 std::string body_text(const Body& body) {
   std::string s = "  {\"name\":" + io::string_text(body.name) + ",\n   \"polygon\":[";
   const char* separator = "";
-  for (const Point& p : body.polygon) {
+  for (const Point& p : polygon_of(body)) {
     s += separator + io::point_text(p);
     separator = ",";
   }

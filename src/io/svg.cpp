@@ -11,6 +11,7 @@
 #include "io/svg_style.hpp"
 #include "io/text_file.hpp"
 #include "taut/io.hpp"
+#include "taut/shape.hpp"
 
 namespace taut {
 
@@ -105,7 +106,8 @@ class TilingPicture {
 
   void draw_bodies() {
     std::vector<Point> outlines[2];
-    for (std::size_t b = 0; b < 2 && b < scene_.bodies.size(); ++b) outlines[b].resize(scene_.bodies[b].polygon.size());
+    for (std::size_t b = 0; b < 2 && b < scene_.bodies.size(); ++b)
+      outlines[b].resize(polygon_of(scene_.bodies[b]).size());
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       const TilingVertex& v = tiling_.vertices[i];
       std::vector<Point>& outline = outlines[v.body == 0 ? 0 : 1];

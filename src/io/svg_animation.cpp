@@ -12,6 +12,7 @@
 #include "io/svg_style.hpp"
 #include "io/text_file.hpp"
 #include "taut/io.hpp"
+#include "taut/shape.hpp"
 
 namespace taut {
 
@@ -103,7 +104,7 @@ class Animation {
   }
 
   std::vector<Point> outline(const Tiling& frame, int body) const {
-    std::vector<Point> pixels(scene_.bodies[index(body)].polygon.size());
+    std::vector<Point> pixels(polygon_of(scene_.bodies[index(body)]).size());
     for (const TilingVertex& v : frame.vertices) {
       if (v.body == body) pixels[index(v.index)] = canvas_.pixel(v.position);
     }

@@ -18,17 +18,18 @@ Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* obs
 
 namespace {
 
-StaticTiling tiling_of(const Placement& placement, const KnownTilings& known) {
+StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
   if (known.p && known.q) {
     if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
   }
+  placement.tabulate();
   return build_tiling(placement);
 }
 
 }  // namespace
 
 void Engine::build(const KnownTilings& known) {
-  const Placement placement(geometry_, leg(), parameter_);
+  Placement placement(geometry_, leg(), parameter_, Positions::on_demand);
   StaticTiling tiling = tiling_of(placement, known);
   if (tiling.overlap) {
     overlap_ = tiling.overlap;
@@ -37,12 +38,12 @@ void Engine::build(const KnownTilings& known) {
   }
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
-  certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
+  certificate_of_.reset(4 * static_cast<std::size_t>(geometry_.size()) + 16);
   scan_.reserve(64);
-  expect_certificates(64);
+  // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
+  // set before anything is allocated again: few events of few motions do.
+  expect_certificates(4 * mixed_edges() + 1024);
   add_certificates(placement);
-  // Room to double the active set before anything is allocated again: few events of few motions do.
-  expect_certificates(2 * active_ + 1024);
   initial_ = max_active_ = active_;
   enter_leg();
   solver_.expect(active_);
@@ -59,13 +60,23 @@ void Engine::expect_certificates(std::size_t room) {
   queue_.reserve(room);
 }
 
+std::size_t Engine::mixed_edges() const {
+  std::size_t count = 0;
+  map_.for_each_changed_edge([&](HalfedgeId, VertexId from, VertexId to) { count += !geometry_.same_body(from, to); });
+  return count;
+}
+
 /// Of all corners with a PQ edge.
 void Engine::add_certificates(const Placement& placement) {
-  for (std::uint32_t i = 2 * geometry_.size(); i < map_.halfedge_count(); ++i) {
-    const HalfedgeId side(i);
-    if (!map_.alive(side) || geometry_.same_body(map_.origin(side), map_.target(side))) continue;
+  map_.for_each_changed_edge([&](HalfedgeId edge, VertexId from, VertexId to) {
+    if (!geometry_.same_body(from, to)) add_certificates_beside(edge, placement);
+  });
+}
+
+void Engine::add_certificates_beside(HalfedgeId edge, const Placement& placement) {
+  for (const HalfedgeId side : {edge, PlanarMap::twin(edge)}) {
     for (const HalfedgeId h : {map_.previous(side), side}) {
-      if (certificate_of_[h.value].valid() || !is_mixed_corner(h)) continue;
+      if (certificate_of_.get(h.value).valid() || !is_mixed_corner(h)) continue;
       Certificate& c = certificates_[add_certificate(h).value];
       c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
     }
@@ -94,19 +105,19 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   c.u = map_.origin(h);
   c.v = map_.target(h);
   c.w = map_.target(map_.next(h));
-  certificate_of_[h.value] = id;
+  certificate_of_.touch(h.value) = id;
   ++active_;
   return id;
 }
 
 void Engine::drop_corner(HalfedgeId h) {
-  const CertificateId id = certificate_of_[h.value];
+  const CertificateId id = certificate_of_.get(h.value);
   if (!id.valid()) return;
   queue_.remove(id);
   Certificate& c = certificates_[id.value];
   solver_.release(c);
   c.corner = HalfedgeId();
-  certificate_of_[h.value] = CertificateId();
+  certificate_of_.touch(h.value) = CertificateId();
   free_.push_back(id);
   --active_;
 }
@@ -116,7 +127,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
     drop_corner(h);
     return;
   }
-  CertificateId id = certificate_of_[h.value];
+  CertificateId id = certificate_of_.get(h.value);
   const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
   if (id.valid()) {
     Certificate& c = certificates_[id.value];
@@ -289,9 +300,8 @@ void Engine::process(CertificateId id, double limit) {
 }
 
 std::size_t Engine::bytes() const {
-  return geometry_.points.capacity() * sizeof(DisplacedPoint) + map_.bytes() +
-         certificates_.capacity() * sizeof(Certificate) + settled_.capacity() + open_.capacity() * 4 +
-         (free_.capacity() + certificate_of_.capacity()) * 4 + queue_.bytes() + solver_.bytes();
+  return geometry_.bytes() + map_.bytes() + certificates_.capacity() * sizeof(Certificate) + settled_.capacity() +
+         open_.capacity() * 4 + free_.capacity() * 4 + certificate_of_.bytes() + queue_.bytes() + solver_.bytes();
 }
 
 }  // namespace taut

@@ -94,7 +94,9 @@ class Engine {
 
  private:
   void build(const KnownTilings& known);
+  std::size_t mixed_edges() const;
   void add_certificates(const Placement& placement);
+  void add_certificates_beside(HalfedgeId edge, const Placement& placement);
   void expect_certificates(std::size_t room);
   bool find_next(double limit);
   bool certainly_first(CertificateId head);
@@ -125,8 +127,8 @@ class Engine {
   FailureSolver solver_;
   std::vector<Certificate> certificates_;
   std::vector<CertificateId> free_;
-  std::vector<bool> settled_;                  ///< by certificate: it holds wherever the motion is in region_
-  std::vector<CertificateId> certificate_of_;  ///< by half-edge
+  std::vector<bool> settled_;                 ///< by certificate: it holds wherever the motion is in region_
+  BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
   std::vector<bool> settled_before_, trial_;
   std::vector<CertificateId> open_;  ///< those that are not settled; some may be gone

@@ -12,9 +12,9 @@ namespace {
 
 const ShapeTiling* known_tiling(const PairPlan& plan, int side, bool inwards) {
   const ShapeInRole* shape = shape_in_role(plan, side, inwards);
-  if (!shape || shape->fine_features) return nullptr;
+  if (!shape || shape->displaced->fine_features) return nullptr;
   return shape->kept<ShapeTiling>(ShapeInRole::tiling, [&] {
-    return tile_shape(shape->points, shape->role.plays_p ? node::p_tree : node::q_tree);
+    return tile_shape(shape->displaced, shape->role.plays_p ? node::p_tree : node::q_tree);
   });
 }
 
@@ -22,11 +22,20 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
   return {known_tiling(plan, 0, inwards), known_tiling(plan, 1, inwards)};
 }
 
+/// Without polygons that prepared shapes hold.
+Scene without_copies(const Scene& scene) {
+  Scene out{scene.start, scene.end, {}};
+  out.bodies.reserve(scene.bodies.size());
+  for (const Body& body : scene.bodies)
+    out.bodies.push_back({body.name, body.prepared ? Polygon() : body.polygon, body.motion, body.prepared});
+  return out;
+}
+
 }  // namespace
 
 Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
-    : scene_(scene), tracer_(tracer), observer_(observer) {
-  plan_ = plan_pair(scene_, validated_facts(scene_));
+    : scene_(without_copies(scene)), tracer_(tracer), observer_(observer) {
+  plan_ = plan_pair(scene_, validated_facts(scene));
   build(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
   const Overlap overlap = *engine_->overlap();

@@ -32,8 +32,9 @@ PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
     plan.maps[side] = map_body(known, index);
     plan.bounds[side] = known.bounds;
     plan.prepared[side] = body.prepared;
-    plan.polygons[side] = body.prepared ? body.prepared->in_role(role_of(plan, k, true)).polygon
-                                        : normalised(body.polygon, known, plan.exponent);
+    plan.polygons[side] =
+        body.prepared ? body.prepared->in_role(role_of(plan, k, true)).polygon
+                      : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
     for (const MotionPiece& piece : pieces_between(body.motion, scene.start, scene.end)) {
       plan.pieces[side].push_back(scaled(piece, plan.exponent));
     }
@@ -47,22 +48,12 @@ const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards) {
 }
 
 PairGeometry displaced_pair(const PairPlan& plan, bool inwards) {
-  PairGeometry g;
-  g.np = plan.maps[0].size;
-  g.nq = plan.maps[1].size;
-  g.points.reserve(g.size());
-  for (int side = 0; side < 2; ++side) {
-    if (const ShapeInRole* shape = shape_in_role(plan, side, inwards)) {
-      g.points.insert(g.points.end(), shape->points.begin(), shape->points.end());
-      g.fine_features = g.fine_features || shape->fine_features;
-    } else {
-      const std::vector<Point>& polygon = plan.polygons[static_cast<std::size_t>(side)];
-      const auto points = displaced_for(polygon, role_of(plan, side, inwards));
-      g.points.insert(g.points.end(), points.begin(), points.end());
-      g.fine_features = g.fine_features || has_fine_features(polygon);
-    }
-  }
-  return g;
+  const auto displaced = [&](int side) {
+    const ShapeInRole* shape = shape_in_role(plan, side, inwards);
+    if (shape) return shape->displaced;
+    return displaced_for(*plan.polygons[static_cast<std::size_t>(side)], role_of(plan, side, inwards));
+  };
+  return {displaced(0), displaced(1)};
 }
 
 }  // namespace taut

@@ -28,8 +28,9 @@ struct BodyMap {
 
 /// Everything about a scene that does not depend on the touch mode.
 struct PairPlan {
-  std::array<BodyMap, 2> maps;                                   ///< of P and of Q
-  std::array<std::vector<Point>, 2> polygons;                    ///< scaled, counterclockwise, first vertex on the hull
+  std::array<BodyMap, 2> maps;  ///< of P and of Q
+  /// Scaled, counterclockwise, first vertex on the hull.
+  std::array<std::shared_ptr<const std::vector<Point>>, 2> polygons;
   std::array<std::vector<MotionPiece>, 2> pieces;                ///< scaled
   std::array<Bounds, 2> bounds;                                  ///< in the input's units
   std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are

@@ -10,6 +10,7 @@ namespace {
 
 /// The sweep runs along (1, tilt).
 constexpr double tilt = 0.4390625173;
+static_assert(1 + tilt * tilt < Placement::steepest_key * Placement::steepest_key);
 
 }  // namespace
 
@@ -17,48 +18,69 @@ std::string not_decided(const Undecidable& limit) {
   return fmt::format("not decided at {} bits: {}", precision_ladder[std::size(precision_ladder) - 1], limit.what);
 }
 
-Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t) : geometry_(&geometry), leg_(&leg), t_(t) {
+Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t, Positions positions)
+    : geometry_(&geometry), leg_(&leg), t_(t) {
   const Frame<double> f = frame(leg, Ball<double>::exact(t));
-  const std::uint32_t n = geometry.size();
-  positions_.resize(n + 4);
-  keys_.resize(n + 4);
+  set_poses(f);
+  set_bounds(f);
+  if (positions == Positions::tabulated) tabulate();
+}
+
+void Placement::set_poses(const Frame<double>& f) {
   const double ax = f.for_pp[1].v.mid, ay = f.for_pp[2].v.mid, c = f.for_pp[3].v.mid, s = f.for_pp[4].v.mid;
-  const double px = leg.offset_p.x, py = leg.offset_p.y, qx = leg.offset_q.x, qy = leg.offset_q.y;
-  pose_p_ = {1, 0, px, py};
+  const double qx = leg_->offset_q.x, qy = leg_->offset_q.y;
+  pose_p_ = {1, 0, leg_->offset_p.x, leg_->offset_p.y};
   pose_q_ = {c, s, ax + (c * qx - s * qy), ay + (s * qx + c * qy)};
-  double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY, local = 0;
+  before_turn_ = {qx, qy};
+  after_turn_ = {ax, ay};
+}
+
+double Placement::key_at(const Point& p) { return p.x + tilt * p.y; }
+
+void Placement::tabulate() {
+  const std::uint32_t n = size() + 4;
+  std::vector<Point> positions(n);
+  keys_.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const DisplacedPoint& v = geometry.points[i];
-    Point& p = positions_[i];
-    if (i < geometry.np) {
-      p = {v.x + px, v.y + py};
-    } else {
-      const double x = v.x + qx, y = v.y + qy;
-      p = {ax + (c * x - s * y), ay + (s * x + c * y)};
-    }
-    local = std::max({local, std::fabs(v.x), std::fabs(v.y)});
-    lo_x = std::min(lo_x, p.x);
-    hi_x = std::max(hi_x, p.x);
-    lo_y = std::min(lo_y, p.y);
-    hi_y = std::max(hi_y, p.y);
+    positions[i] = compute(VertexId(i));
+    keys_[i] = key_at(positions[i]);
   }
+  positions_ = std::move(positions);
+}
+
+/// The box around everything, and the bounds of errors that follow from its size.
+void Placement::set_bounds(const Frame<double>& f) {
+  const DisplacedPolygon &p = *geometry_->p(), &q = *geometry_->q();
+  Bounds all{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  const auto include = [&all](const DisplacedPolygon& polygon, const RoundedPose& pose) {
+    if (polygon.points.empty()) return;
+    for (const double x : {polygon.bounds.lo.x, polygon.bounds.hi.x}) {
+      for (const double y : {polygon.bounds.lo.y, polygon.bounds.hi.y}) {
+        const Point v{pose.x + (pose.c * x - pose.s * y), pose.y + (pose.s * x + pose.c * y)};
+        all.lo = {std::min(all.lo.x, v.x), std::min(all.lo.y, v.y)};
+        all.hi = {std::max(all.hi.x, v.x), std::max(all.hi.y, v.y)};
+      }
+    }
+  };
+  include(p, pose_p_);
+  include(q, pose_q_);
   // Rounding: each coordinate is a sum of at most five terms, each at most `size`, after at most six operations; the
   // displacement is far below. The frame's own error is added.
-  const double far_x = std::fabs(px) + std::fabs(qx), far_y = std::fabs(py) + std::fabs(qy);
-  const double size = local + far_x + far_y + std::fabs(ax) + std::fabs(ay);
+  const double local = std::max(p.largest, q.largest);
+  const double far_x = std::fabs(pose_p_.x) + std::fabs(before_turn_.x);
+  const double far_y = std::fabs(pose_p_.y) + std::fabs(before_turn_.y);
+  const double size = local + far_x + far_y + std::fabs(after_turn_.x) + std::fabs(after_turn_.y);
   const double frame_error = std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
                              (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + far_x + far_y);
   error_ = 16 * 0x1p-53 * size + frame_error + 0x1p-150;
-  // A box around everything, with irregular corners.
-  const double w = std::max({hi_x - lo_x, hi_y - lo_y, 1e-3 * size}), x0 = lo_x, y0 = lo_y;
-  positions_[n] = {x0 - 5.137 * w, y0 - 4.871 * w};
-  positions_[n + 1] = {x0 + 7.213 * w, y0 - 5.377 * w};
-  positions_[n + 2] = {x0 + 6.911 * w, y0 + 7.093 * w};
-  positions_[n + 3] = {x0 - 5.653 * w, y0 + 6.759 * w};
-  for (std::uint32_t i = 0; i < n + 4; ++i) keys_[i] = positions_[i].x + tilt * positions_[i].y;
+  // A box around everything, with irregular corners, which are far enough out for what rounding adds.
+  const double w = std::max({all.hi.x - all.lo.x, all.hi.y - all.lo.y, 1e-3 * size}), x0 = all.lo.x, y0 = all.lo.y;
+  corners_ = {{{x0 - 5.137 * w, y0 - 4.871 * w},
+               {x0 + 7.213 * w, y0 - 5.377 * w},
+               {x0 + 6.911 * w, y0 + 7.093 * w},
+               {x0 - 5.653 * w, y0 + 6.759 * w}}};
   double far = 0;
-  for (std::uint32_t i = n; i < n + 4; ++i)
-    far = std::max({far, std::fabs(positions_[i].x), std::fabs(positions_[i].y)});
+  for (const Point& v : corners_) far = std::max({far, std::fabs(v.x), std::fabs(v.y)});
   coarse_bound_ = orientation_bound(8 * far * far, 8 * far, far);
   key_error_ = 4 * error_ + 32 * 0x1p-53 * (size + 20 * w);
 }
@@ -71,7 +93,7 @@ double Placement::orientation_bound(double products, double differences, double 
 }
 
 int Placement::orientation(VertexId a, VertexId b, VertexId c) const {
-  const Point &pa = positions_[a.value], &pb = positions_[b.value], &pc = positions_[c.value];
+  const Point pa = approximate(a), pb = approximate(b), pc = approximate(c);
   const double ux = pb.x - pa.x, uy = pb.y - pa.y, vx = pc.x - pa.x, vy = pc.y - pa.y;
   const double left = ux * vy, right = uy * vx, det = left - right;
   if (det > coarse_bound_) return 1;
@@ -85,7 +107,7 @@ int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
   const auto owner = [np, n](VertexId v) { return v.value < np ? 0 : (v.value < n ? 1 : 2); };
   const int oa = owner(a);
   const bool rigid = oa == owner(b) && oa == owner(c) && oa != 2;
-  const Point &pa = positions_[a.value], &pb = positions_[b.value], &pc = positions_[c.value];
+  const Point pa = approximate(a), pb = approximate(b), pc = approximate(c);
   const double ux = pb.x - pa.x, uy = pb.y - pa.y, vx = pc.x - pa.x, vy = pc.y - pa.y;
   const double left = ux * vy, right = uy * vx, det = left - right;
   const double bound = orientation_bound(std::fabs(left) + std::fabs(right),
@@ -101,7 +123,7 @@ int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
 }
 
 bool Placement::before(VertexId a, VertexId b) const {
-  const double d = keys_[a.value] - keys_[b.value];
+  const double d = key(a) - key(b);
   if (d > key_error_) return false;
   if (-d > key_error_) return true;
   if (a == b) return false;
@@ -132,11 +154,11 @@ template <class Real>
 void Placement::position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<Real>& y) const {
   using B = Ball<Real>;
   if (v.value >= size()) {
-    x = B::exact(positions_[v.value].x);
-    y = B::exact(positions_[v.value].y);
+    x = B::exact(corners_[v.value - size()].x);
+    y = B::exact(corners_[v.value - size()].y);
     return;
   }
-  const DisplacedPoint& p = geometry_->points[v.value];
+  const DisplacedPoint& p = geometry_->point(v);
   const bool of_p = v.value < geometry_->np;
   B px = B::exact(p.x) + B::exact(p.dx), py = B::exact(p.y) + B::exact(p.dy);
   add_offset(*leg_, of_p, px, py);

@@ -29,9 +29,10 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
 void validate_shape(const Body& body) {
   if (!body.prepared) {
     validate_polygon(body.polygon, body.name);
-  } else if (body.prepared->polygon() != body.polygon) {
+  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
     throw InputError(body.name, "the prepared shape was made of another polygon",
-                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon");
+                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
+                     "which may be left out then");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "motion/pose.hpp"
 #include "taut/error.hpp"
+#include "taut/shape.hpp"
 
 namespace taut {
 namespace {
@@ -82,7 +83,7 @@ void refuse_fine_features(const Scene& scene, const Feature& e, const Feature& f
   const Body& body = scene.bodies[static_cast<std::size_t>(e.body)];
   const auto edge = [&body](const Feature& x) {
     return std::to_string(x.index) + "-" +
-           std::to_string((static_cast<std::size_t>(x.index) + 1) % body.polygon.size());
+           std::to_string((static_cast<std::size_t>(x.index) + 1) % polygon_of(body).size());
   };
   throw InputError(body.name,
                    "edges " + edge(e) + " and " + edge(f) +

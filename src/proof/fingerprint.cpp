@@ -1,6 +1,7 @@
 #include <variant>
 
 #include "proof/bytes.hpp"
+#include "taut/shape.hpp"
 
 namespace taut {
 namespace {
@@ -39,8 +40,9 @@ std::uint64_t scene_fingerprint(const Scene& scene) {
   hash.add(scene.start);
   hash.add(scene.end);
   for (const Body& body : scene.bodies) {
-    hash.add(static_cast<std::uint64_t>(body.polygon.size()));
-    for (const Point& v : body.polygon) {
+    const Polygon& polygon = polygon_of(body);
+    hash.add(static_cast<std::uint64_t>(polygon.size()));
+    for (const Point& v : polygon) {
       hash.add(v.x);
       hash.add(v.y);
     }

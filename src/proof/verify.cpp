@@ -190,7 +190,7 @@ class Verifier {
     if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
       throw ProofError("the edges that cross do not exist");
     const PairGeometry outer = displaced_pair(plan_, false);
-    const Placement place(outer, legs_[0], scene_.start);
+    const Placement place(outer, legs_[0], scene_.start, Positions::on_demand);
     const VertexId e2 = outer.next(e), f2 = outer.next(f);
     if (place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
         place.orientation(f, f2, e) == place.orientation(f, f2, e2))

@@ -26,7 +26,9 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   const Placement placement(arena->geometry, legs.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
   const PairGeometry& g = arena->geometry;
-  for (const DisplacedPoint& p : g.points) arena->points.push_back({p.x, p.y});
+  for (const SharedPolygon& polygon : {g.p(), g.q()}) {
+    for (const DisplacedPoint& v : polygon->points) arena->points.push_back({v.x, v.y});
+  }
   for (unsigned i = 0; i < 4; ++i) arena->points.push_back(placement.approximate(placement.box_corner(i)));
   const ChainTree tree_p(g.np, node::p_tree), tree_q(g.nq, node::q_tree);
   arena->hulls[0] = relative_hull(placement, arena->triangulation, tree_p, 0);

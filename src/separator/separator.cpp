@@ -12,6 +12,7 @@
 #include "separator/curve.hpp"
 #include "separator/link_paths.hpp"
 #include "taut/error.hpp"
+#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "taut/validate.hpp"
 #include "tiling/root_faces.hpp"
@@ -71,8 +72,8 @@ MovingSeparator moving_separator(const Arena& arena) {
 }
 
 std::vector<Point> both(const PairPlan& plan) {
-  std::vector<Point> all = plan.polygons[0];
-  all.insert(all.end(), plan.polygons[1].begin(), plan.polygons[1].end());
+  std::vector<Point> all = *plan.polygons[0];
+  all.insert(all.end(), plan.polygons[1]->begin(), plan.polygons[1]->end());
   return all;
 }
 
@@ -84,7 +85,7 @@ Polygon grown(const Polygon& polygon, double margin) {
 
 /// A curve around polygons that are a little larger, if they are still apart, in this plan's coordinates.
 std::optional<Curve> curve_at_distance(const PairPlan& plan, double margin) {
-  const std::optional<Arena> wide = make_arena(grown(plan.polygons[0], margin), grown(plan.polygons[1], margin));
+  const std::optional<Arena> wide = make_arena(grown(*plan.polygons[0], margin), grown(*plan.polygons[1], margin));
   if (!wide) return std::nullopt;
   Curve curve = curve_of(link_bound(*wide).path, both(wide->plan));
   for (Point& v : curve.vertices) v = {std::ldexp(v.x, -wide->plan.exponent), std::ldexp(v.y, -wide->plan.exponent)};
@@ -107,7 +108,7 @@ MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
   std::optional<Curve> best;
   const auto offer = [&](Curve curve) {
     if (best && best->edges() <= curve.edges()) return;
-    if (separates(curve, plan.polygons[0], plan.polygons[1])) best = std::move(curve);
+    if (separates(curve, *plan.polygons[0], *plan.polygons[1])) best = std::move(curve);
   };
   for (const double margin : margins) {
     if (std::optional<Curve> curve = curve_at_distance(plan, margin)) offer(std::move(*curve));
@@ -154,13 +155,13 @@ std::array<Polygon, 2> placed(const Scene& scene, double t) {
   for (std::size_t k = 0; k < 2; ++k) {
     const Body& body = scene.bodies[k];
     if (body.motion.pieces.empty()) {
-      out[k] = body.polygon;
+      out[k] = polygon_of(body);
       continue;
     }
     const std::vector<MotionPiece> pieces = pieces_between(body.motion, scene.start, scene.end);
     const Pose<double> at = pose(piece_at(pieces, t), Ball<double>::exact(t));
     const double c = at.xx.v.mid, s = at.xy.v.mid;
-    for (const Point& v : body.polygon)
+    for (const Point& v : polygon_of(body))
       out[k].push_back({at.ox.v.mid + (c * v.x - s * v.y), at.oy.v.mid + (s * v.x + c * v.y)});
   }
   return out;

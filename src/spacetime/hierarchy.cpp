@@ -61,8 +61,8 @@ Hierarchy::Hierarchy(std::span<const DisplacedPoint> polygon) {
   build(polygon, 0, static_cast<std::uint32_t>(polygon.size()));
 }
 
-Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(std::span(g.points).first(g.np)); }
-Hierarchy hierarchy_of_q(const PairGeometry& g) { return Hierarchy(std::span(g.points).subspan(g.np)); }
+Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(g.p()->points); }
+Hierarchy hierarchy_of_q(const PairGeometry& g) { return Hierarchy(g.q()->points); }
 
 std::uint32_t Hierarchy::build(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());

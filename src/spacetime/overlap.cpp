@@ -1,4 +1,5 @@
 // Do the bodies overlap in one placement? Boxes first, then exact signs.
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -17,17 +18,48 @@ bool edges_cross(const Placement& place, VertexId a, VertexId b) {
 }
 
 /// Is a vertex of one body inside the other? A ray along the sweep's "up" crosses its boundary an odd number of times.
-bool inside(const Placement& place, VertexId v, std::uint32_t first, std::uint32_t count) {
-  const PairGeometry& g = place.geometry();
-  bool odd = false;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const VertexId a(first + k), b = g.next(a);
-    const bool forwards = place.before(a, v);
-    if (forwards == place.before(b, v)) continue;
-    if (place.orientation(forwards ? a : b, forwards ? b : a, v) < 0) odd = !odd;
+class RayCount {
+ public:
+  /// `first`: the first vertex of the tree's body, whose pose this is.
+  RayCount(const Placement& place, VertexId v, const Hierarchy& tree, const RoundedPose& pose, std::uint32_t first)
+      : place_(place), v_(v), tree_(tree), pose_(pose), first_(first) {}
+
+  bool odd() {
+    visit(0);
+    return odd_;
   }
-  return odd;
-}
+
+ private:
+  void visit(std::uint32_t i) {
+    const BoxNode& node = tree_.node(i);
+    if (misses(node.box)) return;
+    if (node.count == 1) {
+      count(VertexId(first_ + node.first));
+    } else {
+      visit(node.left);
+      visit(node.right);
+    }
+  }
+  /// Does the sweep certainly come to the whole box before the vertex, or after it?
+  bool misses(const Box& box) const {
+    const double x = box.centre.x, y = box.centre.y, c = pose_.c, s = pose_.s;
+    const double key = Placement::key_at({pose_.x + (c * x - s * y), pose_.y + (s * x + c * y)});
+    return std::fabs(key - place_.key(v_)) > Placement::steepest_key * box.radius + 2 * place_.key_error();
+  }
+  void count(VertexId a) {
+    const VertexId b = place_.geometry().next(a);
+    const bool forwards = place_.before(a, v_);
+    if (forwards == place_.before(b, v_)) return;
+    if (place_.orientation(forwards ? a : b, forwards ? b : a, v_) < 0) odd_ = !odd_;
+  }
+
+  const Placement& place_;
+  VertexId v_;
+  const Hierarchy& tree_;
+  RoundedPose pose_;
+  std::uint32_t first_;
+  bool odd_ = false;
+};
 
 Stretch at_instant(const Leg& leg, double t) {
   if (leg.translation) return Stretch::of_translation(leg, TranslationPolynomial(leg), t, t);
@@ -43,9 +75,10 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, d
 }
 
 std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t) {
-  const Placement place(g, leg, t);
+  const Placement place(g, leg, t, Positions::on_demand);
   const auto& [p, q] = trees;
   const Stretch instant = at_instant(leg, t);
+  if (apart(instant, p.node(0).box, q.node(0).box)) return std::nullopt;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
     const auto [i, j] = stack.back();
@@ -61,7 +94,8 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& t
       stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
     }
   }
-  if (inside(place, VertexId(0u), g.np, g.nq) || inside(place, VertexId(g.np), 0, g.np)) return StartOverlap{};
+  if (RayCount(place, VertexId(0u), q, place.pose_q(), g.np).odd()) return StartOverlap{};
+  if (RayCount(place, VertexId(g.np), p, place.pose_p(), 0).odd()) return StartOverlap{};
   return std::nullopt;
 }
 

@@ -1,10 +1,13 @@
 // The tiling as half-edges in flat arrays.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "geometry/ids.hpp"
+#include "tiling/block_array.hpp"
 #include "tiling/chain_tree.hpp"
 
 namespace taut {
@@ -13,6 +16,9 @@ namespace taut {
 /// its polygon: half-edge 2i runs counterclockwise with the polygon's inside on its left, 2i+1 has free space on its
 /// left. A half-edge bears the label of the face on its left: the face's node, or for a polygon's inside the leaf of
 /// the edge.
+///
+/// The joined map of two bodies is not copied from theirs: it reads them, and has a record of its own where something
+/// has been changed.
 class PlanarMap {
  public:
   struct Halfedge {
@@ -26,34 +32,34 @@ class PlanarMap {
   /// Room for all edges that a tiling of this many vertices can ever have: E = 2V + 2 - r, r >= 0 (count convex
   /// corners, three for each pseudo-triangle and one for the infinite face; then Euler), and one more during a repair.
   void reset(std::uint32_t vertices) {
+    *this = PlanarMap();
     vertices_ = vertices;
-    halfedges_.clear();
-    pinch_.clear();
-    free_.clear();
-    reserve();
-    halfedges_.resize(2 * static_cast<std::size_t>(vertices));
-    pinch_.resize(vertices, 0);
+    reserve(4 * static_cast<std::size_t>(vertices) + 16);
+    count_ = 2 * vertices;
+    for (std::uint32_t i = 0; i < count_; i += block) own(HalfedgeId(i));
   }
 
   std::uint32_t vertices() const { return vertices_; }
-  std::uint32_t halfedge_count() const { return static_cast<std::uint32_t>(halfedges_.size()); }
-  bool alive(HalfedgeId h) const { return halfedges_[h.value].origin.valid(); }
+  std::uint32_t halfedge_count() const { return count_; }
+  bool alive(HalfedgeId h) const { return origin(h).valid(); }
 
-  VertexId origin(HalfedgeId h) const { return halfedges_[h.value].origin; }
-  VertexId target(HalfedgeId h) const { return halfedges_[h.value ^ 1u].origin; }
-  HalfedgeId next(HalfedgeId h) const { return halfedges_[h.value].next; }
-  HalfedgeId previous(HalfedgeId h) const { return halfedges_[h.value].previous; }
-  NodeId node(HalfedgeId h) const { return halfedges_[h.value].node; }
+  VertexId origin(HalfedgeId h) const {
+    return halfedges_.has(h.value) ? halfedges_[h.value].origin : part_origin(h.value);
+  }
+  VertexId target(HalfedgeId h) const { return origin(twin(h)); }
+  HalfedgeId next(HalfedgeId h) const { return record(h).next; }
+  HalfedgeId previous(HalfedgeId h) const { return record(h).previous; }
+  NodeId node(HalfedgeId h) const { return record(h).node; }
   bool is_polygon_edge(HalfedgeId h) const { return h.value < 2 * vertices_; }
   bool is_interior(HalfedgeId h) const { return is_polygon_edge(h) && (h.value & 1u) == 0; }
-  bool is_pinch(HalfedgeId h) const { return pinch_[h.value >> 1] != 0; }
+  bool is_pinch(HalfedgeId h) const { return pinch_[h.value >> 1]; }
 
-  void set_origin(HalfedgeId h, VertexId v) { halfedges_[h.value].origin = v; }
-  void set_node(HalfedgeId h, NodeId n) { halfedges_[h.value].node = n; }
+  void set_origin(HalfedgeId h, VertexId v) { own(h).origin = v; }
+  void set_node(HalfedgeId h, NodeId n) { own(h).node = n; }
   void set_pinch(HalfedgeId h, bool on) { pinch_[h.value >> 1] = on; }
   void link(HalfedgeId a, HalfedgeId b) {
-    halfedges_[a.value].next = b;
-    halfedges_[b.value].previous = a;
+    own(a).next = b;
+    own(b).previous = a;
   }
 
   /// A new edge; the half-edge returned runs from `from` to `to`, its twin back.
@@ -63,20 +69,20 @@ class PlanarMap {
       h = free_.back();
       free_.pop_back();
     } else {
-      h = HalfedgeId(halfedges_.size());
-      halfedges_.resize(halfedges_.size() + 2);
-      pinch_.push_back(0);
+      h = HalfedgeId(count_);
+      count_ += 2;
+      if (count_ > halfedges_.capacity()) reserve(count_);
     }
-    halfedges_[h.value] = {from, {}, {}, node::none};
-    halfedges_[h.value ^ 1u] = {to, {}, {}, node::none};
-    pinch_[h.value >> 1] = 0;
+    own(h) = {from, {}, {}, node::none};
+    own(twin(h)) = {to, {}, {}, node::none};
+    set_pinch(h, false);
     return h;
   }
   void remove_edge(HalfedgeId h) {
     const HalfedgeId even(h.value & ~1u);
-    halfedges_[even.value] = {};
-    halfedges_[even.value ^ 1u] = {};
-    pinch_[even.value >> 1] = 0;
+    own(even) = {};
+    own(twin(even)) = {};
+    set_pinch(h, false);
     free_.push_back(even);
   }
   /// Two records of one edge, seen from its two sides, become one: `a` keeps its side, and what `b` says of the other
@@ -92,7 +98,7 @@ class PlanarMap {
   /// A copy without unused edges, which are numbered anew; so are `handles`.
   PlanarMap compact(std::vector<HalfedgeId>& handles) const;
   /// The maps of two bodies beside each other, with the vertices, and the polygons' edges, of the first before those of
-  /// the second. Both must be compact.
+  /// the second. Both must be compact, must not change, and must live as long as the joined map and its copies.
   static PlanarMap joined(const PlanarMap& first, const PlanarMap& second);
   /// The number that a half-edge of one of them has in the joined map.
   struct Renumbering {
@@ -109,34 +115,76 @@ class PlanarMap {
     return {2 * second.vertices(), 2 * first.vertices(), first.halfedge_count()};
   }
 
+  /// Calls visit(h, from, to) for the half-edges 2k of some edges, in order: all that were added since the map was
+  /// reset or joined, and others.
+  template <class Visit>
+  void for_each_changed_edge(const Visit& visit) const {
+    halfedges_.for_each_block([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < std::min<std::size_t>(end, count_); i += 2) {
+        const VertexId from = halfedges_[i].origin;
+        if (from.valid()) visit(HalfedgeId(i), from, halfedges_[i + 1].origin);
+      }
+    });
+  }
+
   /// Edges that are not in use, by their even half-edges; the last one is used next.
   const std::vector<HalfedgeId>& unused() const { return free_; }
   /// Bytes held.
   std::size_t bytes() const {
-    return halfedges_.capacity() * sizeof(Halfedge) + pinch_.capacity() + free_.capacity() * sizeof(HalfedgeId);
+    return halfedges_.bytes() + pinch_.capacity() / 8 + free_.capacity() * sizeof(HalfedgeId);
   }
 
  private:
-  void reserve() {
-    halfedges_.reserve(4 * static_cast<std::size_t>(vertices_) + 16);
-    pinch_.reserve(2 * static_cast<std::size_t>(vertices_) + 8);
+  static constexpr std::uint32_t block = BlockArray<Halfedge>::block_size;
+
+  /// Half-edges of a joined map, up to `end`, that are read in the map of one of its parts where this one has no record
+  /// of its own: half-edge i there in number i - shift.
+  struct Part {
+    std::uint32_t end = 0, shift = 0;
+    const PlanarMap* map = nullptr;
+    Renumbering number{};
+    std::uint32_t first_vertex = 0;
+
+    VertexId origin(std::uint32_t i) const { return VertexId(map->halfedges_[i - shift].origin.value + first_vertex); }
+    Halfedge record(std::uint32_t i) const {
+      const Halfedge& h = map->halfedges_[i - shift];
+      return {VertexId(h.origin.value + first_vertex), number(h.next), number(h.previous), h.node};
+    }
+  };
+  /// Where half-edge i of a joined map was.
+  const Part& part_of(std::uint32_t i) const {
+    return parts_[(i >= parts_[0].end) + (i >= parts_[1].end) + (i >= parts_[2].end)];
+  }
+  VertexId part_origin(std::uint32_t i) const { return part_of(i).origin(i); }
+  Halfedge part_record(std::uint32_t i) const { return part_of(i).record(i); }
+  void read_parts(std::uint32_t first, Halfedge* block) const;
+
+  void reserve(std::size_t halfedges) {
+    halfedges_.grow(halfedges);
+    pinch_.resize(halfedges_.capacity() / 2);
     free_.reserve(64);
   }
-  void append_part(const PlanarMap& part, std::uint32_t begin, std::uint32_t end, const Renumbering& number,
-                   std::uint32_t vertex_shift);
+  Halfedge record(HalfedgeId h) const { return halfedges_.has(h.value) ? halfedges_[h.value] : part_record(h.value); }
+  Halfedge& own(HalfedgeId h) {
+    return halfedges_.touch(h.value, [this](std::size_t first, Halfedge* records) {
+      read_parts(static_cast<std::uint32_t>(first), records);
+    });
+  }
   void merge_into(HalfedgeId keep, HalfedgeId drop) {
     const HalfedgeId side = twin(keep);
-    Halfedge& record = halfedges_[side.value];
-    record = halfedges_[drop.value];
-    if (record.next.valid()) halfedges_[record.next.value].previous = side;
-    if (record.previous.valid()) halfedges_[record.previous.value].next = side;
+    const Halfedge moved = record(drop);
+    own(side) = moved;
+    if (moved.next.valid()) own(moved.next).previous = side;
+    if (moved.previous.valid()) own(moved.previous).next = side;
     remove_edge(drop);
   }
 
   std::uint32_t vertices_ = 0;
-  std::vector<Halfedge> halfedges_;
-  std::vector<std::uint8_t> pinch_;
+  std::uint32_t count_ = 0;  ///< half-edges, in use or not
+  BlockArray<Halfedge> halfedges_;
+  std::vector<bool> pinch_;  ///< by edge
   std::vector<HalfedgeId> free_;
+  std::array<Part, 4> parts_;  ///< of a joined map: the two polygons, and the other edges of the two maps
 };
 
 }  // namespace taut

@@ -7,12 +7,11 @@
 namespace taut {
 namespace {
 
-/// Finds which nodes must be done anew, and the outline that remains.
+/// Finds which nodes must be done anew, and the outline that remains, with the joined map's numbers.
 class OutlineBuilder {
  public:
-  OutlineBuilder(const ShapeTiling& shape, const PlanarMap& map, std::uint32_t first_vertex,
-                 const std::vector<bool>& near)
-      : shape_(shape), map_(map), first_vertex_(first_vertex), near_(near) {
+  OutlineBuilder(const ShapeTiling& shape, const PlanarMap::Renumbering& number, const std::vector<bool>& near)
+      : shape_(shape), map_(shape.map), number_(number), near_(near) {
     out_.open.resize(near.size(), false);
   }
 
@@ -36,12 +35,12 @@ class OutlineBuilder {
   /// The geodesic has the subtree's faces, or the body's inside, on its left, and on its right something else.
   void add_geodesic(NodeId n) {
     const auto [begin, end] = shape_.tree.chain(n);
-    const VertexId last(first_vertex_ + end % shape_.tree.leaves());
+    const VertexId last(end % shape_.tree.leaves());
     const std::size_t before = out_.edges.size();
-    HalfedgeId h(2 * (first_vertex_ + begin));
+    HalfedgeId h(2 * begin);
     for (;;) {
       while (node::in_subtree(map_.node(PlanarMap::twin(h)), n)) h = map_.next(PlanarMap::twin(h));
-      out_.edges.push_back(h);
+      out_.edges.push_back(number_(h));
       if (map_.target(h) == last) break;
       h = map_.next(h);
     }
@@ -50,7 +49,7 @@ class OutlineBuilder {
 
   const ShapeTiling& shape_;
   const PlanarMap& map_;
-  std::uint32_t first_vertex_;
+  const PlanarMap::Renumbering& number_;
   const std::vector<bool>& near_;
   Outline out_;
 };
@@ -109,7 +108,7 @@ class Capper {
     std::ptrdiff_t begin, end;  ///< its run
   };
 
-  bool on_hull(HalfedgeId h) const { return map_.node(PlanarMap::twin(h)) == node::none; }
+  bool on_hull(HalfedgeId h) const { return map_.node(PlanarMap::twin(h)) == node::infinite_face; }
   Point point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
 
   /// Around all edges that are not the hull's.
@@ -187,12 +186,16 @@ class Joiner {
     const auto number_p = PlanarMap::first_in_joined(p_.map, q_.map);
     const auto number_q = PlanarMap::second_in_joined(p_.map, q_.map);
     std::vector<HalfedgeId> hull_p, hull_q;
-    if (near_p.size == 0 && near_q.size == 0) {
+    // Hulls that meet, though no part of one body is within the other's, would cut one of them in two.
+    const bool apart = near_p.size == 0 && near_q.size == 0;
+    if (apart) {
+      hull_p.reserve(p_.hull.size());
+      hull_q.reserve(q_.hull.size());
       for (const HalfedgeId h : p_.hull) hull_p.push_back(number_p(h));
       for (const HalfedgeId h : q_.hull) hull_q.push_back(number_q(h));
     } else {
-      Outline outline_p = OutlineBuilder(p_, map_, 0, near_p.has).run();
-      Outline outline_q = OutlineBuilder(q_, map_, geometry_.np, near_q.has).run();
+      Outline outline_p = OutlineBuilder(p_, number_p, near_p.has).run();
+      Outline outline_q = OutlineBuilder(q_, number_q, near_q.has).run();
       remove_faces(p_, outline_p, number_p);
       remove_faces(q_, outline_q, number_q);
       Capper capper_p(geometry_, place_.pose_p(), q_.boxes[1], place_.pose_q(), margin, map_);
@@ -204,7 +207,7 @@ class Joiner {
       hull_q = capper_q.restored(hull_q);
     }
     StaticTiling result;
-    result.root = add_root_faces(place_, hull_p, hull_q, map_);
+    result.root = add_root_faces(place_, hull_p, hull_q, map_, apart);
     result.map = std::move(map_);
     return result;
   }
@@ -217,15 +220,17 @@ class Joiner {
   void remove_faces(const ShapeTiling& shape, const Outline& outline, const PlanarMap::Renumbering& number) {
     doomed_.clear();
     const std::uint32_t n = shape.tree.leaves();
-    const auto is_open = [&](NodeId node) { return node == node::none || outline.open[shape.tree.heap(node)]; };
+    const PlanarMap& map = shape.map;
+    const auto is_open = [&](NodeId node) {
+      return node == node::infinite_face || outline.open[shape.tree.heap(node)];
+    };
     for (std::uint32_t k = 1; k < n; ++k) {
       if (!outline.open[k] || !shape.face[k].valid()) continue;
-      const HalfedgeId first = number(shape.face[k]);
-      HalfedgeId h = first;
+      HalfedgeId h = shape.face[k];
       do {
-        if (!map_.is_polygon_edge(h) && is_open(map_.node(PlanarMap::twin(h)))) doomed_.push_back(h);
-        h = map_.next(h);
-      } while (h != first);
+        if (!map.is_polygon_edge(h) && is_open(map.node(PlanarMap::twin(h)))) doomed_.push_back(number(h));
+        h = map.next(h);
+      } while (h != shape.face[k]);
     }
     for (const HalfedgeId h : doomed_) {
       if (map_.alive(h)) map_.remove_edge(h);
@@ -235,15 +240,19 @@ class Joiner {
   /// Returns false if the outlines are not disjoint.
   bool add_faces(const Outline& outline_p, const Outline& outline_q, std::vector<HalfedgeId>& hull_p,
                  std::vector<HalfedgeId>& hull_q) {
-    PairGeometry outlines;
     std::vector<VertexId> vertices;
-    outlines.np = static_cast<std::uint32_t>(outline_p.edges.size());
-    outlines.nq = static_cast<std::uint32_t>(outline_q.edges.size());
-    vertices.reserve(outlines.size());
-    for (const HalfedgeId h : outline_p.edges) vertices.push_back(map_.origin(h));
-    for (const HalfedgeId h : outline_q.edges) vertices.push_back(map_.origin(h));
-    outlines.points.reserve(outlines.size());
-    for (const VertexId v : vertices) outlines.points.push_back(geometry_.point(v));
+    vertices.reserve(outline_p.edges.size() + outline_q.edges.size());
+    const auto corners = [&](const Outline& outline) {
+      std::vector<DisplacedPoint> points;
+      points.reserve(outline.edges.size());
+      for (const HalfedgeId h : outline.edges) {
+        vertices.push_back(map_.origin(h));
+        points.push_back(geometry_.point(vertices.back()));
+      }
+      return points;
+    };
+    std::vector<DisplacedPoint> points_p = corners(outline_p), points_q = corners(outline_q);
+    const PairGeometry outlines(std::move(points_p), std::move(points_q));
     const Placement outside = place_.with_geometry(outlines);
     FreeTriangulation triangulation;
     if (triangulate_free_space(outside, triangulation)) return false;

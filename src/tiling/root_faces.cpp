@@ -28,13 +28,16 @@ class RootBuilder {
   RootBuilder(const Placement& placement, const std::vector<HalfedgeId>& hull_p, const std::vector<HalfedgeId>& hull_q,
               PlanarMap& map)
       : place_(placement), map_(map), edges_p_(hull_p), edges_q_(hull_q) {
+    p_.reserve(hull_p.size());
+    q_.reserve(hull_q.size());
     for (const HalfedgeId h : hull_p) p_.push_back(map.origin(h));
     for (const HalfedgeId h : hull_q) q_.push_back(map.origin(h));
   }
 
-  RootState run() {
-    position_in_q_.assign(place_.size(), npos);
-    for (std::size_t j = 0; j < q_.size(); ++j) position_in_q_[q_[j].value] = j;
+  RootState run(bool apart) {
+    if (apart) return disjoint();
+    place_in_q_.reset(place_.size());
+    for (std::size_t j = 0; j < q_.size(); ++j) place_in_q_.touch(q_[j].value) = static_cast<std::uint32_t>(j + 1);
     const bool contact = std::any_of(p_.begin(), p_.end(), [this](VertexId v) { return on_q(v); });
     if (!contact) return disjoint();
     find_contact();
@@ -44,39 +47,52 @@ class RootBuilder {
   }
 
  private:
-  bool on_q(VertexId v) const { return position_in_q_[v.value] != npos; }
+  bool on_q(VertexId v) const { return place_in_q_.get(v.value) != 0; }
+  std::size_t position_in_q(VertexId v) const { return place_in_q_.get(v.value) - 1; }
   int turn(VertexId a, VertexId b, VertexId c) const {
     return (a == b || b == c || c == a) ? 0 : place_.orientation(a, b, c);
   }
 
   // ----- hulls apart -----
 
-  /// All other vertices of the convex cycle on side `side` of the line from -> cycle[i]?
-  bool tangent(VertexId from, const std::vector<VertexId>& cycle, std::size_t i, int side, bool reversed) const {
-    const std::size_t n = cycle.size();
-    const auto turn_of = [&](VertexId v) { return reversed ? turn(cycle[i], from, v) : turn(from, cycle[i], v); };
-    return turn_of(cycle[(i + 1) % n]) == side && turn_of(cycle[(i + n - 1) % n]) == side;
+  /// A convex cycle seen from a vertex outside it. `towards` is +1 if the line runs from the vertex to the cycle, -1 if
+  /// it runs from the cycle to the vertex.
+  struct View {
+    const std::vector<VertexId>& cycle;
+    int side;  ///< of the line, where the cycle is to lie
+    int towards;
+  };
+  bool on_side(const View& view, VertexId from, std::size_t i, std::size_t other) const {
+    const VertexId v = view.cycle[i], w = view.cycle[other];
+    return (view.towards > 0 ? turn(from, v, w) : turn(v, from, w)) == view.side;
   }
-  /// Moves i to the vertex of the cycle where the line from `from` touches it, the cycle on side `side`.
-  void walk_to_tangent(VertexId from, const std::vector<VertexId>& cycle, std::size_t& i, int side) const {
-    const std::size_t n = cycle.size();
-    for (std::size_t steps = 0; steps < 4 * n; ++steps) {
-      if (turn(from, cycle[i], cycle[(i + 1) % n]) != side) {
-        i = (i + 1) % n;
-      } else if (turn(from, cycle[i], cycle[(i + n - 1) % n]) != side) {
-        i = (i + n - 1) % n;
+  static std::size_t after(const View& view, std::size_t i) { return i + 1 == view.cycle.size() ? 0 : i + 1; }
+  static std::size_t before(const View& view, std::size_t i) { return (i == 0 ? view.cycle.size() : i) - 1; }
+  /// Moves i to the vertex where the line through `from` touches the cycle; false if it is there already.
+  bool walk_to_tangent(const View& view, VertexId from, std::size_t& i) const {
+    for (std::size_t steps = 0; steps < 4 * view.cycle.size(); ++steps) {
+      if (!on_side(view, from, i, after(view, i))) {
+        i = after(view, i);
+      } else if (!on_side(view, from, i, before(view, i))) {
+        i = before(view, i);
       } else {
-        return;
+        return steps > 0;
       }
     }
     throw StructureError("no tangent from a vertex to the other hull");
   }
-  /// The one line from a vertex of P's hull to one of Q's that leaves P on its right and Q on side `side_q`.
+  /// The one line from a vertex of P's hull to one of Q's that leaves P on its right and Q on side `side_q`: each of
+  /// its ends in turn moves to where the line through the other touches, until neither moves.
   void common_tangent(int side_q, std::size_t& i, std::size_t& j) const {
-    j = 0;
+    const View p{p_, -1, -1}, q{q_, side_q, 1};
+    for (std::size_t rounds = 0; rounds < p_.size() + q_.size(); ++rounds) {
+      walk_to_tangent(q, p_[i], j);
+      if (!walk_to_tangent(p, q_[j], i)) return;
+    }
+    // To be safe: from each vertex of P.
     for (i = 0; i < p_.size(); ++i) {
-      walk_to_tangent(p_[i], q_, j, side_q);
-      if (tangent(q_[j], p_, i, -1, true)) return;
+      walk_to_tangent(q, p_[i], j);
+      if (on_side(p, q_[j], i, after(p, i)) && on_side(p, q_[j], i, before(p, i))) return;
     }
     throw StructureError("no common tangent of two disjoint hulls");
   }
@@ -84,9 +100,10 @@ class RootBuilder {
   /// P lies on the infinite face's side of e_i, and Q on PT's side of both edges: where both edges end at one vertex,
   /// P's hull is all around the infinite face, and Q's all around PT.
   RootState disjoint() {
-    std::size_t y, q, z, x;
+    std::size_t y = 0, q = 0;
     common_tangent(-1, y, q);  // e_o: both hulls on its right
-    common_tangent(1, z, x);   // e_i: P on its right, Q on its left
+    std::size_t z = y, x = q;
+    common_tangent(1, z, x);  // e_i: P on its right, Q on its left
     const HalfedgeId outer = map_.add_edge(p_[y], q_[q]), inner = map_.add_edge(p_[z], q_[x]);
     start_cycle(node::infinite_face);
     append(outer);
@@ -107,7 +124,7 @@ class RootBuilder {
 
   bool shared_edge(std::size_t i) const {
     const VertexId u = p_[i], v = p_[(i + 1) % p_.size()];
-    return on_q(u) && on_q(v) && (position_in_q_[v.value] + 1) % q_.size() == position_in_q_[u.value];
+    return on_q(u) && on_q(v) && (position_in_q(v) + 1) % q_.size() == position_in_q(u);
   }
 
   /// RCH(P) leaves the contact at index exit_ (vertex z_b); a_ runs from there to z_a, b_ clockwise around Q.
@@ -125,9 +142,9 @@ class RootBuilder {
     do {
       a_.push_back(p_[(exit_ + a_.size()) % n]);
     } while (!on_q(a_.back()));
-    exit_q_ = position_in_q_[a_.front().value];
+    exit_q_ = position_in_q(a_.front());
     // Along Q from z_b clockwise to z_a.
-    const std::size_t entry_q = position_in_q_[a_.back().value];
+    const std::size_t entry_q = position_in_q(a_.back());
     std::size_t j = exit_q_;
     b_.push_back(q_[j]);
     do {
@@ -144,19 +161,19 @@ class RootBuilder {
   void merge_contact() {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       if (!shared_edge(i)) continue;
-      const std::size_t j = position_in_q_[p_[(i + 1) % p_.size()].value];
+      const std::size_t j = position_in_q(p_[(i + 1) % p_.size()]);
       map_.merge(edges_p_[i], edges_q_[j]);
     }
   }
 
   /// Looks for the two strands of A touching; links the faces if they do.
   bool pinched() {
-    std::vector<std::size_t> seen(place_.size(), npos);
+    BlockArray<std::uint32_t> seen(place_.size());  ///< by vertex: where it was seen first, or 0
     std::size_t outer_first = npos, outer_second = npos, inner_first = npos, inner_second = npos;
     for (std::size_t k = 1; k + 1 < a_.size(); ++k) {
-      std::size_t& first = seen[a_[k].value];
-      if (first == npos) {
-        first = k;
+      std::uint32_t& first = seen.touch(a_[k].value);
+      if (first == 0) {
+        first = static_cast<std::uint32_t>(k);
         continue;
       }
       if (inner_first == npos || first < inner_first) inner_first = first, inner_second = k;
@@ -182,10 +199,13 @@ class RootBuilder {
   /// Does a hull cross the open segment from y to x?
   bool crossed(VertexId y, VertexId x) const {
     const auto crosses = [&](const std::vector<VertexId>& cycle) {
-      for (std::size_t i = 0; i < cycle.size(); ++i) {
-        const VertexId v = cycle[i], w = cycle[(i + 1) % cycle.size()];
-        if (v == y || v == x || w == y || w == x) continue;
-        if (turn(y, x, v) * turn(y, x, w) < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
+      VertexId v = cycle.back();
+      int side_v = turn(y, x, v);
+      for (const VertexId w : cycle) {
+        const int side_w = turn(y, x, w);
+        if (side_v * side_w < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
+        v = w;
+        side_v = side_w;
       }
       return false;
     };
@@ -284,16 +304,20 @@ class RootBuilder {
     label_ = n;
     first_ = last_ = HalfedgeId();
   }
+  /// Writes only what is not there yet: most of the infinite face may be that of a body's own map.
   void append(HalfedgeId h) {
-    map_.set_node(h, label_);
+    if (map_.node(h) != label_) map_.set_node(h, label_);
     if (last_.valid()) {
-      map_.link(last_, h);
+      link(last_, h);
     } else {
       first_ = h;
     }
     last_ = h;
   }
-  void close_cycle() { map_.link(last_, first_); }
+  void close_cycle() { link(last_, first_); }
+  void link(HalfedgeId a, HalfedgeId b) {
+    if (map_.next(a) != b || map_.previous(b) != a) map_.link(a, b);
+  }
   /// Along the outside of a hull, from index `from` clockwise to index `to`; if they are the same, once around or not
   /// at all.
   void append_clockwise(const std::vector<HalfedgeId>& edges, std::size_t from, std::size_t to, bool around = false) {
@@ -317,8 +341,8 @@ class RootBuilder {
   const Placement& place_;
   PlanarMap& map_;
   const std::vector<HalfedgeId>&edges_p_, &edges_q_;
-  std::vector<VertexId> p_, q_;  ///< RCH(P), RCH(Q): p_[i] is the origin of edges_p_[i]
-  std::vector<std::size_t> position_in_q_;
+  std::vector<VertexId> p_, q_;           ///< RCH(P), RCH(Q): p_[i] is the origin of edges_p_[i]
+  BlockArray<std::uint32_t> place_in_q_;  ///< by vertex: its position in q_ plus 1, or 0
   std::size_t exit_ = 0, exit_q_ = 0;
   std::vector<VertexId> a_, b_;
   NodeId label_;
@@ -328,8 +352,8 @@ class RootBuilder {
 }  // namespace
 
 RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,
-                         const std::vector<HalfedgeId>& hull_q, PlanarMap& map) {
-  return RootBuilder(placement, hull_p, hull_q, map).run();
+                         const std::vector<HalfedgeId>& hull_q, PlanarMap& map, bool apart) {
+  return RootBuilder(placement, hull_p, hull_q, map).run(apart);
 }
 
 }  // namespace taut

@@ -7,10 +7,8 @@ namespace {
 
 class ShapeTiler {
  public:
-  ShapeTiler(std::span<const DisplacedPoint> points, NodeId root, ShapeTiling& out) : out_(out), root_(root) {
-    geometry_.points.assign(points.begin(), points.end());
-    geometry_.np = static_cast<std::uint32_t>(points.size());
-  }
+  ShapeTiler(const SharedPolygon& polygon, ShapeTiling& out)
+      : out_(out), geometry_(polygon, std::make_shared<const DisplacedPolygon>(std::vector<DisplacedPoint>())) {}
 
   bool run() {
     const Leg rest = Leg::motion({}, {}, 0, 0);
@@ -26,6 +24,7 @@ class ShapeTiler {
     add_polygon_edges(out_.tree, 0, map);
     const auto visit = [this](NodeId node, std::span<const VertexId> geodesic) { look_at(node, geodesic); };
     out_.hull = add_geodesic_faces(placement, triangulation, out_.tree, 0, map, visit);
+    add_infinite_face(map);
     out_.map = map.compact(out_.hull);
     find_faces();
     return true;
@@ -33,7 +32,7 @@ class ShapeTiler {
 
  private:
   Point point(std::uint32_t i) const {
-    const DisplacedPoint& p = geometry_.points[i % geometry_.np];
+    const DisplacedPoint& p = geometry_.point(VertexId(i % geometry_.np));
     return {p.x, p.y};
   }
   void add_leaf_box(std::uint32_t edge) {
@@ -59,26 +58,34 @@ class ShapeTiler {
     out_.by_itself[k] = by_itself;
   }
 
+  void add_infinite_face(PlanarMap& map) const {
+    HalfedgeId after = out_.hull.back();
+    for (const HalfedgeId h : out_.hull) {
+      map.set_node(PlanarMap::twin(h), node::infinite_face);
+      map.link(PlanarMap::twin(h), PlanarMap::twin(after));
+      after = h;
+    }
+  }
+
   void find_faces() {
     out_.face.resize(out_.boxes.size());
     for (std::uint32_t i = 0; i < out_.map.halfedge_count(); ++i) {
       const HalfedgeId h(i);
       const NodeId n = out_.map.node(h);
-      if (n != node::none && !out_.map.is_interior(h)) out_.face[out_.tree.heap(n)] = h;
+      if (n != node::infinite_face && !out_.map.is_interior(h)) out_.face[out_.tree.heap(n)] = h;
     }
   }
 
   ShapeTiling& out_;
-  NodeId root_;
   PairGeometry geometry_;
 };
 
 }  // namespace
 
-std::unique_ptr<const ShapeTiling> tile_shape(std::span<const DisplacedPoint> points, NodeId root) {
-  const ChainTree tree(static_cast<std::uint32_t>(points.size()), root);
+std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, NodeId root) {
+  const ChainTree tree(static_cast<std::uint32_t>(polygon->points.size()), root);
   auto tiling = std::make_unique<ShapeTiling>(ShapeTiling{tree, {}, {}, {}, {}, {}});
-  if (!ShapeTiler(points, root, *tiling).run()) return nullptr;
+  if (!ShapeTiler(polygon, *tiling).run()) return nullptr;
   return tiling;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "tiling/node_boxes.hpp"
@@ -15,14 +14,14 @@ namespace taut {
 struct ShapeTiling {
   ChainTree tree;
   PlanarMap map;                 ///< the body's vertices are 0 .. n-1; without unused edges
-  std::vector<HalfedgeId> hull;  ///< the root's geodesic, body on the left; its other side has no face
+  std::vector<HalfedgeId> hull;  ///< the root's geodesic, body on the left; the infinite face on its other side
   std::vector<HalfedgeId> face;  ///< by heap number: a half-edge of the node's face, if it has one
   std::vector<NodeBox> boxes;    ///< by heap number: around the region between the chain and its geodesic
   std::vector<bool> by_itself;   ///< by heap number: the geodesic passes no vertex twice, and none beyond its chain
 };
 
-/// Points as displaced for the role; `root` is node::p_tree or node::q_tree. O(n log n).
+/// A polygon as displaced for the role; `root` is node::p_tree or node::q_tree. O(n log n).
 /// Nothing if the displaced boundary is not simple.
-std::unique_ptr<const ShapeTiling> tile_shape(std::span<const DisplacedPoint> points, NodeId root);
+std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, NodeId root);
 
 }  // namespace taut

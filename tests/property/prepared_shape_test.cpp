@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <thread>
 
 #include "check/run.hpp"
@@ -14,6 +15,9 @@
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/proof.hpp"
+#include "taut/separator.hpp"
 #include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "tiling/checks.hpp"
@@ -24,6 +28,12 @@ namespace {
 
 Scene prepared(Scene scene) {
   for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
+  return scene;
+}
+
+/// With nothing but the prepared shapes.
+Scene without_polygons(Scene scene) {
+  for (Body& body : scene.bodies) body.polygon.clear();
   return scene;
 }
 
@@ -38,9 +48,8 @@ void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCou
   const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   for (const bool inwards : {true, false}) {
     const PairGeometry geometry = displaced_pair(plan, inwards);
-    const std::span<const DisplacedPoint> points = geometry.points;
-    const auto p = tile_shape(points.first(geometry.np), node::p_tree);
-    const auto q = tile_shape(points.subspan(geometry.np), node::q_tree);
+    const auto p = tile_shape(geometry.p(), node::p_tree);
+    const auto q = tile_shape(geometry.q(), node::q_tree);
     ASSERT_TRUE(p && q);
     for (int i = 0; i < instants; ++i) {
       const double t = legs[0].start + (legs[0].end - legs[0].start) * (i + 0.5) / instants;
@@ -142,7 +151,9 @@ TEST(PreparedShape, AnswersAreThoseOfTheBarePolygons) {
           CheckOptions options;
           options.touch = touch;
           options.engine = engine;
-          expect_identical(check(bare, options), check(known, options));
+          const Answer answer = check(bare, options);
+          expect_identical(answer, check(known, options));
+          expect_identical(answer, check(without_polygons(known), options));
           ++scenes;
         }
       }
@@ -170,6 +181,22 @@ TEST(PreparedShape, IsSharedBetweenScenesRolesAndThreads) {
   std::thread other(ask);
   ask();
   other.join();
+}
+
+TEST(PreparedShape, StandsForItsPolygonEverywhere) {
+  const Scene bare = gen::make_lock({}), known = without_polygons(prepared(bare));
+  EXPECT_EQ(write_scene(known), write_scene(bare));
+  EXPECT_EQ(draw_svg(known, Simulation(known).tiling()), draw_svg(bare, Simulation(bare).tiling()));
+  EXPECT_EQ(separator(known, known.start).minimum_link.vertices, separator(bare, bare.start).minimum_link.vertices);
+  std::stringstream log;
+  prove(known, log);
+  EXPECT_EQ(verify(bare, log).outcome, check(bare).outcome);
+  log.seekg(0);
+  EXPECT_EQ(verify(known, log).outcome, check(bare).outcome);
+  // Without either there is nothing to ask about.
+  Scene nothing = bare;
+  nothing.bodies[0].polygon.clear();
+  EXPECT_THROW(check(nothing), InputError);
 }
 
 TEST(PreparedShape, OfAnotherPolygonIsRefused) {

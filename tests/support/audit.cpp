@@ -18,8 +18,7 @@ std::string face_name(NodeId n) {
 /// The static map, put together from the maps of the two bodies alone.
 std::string compare_joined(const Placement& placement, const StaticTiling& fresh) {
   const PairGeometry& g = placement.geometry();
-  const std::span<const DisplacedPoint> points = g.points;
-  const auto p = tile_shape(points.first(g.np), node::p_tree), q = tile_shape(points.subspan(g.np), node::q_tree);
+  const auto p = tile_shape(g.p(), node::p_tree), q = tile_shape(g.q(), node::q_tree);
   if (!p || !q) return "a body alone has no tiling";
   const auto joined = join_tilings(placement, *p, *q, true);
   if (!joined) return "the bodies' tilings cannot be joined";

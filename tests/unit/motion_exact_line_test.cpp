@@ -128,7 +128,12 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
 
 TEST(ExactLine, SaysSoWhenProductsUnderflow) {
   LineSetting s = LineSetting::of(3, false);
-  for (DisplacedPoint& p : s.geometry.points) p = {p.x * 1e-150, p.y * 1e-150, p.dx * 1e-150, p.dy * 1e-150};
+  const auto tiny = [](const SharedPolygon& polygon) {
+    std::vector<DisplacedPoint> out = polygon->points;
+    for (DisplacedPoint& p : out) p = {p.x * 1e-150, p.y * 1e-150, p.dx * 1e-150, p.dy * 1e-150};
+    return out;
+  };
+  s.geometry = PairGeometry(tiny(s.geometry.p()), tiny(s.geometry.q()));
   Rng rng(4);
   EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());
 }

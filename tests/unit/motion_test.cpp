@@ -75,10 +75,9 @@ void world(const MotionPiece& piece, long double t, const DisplacedPoint& v, lon
 }
 
 PairGeometry random_pair(Rng& rng) {
-  PairGeometry g;
-  g.np = g.nq = 4;
-  for (int i = 0; i < 8; ++i) g.points.push_back({rng.real(-1, 1), rng.real(-1, 1), 0, 0});
-  return g;
+  std::vector<DisplacedPoint> polygons[2];
+  for (int i = 0; i < 8; ++i) polygons[i / 4].push_back({rng.real(-1, 1), rng.real(-1, 1), 0, 0});
+  return {polygons[0], polygons[1]};
 }
 
 TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
@@ -269,14 +268,8 @@ Scene sliding_square(double y) {
 
 /// Axis-aligned sliding is decided in doubles, by the part that is linear in the displacement.
 TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
-  const PairGeometry g = [] {
-    PairGeometry out;
-    out.points = displace(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true, displacement_unit, 1);
-    const auto q = displace(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true, displacement_unit, 2);
-    out.points.insert(out.points.end(), q.begin(), q.end());
-    out.np = out.nq = 4;
-    return out;
-  }();
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const PairGeometry g(displace(square, true, displacement_unit, 1), displace(square, true, displacement_unit, 2));
   const Scene scene = sliding_square(1);
   const Leg leg = Leg::motion({}, scene.bodies[1].motion.pieces[0], 0, 10);
   // P's upper edge (2 -> 3) and Q's lower left corner: on one line at all times.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -10,6 +11,7 @@
 #include "motion/placement.hpp"
 #include "support/rng.hpp"
 #include "tiling/checks.hpp"
+#include "tiling/shape_tiling.hpp"
 #include "tiling/static_tiling.hpp"
 #include "tiling/sweep_status.hpp"
 
@@ -102,8 +104,7 @@ TEST(SweepStatus, BehavesLikeASortedSequence) {
 }
 
 PairGeometry two_stars(Rng& rng, std::uint32_t n, double distance) {
-  PairGeometry g;
-  g.np = g.nq = n;
+  std::vector<DisplacedPoint> stars[2];
   for (int body = 0; body < 2; ++body) {
     std::vector<Point> polygon;
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -111,10 +112,9 @@ PairGeometry two_stars(Rng& rng, std::uint32_t n, double distance) {
       const double a = 2 * 3.141592653589793 * i / n + 0.1, r = i == 0 ? 0.5 : rng.real(0.1, 0.49);
       polygon.push_back({body * distance + r * std::cos(a), r * std::sin(a)});
     }
-    const auto d = displace(polygon, true, displacement_unit, static_cast<std::uint64_t>(body));
-    g.points.insert(g.points.end(), d.begin(), d.end());
+    stars[body] = displace(polygon, true, displacement_unit, static_cast<std::uint64_t>(body));
   }
-  return g;
+  return {stars[0], stars[1]};
 }
 
 /// Area and counts: the triangles tile the box without the polygons.
@@ -184,12 +184,10 @@ TEST(FreeTriangulation, FindsOverlaps) {
 }
 
 TEST(FreeTriangulation, FindsAPolygonInsideTheOther) {
-  PairGeometry g;
-  g.np = g.nq = 4;
-  for (const double r : {2.0, 0.5}) {
-    const auto d = displace(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}, true, displacement_unit, 3);
-    g.points.insert(g.points.end(), d.begin(), d.end());
-  }
+  const auto square = [](double r) {
+    return displace(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}, true, displacement_unit, 3);
+  };
+  const PairGeometry g(square(2), square(0.5));
   const Leg leg = Leg::motion({}, {}, 0, 1);
   FreeTriangulation t;
   EXPECT_TRUE(triangulate_free_space(Placement(g, leg, 0), t).has_value());
@@ -217,6 +215,80 @@ TEST(Checks, NoticeWhatIsWrong) {
     EXPECT_NE(difference(good.map, relinked), "");
   }
   EXPECT_EQ(noticed, spoiled);
+}
+
+/// All of a map, by half-edge.
+std::vector<std::array<std::uint32_t, 4>> contents(const PlanarMap& map) {
+  std::vector<std::array<std::uint32_t, 4>> out;
+  for (std::uint32_t i = 0; i < map.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    out.push_back({map.origin(h).value, map.next(h).value, map.previous(h).value, map.node(h).code});
+  }
+  return out;
+}
+
+TEST(PlanarMap, OfTwoBodiesReadsTheirsUntilItIsChanged) {
+  Rng rng(14);
+  const PairGeometry g = two_stars(rng, 40, 2.0);
+  const auto p = tile_shape(g.p(), node::p_tree), q = tile_shape(g.q(), node::q_tree);
+  const auto before_p = contents(p->map), before_q = contents(q->map);
+  PlanarMap map = PlanarMap::joined(p->map, q->map);
+  const auto number_p = PlanarMap::first_in_joined(p->map, q->map);
+  const auto number_q = PlanarMap::second_in_joined(p->map, q->map);
+  const auto look = [&](const PlanarMap& part, const PlanarMap::Renumbering& number, std::uint32_t first,
+                        std::set<std::uint32_t>& seen) {
+    for (std::uint32_t i = 0; i < part.halfedge_count(); ++i) {
+      const HalfedgeId h(i), joined = number(h);
+      EXPECT_TRUE(seen.insert(joined.value).second);
+      EXPECT_EQ(map.origin(joined).value, part.origin(h).value + first);
+      EXPECT_EQ(map.target(joined).value, part.target(h).value + first);
+      EXPECT_EQ(map.next(joined), number(part.next(h)));
+      EXPECT_EQ(map.previous(joined), number(part.previous(h)));
+      EXPECT_EQ(map.node(joined), part.node(h));
+      EXPECT_EQ(map.is_polygon_edge(joined), part.is_polygon_edge(h));
+    }
+  };
+  std::set<std::uint32_t> seen;
+  look(p->map, number_p, 0, seen);
+  look(q->map, number_q, g.np, seen);
+  EXPECT_EQ(seen.size(), map.halfedge_count());
+  map.for_each_changed_edge([](HalfedgeId, VertexId, VertexId) { ADD_FAILURE() << "nothing has been changed"; });
+
+  // Changes here and there, followed by a list of what everything should be.
+  auto expected = contents(map);
+  std::set<std::uint32_t> added;
+  for (int step = 0; step < 200; ++step) {
+    const auto i = static_cast<std::uint32_t>(rng.below(static_cast<int>(map.halfedge_count())));
+    const HalfedgeId h(i);
+    if (step % 4 == 0 && !map.is_polygon_edge(h) && map.alive(h)) {
+      map.remove_edge(h);
+      expected[i] = expected[i ^ 1u] = {0xffffffffu, 0xffffffffu, 0xffffffffu, 0};
+      added.erase(i & ~1u);
+    } else if (step % 4 == 1) {
+      const HalfedgeId fresh = map.add_edge(VertexId(1u), VertexId(2u));
+      if (fresh.value + 1 >= expected.size()) expected.resize(fresh.value + 2u);
+      expected[fresh.value] = {1, 0xffffffffu, 0xffffffffu, 0};
+      expected[fresh.value ^ 1u] = {2, 0xffffffffu, 0xffffffffu, 0};
+      added.insert(fresh.value);
+    } else if (step % 4 == 2) {
+      map.set_node(h, {77});
+      expected[i][3] = 77;
+    } else {
+      const PlanarMap copy = map;
+      map.set_node(h, {99});
+      EXPECT_EQ(contents(copy), expected);
+      expected[i][3] = 99;
+    }
+    ASSERT_EQ(contents(map), expected) << "after step " << step;
+  }
+  map.for_each_changed_edge([&](HalfedgeId h, VertexId from, VertexId to) {
+    EXPECT_EQ(from, map.origin(h));
+    EXPECT_EQ(to, map.target(h));
+    added.erase(h.value);
+  });
+  EXPECT_TRUE(added.empty()) << "an edge was added and not shown";
+  EXPECT_EQ(contents(p->map), before_p);
+  EXPECT_EQ(contents(q->map), before_q);
 }
 
 }  // namespace
