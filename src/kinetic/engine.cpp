@@ -38,11 +38,11 @@ void Engine::build(const KnownTilings& known) {
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
   certificate_of_.assign(4 * static_cast<std::size_t>(geometry_.size()) + 16, CertificateId());
-  scan_.reserve(64);
   expect_certificates(64);
   add_certificates(placement);
   // Room to double the active set before anything is allocated again: few events of few motions do.
   expect_certificates(2 * active_ + 1024);
+  queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   enter_leg();
   solver_.expect(active_);
@@ -56,7 +56,6 @@ void Engine::expect_certificates(std::size_t room) {
   listed_.reserve(room);
   trial_.reserve(room);
   free_.reserve(room);
-  queue_.reserve(room);
 }
 
 /// Of all corners with a PQ edge.
@@ -136,17 +135,17 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
-    const EventQueue::Entry top = queue_.top();
-    if (top.key > limit) return false;
-    Certificate& c = certificates_[top.id.value];
-    if (c.kind == FailureKind::not_before) {
+    const CertificateId top = queue_.top();
+    Certificate& c = certificates_[top.value];
+    if (c.lo > limit) return false;
+    if (c.kind != FailureKind::isolated) {
       solver_.advance(c);
-      queue_.update(top.id);
+      queue_.update(top);
       continue;
     }
-    if (!certainly_first(top.id)) continue;
+    if (!certainly_first(top)) continue;
     if (c.hi > limit && !solver_.fails_by(c, limit)) return false;
-    next_ = top.id;
+    next_ = top;
     return true;
   }
   return false;
@@ -156,31 +155,27 @@ bool Engine::find_next(double limit) {
 /// is moved or enclosed better, and the answer is no: look again.
 bool Engine::certainly_first(CertificateId head) {
   Certificate& first = certificates_[head.value];
-  scan_.clear();
-  scan_.push_back(0);
-  while (!scan_.empty()) {
-    const std::size_t i = scan_.back();
-    scan_.pop_back();
-    if (i >= queue_.size() || queue_.entry(i).key > first.hi) continue;
-    const CertificateId id = queue_.entry(i).id;
-    Certificate& c = certificates_[id.value];
-    // The queue is ordered by exact lower bounds: what lies below an entry that comes later comes later, too.
-    if (id != head && solver_.known_before(first, c)) continue;
-    for (std::size_t k = 4 * i + 1; k <= 4 * i + 4; ++k) scan_.push_back(k);
-    if (id == head) continue;
-    if (c.kind == FailureKind::not_before) {
-      solver_.advance(c);
-      queue_.update(id);
-      return false;
-    }
+  CertificateId rival;
+  queue_.visit_rivals(first.hi, [&](CertificateId id) {
+    const Certificate& c = certificates_[id.value];
+    // The queue is ordered by exact lower bounds: what comes after one that comes later comes later, too.
+    if (solver_.known_before(first, c)) return EventQueue::Visit::past;
     const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
-    if (in(c.u) && in(c.v) && in(c.w)) continue;  // the same failure, seen at another corner
+    const bool same = in(c.u) && in(c.v) && in(c.w);  // the same failure, seen at another corner
+    if (c.kind == FailureKind::isolated && same) return EventQueue::Visit::on;
+    rival = id;
+    return EventQueue::Visit::stop;
+  });
+  if (!rival.valid()) return true;
+  Certificate& c = certificates_[rival.value];
+  if (c.kind != FailureKind::isolated) {
+    solver_.advance(c);
+  } else {
     solver_.separate(first, c);
-    queue_.update(id);
     queue_.update(head);
-    return false;
   }
-  return true;
+  queue_.update(rival);
+  return false;
 }
 
 std::optional<std::pair<double, double>> Engine::next_event(double t) {
@@ -219,7 +214,7 @@ bool Engine::step(double t) {
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
   const double settled = std::min(settled_until_, leg().end);
-  const double first = queue_.empty() ? settled : std::min(queue_.top().key, settled);
+  const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
   return leg().time(std::max(first, reached_));
 }
 
