@@ -39,11 +39,11 @@ void Engine::build(const KnownTilings& known) {
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
   certificate_of_.reset(4 * static_cast<std::size_t>(geometry_.size()) + 16);
-  scan_.reserve(64);
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
   // set before anything is allocated again: few events of few motions do.
   expect_certificates(4 * mixed_edges() + 1024);
   add_certificates(placement);
+  queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   enter_leg();
   solver_.expect(active_);
@@ -57,7 +57,6 @@ void Engine::expect_certificates(std::size_t room) {
   listed_.reserve(room);
   trial_.reserve(room);
   free_.reserve(room);
-  queue_.reserve(room);
 }
 
 std::size_t Engine::mixed_edges() const {
@@ -147,17 +146,17 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
-    const EventQueue::Entry top = queue_.top();
-    if (top.key > limit) return false;
-    Certificate& c = certificates_[top.id.value];
-    if (c.kind == FailureKind::not_before) {
+    const CertificateId top = queue_.top();
+    Certificate& c = certificates_[top.value];
+    if (c.lo > limit) return false;
+    if (c.kind != FailureKind::isolated) {
       solver_.advance(c);
-      queue_.update(top.id);
+      queue_.update(top);
       continue;
     }
-    if (!certainly_first(top.id)) continue;
+    if (!certainly_first(top)) continue;
     if (c.hi > limit && !solver_.fails_by(c, limit)) return false;
-    next_ = top.id;
+    next_ = top;
     return true;
   }
   return false;
@@ -167,31 +166,27 @@ bool Engine::find_next(double limit) {
 /// is moved or enclosed better, and the answer is no: look again.
 bool Engine::certainly_first(CertificateId head) {
   Certificate& first = certificates_[head.value];
-  scan_.clear();
-  scan_.push_back(0);
-  while (!scan_.empty()) {
-    const std::size_t i = scan_.back();
-    scan_.pop_back();
-    if (i >= queue_.size() || queue_.entry(i).key > first.hi) continue;
-    const CertificateId id = queue_.entry(i).id;
-    Certificate& c = certificates_[id.value];
-    // The queue is ordered by exact lower bounds: what lies below an entry that comes later comes later, too.
-    if (id != head && solver_.known_before(first, c)) continue;
-    for (std::size_t k = 4 * i + 1; k <= 4 * i + 4; ++k) scan_.push_back(k);
-    if (id == head) continue;
-    if (c.kind == FailureKind::not_before) {
-      solver_.advance(c);
-      queue_.update(id);
-      return false;
-    }
+  CertificateId rival;
+  queue_.visit_rivals(first.hi, [&](CertificateId id) {
+    const Certificate& c = certificates_[id.value];
+    // The queue is ordered by exact lower bounds: what comes after one that comes later comes later, too.
+    if (solver_.known_before(first, c)) return EventQueue::Visit::past;
     const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
-    if (in(c.u) && in(c.v) && in(c.w)) continue;  // the same failure, seen at another corner
+    const bool same = in(c.u) && in(c.v) && in(c.w);  // the same failure, seen at another corner
+    if (c.kind == FailureKind::isolated && same) return EventQueue::Visit::on;
+    rival = id;
+    return EventQueue::Visit::stop;
+  });
+  if (!rival.valid()) return true;
+  Certificate& c = certificates_[rival.value];
+  if (c.kind != FailureKind::isolated) {
+    solver_.advance(c);
+  } else {
     solver_.separate(first, c);
-    queue_.update(id);
     queue_.update(head);
-    return false;
   }
-  return true;
+  queue_.update(rival);
+  return false;
 }
 
 std::optional<std::pair<double, double>> Engine::next_event(double t) {
@@ -230,7 +225,7 @@ bool Engine::step(double t) {
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
   const double settled = std::min(settled_until_, leg().end);
-  const double first = queue_.empty() ? settled : std::min(queue_.top().key, settled);
+  const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
   return leg().time(std::max(first, reached_));
 }
 

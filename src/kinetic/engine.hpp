@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
 #include "motion/plan_range.hpp"
@@ -139,7 +140,6 @@ class Engine {
   double settled_until_ = never;   ///< on the present leg: when the motion leaves the region
   int regions_left_ = 0;           ///< on the present leg
   int failures_ = 0, skip_ = 0;    ///< legs on which no region was found, and for how many none is looked for
-  std::vector<std::size_t> scan_;
   CertificateId next_;
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time

@@ -19,6 +19,9 @@ int sign_of(const Bounded& v, double drift) {
   return std::fabs(v.value) > v.error + drift ? (v.value > 0 ? 1 : -1) : 0;
 }
 
+/// How many cells beyond its own a new certificate is followed. Most die before long.
+constexpr int cells_for_new = 1;
+
 /// Is (u, v, w) the event's corner up to turning around?
 bool same_order(const Now& now, VertexId u, VertexId v) {
   return (u == now.u && v == now.v) || (u == now.v && v == now.w) || (u == now.w && v == now.u);
@@ -65,15 +68,36 @@ void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
 }
 
 FailureSolver::Course FailureSolver::course(const FastFunction& f, double t) {
-  const FastSide& side = clock_.at(t, f.pp);
+  return course_with(f, clock_.at(t, f.pp), t);
+}
+
+FailureSolver::Course FailureSolver::course_near(const FastFunction& f, double t) {
+  double at;
+  const FastSide& side = clock_.shortly_before(t, f.pp, at);
+  return course_with(f, side, at);
+}
+
+FailureSolver::Course FailureSolver::course_with(const FastFunction& f, const FastSide& side, double t) {
   Course now;
   now.t = t;
   now.value = f.value(side);
   now.slope = f.slope(side);
   const ClockCell& cell = clock_.cell(t);
-  now.cell = cell;
-  now.bend = f.curvature(cell.curvature(f.pp));
+  now.local = cell.sharp;
+  if (now.local) now.bend = f.bend(side);
+  take_bounds(f, now, cell);
   return now;
+}
+
+/// Those that hold all over the cell.
+void FailureSolver::take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const {
+  course.cell = cell;
+  if (course.local) {
+    course.third = f.third(cell.third(f.pp));
+  } else {
+    course.third = 0;
+    course.bend = f.curvature(cell.curvature(f.pp));
+  }
 }
 
 void FailureSolver::start(Certificate& c, double t) {
@@ -86,82 +110,97 @@ void FailureSolver::start(Certificate& c, double t) {
   const int sign = sign_of(now.value, 0);
   if (sign == 0) return advance_hard(c, c.lo);
   if (sign != c.sign) throw StructureError("a certificate is invalid where it is said to hold");
-  advance_along(c, now);
+  if (!advance_along(c, now, c.lo)) advance_hard(c, c.lo);
 }
 
-void FailureSolver::advance(Certificate& c) { advance_from(c, c.lo); }
+void FailureSolver::advance(Certificate& c) {
+  if (c.kind == FailureKind::not_before) return advance_from(c, c.lo);
+  refine_fast(c);
+  c.kind = FailureKind::isolated;
+}
 
+/// The certificate is known to hold up to t.
 void FailureSolver::advance_from(Certificate& c, double t) {
   if (t >= leg().end) return set_not_before(c, t);
+  if (const Course near = course_near(c.function, t);
+      near.t < t && sign_of(near.value, 0) == c.sign && advance_along(c, near, t))
+    return;
   const Course now = course(c.function, t);
-  if (sign_of(now.value, 0) == c.sign) {
-    advance_along(c, now);
-  } else {
-    advance_hard(c, t);
-  }
+  if (sign_of(now.value, 0) != c.sign || !advance_along(c, now, t)) advance_hard(c, t);
 }
 
-/// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around.
-double FailureSolver::positive_beyond(const ClockPlace& cell, const Certificate& c, double t, double value,
-                                      double slope) {
-  double reached = cell.end;
-  for (const ClockCell* wide = clock_.wider(cell); wide; wide = clock_.wider(*wide)) {
+/// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around, so
+/// many of them at most.
+double FailureSolver::positive_beyond(const Certificate& c, const Course& now, double value, int cells) {
+  const FastFunction& f = c.function;
+  const double slope = c.sign * now.slope.value - now.slope.error, bend = c.sign * now.bend.value - now.bend.error;
+  double reached = now.cell.end;
+  for (const ClockCell* wide = clock_.wider(now.cell); wide; wide = clock_.wider(*wide)) {
     if (wide->end <= reached) continue;
-    const double limit = wide->end - t;
-    const Bounded k = c.function.curvature(wide->curvature(c.function.pp));
-    const double h = positive_until(value, slope, c.sign * k.value - k.error, limit);
-    if (!(h >= limit)) return std::max(reached, below(t + h));
+    const double limit = wide->end - now.t;
+    double least_bend;
+    if (now.local) {
+      least_bend = bend - f.third(wide->third(f.pp)) * limit * one_third;
+    } else {
+      const Bounded k = f.curvature(wide->curvature(f.pp));
+      least_bend = c.sign * k.value - k.error;
+    }
+    const double h = positive_until(value, slope, least_bend, limit);
+    if (!(h >= limit)) return std::max(reached, below(now.t + h));
     reached = wide->end;
+    if (--cells == 0) break;
   }
   return reached;
 }
 
 double FailureSolver::lasts(const Certificate& c, const Course& now, double least) const {
-  const double sign = c.sign;
-  return positive_until(least, sign * now.slope.value - now.slope.error, sign * now.bend.value - now.bend.error,
-                        now.cell.end - now.t);
+  const double slope = c.sign * now.slope.value - now.slope.error, bend = c.sign * now.bend.value - now.bend.error;
+  return positive_until(least, slope, bend, now.third, now.cell.end - now.t);
 }
 
 /// The certificate's sign holds for `lasting` from now.t on, where its value is `least` at least, and perhaps longer.
-/// False if doubles cannot tell.
-bool FailureSolver::holds_on(Certificate& c, const Course& now, double least, double lasting) {
+/// False if that is not much longer than until t, by which doubles cannot tell more, or not those about now.t.
+bool FailureSolver::holds_on(Certificate& c, const Course& now, double t, double least, double lasting, int cells) {
   const double limit = now.cell.end - now.t;
   if (lasting >= limit) {  // never true of a NaN
-    const double slope = c.sign * now.slope.value - now.slope.error;
-    set_not_before(c, positive_beyond(now.cell, c, now.t, least, slope));
+    set_not_before(c, positive_beyond(c, now, least, cells));
     return true;
   }
   const double next = below(now.t + lasting);
   // Where the motion is singular, bounds are loose and steps short: one search at high precision is quicker than those.
   const bool good = now.cell.sharp || leg().bridge;
-  if (!(next > now.t + (good ? 0x1p-46 : 0x1p-8) * limit)) return false;
+  if (!(next > t + (good ? 0x1p-46 : 0x1p-8) * limit + (t - now.t))) return false;
   set_not_before(c, next);
   return true;
 }
 
-/// Isolates the failure after `from` (at most now.t), if the function certainly falls to it.
+/// Brackets the failure, which is known to come after `from`, if the function certainly falls to it from now.t or
+/// `from`, whichever is later.
 bool FailureSolver::isolate(Certificate& c, const Course& now, double from) {
   const double sign = c.sign, t = now.t;
   const double limit = now.cell.end - t;
   const double most = sign * now.value.value + now.value.error;
-  const double slope = sign * now.slope.value + now.slope.error, bend = sign * now.bend.value + now.bend.error;
+  const double slope = sign * now.slope.value + now.slope.error;
+  const double bend = sign * now.bend.value + now.bend.error + now.third * limit * (1 + 0x1p-40);
   if (!(slope < 0)) return false;
   const double h = most > 0 ? negative_from(most, slope, bend) : 0;
   const double falls = bend > 0 ? std::min(limit, -slope / bend * (1 - 0x1p-48)) : limit;
   if (!(h < falls)) return false;
-  c.kind = FailureKind::isolated;
+  c.kind = FailureKind::bracketed;
   c.lo = from;
   c.hi = std::min(above(t + h), leg().end);
   c.monotone_until = falls == limit ? now.cell.end : below(t + falls);
   return true;
 }
 
-void FailureSolver::advance_along(Certificate& c, const Course& now) {
+/// The certificate is known to hold at now.t, and up to t, which is not before that. False if that is about all that
+/// can be said with `now`.
+bool FailureSolver::advance_along(Certificate& c, const Course& now, double t, int cells) {
   ++counts_.fast;
   const double least = c.sign * now.value.value - now.value.error;
   const double h = lasts(c, now, least);
-  if (h < now.cell.end - now.t && isolate(c, now, below(now.t + h))) return refine_fast(c);
-  if (!holds_on(c, now, least, h)) advance_hard(c, now.t);
+  if (h < now.cell.end - now.t && isolate(c, now, std::max(t, below(now.t + h)))) return true;
+  return holds_on(c, now, t, least, h, cells);
 }
 
 /// The certificate's sign was found in high precision at `instant`, where in doubles the function may be zero: it was
@@ -171,12 +210,13 @@ bool FailureSolver::advance_from_zero(Certificate& c, const Now& instant) {
   if (instant.hi >= leg().end) return false;
   Course now = course(c.function, instant.hi);
   const double width = instant.hi - instant.lo;
-  if (!widen(c.function, now, instant.lo)) return false;
+  if (!widen(c.function, now, instant.lo, instant.hi)) return false;
   // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
-  const double drift = width * (std::fabs(now.bend.value) + now.bend.error) * (1 + 0x1p-40);
+  const double drift = now.slope_change(width);
   const double slope = c.sign * now.slope.value, error = now.slope.error + drift;
-  if (slope > error) return holds_on(c, now, 0, lasts(c, now, 0));
+  if (slope > error) return holds_on(c, now, now.t, 0, lasts(c, now, 0));
   if (-slope > error && !instant.concerns(c.u, c.v, c.w) && isolate(c, now, instant.lo)) {
+    c.kind = FailureKind::isolated;
     // Reports show this enclosure: where doubles see little, as near t = 0, high precision is worth its price.
     return c.hi - c.lo <= 0x1p-44 * std::fabs(c.hi);
   }
@@ -200,8 +240,7 @@ bool FailureSolver::narrow(Certificate& c) {
   const double radius = 0x1p-34 * (cell.end - cell.start);
   if (!(m - radius > c.lo && m + radius < c.hi)) return false;
   const Course here = course(c.function, m);
-  const double bend = (std::fabs(here.bend.value) + here.bend.error) * (1 + 0x1p-40);
-  const double flat = -c.sign * here.slope.value - here.slope.error - bend * radius;
+  const double flat = -c.sign * here.slope.value - here.slope.error - here.slope_change(radius);
   if (!(std::fabs(here.value.value) + here.value.error < flat * radius * (1 - 0x1p-40))) return false;
   c.lo = m - radius;
   c.hi = m + radius;
@@ -221,8 +260,9 @@ void FailureSolver::newton(Certificate& c) {
 /// With the function's course at an instant in the enclosure, about its middle. Where the slope's bounds include zero,
 /// the sign there cuts the enclosure in two. True if what is left is about what the value's error makes of it.
 bool FailureSolver::newton_step(Certificate& c, const Course& here) {
+  enclosed_about_ = here.t;
   const double sign = c.sign, m = here.t, reach = std::max(m - c.lo, c.hi - m);
-  const double spread = here.slope.error + (std::fabs(here.bend.value) + here.bend.error) * reach * (1 + 0x1p-40);
+  const double spread = here.slope.error + here.slope_change(reach);
   const double steep = -sign * here.slope.value + spread, flat = -sign * here.slope.value - spread;
   const double lo_value = sign * here.value.value - here.value.error;
   const double hi_value = sign * here.value.value + here.value.error;
@@ -272,29 +312,27 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
   }
 }
 
-/// Takes the bend over a cell that reaches back to `start`; false if there is none.
-bool FailureSolver::widen(const FastFunction& f, Course& course, double start) {
-  while (course.cell.start > start) {
+/// Takes the bend over a cell that reaches back to `start` and on to `end`; false if there is none.
+bool FailureSolver::widen(const FastFunction& f, Course& course, double start, double end) {
+  while (course.cell.start > start || course.cell.end < end) {
     const ClockCell* cell = clock_.wider(course.cell);
     if (!cell) return false;
-    course.cell = *cell;
-    course.bend = f.curvature(cell->curvature(f.pp));
+    take_bounds(f, course, *cell);
   }
   return true;
 }
 
-/// The sign over [now.lo, now.hi], where `course` is taken at now.hi.
+/// The sign over [now.lo, now.hi], where `course` is taken at now.at.
 int FailureSolver::sign_during(const FastFunction& f, Course course, const Now& now) {
-  const double width = now.hi - now.lo;
-  if (!(width > 0)) return sign_of(course.value, 0);
-  if (!widen(f, course, now.lo)) return 0;
-  const double steepest =
-      std::fabs(course.slope.value) + course.slope.error + width * (std::fabs(course.bend.value) + course.bend.error);
-  return sign_of(course.value, width * steepest * (1 + 0x1p-40));
+  const double reach = std::max(now.hi - now.at, now.at - now.lo);
+  if (!(reach > 0)) return sign_of(course.value, 0);
+  if (!widen(f, course, now.lo, now.hi)) return 0;
+  const double steepest = std::fabs(course.slope.value) + course.slope.error + course.slope_change(reach);
+  return sign_of(course.value, reach * steepest * (1 + 0x1p-40));
 }
 
 int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
-  if (const int s = sign_during(fast, course(fast, now.hi), now)) return s;
+  if (const int s = sign_during(fast, course(fast, now.at), now)) return s;
   return precise_sign(precise, now);
 }
 
@@ -337,14 +375,14 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
 
 /// By the certificate's function as it stands, if that shows a sign at the present.
 bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
-  const Course here = course(c.function, now.hi);
+  const Course here = course(c.function, now.at);
   const int sign = sign_during(c.function, here, now);
   if (sign == 0) return false;
   c.sign = static_cast<std::int8_t>(sign);
   if (now.hi >= leg().end) {
     set_not_before(c, now.hi);
-  } else {
-    advance_along(c, here);
+  } else if (!advance_along(c, here, now.hi, cells_for_new)) {
+    advance_from(c, now.hi);
   }
   return true;
 }
@@ -412,6 +450,7 @@ Now FailureSolver::event(const Certificate& c) const {
   Now now;
   now.lo = c.lo;
   now.hi = c.hi;
+  now.at = enclosed_about_ >= c.lo && enclosed_about_ <= c.hi ? enclosed_about_ : c.hi;
   now.event = true;
   now.u = c.u;
   now.v = c.v;

@@ -13,6 +13,7 @@ namespace taut {
 /// The present: a double, or the failure time of a certificate.
 struct Now {
   double lo = 0, hi = 0;
+  double at = 0;  ///< an instant in [lo, hi] at which the motion is known already, if there is one
   bool event = false;
   /// For an event: its corner, its sign before, and how to find the instant at any precision.
   VertexId u, v, w;
@@ -74,7 +75,8 @@ class FailureSolver {
   void start(Certificate& c, double t);
   /// Starts a new certificate just after `now`; finds its sign.
   void start_at(Certificate& c, Now& now);
-  /// Pushes the lower bound of a certificate forward, or isolates its failure.
+  /// Pushes the lower bound of a certificate forward, or encloses its failure: first as the bounds tell, then as well
+  /// as doubles can. Not for isolated ones.
   void advance(Certificate& c);
   /// Drops what the pool holds for it.
   void release(Certificate& c);
@@ -96,22 +98,35 @@ class FailureSolver {
  private:
   MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
   PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
-  /// A function at one instant, with bounds of its second derivative over the cell around.
+  /// A function at one instant, and how it may bend within the cell around it.
   struct Course {
     double t;
-    Bounded value, slope, bend;
+    Bounded value, slope;
+    Bounded bend;  ///< the second derivative: at t if `local`, otherwise all over the cell
+    double third;  ///< a bound of the third one's magnitude if `local`, otherwise 0
     ClockPlace cell;
+    bool local;
+
+    /// The most that the slope changes within the cell in so short a time.
+    double slope_change(double time) const {
+      return (std::fabs(bend.value) + bend.error + third * time) * time * (1 + 0x1p-40);
+    }
   };
   Course course(const FastFunction& f, double t);
+  /// At an instant shortly before t, or at t, that costs less.
+  Course course_near(const FastFunction& f, double t);
+  Course course_with(const FastFunction& f, const FastSide& side, double t);
   void advance_from(Certificate& c, double t);
-  void advance_along(Certificate& c, const Course& now);
+  static constexpr int all_cells = 1000;  ///< more than there are around one
+  bool advance_along(Certificate& c, const Course& now, double t, int cells = all_cells);
   bool advance_from_zero(Certificate& c, const Now& instant);
   /// How long the certificate's sign certainly lasts from now.t on within the cell, if its value is `least` at least.
   double lasts(const Certificate& c, const Course& now, double least) const;
-  bool holds_on(Certificate& c, const Course& now, double least, double lasting);
+  void take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const;
+  bool holds_on(Certificate& c, const Course& now, double t, double least, double lasting, int cells = all_cells);
   bool isolate(Certificate& c, const Course& now, double from);
   bool start_in_doubles(Certificate& c, const Now& now);
-  double positive_beyond(const ClockPlace& cell, const Certificate& c, double t, double value, double slope);
+  double positive_beyond(const Certificate& c, const Course& now, double value, int cells);
   void refine_fast(Certificate& c);
   bool narrow(Certificate& c);
   void newton(Certificate& c);
@@ -126,11 +141,12 @@ class FailureSolver {
   /// The sign of a function at `now`: fast if possible, else precise.
   int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
   int precise_sign(const PreciseTriple& precise, Now& now);
-  bool widen(const FastFunction& f, Course& course, double start);
+  bool widen(const FastFunction& f, Course& course, double start, double end);
   int sign_during(const FastFunction& f, Course course, const Now& now);
 
   const PairGeometry& geometry_;
   LegClock clock_;
+  double enclosed_about_ = 0;  ///< where the function was evaluated when a failure was last enclosed
   StageCounts counts_;
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;

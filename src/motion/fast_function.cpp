@@ -107,23 +107,28 @@ bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const MixedT
 }
 
 double FastFunction::root_of(const FrameModel& model, double t) const {
-  const int first = pp ? 0 : 2;
+  const Lanes way = load_lanes(a + 1), angle = load_lanes(a + 3);
   double c[model_degree];
   for (int k = 0; k < model.terms; ++k) {
     const double* f = model.c[k];
-    c[k] = (a[1] * f[first] + a[2] * f[first + 1]) + (a[3] * f[4] + a[4] * f[5]);
+    const Lanes sum = way * load_lanes(f + (pp ? 0 : 2)) + angle * load_lanes(f + 4);
+    c[k] = sum[0] + sum[1];
   }
   c[0] += a[0];
   double h = t - model.middle;
+  // By the root of the second order about h, whose distance from the polynomial's is of the third order.
   for (int step = 0; step < 6; ++step) {
-    double value = 0, slope = 0;
+    double value = 0, slope = 0, half_bend = 0;
     for (int k = model.terms; k-- > 0;) {
+      half_bend = half_bend * h + slope;
       slope = slope * h + value;
       value = value * h + c[k];
     }
-    const double change = value / slope;
+    const double discriminant = slope * slope - 4 * half_bend * value;
+    const double change =
+        discriminant > 0 ? 2 * value / (slope + std::copysign(std::sqrt(discriminant), slope)) : value / slope;
     h -= change;
-    if (!(std::fabs(change) > 0x1p-20 * model.radius)) break;
+    if (!(std::fabs(change) > 0x1p-14 * model.radius)) break;
   }
   return model.middle + h;
 }

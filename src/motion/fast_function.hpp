@@ -1,6 +1,8 @@
 // A mixed triple's function in doubles with error bounds: the first stage of every evaluation.
 #pragma once
 
+#include <cmath>
+
 #include "motion/frame_model.hpp"
 #include "motion/mixed_function.hpp"
 
@@ -12,12 +14,20 @@ struct FastSide {
   /// Bounds of the errors of f0, of f1 and f2 together, and of f3 and f4, with what a sum of products of them rounds.
   double error_0, error_a, error_b;
   double error_0d, error_ad, error_bd;  ///< the same for d
+  /// Second derivatives where a model has them (ClockPlace::sharp), with bounds of the same kind; that of f0 is zero.
+  double dd[4];
+  double error_add, error_bdd;
 };
 
 /// Second derivatives over a segment: middles, and bounds as in FastSide.
 struct FastCurvature {
   double mid[5];
   double error_0, error_a, error_b;
+};
+
+/// Bounds of the third derivatives' magnitudes over a segment; that of f0 is zero.
+struct FastThird {
+  double most[4];
 };
 
 /// A value with a bound of its error.
@@ -42,7 +52,21 @@ struct FastFunction {
   Bounded value(const FastSide& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
   Bounded slope(const FastSide& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
   Bounded curvature(const FastCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
-  /// About where the polynomial of a model is zero, by Newton's steps from `t` on: a good guess, no more.
+  /// The second derivative at one instant.
+  Bounded bend(const FastSide& s) const {
+    const double v = a[1] * s.dd[0] + a[2] * s.dd[1] + a[3] * s.dd[2] + a[4] * s.dd[3];
+    return {v, (w * s.error_add + m34 * s.error_bdd) * (1 + 0x1p-40) + floor_error};
+  }
+  /// A bound of the third derivative's magnitude over the segment.
+  double third(const FastThird& c) const {
+    // Coefficients are rounded by less than this share of their magnitudes' bounds.
+    constexpr double rounding = 0x1p-45;
+    const double sum = (std::fabs(a[1]) + rounding * w) * c.most[0] + (std::fabs(a[2]) + rounding * w) * c.most[1] +
+                       (std::fabs(a[3]) + rounding * m34) * c.most[2] + (std::fabs(a[4]) + rounding * m34) * c.most[3];
+    return sum * (1 + 0x1p-40) + floor_error;
+  }
+  /// About where the polynomial of a model is zero, by steps of higher order than Newton's from `t` on: a good guess,
+  /// no more.
   double root_of(const FrameModel& model, double t) const;
   /// Covers the displacement at level 0, its square at level 1, and underflow.
   double floor_error = 0;

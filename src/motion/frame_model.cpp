@@ -11,11 +11,12 @@ constexpr double negligible = 0x1p-900;
 
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
-/// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for f' and f''.
+/// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
 void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries& over) {
   constexpr int n = model_degree;
-  double noise = 0, size = 0, size_d = 0, size_dd = 0, vague = 0, vague_d = 0, vague_dd = 0;
-  double power[3] = {1, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2)
+  double noise = 0, size = 0, size_d = 0, size_dd = 0, size_ddd = 0;
+  double vague = 0, vague_d = 0, vague_dd = 0, vague_ddd = 0;
+  double power[4] = {1, 0, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2) and so on
   for (int k = 0; k < n; ++k) m.c[k][i] = at_middle.c[k].mid;
   m.remainder[i] = 0;
   const int last = std::max(at_middle.terms, over.terms) - 1;  // what comes after is zero
@@ -29,9 +30,11 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
     vague += open * power[0];
     vague_d += open * power[1];
     vague_dd += open * power[2];
+    size_ddd += known * power[3];
+    vague_ddd += open * power[3];
     if (k != 2) size_dd += known * power[2];
     if (k == n) m.remainder[i] = known_or_infinite(open * power[0]);
-    for (int order = 2; order > 0; --order) power[order] = (k + 1) * power[order - 1];
+    for (int order = 3; order > 0; --order) power[order] = (k + 1) * power[order - 1];
     power[0] *= m.radius;
   }
   m.size[i] = size;
@@ -40,10 +43,13 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
   // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
   const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
   const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.bend[i])));
+  const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.bend[i]) + m.radius * size_ddd);
   m.error[i] = known_or_infinite(error + underflow_slack);
   m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
   m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
-  if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = INFINITY;
+  m.error_dd[i] = known_or_infinite(error_dd * (1 + 0x1p-40) + underflow_slack);
+  m.third[i] = known_or_infinite((vague_ddd + size_ddd) * (1 + 0x1p-40) + underflow_slack);
+  if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
 }
 
 }  // namespace
@@ -69,7 +75,7 @@ FrameModel FrameModel::over(const Leg& leg, double start, double end) {
 
 bool FrameModel::finite() const {
   for (int i = 0; i < functions; ++i) {
-    if (!(error[i] < INFINITY && error_d[i] < INFINITY && bend_rad[i] < INFINITY)) return false;
+    if (!(error[i] < INFINITY && error_d[i] < INFINITY && bend_rad[i] < INFINITY && third[i] < INFINITY)) return false;
   }
   return true;
 }

@@ -10,8 +10,9 @@ namespace taut {
 /// parameter: conj(x_P) D (two parts), conj(x_Q) D (two parts), c and s (see FrameOf; not for bridges).
 ///
 /// For every t in [start, end] and h = t - middle in doubles:
-///   |sum_k c[k][i] h^k - f_i(t)| <= error[i], and the same for slopes with error_d[i], by Horner's rule in doubles;
-///   |bend[i] - f_i''(t)| <= bend_rad[i].
+///   |sum_k c[k][i] h^k - f_i(t)| <= error[i], and the same for the first two derivatives with error_d[i] and
+///   error_dd[i], by Horner's rule in doubles;
+///   |bend[i] - f_i''(t)| <= bend_rad[i] and |f_i'''(t)| <= third[i].
 /// Bounds may be infinite where the motion is singular; they are never NaN.
 struct FrameModel {
   static constexpr int functions = 6;
@@ -32,11 +33,11 @@ struct FrameModel {
     q.store(value + 2, slope + 2);
     angle.store(value + 4, slope + 4);
   }
-  /// Of the pairs that begin with numbers `first` and 4 only.
-  void evaluate(double t, int first, double (&value)[4], double (&slope)[4]) const {
+  /// f, f' and f'' of the pairs that begin with numbers `first` and 4 only.
+  void evaluate(double t, int first, double (&value)[4], double (&slope)[4], double (&second)[4]) const {
     const Lanes h = both(t - middle);
     const double* at = c[terms - 1];
-    Horner way(at + first), angle(at + 4);
+    Horner2 way(at + first), angle(at + 4);
     for (int k = terms - 1; k-- > 0;) {
       at -= functions;
       way.step(at + first, h);
@@ -44,6 +45,8 @@ struct FrameModel {
     }
     way.store(value, slope);
     angle.store(value + 2, slope + 2);
+    store_lanes(second, way.half + way.half);
+    store_lanes(second + 2, angle.half + angle.half);
   }
   /// All bounds are finite.
   bool finite() const;
@@ -57,8 +60,8 @@ struct FrameModel {
   double start, end, middle, radius;
   int terms;                          ///< coefficients in use, the same for all functions
   double c[model_degree][functions];  ///< by power, then function
-  double error[functions], error_d[functions];
-  double bend[functions], bend_rad[functions];
+  double error[functions], error_d[functions], error_dd[functions];
+  double bend[functions], bend_rad[functions], third[functions];
   double remainder[functions];  ///< the part of the error that shrinks with the interval
   double noise[functions];      ///< the part that does not: the middle's own uncertainty
   double size[functions];       ///< bounds of |f_i|
@@ -75,6 +78,15 @@ struct FrameModel {
     void store(double* value, double* slope) const {
       store_lanes(value, v);
       store_lanes(slope, d);
+    }
+  };
+  /// And half their second derivatives.
+  struct Horner2 : Horner {
+    Lanes half = {};
+    explicit Horner2(const double* leading) : Horner(leading) {}
+    void step(const double* next, Lanes h) {
+      half = half * h + d;
+      Horner::step(next, h);
     }
   };
   /// What an error of function i is measured by.

@@ -42,18 +42,20 @@ FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
 
 }  // namespace
 
-void LegClock::evaluate_exactly(double t, Side& side) {
-  const Frame<double> f = frame(*leg_, Ball<double>::exact(t));
-  side.functions = fast_side(side.first == 0 ? f.for_pp : f.for_qq);
-}
-
 namespace {
+
+FastSide evaluate_exactly(const Leg& leg, double t, int first) {
+  const Frame<double> f = frame(leg, Ball<double>::exact(t));
+  return fast_side(first == 0 ? f.for_pp : f.for_qq);
+}
 
 /// Shorter cells than this share of the leg lie at a singular instant.
 constexpr int deepest = 40;
 
 /// The side whose first two functions are the model's functions `first` and `first` + 1.
-void assemble(FastSide& s, const FrameModel& m, int first, const double (&value)[4], const double (&slope)[4]) {
+void evaluate_model(const FrameModel& m, double t, int first, FastSide& s) {
+  double value[4], slope[4];
+  m.evaluate(t, first, value, slope, s.dd);
   s.f[0] = 1;
   s.d[0] = 0;
   s.error_0 = rounding;
@@ -66,6 +68,12 @@ void assemble(FastSide& s, const FrameModel& m, int first, const double (&value)
   s.error_b = m.error[4] + m.error[5] + rounding * (std::fabs(s.f[3]) + std::fabs(s.f[4]));
   s.error_ad = m.error_d[first] + m.error_d[first + 1] + rounding * (std::fabs(s.d[1]) + std::fabs(s.d[2]));
   s.error_bd = m.error_d[4] + m.error_d[5] + rounding * (std::fabs(s.d[3]) + std::fabs(s.d[4]));
+  s.error_add = m.error_dd[first] + m.error_dd[first + 1] + rounding * (std::fabs(s.dd[0]) + std::fabs(s.dd[1]));
+  s.error_bdd = m.error_dd[4] + m.error_dd[5] + rounding * (std::fabs(s.dd[2]) + std::fabs(s.dd[3]));
+}
+
+FastThird third_of(const FrameModel& m, int first) {
+  return {{m.third[first], m.third[first + 1], m.third[4], m.third[5]}};
 }
 
 FastCurvature curvature_of(const FrameModel& m, int first) {
@@ -86,6 +94,8 @@ FastCurvature curvature_of(const FrameModel& m, int first) {
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
   pp_.known = qq_.known = false;
+  pp_marks_.at.fill(NAN);
+  qq_marks_.at.fill(NAN);
   level_ = 0;
   index_ = 0;
   last_ = nullptr;
@@ -133,6 +143,8 @@ void LegClock::make(ClockCell& cell) {
   cell.leaf = !divisible || (cell.sharp && cell.model.straight()) || cell.model.hopeless();
   cell.pp = curvature_of(cell.model, 0);
   cell.qq = curvature_of(cell.model, 2);
+  cell.pp_third = third_of(cell.model, 0);
+  cell.qq_third = third_of(cell.model, 2);
 }
 
 const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
@@ -181,10 +193,26 @@ void LegClock::evaluate(double t, Side& side) {
   side.t = t;
   side.known = true;
   const ClockCell& here = cell(t);
-  if (!here.sharp) return evaluate_exactly(t, side);
-  double value[4], slope[4];
-  here.model.evaluate(t, side.first, value, slope);
-  assemble(side.functions, here.model, side.first, value, slope);
+  if (here.sharp) {
+    evaluate_model(here.model, t, side.first, side.functions);
+  } else {
+    side.functions = evaluate_exactly(*leg_, t, side.first);
+  }
+}
+
+const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
+  const ClockCell& here = cell(t);
+  if (!here.sharp) return this->at(at = t, pp);
+  Marks& known = pp || leg_->translation ? pp_marks_ : qq_marks_;
+  const double step = (here.end - here.start) * (1.0 / marks);
+  const int k = std::min(static_cast<int>((t - here.start) / step), marks - 1);
+  const auto slot = static_cast<std::size_t>(k);
+  at = std::min(here.start + k * step, t);
+  if (known.at[slot] != at) {
+    known.at[slot] = at;
+    evaluate_model(here.model, at, known.first, known.functions[slot]);
+  }
+  return known.functions[slot];
 }
 
 }  // namespace taut

@@ -23,9 +23,11 @@ struct ClockPlace {
 struct ClockCell : ClockPlace {
   FrameModel model;
   FastCurvature pp, qq;
+  FastThird pp_third, qq_third;  ///< not on a bridge
 
   /// Bounds of the second derivatives over the cell.
   const FastCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
+  const FastThird& third(bool of_pp) const { return of_pp ? pp_third : qq_third; }
 };
 
 /// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
@@ -42,6 +44,9 @@ class LegClock {
     if (t != side.t || !side.known) evaluate(t, side);
     return side.functions;
   }
+  /// The same at an instant a little before t, or at t: `at`. Cells have few of these instants, so that many ask for
+  /// the same one.
+  const FastSide& shortly_before(double t, bool pp, double& at);
   /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
   const ClockCell& cell(double t) { return last_ && t >= last_->start && t < last_->end ? *last_ : find_cell(t); }
   /// The next larger cell around this one; none around the whole leg.
@@ -71,13 +76,19 @@ class LegClock {
     FastSide functions{};
   };
   void evaluate(double t, Side& side);
-  void evaluate_exactly(double t, Side& side);
+  static constexpr int marks = 32;  ///< instants a cell that are evaluated once
+  struct Marks {
+    int first;
+    std::array<double, marks> at;  ///< which instants are known: not numbers at the beginning
+    std::array<FastSide, marks> functions;
+  };
 
   const Leg* leg_ = nullptr;
   int level_ = 0;  ///< of the leaf last used
   std::uint64_t index_ = 0;
   const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept
   Side pp_{.first = 0}, qq_{.first = 2};  ///< the first one serves both on a translation
+  Marks pp_marks_{.first = 0, .at = {}, .functions = {}}, qq_marks_{.first = 2, .at = {}, .functions = {}};
   /// Which cell lies in which slot; the scattered ones count once one of them is used. The memory of a cell is not
   /// touched before it is used.
   std::array<std::uint64_t, own + scattered> keys_;

@@ -1,9 +1,11 @@
-// Where a function with a bounded second derivative certainly keeps, or has certainly lost, its sign.
+// Where a function with a bounded second or third derivative certainly keeps, or has certainly lost, its sign.
 #pragma once
 
 #include <cmath>
 
 namespace taut {
+
+inline constexpr double one_third = (1.0 / 3) * (1 + 0x1p-40);  ///< a little more
 
 /// The largest h <= limit such that a + b h + c h^2/2 > 0 on (0, h) is certain (a > 0, or a = 0 and b > 0). 0 if b or c
 /// is unknown (an infinite or undefined bound): every comparison below is written so that a NaN lands there.
@@ -24,6 +26,22 @@ inline double positive_until(double a, double b, double c, double limit) {
   if (!(below_line > 0)) return 0;
   const double h = 2 * a / below_line * (1 - 0x1p-48);
   return h < limit ? h : (h >= limit ? limit : 0);
+}
+
+/// The same, about, of a + b h + c h^2/2 - d h^3/6, d >= 0: up to any H that is at least (c - d H/3) h^2/2 there, and
+/// the nearer H, the better.
+inline double positive_until(double a, double b, double c, double d, double limit) {
+  double h = positive_until(a, b, c - d * limit * one_third, limit);
+  if (!(d > 0)) return h;
+  for (int step = 0; step < 3 && h > 0 && h < limit; ++step) {
+    const double within = h + h < limit ? h + h : limit;
+    const double further = positive_until(a, b, c - d * within * one_third, within);
+    if (!(further > h)) break;
+    const bool all = further >= within, close = further < 1.125 * h;
+    h = further;
+    if (!all && close) break;
+  }
+  return h;
 }
 
 /// Some h such that a + b h + c h^2/2 <= 0 is certain there, close to the first root; infinity if there may be none.
