@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/fast_line.hpp"
 #include "motion/placement.hpp"
 #include "numeric/quadratic_bound.hpp"
 #include "tiling/root_faces.hpp"
@@ -106,6 +107,7 @@ void FailureSolver::start(Certificate& c, double t) {
   c.kind = FailureKind::not_before;
   c.lo = t;
   if (c.lo >= leg().end) return set_not_before(c, c.lo);
+  if (clock_.straight() && start_on_line(c, t)) return;
   const Course now = course(c.function, c.lo);
   const int sign = sign_of(now.value, 0);
   if (sign == 0) return advance_hard(c, c.lo);
@@ -332,7 +334,9 @@ int FailureSolver::sign_during(const FastFunction& f, Course course, const Now& 
 }
 
 int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
-  if (const int s = sign_during(fast, course(fast, now.at), now)) return s;
+  if (const int s =
+          clock_.straight() ? line_of(fast).sign_over(now.lo, now.hi) : sign_during(fast, course(fast, now.at), now))
+    return s;
   return precise_sign(precise, now);
 }
 
@@ -375,6 +379,7 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
 
 /// By the certificate's function as it stands, if that shows a sign at the present.
 bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
+  if (clock_.straight() && start_on_line(c, now)) return true;
   const Course here = course(c.function, now.at);
   const int sign = sign_during(c.function, here, now);
   if (sign == 0) return false;

@@ -10,6 +10,8 @@
 
 namespace taut {
 
+struct FastLine;
+
 /// The present: a double, or the failure time of a certificate.
 struct Now {
   double lo = 0, hi = 0;
@@ -126,6 +128,10 @@ class FailureSolver {
   bool holds_on(Certificate& c, const Course& now, double t, double least, double lasting, int cells = all_cells);
   bool isolate(Certificate& c, const Course& now, double from);
   bool start_in_doubles(Certificate& c, const Now& now);
+  FastLine line_of(const FastFunction& f) const;
+  bool start_on_line(Certificate& c, double t);
+  bool start_on_line(Certificate& c, const Now& now);
+  bool follow_line(Certificate& c, const FastLine& line, double t);
   double positive_beyond(const Certificate& c, const Course& now, double value, int cells);
   void refine_fast(Certificate& c);
   bool narrow(Certificate& c);

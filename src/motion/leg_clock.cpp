@@ -93,6 +93,11 @@ FastCurvature curvature_of(const FrameModel& m, int first) {
 
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
+  straight_ = leg.translation && leg.degree <= 1 && !leg.bridge;
+  if (straight_) {
+    straight_middle_ = leg.start + (leg.end - leg.start) / 2;
+    straight_side_ = evaluate_exactly(leg, straight_middle_, 0);
+  }
   pp_.known = qq_.known = false;
   pp_marks_.at.fill(NAN);
   qq_marks_.at.fill(NAN);

@@ -38,6 +38,10 @@ class LegClock {
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg);
   const Leg& leg() const { return *leg_; }
+  /// Do all functions of mixed triples change evenly with time? Then these at the leg's middle tell everything.
+  bool straight() const { return straight_; }
+  const FastSide& straight_side() const { return straight_side_; }
+  double straight_middle() const { return straight_middle_; }
   /// Functions at parameter t (remembers the last instants).
   const FastSide& at(double t, bool pp) {
     Side& side = pp || leg_->translation ? pp_ : qq_;
@@ -84,6 +88,9 @@ class LegClock {
   };
 
   const Leg* leg_ = nullptr;
+  bool straight_ = false;
+  double straight_middle_ = 0;
+  FastSide straight_side_{};
   int level_ = 0;  ///< of the leaf last used
   std::uint64_t index_ = 0;
   const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept

@@ -1,0 +1,41 @@
+// Triples of vertices on straight ways.
+#pragma once
+
+#include "motion/mixed_function.hpp"
+#include "motion/motion_plan.hpp"
+#include "motion/pair_plan.hpp"
+#include "support/random_scenes.hpp"
+
+namespace taut::testing {
+
+/// A pair on a straight way, and a triple of its vertices.
+struct LineSetting {
+  PairGeometry geometry;
+  Leg leg;
+
+  static LineSetting of(std::uint64_t seed, bool grid) {
+    SceneOptions options;
+    options.grid = grid;
+    options.kinds = {MotionKind::rest, MotionKind::linear};
+    const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
+    const PairPlan plan = plan_pair(scene);
+    LineSetting s;
+    s.geometry = displaced_pair(plan, seed % 2 == 0);
+    for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+      if (!leg.bridge) s.leg = leg;
+    }
+    return s;
+  }
+  MixedTriple triple(Rng& rng) const {
+    for (;;) {
+      const auto any = [&] { return VertexId(static_cast<std::uint32_t>(rng.below(geometry.size()))); };
+      const VertexId u = any(), v = any(), w = any();
+      const bool mixed = !(geometry.same_body(u, v) && geometry.same_body(v, w));
+      if (mixed && u != v && v != w && u != w) return MixedTriple::of(geometry, u, v, w);
+    }
+  }
+};
+
+inline Measure any_measure(Rng& rng) { return rng.below(2) ? Measure::orientation : Measure::projection; }
+
+}  // namespace taut::testing
