@@ -99,21 +99,27 @@ void LegClock::reset(const Leg& leg) {
     straight_side_ = evaluate_exactly(leg, straight_middle_, 0);
   }
   pp_.known = qq_.known = false;
-  pp_marks_.at.fill(NAN);
-  qq_marks_.at.fill(NAN);
   level_ = 0;
   index_ = 0;
   last_ = nullptr;
-  std::fill_n(keys_.begin(), own, 0);
-  deep_ = false;
+  stored_ = false;
 }
 
-bool LegClock::holds(std::size_t slot, std::uint64_t key) {
-  if (slot >= own && !deep_) {
-    std::fill(keys_.begin() + own, keys_.end(), 0);
-    deep_ = true;
+void LegClock::Store::clear() {
+  pp_marks.first = 0;
+  qq_marks.first = 2;
+  pp_marks.at.fill(NAN);
+  qq_marks.at.fill(NAN);
+  std::fill_n(keys.begin(), own, 0);
+  deep = false;
+}
+
+bool LegClock::Store::holds(std::size_t slot, std::uint64_t key) {
+  if (slot >= own && !deep) {
+    std::fill(keys.begin() + own, keys.end(), 0);
+    deep = true;
   }
-  return keys_[slot] == key;
+  return keys[slot] == key;
 }
 
 /// The same number for the same instant at every level, and growing with the index.
@@ -155,10 +161,15 @@ void LegClock::make(ClockCell& cell) {
 const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   const std::uint64_t key = (std::uint64_t{1} << level) + index;
   const std::size_t slot = slot_of(key);
-  ClockCell& cell = cells_[slot];
-  if (!holds(slot, key)) {
+  if (!stored_) {
+    if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
+    store_->clear();
+    stored_ = true;
+  }
+  ClockCell& cell = store_->cells[slot];
+  if (!store_->holds(slot, key)) {
     if (&cell == last_) last_ = nullptr;
-    keys_[slot] = key;
+    store_->keys[slot] = key;
     cell.level = level;
     cell.index = index;
     cell.start = boundary(level, index);
@@ -208,7 +219,7 @@ void LegClock::evaluate(double t, Side& side) {
 const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
   const ClockCell& here = cell(t);
   if (!here.sharp) return this->at(at = t, pp);
-  Marks& known = pp || leg_->translation ? pp_marks_ : qq_marks_;
+  Marks& known = pp || leg_->translation ? store_->pp_marks : store_->qq_marks;
   const double step = (here.end - here.start) * (1.0 / marks);
   const int k = std::min(static_cast<int>((t - here.start) / step), marks - 1);
   const auto slot = static_cast<std::size_t>(k);

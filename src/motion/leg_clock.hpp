@@ -65,7 +65,6 @@ class LegClock {
                      : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 52);
   }
 
-  bool holds(std::size_t slot, std::uint64_t key);
   const ClockCell& at_level(int level, std::uint64_t index);
   const ClockCell& find_cell(double t);
   const ClockCell& find_leaf(double t);
@@ -95,12 +94,20 @@ class LegClock {
   std::uint64_t index_ = 0;
   const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept
   Side pp_{.first = 0}, qq_{.first = 2};  ///< the first one serves both on a translation
-  Marks pp_marks_{.first = 0, .at = {}, .functions = {}}, qq_marks_{.first = 2, .at = {}, .functions = {}};
-  /// Which cell lies in which slot; the scattered ones count once one of them is used. The memory of a cell is not
-  /// touched before it is used.
-  std::array<std::uint64_t, own + scattered> keys_;
-  bool deep_ = false;
-  std::unique_ptr<ClockCell[]> cells_{new ClockCell[own + scattered]};
+  /// What straight legs hardly ever need: the memory is not there before one cell is used, nor touched beyond the cells
+  /// that are.
+  struct Store {
+    Marks pp_marks, qq_marks;
+    /// Which cell lies in which slot; the scattered ones count once one of them is used.
+    std::array<std::uint64_t, own + scattered> keys;
+    bool deep;
+    std::array<ClockCell, own + scattered> cells;
+
+    void clear();
+    bool holds(std::size_t slot, std::uint64_t key);
+  };
+  std::unique_ptr<Store> store_;
+  bool stored_ = false;  ///< the store is this leg's
 };
 
 }  // namespace taut

@@ -35,6 +35,7 @@ class RootBuilder {
   }
 
   RootState run(bool apart) {
+    outside_known_ = apart;
     if (apart) return disjoint();
     place_in_q_.reset(place_.size());
     for (std::size_t j = 0; j < q_.size(); ++j) place_in_q_.touch(q_[j].value) = static_cast<std::uint32_t>(j + 1);
@@ -107,9 +108,9 @@ class RootBuilder {
     const HalfedgeId outer = map_.add_edge(p_[y], q_[q]), inner = map_.add_edge(p_[z], q_[x]);
     start_cycle(node::infinite_face);
     append(outer);
-    append_clockwise(edges_q_, q, x);
+    append_outside(edges_q_, q, x);
     append(PlanarMap::twin(inner));
-    append_clockwise(edges_p_, z, y, true);
+    append_outside(edges_p_, z, y, true);
     close_cycle();
     start_cycle(node::root);
     append(PlanarMap::twin(outer));
@@ -329,6 +330,13 @@ class RootBuilder {
       append(PlanarMap::twin(edges[k]));
     } while (k != to);
   }
+  /// The same for the infinite face; where the map has it around both bodies already, only its ends are new.
+  void append_outside(const std::vector<HalfedgeId>& edges, std::size_t from, std::size_t to, bool around = false) {
+    if (!outside_known_) return append_clockwise(edges, from, to, around);
+    if (from == to && !around) return;
+    append(PlanarMap::twin(edges[(from == 0 ? edges.size() : from) - 1]));
+    last_ = PlanarMap::twin(edges[to]);
+  }
   /// From a_[to] back to a_[from].
   void append_a_backwards(std::size_t from, std::size_t to) {
     for (std::size_t k = to; k > from; --k) append(PlanarMap::twin(edge_a(k - 1)));
@@ -343,6 +351,7 @@ class RootBuilder {
   const std::vector<HalfedgeId>&edges_p_, &edges_q_;
   std::vector<VertexId> p_, q_;           ///< RCH(P), RCH(Q): p_[i] is the origin of edges_p_[i]
   BlockArray<std::uint32_t> place_in_q_;  ///< by vertex: its position in q_ plus 1, or 0
+  bool outside_known_ = false;
   std::size_t exit_ = 0, exit_q_ = 0;
   std::vector<VertexId> a_, b_;
   NodeId label_;

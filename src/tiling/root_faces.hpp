@@ -21,7 +21,7 @@ struct StructureError : std::logic_error {
 };
 
 /// Merges the edges that the two hulls share, marks pinch edges, adds the root's own edges, and links the two faces.
-/// `apart`: the hulls are known to have nothing in common.
+/// `apart`: the hulls are known to have nothing in common, and the map has the infinite face around each of them.
 RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,
                          const std::vector<HalfedgeId>& hull_q, PlanarMap& map, bool apart = false);
 
