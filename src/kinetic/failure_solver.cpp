@@ -124,11 +124,12 @@ void FailureSolver::advance(Certificate& c) {
 /// The certificate is known to hold up to t.
 void FailureSolver::advance_from(Certificate& c, double t) {
   if (t >= leg().end) return set_not_before(c, t);
-  if (const Course near = course_near(c.function, t);
-      near.t < t && sign_of(near.value, 0) == c.sign && advance_along(c, near, t))
-    return;
-  const Course now = course(c.function, t);
-  if (sign_of(now.value, 0) != c.sign || !advance_along(c, now, t)) advance_hard(c, t);
+  const auto advance_by = [&](const Course& now) {
+    return sign_of(now.value, 0) == c.sign && advance_along(c, now, t);
+  };
+  const Course near = course_near(c.function, t);
+  if (advance_by(near) || (near.t < t && advance_by(course(c.function, t)))) return;
+  advance_hard(c, t);
 }
 
 /// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around, so
@@ -137,7 +138,8 @@ double FailureSolver::positive_beyond(const Certificate& c, const Course& now, d
   const FastFunction& f = c.function;
   const double slope = c.sign * now.slope.value - now.slope.error, bend = c.sign * now.bend.value - now.bend.error;
   double reached = now.cell.end;
-  for (const ClockCell* wide = clock_.wider(now.cell); wide; wide = clock_.wider(*wide)) {
+  const auto wider = [&](const ClockPlace& cell) { return now.local ? clock_.outlook(cell) : clock_.wider(cell); };
+  for (const ClockCell* wide = wider(now.cell); wide; wide = wider(*wide)) {
     if (wide->end <= reached) continue;
     const double limit = wide->end - now.t;
     double least_bend;
@@ -147,8 +149,9 @@ double FailureSolver::positive_beyond(const Certificate& c, const Course& now, d
       const Bounded k = f.curvature(wide->curvature(f.pp));
       least_bend = c.sign * k.value - k.error;
     }
-    const double h = positive_until(value, slope, least_bend, limit);
-    if (!(h >= limit)) return std::max(reached, below(now.t + h));
+    if (!positive_throughout(value, slope, least_bend, limit)) {
+      return std::max(reached, below(now.t + positive_until(value, slope, least_bend, limit)));
+    }
     reached = wide->end;
     if (--cells == 0) break;
   }
@@ -296,17 +299,17 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
       c.function = before;
     }
   }
-  advance_precise(c, PreciseTime::between(t, t));
+  advance_precise(c, precise_of(c), PreciseTime::between(t, t));
 }
 
 /// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
-void FailureSolver::advance_precise(Certificate& c, const PreciseTime& from) {
+void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from) {
   ++counts_.precise;
   // Events may crowd closer to the end of the leg than doubles can tell.
   const double t = from.last().floor();
   if (t >= leg().end) return set_not_before(c, leg().end);
   const double to = clock_.cell(std::max(t, leg().start)).end;
-  if (const auto found = precise_of(c).first_failure(c.sign, from, to)) {
+  if (const auto found = function.first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
     release(c);
@@ -325,10 +328,13 @@ bool FailureSolver::widen(const FastFunction& f, Course& course, double start, d
 }
 
 /// The sign over [now.lo, now.hi], where `course` is taken at now.at.
-int FailureSolver::sign_during(const FastFunction& f, Course course, const Now& now) {
+int FailureSolver::sign_during(const FastFunction& f, const Course& course, const Now& now) {
   const double reach = std::max(now.hi - now.at, now.at - now.lo);
   if (!(reach > 0)) return sign_of(course.value, 0);
-  if (!widen(f, course, now.lo, now.hi)) return 0;
+  if (course.cell.start > now.lo || course.cell.end < now.hi) {
+    Course wide = course;
+    return widen(f, wide, now.lo, now.hi) ? sign_during(f, wide, now) : 0;
+  }
   const double steepest = std::fabs(course.slope.value) + course.slope.error + course.slope_change(reach);
   return sign_of(course.value, reach * steepest * (1 + 0x1p-40));
 }
@@ -362,7 +368,7 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
     c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
     if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
     if (advance_from_zero(c, now)) return;
-    advance_precise(c, precise_now(now).last());
+    advance_precise(c, precise_of(c), precise_now(now).last());
     return;
   }
   if (start_in_doubles(c, now)) return;
@@ -373,8 +379,9 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
     if (start_in_doubles(c, now)) return;
     std::swap(c.function, next);
   }
-  c.sign = static_cast<std::int8_t>(precise_sign(precise_of(c), now));
-  if (!advance_from_zero(c, now)) advance_precise(c, precise_now(now));
+  const PreciseTriple precise = precise_of(c);
+  c.sign = static_cast<std::int8_t>(precise_sign(precise, now));
+  if (!advance_from_zero(c, now)) advance_precise(c, precise, precise_now(now));
 }
 
 /// By the certificate's function as it stands, if that shows a sign at the present.

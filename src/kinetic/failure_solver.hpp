@@ -138,7 +138,7 @@ class FailureSolver {
   void newton(Certificate& c);
   bool newton_step(Certificate& c, const Course& here);
   void advance_hard(Certificate& c, double t);
-  void advance_precise(Certificate& c, const PreciseTime& from);
+  void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
   void set_isolated(Certificate& c, const PreciseTime& t);
   void sharpen(Certificate& c, int stage);
   void set_not_before(Certificate& c, double t);
@@ -148,7 +148,7 @@ class FailureSolver {
   int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
   int precise_sign(const PreciseTriple& precise, Now& now);
   bool widen(const FastFunction& f, Course& course, double start, double end);
-  int sign_during(const FastFunction& f, Course course, const Now& now);
+  int sign_during(const FastFunction& f, const Course& course, const Now& now);
 
   const PairGeometry& geometry_;
   LegClock clock_;

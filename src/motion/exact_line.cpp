@@ -83,20 +83,23 @@ bool ExactLine::add_change(NearlyExact<Terms>& value, double time) const {
 
 template <std::size_t Terms>
 void ExactLine::begin(NearlyExact<Terms>& value, double sign) const {
-  for (std::size_t i = 0; i < start_.size(); ++i) value.sum.add(sign * start_.term(i));
+  value.sum.assign(start_, sign);
   value.negligible = std::max(0x1p-300 * std::fabs(start_.approximate()), 0x1p-1000);
 }
 
 int ExactLine::sign_over(const PreciseTime& t) const {
   NearlyExact<start_terms + 2 * slope_terms * FineNumber::capacity> value;
   begin(value, 1);
+  const double slope = std::fabs(slope_.approximate()), width = t.fine_width();
   const FineNumber& first = t.fine_lo();
-  for (std::size_t k = first.size(); k-- > 0;) {
-    if (!add_change(value, first.part(k))) return 0;
+  for (std::size_t k = first.size();; --k) {
+    // Parts from k on are in; what the others add to the instant is less than twice the largest of them.
+    const double open = k > 0 ? 2 * std::fabs(first.part(k - 1)) : 0;
+    if (std::fabs(value.sum.approximate()) > (value.error + slope * (open + width)) * (1 + 0x1p-40)) {
+      return value.sum.sign();
+    }
+    if (k == 0 || !add_change(value, first.part(k - 1))) return 0;
   }
-  const double change = std::fabs(slope_.approximate()) * t.fine_width();
-  if (!(std::fabs(value.sum.approximate()) > (value.error + change) * (1 + 0x1p-40))) return 0;
-  return value.sum.sign();
 }
 
 std::optional<PreciseTime> ExactLine::root(int stage, double enough) const {

@@ -48,7 +48,10 @@ void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries
   m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
   m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
   m.error_dd[i] = known_or_infinite(error_dd * (1 + 0x1p-40) + underflow_slack);
-  m.third[i] = known_or_infinite((vague_ddd + size_ddd) * (1 + 0x1p-40) + underflow_slack);
+  // The one from the series over the interval is far better where that is long.
+  const double by_middle = known_or_infinite((vague_ddd + size_ddd) * (1 + 0x1p-40) + underflow_slack);
+  const double by_range = over.terms > 3 ? 6 * over.c[3].magnitude() : 0;
+  m.third[i] = by_range < by_middle ? by_range * (1 + 0x1p-40) : by_middle;
   if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
 }
 
@@ -87,6 +90,15 @@ bool FrameModel::sharp() const {
   return finite();
 }
 
+bool FrameModel::barely_sharp() const {
+  // 2^9, with room for functions that are several times as large over the longer interval.
+  constexpr double growth = 0x1p6;
+  for (int i = 0; i < functions; ++i) {
+    if (growth * remainder[i] > std::max(0x1p-47 * scale(i), noise[i]) + negligible) return true;
+  }
+  return false;
+}
+
 bool FrameModel::hopeless() const {
   for (const double bound : noise) {
     if (!(bound < INFINITY)) return true;
@@ -94,8 +106,8 @@ bool FrameModel::hopeless() const {
   return false;
 }
 
-bool FrameModel::straight() const {
-  constexpr double share = 0x1p-4, least = 0x1p-10;
+bool FrameModel::straight(double slack) const {
+  const double share = 0x1p-4 * slack, least = 0x1p-10 * slack;
   for (int i = 0; i < functions; ++i) {
     // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
     const double way = share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i];

@@ -52,10 +52,13 @@ struct FrameModel {
   bool finite() const;
   /// What the polynomials leave out is no more than rounding: shorter intervals would not have better bounds of values.
   bool sharp() const;
+  /// An interval twice as long would hardly be sharp: what is left out grows with the power that comes next.
+  bool barely_sharp() const;
   /// Not even the middle of the interval has finite bounds: shorter intervals would not help.
   bool hopeless() const;
   /// The second order is off by little, measured by what the first order covers: steps by bend are nearly the longest.
-  bool straight() const;
+  /// With `slack` it may be off by so many times as much.
+  bool straight(double slack = 1) const;
 
   double start, end, middle, radius;
   int terms;                          ///< coefficients in use, the same for all functions

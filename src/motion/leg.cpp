@@ -287,6 +287,9 @@ FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { retu
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }
 
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
+FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
+  return motion_frame<ThirdSeries>(leg, t);
+}
 
 FrameOf<EndSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
   return motion_frame<EndSeries<Real320>>(leg, t);

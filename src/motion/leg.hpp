@@ -93,6 +93,10 @@ FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
 /// Its Taylor series about the ball t (not of a bridge).
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
 
+/// The first terms of that series.
+using ThirdSeries = Series<double, 3>;
+FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
+
 /// Its Taylor series in s about a place near a singular end.
 inline constexpr int end_degree = 9;
 template <class Real>

@@ -52,6 +52,9 @@ FastSide evaluate_exactly(const Leg& leg, double t, int first) {
 /// Shorter cells than this share of the leg lie at a singular instant.
 constexpr int deepest = 40;
 
+/// Steps from values in the middle of a cell go by bounds of the third order, which do not ask for short cells.
+constexpr double slack = 4;
+
 /// The side whose first two functions are the model's functions `first` and `first` + 1.
 void evaluate_model(const FrameModel& m, double t, int first, FastSide& s) {
   double value[4], slope[4];
@@ -70,6 +73,16 @@ void evaluate_model(const FrameModel& m, double t, int first, FastSide& s) {
   s.error_bd = m.error_d[4] + m.error_d[5] + rounding * (std::fabs(s.d[3]) + std::fabs(s.d[4]));
   s.error_add = m.error_dd[first] + m.error_dd[first + 1] + rounding * (std::fabs(s.dd[0]) + std::fabs(s.dd[1]));
   s.error_bdd = m.error_dd[4] + m.error_dd[5] + rounding * (std::fabs(s.dd[2]) + std::fabs(s.dd[3]));
+}
+
+FastThird third_of(const std::array<ThirdSeries, 5>& over) {
+  FastThird third{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ThirdSeries& f = over[i + 1];
+    const double most = f.terms > 3 ? 6 * f.c[3].magnitude() * (1 + 0x1p-40) : 0;
+    third.most[i] = most >= 0 ? most : INFINITY;
+  }
+  return third;
 }
 
 FastThird third_of(const FrameModel& m, int first) {
@@ -111,6 +124,7 @@ void LegClock::Store::clear() {
   pp_marks.at.fill(NAN);
   qq_marks.at.fill(NAN);
   std::fill_n(keys.begin(), own, 0);
+  outlook_known.fill(false);
   deep = false;
 }
 
@@ -140,7 +154,7 @@ std::uint64_t LegClock::index_of(int level, double t) const {
 
 void LegClock::make(ClockCell& cell) {
   cell.leaf = true;
-  cell.sharp = false;
+  cell.sharp = cell.widest = false;
   if (leg_->bridge) {
     const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
     cell.pp = fast_curvature(f.for_pp);
@@ -151,7 +165,8 @@ void LegClock::make(ClockCell& cell) {
   cell.sharp = cell.model.sharp();
   const bool divisible = cell.level < deepest && boundary(cell.level + 1, 2 * cell.index + 1) > cell.start &&
                          boundary(cell.level + 1, 2 * cell.index + 1) < cell.end;
-  cell.leaf = !divisible || (cell.sharp && cell.model.straight()) || cell.model.hopeless();
+  cell.leaf = !divisible || (cell.sharp && cell.model.straight(slack)) || cell.model.hopeless();
+  cell.widest = cell.leaf && cell.sharp && cell.model.barely_sharp();
   cell.pp = curvature_of(cell.model, 0);
   cell.qq = curvature_of(cell.model, 2);
   cell.pp_third = third_of(cell.model, 0);
@@ -179,6 +194,13 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   return cell;
 }
 
+void LegClock::place(ClockCell& cell, int level, std::uint64_t index) const {
+  cell.level = level;
+  cell.index = index;
+  cell.start = boundary(level, index);
+  cell.end = boundary(level, index + 1);
+}
+
 const ClockCell& LegClock::find_cell(double t) {
   const ClockCell& found = find_leaf(t);
   level_ = found.level;
@@ -187,11 +209,16 @@ const ClockCell& LegClock::find_cell(double t) {
   return found;
 }
 
-/// The largest leaf around t. The way starts at the smallest cell around it and the leaf last found, which is no leaf
-/// (or that very leaf): everything larger is none either.
+/// The largest leaf around t, which is mostly as large as the one last found. If that is not seen at once, the way
+/// starts at the smallest cell around t and that one, which is no leaf (or that very leaf): everything larger is none
+/// either.
 const ClockCell& LegClock::find_leaf(double t) {
   int level = level_;
   std::uint64_t index = index_of(level, t), last = index_;
+  if (index != last) {
+    const ClockCell& next = at_level(level, index);
+    if (next.widest) return next;
+  }
   for (; index != last; index /= 2, last /= 2) --level;
   const ClockCell* cell = &at_level(level, index);
   while (!cell->leaf) {
@@ -203,6 +230,23 @@ const ClockCell& LegClock::find_leaf(double t) {
 
 const ClockCell* LegClock::wider(const ClockPlace& cell) {
   return cell.level > 0 ? &at_level(cell.level - 1, cell.index / 2) : nullptr;
+}
+
+const ClockCell* LegClock::outlook(const ClockPlace& cell) {
+  if (cell.level == 0) return nullptr;
+  const int level = cell.level - 1;
+  const std::uint64_t index = cell.index / 2, key = (std::uint64_t{1} << level) + index;
+  if (key >= own || store_->keys[key] == key) return &at_level(level, index);
+  ClockCell& wide = store_->cells[key];
+  if (!store_->outlook_known[key]) {
+    store_->outlook_known[key] = true;
+    place(wide, level, index);
+    wide.leaf = wide.sharp = wide.widest = false;
+    const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
+    wide.pp_third = third_of(over.for_pp);
+    wide.qq_third = third_of(over.for_qq);
+  }
+  return &wide;
 }
 
 void LegClock::evaluate(double t, Side& side) {

@@ -15,8 +15,9 @@ struct ClockPlace {
   int level;            ///< the leg is cut into 2^level parts,
   std::uint64_t index;  ///< and this is one of them
   double start, end;
-  bool leaf;   ///< fine enough: values come from this cell
-  bool sharp;  ///< the model's values are good; if not, the frame itself is evaluated
+  bool leaf;    ///< fine enough: values come from this cell
+  bool sharp;   ///< the model's values are good; if not, the frame itself is evaluated
+  bool widest;  ///< a leaf, and the next larger cell is as good as certainly none
 };
 
 /// The same with a model of the frame over it.
@@ -55,6 +56,8 @@ class LegClock {
   const ClockCell& cell(double t) { return last_ && t >= last_->start && t < last_->end ? *last_ : find_cell(t); }
   /// The next larger cell around this one; none around the whole leg.
   const ClockCell* wider(const ClockPlace& cell);
+  /// The same, with nothing but its place and third derivatives: far cheaper to make.
+  const ClockCell* outlook(const ClockPlace& cell);
 
  private:
   /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
@@ -66,6 +69,7 @@ class LegClock {
   }
 
   const ClockCell& at_level(int level, std::uint64_t index);
+  void place(ClockCell& cell, int level, std::uint64_t index) const;
   const ClockCell& find_cell(double t);
   const ClockCell& find_leaf(double t);
   double boundary(int level, std::uint64_t index) const;
@@ -101,6 +105,7 @@ class LegClock {
     /// Which cell lies in which slot; the scattered ones count once one of them is used.
     std::array<std::uint64_t, own + scattered> keys;
     bool deep;
+    std::array<bool, own> outlook_known;
     std::array<ClockCell, own + scattered> cells;
 
     void clear();

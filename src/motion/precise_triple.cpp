@@ -1,6 +1,5 @@
 #include "motion/precise_triple.hpp"
 
-#include "motion/exact_line.hpp"
 #include "motion/placement.hpp"
 #include "numeric/root_isolation.hpp"
 
@@ -105,17 +104,14 @@ std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const
   return std::nullopt;
 }
 
-/// The function as a line, if it is one and nothing underflows.
-std::optional<ExactLine> line_of(const Leg& leg, const PairGeometry& geometry, const MixedTriple& triple,
-                                 Measure measure) {
-  std::optional<ExactLine> line;
-  if (!ExactLine::fits(leg)) return line;
-  line.emplace(leg, geometry, triple, measure);
-  if (!line->exact()) line.reset();
-  return line;
-}
-
 }  // namespace
+
+/// The function as a line, if it is one and nothing underflows.
+const ExactLine* PreciseTriple::line() const {
+  if (!ExactLine::fits(leg_)) return nullptr;
+  if (!line_) line_.emplace(leg_, geometry_, triple_, measure_);
+  return line_->exact() ? &*line_ : nullptr;
+}
 
 template <class Real>
 void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
@@ -130,8 +126,8 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
 
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
   if (t.fine()) {
-    const auto line = line_of(leg_, geometry_, triple_, measure_);
-    if (const int sign = line ? line->sign_over(t) : 0) return sign;
+    const ExactLine* const exact = line();
+    if (const int sign = exact ? exact->sign_over(t) : 0) return sign;
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
@@ -142,11 +138,11 @@ int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
 /// Of a function that is a line: when it changes its sign.
 PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTime& from, double to) const {
   if (from.stage > 0) return {};
-  const auto line = line_of(leg_, geometry_, triple_, measure_);
-  if (!line) return {};
+  const ExactLine* const exact = line();
+  if (!exact) return {};
   // The sign holds just after `from`.
-  if (line->slope_sign() != -sign) return {true, std::nullopt};
-  const std::optional<PreciseTime> root = line->root(0);
+  if (exact->slope_sign() != -sign) return {true, std::nullopt};
+  const std::optional<PreciseTime> root = exact->root(0);
   if (!root) return {};
   const FineNumber end(to);
   if (root->fine_lo().compare(end) > 0) return {true, std::nullopt};
@@ -184,8 +180,8 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
 bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {
   if (t.stage >= stage) return true;
   if (stage == 0) {
-    const auto line = line_of(leg_, geometry_, triple_, measure_);
-    if (const auto root = line && line->slope_sign() != 0 ? line->root(stage, enough) : std::nullopt) {
+    const ExactLine* const exact = line();
+    if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
       t = *root;
       return true;
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "motion/exact_line.hpp"
 #include "motion/mixed_function.hpp"
 #include "motion/precise_time.hpp"
 #include "numeric/root_isolation.hpp"
@@ -33,6 +34,7 @@ class PreciseTriple {
     std::optional<PreciseTime> time;
   };
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
+  const ExactLine* line() const;
   template <class Real>
   void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
 
@@ -40,6 +42,7 @@ class PreciseTriple {
   const PairGeometry& geometry_;
   MixedTriple triple_;
   Measure measure_;
+  mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };
 
 }  // namespace taut

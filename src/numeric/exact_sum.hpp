@@ -34,8 +34,13 @@ class ExactSum {
  public:
   void add(double x) {
     std::size_t kept = 0;
+    if constexpr (Capacity > 16) {
+      // Components below half a unit in the last place of x stay as they are: there are many in a long sum.
+      const double small = 0x1p-54 * std::fabs(x);
+      while (kept < size_ && std::fabs(terms_[kept]) < small) ++kept;
+    }
     double carry = x;
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t i = kept; i < size_; ++i) {
       const TwoDoubles t = two_sum(carry, terms_[i]);
       carry = t.hi;
       if (t.lo != 0) terms_[kept++] = t.lo;
@@ -49,6 +54,14 @@ class ExactSum {
     add(p.hi);
   }
   void subtract_product(double a, double b) { add_product(-a, b); }
+
+  /// Becomes sign * other, where sign is 1 or -1.
+  template <std::size_t Other>
+  void assign(const ExactSum<Other>& other, double sign) {
+    static_assert(Other <= Capacity);
+    size_ = other.size();
+    for (std::size_t i = 0; i < size_; ++i) terms_[i] = sign * other.term(i);
+  }
 
   bool is_zero() const { return size_ == 0; }
   /// -1, 0 or +1: exact.

@@ -52,6 +52,12 @@ class FineNumber {
   /// The largest double not above, and the smallest not below.
   double floor() const {
     double x = leading();
+    if (size_ < 2) return x;
+    // The rest is less than twice its largest part: usually far less than the distance to the next double.
+    const double next_part = part_[size_ - 2];
+    if (std::fabs(next_part) < 0x1p-55 * std::fabs(x) && std::fabs(x) > 0x1p-900) {
+      return next_part > 0 ? x : std::nextafter(x, -INFINITY);
+    }
     while (compare(FineNumber(x)) < 0) x = std::nextafter(x, -INFINITY);
     for (double next; compare(FineNumber(next = std::nextafter(x, INFINITY))) >= 0;) x = next;
     return x;
@@ -61,6 +67,9 @@ class FineNumber {
  private:
   /// Of the first i parts and the other's first k.
   int compare_rest(std::size_t i, const FineNumber& o, std::size_t k) const {
+    // The largest part has the sign of all.
+    if (k == 0) return i == 0 ? 0 : (part_[i - 1] > 0 ? 1 : -1);
+    if (i == 0) return o.part_[k - 1] > 0 ? -1 : 1;
     ExactSum<2 * capacity> difference;
     while (i-- > 0) difference.add(part_[i]);
     while (k-- > 0) difference.add(-o.part_[k]);

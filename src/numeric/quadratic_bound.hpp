@@ -28,20 +28,25 @@ inline double positive_until(double a, double b, double c, double limit) {
   return h < limit ? h : (h >= limit ? limit : 0);
 }
 
+/// Is a + b h + c h^2/2 > 0 on (0, limit) certain? Most functions stay positive for long, and what is certain at a
+/// glance costs no root. False if anything is unknown.
+inline bool positive_throughout(double a, double b, double c, double limit) {
+  const double end = a + limit * (b + c * limit * 0.5);
+  const double rounding = 0x1p-49 * (a + limit * (std::fabs(b) + std::fabs(c) * limit));
+  // No valley within: it bends down, or rises from the first, or falls to the end. Or none that is deep enough.
+  const bool no_valley = (c <= 0) | (b >= 0) | (b + c * limit <= 0) | (b * b < 2 * a * c * (1 - 0x1p-49));
+  return (a >= 0) & (end > rounding) & no_valley;
+}
+
 /// The same, about, of a + b h + c h^2/2 - d h^3/6, d >= 0: up to any H that is at least (c - d H/3) h^2/2 there, and
 /// the nearer H, the better.
 inline double positive_until(double a, double b, double c, double d, double limit) {
+  if (positive_throughout(a, b, c - d * limit * one_third, limit)) return limit;
   double h = positive_until(a, b, c - d * limit * one_third, limit);
-  if (!(d > 0)) return h;
-  for (int step = 0; step < 3 && h > 0 && h < limit; ++step) {
-    const double within = h + h < limit ? h + h : limit;
-    const double further = positive_until(a, b, c - d * within * one_third, within);
-    if (!(further > h)) break;
-    const bool all = further >= within, close = further < 1.125 * h;
-    h = further;
-    if (!all && close) break;
-  }
-  return h;
+  if (!(d > 0) || !(h > 0) || h >= limit) return h;
+  const double within = h + h < limit ? h + h : limit;
+  const double further = positive_until(a, b, c - d * within * one_third, within);
+  return further > h ? further : h;
 }
 
 /// Some h such that a + b h + c h^2/2 <= 0 is certain there, close to the first root; infinity if there may be none.

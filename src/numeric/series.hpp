@@ -107,11 +107,10 @@ Series<Real, N> operator-(const Series<Real, N>& a, const Series<Real, N>& b) {
   return r;
 }
 /// The sum of a[i] b[k - i], i = first .. last.
-template <class Real, std::size_t Terms>
-Ball<Real> convolution(const std::array<Ball<Real>, Terms>& a, const std::array<Ball<Real>, Terms>& b, int first,
-                       int last, int k) {
+template <class Real>
+Ball<Real> convolution(const Ball<Real>* a, const Ball<Real>* b, int first, int last, int k) {
   if constexpr (std::is_same_v<Real, double>) {
-    if (const auto sum = finite_convolution(a.data(), b.data(), first, last, k)) return *sum;
+    if (const auto sum = finite_convolution(a, b, first, last, k)) return *sum;
   }
   Ball<Real> sum = a[first] * b[k - first];
   for (int i = first + 1; i <= last; ++i) sum = sum + a[i] * b[k - i];
@@ -121,7 +120,7 @@ template <class Real, int N>
 Series<Real, N> operator*(const Series<Real, N>& a, const Series<Real, N>& b) {
   auto r = Series<Real, N>::of_terms(std::min(a.terms + b.terms - 1, N + 1));
   for (int k = 0; k <= N && k < r.terms; ++k) {
-    r.c[k] = convolution(a.c, b.c, std::max(0, k - b.terms + 1), std::min(k, a.terms - 1), k);
+    r.c[k] = convolution(a.c.data(), b.c.data(), std::max(0, k - b.terms + 1), std::min(k, a.terms - 1), k);
   }
   return r;
 }
@@ -163,8 +162,8 @@ void sin_cos(const Series<Real, N>& a, Series<Real, N>& sine, Series<Real, N>& c
   for (int k = 1; k <= N && k < sine.terms; ++k) {
     const Ball<Real> divisor = Ball<Real>::exact(k);
     const int last = std::min(k, a.terms - 1);
-    sine.c[k] = convolution(slope, cosine.c, 1, last, k) / divisor;
-    cosine.c[k] = -convolution(slope, sine.c, 1, last, k) / divisor;
+    sine.c[k] = convolution(slope.data(), cosine.c.data(), 1, last, k) / divisor;
+    cosine.c[k] = -convolution(slope.data(), sine.c.data(), 1, last, k) / divisor;
   }
 }
 

@@ -38,6 +38,34 @@ TEST(ExactSum, SumsOfProductsAreExact) {
   }
 }
 
+/// Long sums leave alone what is far below a new term: it must not show.
+TEST(ExactSum, TermsOfAllSizesInAnyOrder) {
+  Rng rng(2);
+  for (int i = 0; i < 4000; ++i) {
+    ExactSum<24> sum;
+    Real960 exact = 0;
+    for (int k = 0; k < 20; ++k) {
+      double x = std::ldexp(rng.sign() * (rng.chance(0.3) ? 1 : rng.real(1, 2)), rng.between(-150, 150));
+      if (sum.size() > 0 && rng.chance(0.3)) {
+        // About half a unit in the last place of a term, or of its neighbours in the other direction.
+        x = std::ldexp(sum.term(static_cast<std::size_t>(rng.below(static_cast<int>(sum.size())))),
+                       rng.between(52, 55));
+      }
+      sum.add(x);
+      exact += Real960(x);
+    }
+    Real960 seen = 0;
+    for (std::size_t k = 0; k < sum.size(); ++k) seen += Real960(sum.term(k));
+    EXPECT_EQ(seen, exact);
+    EXPECT_EQ(sum.sign(), exact > 0 ? 1 : (exact < 0 ? -1 : 0));
+    ExactSum<32> turned;
+    turned.assign(sum, -1);
+    EXPECT_EQ(turned.sign(), -sum.sign());
+    EXPECT_EQ(turned.size(), sum.size());
+    for (std::size_t k = 0; k < sum.size(); ++k) EXPECT_EQ(turned.term(k), -sum.term(k));
+  }
+}
+
 TEST(ExactSum, CancellationLeavesExactlyZero) {
   ExactSum<16> sum;
   sum.add_product(0.1, 0.3);
