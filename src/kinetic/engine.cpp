@@ -75,20 +75,24 @@ void Engine::add_certificates(const Placement& placement) {
 void Engine::add_certificates_beside(HalfedgeId edge, const Placement& placement) {
   for (const HalfedgeId side : {edge, PlanarMap::twin(edge)}) {
     for (const HalfedgeId h : {map_.previous(side), side}) {
-      if (certificate_of_.get(h.value).valid() || !is_mixed_corner(h)) continue;
-      Certificate& c = certificates_[add_certificate(h).value];
+      if (certificate_of_.get(h.value).valid()) continue;
+      const Corner at = corner(h);
+      if (!is_mixed(at)) continue;
+      Certificate& c = certificates_[add_certificate(h, at).value];
       c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
     }
   }
 }
 
-bool Engine::is_mixed_corner(HalfedgeId h) const {
-  if (map_.is_interior(h)) return false;
-  const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
-  return u != w && !(geometry_.same_body(u, v) && geometry_.same_body(v, w));
+Engine::Corner Engine::corner(HalfedgeId h) const {
+  return {map_.origin(h), map_.target(h), map_.target(map_.next(h))};
 }
 
-CertificateId Engine::add_certificate(HalfedgeId h) {
+bool Engine::is_mixed(const Corner& c) const {
+  return c.u != c.w && !(geometry_.same_body(c.u, c.v) && geometry_.same_body(c.v, c.w));
+}
+
+CertificateId Engine::add_certificate(HalfedgeId h, const Corner& vertices) {
   CertificateId id;
   if (free_.empty()) {
     id = CertificateId(certificates_.size());
@@ -101,9 +105,9 @@ CertificateId Engine::add_certificate(HalfedgeId h) {
   }
   Certificate& c = certificates_[id.value];
   c.corner = h;
-  c.u = map_.origin(h);
-  c.v = map_.target(h);
-  c.w = map_.target(map_.next(h));
+  c.u = vertices.u;
+  c.v = vertices.v;
+  c.w = vertices.w;
   certificate_of_.touch(h.value) = id;
   ++active_;
   return id;
@@ -122,21 +126,21 @@ void Engine::drop_corner(HalfedgeId h) {
 }
 
 void Engine::update_corner(HalfedgeId h, Now& now) {
-  if (!is_mixed_corner(h)) {
+  const Corner at = corner(h);
+  if (!is_mixed(at)) {
     drop_corner(h);
     return;
   }
   CertificateId id = certificate_of_.get(h.value);
-  const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
   if (id.valid()) {
     Certificate& c = certificates_[id.value];
     // The corners of a vanished triangle live on in the face across: same half-edge, same vertices, other sign.
-    if (c.u == u && c.v == v && c.w == w && !now.concerns(u, v, w)) return;
-    c.u = u;
-    c.v = v;
-    c.w = w;
+    if (c.u == at.u && c.v == at.v && c.w == at.w && !now.concerns(at.u, at.v, at.w)) return;
+    c.u = at.u;
+    c.v = at.v;
+    c.w = at.w;
   } else {
-    id = add_certificate(h);
+    id = add_certificate(h, at);
   }
   solver_.start_at(certificates_[id.value], now);
   leave_open(id);

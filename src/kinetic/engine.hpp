@@ -105,8 +105,13 @@ class Engine {
   HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
   void update_corner(HalfedgeId h, Now& now);
   void drop_corner(HalfedgeId h);
-  bool is_mixed_corner(HalfedgeId h) const;
-  CertificateId add_certificate(HalfedgeId h);
+  /// The vertices of the corner that h enters.
+  struct Corner {
+    VertexId u, v, w;
+  };
+  Corner corner(HalfedgeId h) const;
+  bool is_mixed(const Corner& c) const;
+  CertificateId add_certificate(HalfedgeId h, const Corner& vertices);
   void enter_leg();
   void leave_region();
   bool choose_region(double t);

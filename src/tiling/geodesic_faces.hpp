@@ -29,6 +29,7 @@ std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const Fre
 /// A polygon that contains a body: some subtrees' chains are replaced by their geodesics, which are in the map already.
 struct Outline {
   std::vector<bool> open;                 ///< by heap number: is the node's geodesic still to be found?
+  std::vector<std::uint32_t> open_nodes;  ///< those for which it is, by heap number
   std::vector<HalfedgeId> edges;          ///< the polygon's edges, counterclockwise, body on the left
   std::vector<std::uint32_t> leaf_edges;  ///< how many of them stand for each closed subtree, in order
 };

@@ -25,6 +25,7 @@ class OutlineBuilder {
     const std::uint32_t k = shape_.tree.heap(n);
     if (!shape_.tree.is_leaf(n) && (near_[k] || !shape_.by_itself[k])) {
       out_.open[k] = true;
+      out_.open_nodes.push_back(k);
       visit(node::left(n));
       visit(node::right(n));
     } else {
@@ -219,13 +220,12 @@ class Joiner {
   /// The edges that only open nodes' geodesics run along.
   void remove_faces(const ShapeTiling& shape, const Outline& outline, const PlanarMap::Renumbering& number) {
     doomed_.clear();
-    const std::uint32_t n = shape.tree.leaves();
     const PlanarMap& map = shape.map;
     const auto is_open = [&](NodeId node) {
       return node == node::infinite_face || outline.open[shape.tree.heap(node)];
     };
-    for (std::uint32_t k = 1; k < n; ++k) {
-      if (!outline.open[k] || !shape.face[k].valid()) continue;
+    for (const std::uint32_t k : outline.open_nodes) {
+      if (!shape.face[k].valid()) continue;
       HalfedgeId h = shape.face[k];
       do {
         if (!map.is_polygon_edge(h) && is_open(map.node(PlanarMap::twin(h)))) doomed_.push_back(number(h));
