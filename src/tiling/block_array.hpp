@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -35,7 +34,9 @@ class BlockArray {
   void reset(std::size_t elements) {
     blocks_ = (elements + block_size - 1) / block_size;
     memory_.reset(static_cast<std::byte*>(::operator new(bytes())));
-    std::memset(flags(), 0, blocks_);
+    elements_ = reinterpret_cast<T*>(memory_.get());
+    flags_ = reinterpret_cast<std::uint8_t*>(memory_.get() + blocks_ * block_size * sizeof(T));
+    std::memset(flags_, 0, blocks_);
   }
   std::size_t capacity() const { return blocks_ * block_size; }
   std::size_t bytes() const { return blocks_ * (block_size * sizeof(T) + 1); }
@@ -45,18 +46,18 @@ class BlockArray {
   }
 
   /// Is the element's block there?
-  bool has(std::size_t i) const { return flags()[i / block_size] != 0; }
+  bool has(std::size_t i) const { return flags_[i / block_size] != 0; }
   /// An element of a block that is there.
-  const T& operator[](std::size_t i) const { return data()[i]; }
+  const T& operator[](std::size_t i) const { return elements_[i]; }
   /// Any element; T() where nothing has been written.
-  T get(std::size_t i) const { return has(i) ? data()[i] : T(); }
+  T get(std::size_t i) const { return has(i) ? elements_[i] : T(); }
   /// An element to be written. If its block is not there yet, make(first, block) is called: `block` holds 16 elements
   /// T(), of which the first is number `first`.
   template <class Make>
   T& touch(std::size_t i, const Make& make) {
     if (!has(i)) [[unlikely]]
       fill(i / block_size, make);
-    return data()[i];
+    return elements_[i];
   }
   T& touch(std::size_t i) {
     return touch(i, [](std::size_t, T*) {});
@@ -64,7 +65,7 @@ class BlockArray {
   /// Calls visit(begin, end) for each block that is there, in order.
   template <class Visit>
   void for_each_block(const Visit& visit) const {
-    const std::uint8_t *begin = flags(), *end = begin + blocks_;
+    const std::uint8_t *begin = flags_, *end = begin + blocks_;
     for (const std::uint8_t* f = begin; f != end; ++f) {
       f = static_cast<const std::uint8_t*>(std::memchr(f, 1, static_cast<std::size_t>(end - f)));
       if (!f) return;
@@ -78,29 +79,21 @@ class BlockArray {
     void operator()(std::byte* memory) const { ::operator delete(memory); }
   };
 
-  T* data() { return std::launder(reinterpret_cast<T*>(memory_.get())); }
-  const T* data() const { return std::launder(reinterpret_cast<const T*>(memory_.get())); }
-  /// One for each block, behind the elements.
-  std::uint8_t* flags() { return reinterpret_cast<std::uint8_t*>(memory_.get() + blocks_ * block_size * sizeof(T)); }
-  const std::uint8_t* flags() const {
-    return reinterpret_cast<const std::uint8_t*>(memory_.get() + blocks_ * block_size * sizeof(T));
-  }
-
   template <class Make>
   [[gnu::noinline]] void fill(std::size_t block, const Make& make) {
     const std::size_t first = block * block_size;
-    T* elements = reinterpret_cast<T*>(memory_.get()) + first;
-    std::uninitialized_value_construct_n(elements, block_size);
-    make(first, elements);
-    flags()[block] = 1;
+    T* made = elements_ + first;
+    std::uninitialized_value_construct_n(made, block_size);
+    make(first, made);
+    flags_[block] = 1;
   }
   void assign(const BlockArray& other, std::size_t blocks) {
     reset(blocks * block_size);
     for (std::size_t b = 0; b < other.blocks_; ++b) {
-      if (other.flags()[b] == 0) continue;
-      const std::size_t at = b * block_size * sizeof(T);
-      std::memcpy(memory_.get() + at, other.memory_.get() + at, block_size * sizeof(T));
-      flags()[b] = 1;
+      if (other.flags_[b] == 0) continue;
+      const std::size_t first = b * block_size;
+      std::uninitialized_copy_n(other.elements_ + first, block_size, elements_ + first);
+      flags_[b] = 1;
     }
   }
   void assign_larger(BlockArray& other, std::size_t elements) {
@@ -110,10 +103,14 @@ class BlockArray {
   void swap(BlockArray& other) noexcept {
     std::swap(blocks_, other.blocks_);
     std::swap(memory_, other.memory_);
+    std::swap(elements_, other.elements_);
+    std::swap(flags_, other.flags_);
   }
 
   std::size_t blocks_ = 0;
   std::unique_ptr<std::byte, Free> memory_;
+  T* elements_ = nullptr;
+  std::uint8_t* flags_ = nullptr;  ///< one for each block, behind the elements
 };
 
 }  // namespace taut
