@@ -14,21 +14,20 @@ using Clock = std::chrono::steady_clock;
 
 void conclude(const Session& session, Answer& answer) {
   const Engine& engine = session.engine();
-  const Scene& scene = session.scene();
   answer.events = engine.events();
   answer.certificates_initial = engine.initial_certificates();
   answer.certificates_max = engine.max_certificates();
-  answer.free_until = std::clamp(answer.free_until, scene.start, scene.end);
+  answer.free_until = std::clamp(answer.free_until, session.start(), session.end());
   if (session.overlap_at_start()) {
     answer.outcome = Outcome::overlap_at_start;
-    answer.free_until = scene.start;
+    answer.free_until = session.start();
   } else if (session.contact()) {
     answer.outcome = Outcome::contact;
     answer.contact = session.contact();
     answer.free_until = answer.contact->time.lo;
   } else if (answer.reason.empty() && engine.state() == EngineState::finished) {
     answer.outcome = Outcome::free;
-    answer.free_until = scene.end;
+    answer.free_until = session.end();
   }
 }
 
@@ -72,7 +71,7 @@ class KineticRun final : public Run {
       while (!session_->finished()) {
         if (const std::string limit = limit_reached(); !limit.empty()) return give_up(limit, engine.proved_until());
         if (engine.events() - begun >= effort) return false;
-        session_->step(session_->scene().end);
+        session_->step(session_->end());
       }
     } catch (const Interrupted& limit) {
       // In the middle of an event: what it left unfinished is not looked at.

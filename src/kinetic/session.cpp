@@ -22,31 +22,23 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
   return {known_tiling(plan, 0, inwards), known_tiling(plan, 1, inwards)};
 }
 
-/// Without polygons that prepared shapes hold.
-Scene without_copies(const Scene& scene) {
-  Scene out{scene.start, scene.end, {}};
-  out.bodies.reserve(scene.bodies.size());
-  for (const Body& body : scene.bodies)
-    out.bodies.push_back({body.name, body.prepared ? Polygon() : body.polygon, body.motion, body.prepared});
-  return out;
-}
-
 }  // namespace
 
 Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
-    : scene_(without_copies(scene)), tracer_(tracer), observer_(observer) {
-  plan_ = plan_pair(scene_, validated_facts(scene));
+    : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
+  plan_ = plan_pair(scene, validated_facts(scene));
+  for (std::size_t i = 0; i < names_.size(); ++i) names_[i] = scene.bodies[i].name;
   build(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
   const Overlap overlap = *engine_->overlap();
-  if (overlap.one_body) refuse_fine_features(scene_, witness().edge(overlap.edge_p), witness().edge(overlap.edge_q));
+  if (overlap.one_body) refuse_fine_features(scene, witness().edge(overlap.edge_p), witness().edge(overlap.edge_q));
   if (touch == Touch::closed) {
     // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
     const PairGeometry inner = displaced_pair(plan_, true);
-    const Placement placement(inner, engine_->leg(), scene_.start);
+    const Placement placement(inner, engine_->leg(), start_);
     FreeTriangulation triangulation;
     if (!triangulate_free_space(placement, triangulation)) {
-      contact_ = witness().contact_of_crossing(overlap.edge_p, overlap.edge_q, engine_->leg(), scene_.start);
+      contact_ = witness().contact_of_crossing(overlap.edge_p, overlap.edge_q, engine_->leg(), start_);
       return;
     }
   }
@@ -55,7 +47,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
 
 void Session::build(bool inwards) {
   engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards),
-                                     make_legs(plan_.pieces[0], plan_.pieces[1], scene_.start, scene_.end),
+                                     make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_),
                                      static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
 }
 
@@ -79,7 +71,7 @@ void Session::note_contact() {
   const EngineContact& found = *engine_->contact();
   contact_ = witness().contact(found.vertex, found.edge, engine_->leg(), found.lo, found.hi);
   // The start is exact: a contact found there cannot be earlier.
-  contact_->time.lo = std::max(contact_->time.lo, scene_.start);
+  contact_->time.lo = std::max(contact_->time.lo, start_);
 }
 
 void Session::set_motion(int body, const Motion& motion) {
@@ -90,21 +82,20 @@ void Session::set_motion(int body, const Motion& motion) {
   if (contact_) return;
   const double now = engine_->time();
   const std::size_t side = plan_.maps[0].body == body ? 0 : 1;
-  const Body& old = scene_.bodies[static_cast<std::size_t>(body)];
-  validate_motion(motion, old.name, plan_.bounds[side], now, scene_.end, plan_.extent);
+  const std::string& name = names_[static_cast<std::size_t>(body)];
+  validate_motion(motion, name, plan_.bounds[side], now, end_, plan_.extent);
   std::vector<MotionPiece> fresh;
-  for (const MotionPiece& piece : pieces_between(motion, now, scene_.end))
-    fresh.push_back(scaled(piece, plan_.exponent));
+  for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));
   const MotionPiece before = side == 0 ? engine_->leg().p : engine_->leg().q;
   const double gap =
       joint_gap(scaled(before, -plan_.exponent), scaled(fresh[0], -plan_.exponent), plan_.bounds[side], now);
   if (!(gap <= joint_tolerance * plan_.extent)) {
-    throw InputError(old.name,
+    throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
                      "coefficients are in powers of the absolute time t");
   }
   plan_.pieces[side] = fresh;
-  std::vector<Leg> legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, scene_.end);
+  std::vector<Leg> legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
   if (!same_motion(before, fresh[0])) {
     const MotionPiece& p = piece_at(plan_.pieces[0], now);
     const MotionPiece& q = piece_at(plan_.pieces[1], now);

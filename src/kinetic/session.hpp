@@ -19,7 +19,9 @@ class Session : private EngineObserver {
 
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
-  const Scene& scene() const { return scene_; }
+  /// The scene's time.
+  double start() const { return start_; }
+  double end() const { return end_; }
   const std::optional<Contact>& contact() const { return contact_; }
   bool overlap_at_start() const { return overlap_at_start_; }
   /// Nothing left to do: contact, overlap, or the end.
@@ -40,7 +42,8 @@ class Session : private EngineObserver {
   void note_contact();
   Witness witness() const { return {plan_, engine_->geometry()}; }
 
-  Scene scene_;
+  double start_, end_;
+  std::array<std::string, 2> names_;  ///< of the bodies
   PairPlan plan_;
   Tracer* tracer_;
   EngineObserver* observer_;

@@ -53,7 +53,7 @@ double Simulation::time() const { return impl_->session.engine().time(); }
 std::optional<TimeInterval> Simulation::next_event() {
   Session& s = impl_->session;
   if (s.finished()) return std::nullopt;
-  const auto found = decided([&s] { return s.engine().next_event(s.scene().end); });
+  const auto found = decided([&s] { return s.engine().next_event(s.end()); });
   if (!found) return std::nullopt;
   return TimeInterval{found->first, found->second};
 }
@@ -62,13 +62,13 @@ bool Simulation::step() {
   Session& s = impl_->session;
   if (s.finished()) return false;
   const std::uint64_t before = s.engine().events();
-  decided([&s] { return s.step(s.scene().end); });
+  decided([&s] { return s.step(s.end()); });
   return s.engine().events() > before;
 }
 
 SimulationState Simulation::advance_to(double t) {
   Session& s = impl_->session;
-  const double limit = std::min(t, s.scene().end);
+  const double limit = std::min(t, s.end());
   decided([&s, limit] {
     while (s.step(limit)) {
     }

@@ -23,12 +23,11 @@ const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t) {
   return pieces.back();
 }
 
-MotionPiece scaled(const MotionPiece& piece, int exponent) {
-  MotionPiece out = piece;
-  for (double& c : out.x) c = std::ldexp(c, exponent);
-  for (double& c : out.y) c = std::ldexp(c, exponent);
-  out.pivot = {std::ldexp(out.pivot.x, exponent), std::ldexp(out.pivot.y, exponent)};
-  return out;
+MotionPiece scaled(MotionPiece piece, int exponent) {
+  for (double& c : piece.x) c = std::ldexp(c, exponent);
+  for (double& c : piece.y) c = std::ldexp(c, exponent);
+  piece.pivot = {std::ldexp(piece.pivot.x, exponent), std::ldexp(piece.pivot.y, exponent)};
+  return piece;
 }
 
 bool same_motion(const MotionPiece& a, const MotionPiece& b) {

@@ -17,7 +17,7 @@ std::vector<MotionPiece> pieces_between(const Motion& motion, double start, doub
 const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t);
 
 /// The same motion in coordinates multiplied by 2^exponent (exact).
-MotionPiece scaled(const MotionPiece& piece, int exponent);
+MotionPiece scaled(MotionPiece piece, int exponent);
 
 /// Pieces are equal if the same coefficients give them; `until` does not count.
 bool same_motion(const MotionPiece& a, const MotionPiece& b);

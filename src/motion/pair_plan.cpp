@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/motion_plan.hpp"
 
@@ -35,9 +36,8 @@ PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
     plan.polygons[side] =
         body.prepared ? body.prepared->in_role(role_of(plan, k, true)).polygon
                       : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
-    for (const MotionPiece& piece : pieces_between(body.motion, scene.start, scene.end)) {
-      plan.pieces[side].push_back(scaled(piece, plan.exponent));
-    }
+    plan.pieces[side] = pieces_between(body.motion, scene.start, scene.end);
+    for (MotionPiece& piece : plan.pieces[side]) piece = scaled(std::move(piece), plan.exponent);
   }
   return plan;
 }

@@ -32,7 +32,7 @@ std::string compare_joined(const Placement& placement, const StaticTiling& fresh
 std::string compare_with_static(Session& session, AuditCounts& counts) {
   Engine& engine = session.engine();
   if (engine.state() != EngineState::running) return {};
-  const double end = session.scene().end;
+  const double end = session.end();
   const auto next = engine.next_event(end);
   if (engine.leg().bridge) {
     ++counts.not_compared;
@@ -99,7 +99,7 @@ AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned
         result.fault = compare_with_static(session, counts);
         if (!result.fault.empty()) return result;
       }
-      const double end = session.scene().end;
+      const double end = session.end();
       if (session.engine().next_event(end)) count_corner(session.engine(), counts);
       session.step(end);
     }
