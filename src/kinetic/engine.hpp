@@ -117,6 +117,7 @@ class Engine {
   bool choose_region(double t);
   void leave_leg(double until);
   bool improve_region(double t);
+  bool hopeful(const PlanRange& region) const;
   bool accept(const PlanRange& region, double share);
   bool settles(const PlanRange& region, std::size_t certificate) const;
   bool accept_with_last(const PlanRange& way);

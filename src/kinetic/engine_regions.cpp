@@ -114,7 +114,9 @@ bool Engine::choose_region(double t) {
   }
   --regions_left_;
   for (const double share : {1.0, 0x1p-4, 0x1p-8}) {
-    const PlanRange way = PlanRange::over(leg(), t, t + (leg().end - t) * share).widened();
+    const double until = t + (leg().end - t) * share;
+    if (!hopeful(PlanRange::around_instants(leg(), t, until))) continue;
+    const PlanRange way = PlanRange::over(leg(), t, until).widened();
     if (!accept_with_last(way) && !accept(way, good_share)) continue;
     failures_ = 0;
     settled_until_ = region_->left_at(leg(), t);
@@ -143,8 +145,8 @@ bool Engine::improve_region(double t) {
   return true;
 }
 
-/// Makes it the region if it settles this share of the active set; a sample tells soon if it does not.
-bool Engine::accept(const PlanRange& region, double share) {
+/// Does a sample of the active set say that the region is worth a look at all?
+bool Engine::hopeful(const PlanRange& region) const {
   std::size_t settled = 0, seen = 0;
   for (std::size_t k = 0; k < sample_size; ++k) {
     const std::size_t i = k * certificates_.size() / sample_size;
@@ -152,8 +154,13 @@ bool Engine::accept(const PlanRange& region, double share) {
     ++seen;
     settled += settles(region, i);
   }
-  if (static_cast<double>(settled) < hopeful_share * static_cast<double>(seen)) return false;
-  settled = 0;
+  return static_cast<double>(settled) >= hopeful_share * static_cast<double>(seen);
+}
+
+/// Makes it the region if it settles this share of the active set.
+bool Engine::accept(const PlanRange& region, double share) {
+  if (!hopeful(region)) return false;
+  std::size_t settled = 0;
   trial_.assign(certificates_.size(), false);
   for (std::size_t i = 0; i < certificates_.size(); ++i) {
     if (!certificates_[i].corner.valid()) continue;

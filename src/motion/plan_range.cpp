@@ -14,6 +14,9 @@ int parts_of(const Leg& leg) {
 
 constexpr int most_halvings = 6;
 
+/// Where part k of several begins.
+double part_begin(double from, double to, int k, int parts) { return k == parts ? to : from + (to - from) * k / parts; }
+
 /// The range within r of the middle by Taylor's formula.
 Ball<double> second_order(const Jet<double>& middle, const Ball<double>& bend, double r) {
   const Ball<double> step(0, r), half_square = Ball<double>::between(0, r * r / 2 * (1 + 0x1p-50));
@@ -43,17 +46,27 @@ PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
   return range;
 }
 
+PlanRange PlanRange::around_instants(const Leg& leg, double from, double to) {
+  const int parts = parts_of(leg);
+  PlanRange seen = over_part(leg, from, from);
+  for (int k = 1; k <= parts; ++k) {
+    const double t = part_begin(from, to, k, parts);
+    seen.include(over_part(leg, t, t));
+  }
+  return seen;
+}
+
 /// Of a curved motion, the range over a long part is too wide: parts are halved until what they say is near what the
 /// motion is seen to do at some instants.
 PlanRange PlanRange::over(const Leg& leg, double from, double to) {
   const int parts = parts_of(leg);
   if (parts == 1) return over_part(leg, from, to);
-  const auto at = [&](int k) { return k == parts ? to : from + (to - from) * k / parts; };
-  PlanRange seen = over_part(leg, from, from);
-  for (int k = 1; k <= parts; ++k) seen.include(over_part(leg, at(k), at(k)));
+  const PlanRange seen = around_instants(leg, from, to);
   const PlanRange fair = seen.widened(0x1p-3);
   PlanRange range = seen;
-  for (int k = 0; k < parts; ++k) range.cover(leg, at(k), at(k + 1), fair, most_halvings);
+  for (int k = 0; k < parts; ++k) {
+    range.cover(leg, part_begin(from, to, k, parts), part_begin(from, to, k + 1, parts), fair, most_halvings);
+  }
   return range;
 }
 

@@ -11,6 +11,9 @@ class PlanRange {
   /// Over the part [from, to] of a leg.
   static PlanRange over(const Leg& leg, double from, double to);
 
+  /// Around some instants of the part: what over() tells is no smaller, and far more work.
+  static PlanRange around_instants(const Leg& leg, double from, double to);
+
   /// Larger by this share of its size on all sides: its own extremes, with rounding, are well inside.
   PlanRange widened(double share = 0x1p-6) const;
   /// Grows to hold both.

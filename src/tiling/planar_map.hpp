@@ -50,6 +50,8 @@ class PlanarMap {
   HalfedgeId next(HalfedgeId h) const { return record(h).next; }
   HalfedgeId previous(HalfedgeId h) const { return record(h).previous; }
   NodeId node(HalfedgeId h) const { return record(h).node; }
+  /// All of them at once.
+  Halfedge record(HalfedgeId h) const { return halfedges_.has(h.value) ? halfedges_[h.value] : part_record(h.value); }
   bool is_polygon_edge(HalfedgeId h) const { return h.value < 2 * vertices_; }
   bool is_interior(HalfedgeId h) const { return is_polygon_edge(h) && (h.value & 1u) == 0; }
   bool is_pinch(HalfedgeId h) const { return pinch_[h.value >> 1]; }
@@ -164,7 +166,6 @@ class PlanarMap {
     pinch_.resize(halfedges_.capacity() / 2);
     free_.reserve(64);
   }
-  Halfedge record(HalfedgeId h) const { return halfedges_.has(h.value) ? halfedges_[h.value] : part_record(h.value); }
   Halfedge& own(HalfedgeId h) {
     return halfedges_.touch(h.value, [this](std::size_t first, Halfedge* records) {
       read_parts(static_cast<std::uint32_t>(first), records);

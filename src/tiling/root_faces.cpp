@@ -23,6 +23,9 @@ namespace {
 
 constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
+/// An index of a cycle of n that has gone around once at most.
+std::size_t wrapped(std::size_t i, std::size_t n) { return i < n ? i : i - n; }
+
 class RootBuilder {
  public:
   RootBuilder(const Placement& placement, const std::vector<HalfedgeId>& hull_p, const std::vector<HalfedgeId>& hull_q,
@@ -124,8 +127,8 @@ class RootBuilder {
   // ----- hulls in contact -----
 
   bool shared_edge(std::size_t i) const {
-    const VertexId u = p_[i], v = p_[(i + 1) % p_.size()];
-    return on_q(u) && on_q(v) && (position_in_q(v) + 1) % q_.size() == position_in_q(u);
+    const VertexId u = p_[i], v = p_[wrapped(i + 1, p_.size())];
+    return on_q(u) && on_q(v) && wrapped(position_in_q(v) + 1, q_.size()) == position_in_q(u);
   }
 
   /// RCH(P) leaves the contact at index exit_ (vertex z_b); a_ runs from there to z_a, b_ clockwise around Q.
@@ -141,7 +144,7 @@ class RootBuilder {
     const std::size_t n = p_.size(), m = q_.size();
     a_.push_back(p_[exit_]);
     do {
-      a_.push_back(p_[(exit_ + a_.size()) % n]);
+      a_.push_back(p_[wrapped(exit_ + a_.size(), n)]);
     } while (!on_q(a_.back()));
     exit_q_ = position_in_q(a_.front());
     // Along Q from z_b clockwise to z_a.
@@ -149,20 +152,20 @@ class RootBuilder {
     std::size_t j = exit_q_;
     b_.push_back(q_[j]);
     do {
-      j = (j + m - 1) % m;
+      j = wrapped(j + m - 1, m);
       b_.push_back(q_[j]);
     } while (j != entry_q);
   }
 
-  HalfedgeId edge_a(std::size_t k) const { return edges_p_[(exit_ + k) % p_.size()]; }  ///< a_[k] -> a_[k+1]
-  HalfedgeId edge_b(std::size_t k) const {                                              ///< b_[k+1] -> b_[k]
-    return edges_q_[(exit_q_ + q_.size() - 1 - k) % q_.size()];
+  HalfedgeId edge_a(std::size_t k) const { return edges_p_[wrapped(exit_ + k, p_.size())]; }  ///< a_[k] -> a_[k+1]
+  HalfedgeId edge_b(std::size_t k) const {                                                    ///< b_[k+1] -> b_[k]
+    return edges_q_[wrapped(exit_q_ + q_.size() - 1 - k, q_.size())];
   }
 
   void merge_contact() {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       if (!shared_edge(i)) continue;
-      const std::size_t j = position_in_q(p_[(i + 1) % p_.size()]);
+      const std::size_t j = position_in_q(p_[wrapped(i + 1, p_.size())]);
       map_.merge(edges_p_[i], edges_q_[j]);
     }
   }
@@ -307,17 +310,18 @@ class RootBuilder {
   }
   /// Writes only what is not there yet: most of the infinite face may be that of a body's own map.
   void append(HalfedgeId h) {
-    if (map_.node(h) != label_) map_.set_node(h, label_);
-    if (last_.valid()) {
-      link(last_, h);
-    } else {
+    const PlanarMap::Halfedge now = map_.record(h);
+    if (now.node != label_) map_.set_node(h, label_);
+    if (!last_.valid()) {
       first_ = h;
+    } else if (next_of_last_ != h || now.previous != last_) {
+      map_.link(last_, h);
     }
     last_ = h;
+    next_of_last_ = now.next;
   }
-  void close_cycle() { link(last_, first_); }
-  void link(HalfedgeId a, HalfedgeId b) {
-    if (map_.next(a) != b || map_.previous(b) != a) map_.link(a, b);
+  void close_cycle() {
+    if (next_of_last_ != first_ || map_.previous(first_) != last_) map_.link(last_, first_);
   }
   /// Along the outside of a hull, from index `from` clockwise to index `to`; if they are the same, once around or not
   /// at all.
@@ -326,7 +330,7 @@ class RootBuilder {
     if (from == to && !around) return;
     std::size_t k = from;
     do {
-      k = (k + n - 1) % n;
+      k = wrapped(k + n - 1, n);
       append(PlanarMap::twin(edges[k]));
     } while (k != to);
   }
@@ -336,6 +340,7 @@ class RootBuilder {
     if (from == to && !around) return;
     append(PlanarMap::twin(edges[(from == 0 ? edges.size() : from) - 1]));
     last_ = PlanarMap::twin(edges[to]);
+    next_of_last_ = map_.next(last_);
   }
   /// From a_[to] back to a_[from].
   void append_a_backwards(std::size_t from, std::size_t to) {
@@ -356,6 +361,7 @@ class RootBuilder {
   std::vector<VertexId> a_, b_;
   NodeId label_;
   HalfedgeId first_, last_;
+  HalfedgeId next_of_last_;  ///< as the map has it
 };
 
 }  // namespace
