@@ -38,7 +38,8 @@ void Engine::build(const KnownTilings& known) {
   }
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
-  certificate_of_.reset(4 * static_cast<std::size_t>(geometry_.size()) + 16);
+  // Edges that a start has removed again may have numbers beyond those that a tiling needs.
+  certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
   // set before anything is allocated again: few events of few motions do.
   expect_certificates(4 * mixed_edges() + 1024);

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -101,7 +102,9 @@ class EventQueue {
   }
   /// A number in the order of the key.
   static std::int64_t rank(double key) {
-    const auto bits = std::bit_cast<std::int64_t>(key + 0.0);  // there is one zero only
+    const double one_zero = key + 0.0;  // of the two
+    std::int64_t bits;
+    std::memcpy(&bits, &one_zero, sizeof bits);  // std::bit_cast is not in every library yet
     return bits ^ ((bits >> 63) & INT64_MAX);
   }
   /// Does the certificate `other` with that key come before `id`?

@@ -236,10 +236,11 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
   if (cell.level == 0) return nullptr;
   const int level = cell.level - 1;
   const std::uint64_t index = cell.index / 2, key = (std::uint64_t{1} << level) + index;
-  if (key >= own || store_->keys[key] == key) return &at_level(level, index);
-  ClockCell& wide = store_->cells[key];
-  if (!store_->outlook_known[key]) {
-    store_->outlook_known[key] = true;
+  const std::size_t slot = slot_of(key);
+  if (key >= own || store_->keys[slot] == key) return &at_level(level, index);
+  ClockCell& wide = store_->cells[slot];
+  if (!store_->outlook_known[slot]) {
+    store_->outlook_known[slot] = true;
     place(wide, level, index);
     wide.leaf = wide.sharp = wide.widest = false;
     const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
