@@ -14,7 +14,7 @@
 namespace taut::testing {
 namespace {
 
-double wild(Rng& rng, double decades) { return rng.sign() * std::pow(10.0, rng.real(-decades, decades)); }
+double of_any_size(Rng& rng, double decades) { return rng.sign() * std::pow(10.0, rng.real(-decades, decades)); }
 
 /// a + b h + c h^2/2 - d h^3/6, exactly enough.
 Real320 cubic(double a, double b, double c, double d, double h) {
@@ -36,8 +36,8 @@ TEST(QuadraticBound, HoldsAsLongAsItSays) {
   Rng rng(3);
   int cut_short = 0, throughout = 0;
   for (int i = 0; i < 4000; ++i) {
-    const double a = std::fabs(wild(rng, 3)), limit = std::fabs(wild(rng, 1));
-    double b = wild(rng, 2), c = wild(rng, 2);
+    const double a = std::fabs(of_any_size(rng, 3)), limit = std::fabs(of_any_size(rng, 1));
+    double b = of_any_size(rng, 2), c = of_any_size(rng, 2);
     if (rng.chance(0.2)) c = b * b / (2 * a) * (1 + rng.sign() * std::pow(10.0, rng.real(-17, -1)));  // nearly touches
     const double h = positive_until(a, b, c, limit);
     EXPECT_TRUE(h >= 0 && h <= limit);
@@ -57,8 +57,8 @@ TEST(QuadraticBound, CubicHoldsAsLongAsItSaysAndNoShorter) {
   Rng rng(4);
   int longer = 0;
   for (int i = 0; i < 4000; ++i) {
-    const double a = std::fabs(wild(rng, 3)), limit = std::fabs(wild(rng, 1));
-    const double b = wild(rng, 2), c = wild(rng, 2), d = rng.chance(0.1) ? 0 : std::fabs(wild(rng, 2));
+    const double a = std::fabs(of_any_size(rng, 3)), limit = std::fabs(of_any_size(rng, 1));
+    const double b = of_any_size(rng, 2), c = of_any_size(rng, 2), d = rng.chance(0.1) ? 0 : std::fabs(of_any_size(rng, 2));
     const double h = positive_until(a, b, c, d, limit),
                  at_once = positive_until(a, b, c - d * limit * one_third, limit);
     EXPECT_TRUE(h >= 0 && h <= limit);
