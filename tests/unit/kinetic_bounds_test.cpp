@@ -58,7 +58,8 @@ TEST(QuadraticBound, CubicHoldsAsLongAsItSaysAndNoShorter) {
   int longer = 0;
   for (int i = 0; i < 4000; ++i) {
     const double a = std::fabs(of_any_size(rng, 3)), limit = std::fabs(of_any_size(rng, 1));
-    const double b = of_any_size(rng, 2), c = of_any_size(rng, 2), d = rng.chance(0.1) ? 0 : std::fabs(of_any_size(rng, 2));
+    const double b = of_any_size(rng, 2), c = of_any_size(rng, 2),
+                 d = rng.chance(0.1) ? 0 : std::fabs(of_any_size(rng, 2));
     const double h = positive_until(a, b, c, d, limit),
                  at_once = positive_until(a, b, c - d * limit * one_third, limit);
     EXPECT_TRUE(h >= 0 && h <= limit);
