@@ -46,6 +46,7 @@ void Engine::build(const KnownTilings& known) {
   add_certificates(placement);
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
+  expect_legs();
   enter_leg();
   solver_.expect(active_);
 }
@@ -58,6 +59,10 @@ void Engine::expect_certificates(std::size_t room) {
   listed_.reserve(room);
   trial_.reserve(room);
   free_.reserve(room);
+}
+
+void Engine::expect_legs() {
+  if (!std::all_of(legs_.begin(), legs_.end(), LegClock::is_straight)) solver_.expect_cells();
 }
 
 std::size_t Engine::mixed_edges() const {
@@ -239,6 +244,7 @@ void Engine::replan(std::vector<Leg> legs) {
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
+  expect_legs();
   enter_leg();
 }
 

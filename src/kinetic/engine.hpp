@@ -112,6 +112,7 @@ class Engine {
   Corner corner(HalfedgeId h) const;
   bool is_mixed(const Corner& c) const;
   CertificateId add_certificate(HalfedgeId h, const Corner& vertices);
+  void expect_legs();
   void enter_leg();
   void leave_region();
   bool choose_region(double t);

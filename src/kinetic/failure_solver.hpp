@@ -59,6 +59,8 @@ class FailureSolver {
     pool_.reserve(64 + certificates);
     pool_free_.reserve(64 + certificates);
   }
+  /// For a leg that is not straight.
+  void expect_cells() { clock_.expect_cells(); }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }

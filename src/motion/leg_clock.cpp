@@ -106,7 +106,7 @@ FastCurvature curvature_of(const FrameModel& m, int first) {
 
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
-  straight_ = leg.translation && leg.degree <= 1 && !leg.bridge;
+  straight_ = is_straight(leg);
   if (straight_) {
     straight_middle_ = leg.start + (leg.end - leg.start) / 2;
     straight_side_ = evaluate_exactly(leg, straight_middle_, 0);
@@ -115,7 +115,7 @@ void LegClock::reset(const Leg& leg) {
   level_ = 0;
   index_ = 0;
   last_ = nullptr;
-  stored_ = false;
+  stored_ = straight_cell_made_ = false;
 }
 
 void LegClock::Store::clear() {
@@ -173,11 +173,22 @@ void LegClock::make(ClockCell& cell) {
   cell.qq_third = third_of(cell.model, 2);
 }
 
+const ClockCell& LegClock::whole_leg() {
+  if (!straight_cell_made_) {
+    place(straight_cell_, 0, 0);
+    make(straight_cell_);
+    straight_cell_.leaf = true;
+    straight_cell_made_ = true;
+  }
+  return straight_cell_;
+}
+
 const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
+  if (straight_) return whole_leg();
   const std::uint64_t key = (std::uint64_t{1} << level) + index;
   const std::size_t slot = slot_of(key);
   if (!stored_) {
-    if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
+    expect_cells();
     store_->clear();
     stored_ = true;
   }
@@ -263,7 +274,7 @@ void LegClock::evaluate(double t, Side& side) {
 
 const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
   const ClockCell& here = cell(t);
-  if (!here.sharp) return this->at(at = t, pp);
+  if (!here.sharp || straight_) return this->at(at = t, pp);
   Marks& known = pp || leg_->translation ? store_->pp_marks : store_->qq_marks;
   const double step = (here.end - here.start) * (1.0 / marks);
   const int k = std::min(static_cast<int>((t - here.start) / step), marks - 1);

@@ -36,10 +36,16 @@ struct ClockCell : ClockPlace {
 /// last ones are kept, so that memory does not depend on the leg.
 class LegClock {
  public:
+  /// Do all functions of mixed triples change evenly with time?
+  static bool is_straight(const Leg& leg) { return leg.translation && leg.degree <= 1 && !leg.bridge; }
+  /// Makes room for a leg that is not straight, so that nothing is allocated when it comes.
+  void expect_cells() {
+    if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
+  }
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg);
   const Leg& leg() const { return *leg_; }
-  /// Do all functions of mixed triples change evenly with time? Then these at the leg's middle tell everything.
+  /// On a straight leg, the functions at its middle tell everything.
   bool straight() const { return straight_; }
   const FastSide& straight_side() const { return straight_side_; }
   double straight_middle() const { return straight_middle_; }
@@ -69,6 +75,7 @@ class LegClock {
   }
 
   const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& whole_leg();
   void place(ClockCell& cell, int level, std::uint64_t index) const;
   const ClockCell& find_cell(double t);
   const ClockCell& find_leaf(double t);
@@ -94,12 +101,14 @@ class LegClock {
   bool straight_ = false;
   double straight_middle_ = 0;
   FastSide straight_side_{};
+  ClockCell straight_cell_;  ///< the whole of a straight leg
+  bool straight_cell_made_ = false;
   int level_ = 0;  ///< of the leaf last used
   std::uint64_t index_ = 0;
   const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept
   Side pp_{.first = 0}, qq_{.first = 2};  ///< the first one serves both on a translation
-  /// What straight legs hardly ever need: the memory is not there before one cell is used, nor touched beyond the cells
-  /// that are.
+  /// What straight legs do not need: the memory is not there before one cell is used, nor touched beyond the cells that
+  /// are.
   struct Store {
     Marks pp_marks, qq_marks;
     /// Which cell lies in which slot; the scattered ones count once one of them is used.
