@@ -1,0 +1,93 @@
+// Which of two failures comes first, and what a failure is as the present.
+#include <algorithm>
+#include <cmath>
+
+#include "kinetic/failure_solver.hpp"
+#include "motion/placement.hpp"
+
+namespace taut {
+
+bool FailureSolver::known_before(const Certificate& a, const Certificate& b) const {
+  if (a.hi < b.lo) return true;
+  if (a.precise < 0 && b.precise < 0) return false;
+  const auto at = [this](const Certificate& c) -> const PreciseTime& {
+    return pool_[static_cast<std::size_t>(c.precise)];
+  };
+  if (b.precise < 0) return at(a).certainly_before(PreciseTime::between(b.lo, b.lo));
+  if (a.precise < 0) return PreciseTime::between(a.hi, a.hi).certainly_before(at(b));
+  return at(a).certainly_before(at(b));
+}
+
+/// One stage further for one certificate.
+void FailureSolver::sharpen(Certificate& c, int stage) {
+  if (c.precise < 0) precise_slot(c) = PreciseTime::between(c.lo, c.hi);
+  PreciseTime& t = pool_[static_cast<std::size_t>(c.precise)];
+  precise_of(c).refine(c.sign, t, stage);
+  t.stage = std::max(t.stage, stage);  // what a stage could not improve, it will not improve next time either
+  c.lo = t.floor();
+  c.hi = std::min(t.ceiling(), leg().end);
+}
+
+void FailureSolver::separate(Certificate& a, Certificate& b) {
+  ++counts_.compared;
+  const auto stage_of = [this](const Certificate& c) {
+    return c.precise < 0 ? -1 : pool_[static_cast<std::size_t>(c.precise)].stage;
+  };
+  const int stage = std::min(stage_of(a), stage_of(b)) + 1;
+  if (stage >= precise_stages) throw Undecidable{"the order of two events"};
+  if (stage_of(a) < stage) sharpen(a, stage);
+  if (stage_of(b) < stage) sharpen(b, stage);
+}
+
+bool FailureSolver::fails_by(Certificate& c, double t) {
+  const Bounded v = c.function.value(clock_.at(t, c.function.pp));
+  if (c.sign * v.value > v.error) return false;
+  if (-c.sign * v.value > v.error) return true;
+  const PreciseTriple f = precise_of(c);
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    const int s = f.sign_at(PreciseTime::between(t, t), stage);
+    if (s == c.sign) {
+      // Not yet, unless it failed and came back: an enclosure holds one root only, so compare with it.
+      return false;
+    }
+    if (s == -c.sign) return true;
+  }
+  throw Undecidable{"whether an event falls on the end of the interval"};
+}
+
+VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {
+  const MixedTriple m = MixedTriple::of(geometry_, u, v, w);
+  // c beyond a, or beyond b, or between.
+  const MixedTriple back{m.b, m.a, m.c, m.pp};
+  const FastFunction from_a = FastFunction::level_zero(leg(), geometry_, m, Measure::projection);
+  if (sign_now(from_a, PreciseTriple(leg(), geometry_, m, Measure::projection), now) < 0) return m.a;
+  const FastFunction from_b = FastFunction::level_zero(leg(), geometry_, back, Measure::projection);
+  if (sign_now(from_b, PreciseTriple(leg(), geometry_, back, Measure::projection), now) < 0) return m.b;
+  return m.c;
+}
+
+Now FailureSolver::event(const Certificate& c) const {
+  Now now;
+  now.lo = c.lo;
+  now.hi = c.hi;
+  now.at = enclosed_about_ >= c.lo && enclosed_about_ <= c.hi ? enclosed_about_ : c.hi;
+  now.event = true;
+  now.u = c.u;
+  now.v = c.v;
+  now.w = c.w;
+  now.sign_before = c.sign;
+  now.monotone_until = c.monotone_until;
+  now.pool = c.precise;
+  return now;
+}
+
+void FailureSolver::tighten(Certificate& c) {
+  const double few_ulps = 0x1p-54 * std::fabs(c.hi);
+  if (c.hi - c.lo <= 8 * few_ulps) return;
+  PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
+  if (!precise_of(c).refine(c.sign, t, 0, few_ulps)) return;
+  c.lo = std::max(c.lo, t.floor());
+  c.hi = std::min(c.hi, t.ceiling());
+}
+
+}  // namespace taut
