@@ -4,7 +4,6 @@
 #include <string>
 
 #include "check/run.hpp"
-#include "motion/body_crossing.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
 #include "motion/witness.hpp"
@@ -50,12 +49,7 @@ class Question {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(0, plan_, geometry_, touch == Touch::open),
         tree_q_(1, plan_, geometry_, touch == Touch::open),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {
-    if (!geometry_.fine_features) return;
-    if (const auto pair = crossing_within_body(geometry_)) {
-      refuse_fine_features(scene, witness().edge(pair->first), witness().edge(pair->second));
-    }
-  }
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) const {

@@ -28,9 +28,9 @@ void add_level(Sum& sum, const DisplacedPoint& a, const DisplacedPoint& b, const
 int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, Stage& stage) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   const double det = left - right;
-  // Shewchuk's bound (3 + 16u) u for the rounding; the displacement, below 2^-150 of any coordinate difference that
-  // passes this test, and underflow are covered by doubling it and by the absolute term.
-  const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p-140;
+  // Shewchuk's bound (3 + 16u) u for the rounding, doubled for underflow; the absolute term covers the displacement of
+  // coordinates up to 1.
+  const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p10 * displacement_room;
   if (det > error || -det > error) {
     stage = Stage::filter;
     return det > 0 ? 1 : -1;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/displacement_check.hpp"
+#include "numeric/exact_sum.hpp"
+
 namespace taut {
 namespace {
 
@@ -20,20 +23,76 @@ struct Vector {
   double x, y;
 };
 
-Vector unit_towards(const Point& from, const Point& to) {
-  // Scale first: a short edge of a small polygon must not underflow when squared.
-  double x = to.x - from.x, y = to.y - from.y;
-  const double m = std::max(std::fabs(x), std::fabs(y));
-  x /= m;
-  y /= m;
-  const double length = std::sqrt(x * x + y * y);
-  return {x / length, y / length};
+/// From one point to another: its direction, and its length up to a factor of 1 + 2^-50.
+struct Edge {
+  Point from, to;
+  Vector unit;
+  double length;
+
+  Edge(const Point& a, const Point& b) : from(a), to(b) {
+    // Scale first: a short edge of a small polygon must not underflow when squared.
+    double x = b.x - a.x, y = b.y - a.y;
+    const double m = std::max(std::fabs(x), std::fabs(y));
+    x /= m;
+    y /= m;
+    const double scaled = std::sqrt(x * x + y * y);
+    unit = {x / scaled, y / scaled};
+    length = scaled * m;
+  }
+};
+
+/// Adds sign * (to - from) * factor, exactly.
+template <std::size_t Terms>
+void add_difference(ExactSum<Terms>& sum, double from, double to, double factor) {
+  sum.add_product(to, factor);
+  sum.subtract_product(from, factor);
+}
+
+/// How far d moves the line of an edge to its left, up to a factor of 1 + 2^-49: exact before the division.
+double shift_of(const Edge& e, const Vector& d) {
+  ExactSum<16> sum;
+  add_difference(sum, e.from.x, e.to.x, d.y);
+  add_difference(sum, e.from.y, e.to.y, -d.x);
+  return sum.approximate() / e.length;
+}
+
+/// How a vertex moves, in units of delta. Its edges are to move to their left by r1 and r2; the normals of the edges
+/// are their directions turned by +90 degrees, so these are two linear equations for d. In the basis of the two
+/// directions they are solved by d = (r1 on - r2 in) / sin, where sin is the sine of the turn at the vertex. At a spike
+/// d runs along it, by about 3 / sin. Directions are rounded by 2^-52, which changes the shifts by 2^-50 / sin, less
+/// than 0.05 down to sin = 2^-45; d reaches its limit before.
+Vector corner_displacement(const Edge& in, const Edge& on, double side, std::uint64_t seed, std::size_t i) {
+  const double sine = in.unit.x * on.unit.y - in.unit.y * on.unit.x;
+  const double cosine = in.unit.x * on.unit.x + in.unit.y * on.unit.y;
+  if (std::fabs(sine) <= 0.05 && cosine > 0) {
+    // Nearly straight: along the mean normal, with a random slide.
+    const double slide = random_between(~seed + i, -0.3, 0.3);
+    const double r = side * random_between(seed + 2 * i, 1.3, 1.7);
+    return {-r * on.unit.y + slide * on.unit.x, r * on.unit.x + slide * on.unit.y};
+  }
+  const double r1 = side * random_between(seed + 2 * i, 1.05, 1.95);
+  const double r2 = side * random_between(seed + 2 * i + 1, 1.05, 1.95);
+  const double alpha = -r2 / sine, beta = r1 / sine;
+  return {alpha * in.unit.x + beta * on.unit.x, alpha * in.unit.y + beta * on.unit.y};
+}
+
+/// Are both edges moved by between delta and 2 delta, and the vertex within the limit? Blunt corners need no look: see
+/// corner_displacement().
+bool keeps_the_law(const Edge& in, const Edge& on, const Vector& d, double side, double delta) {
+  const double way = std::max(std::fabs(d.x), std::fabs(d.y));
+  if (way < 0x1p20 * delta) return true;
+  if (!(way < displacement_limit / displacement_unit * delta)) return false;
+  for (const Edge* e : {&in, &on}) {
+    const double shift = side * shift_of(*e, d) / delta;
+    if (!(shift > 1 + 0x1p-40 && shift < 2 - 0x1p-40)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, bool fine)
-    : points(std::move(vertices)), fine_features(fine) {
+DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::optional<DisplacementFault> found)
+    : points(std::move(vertices)), fault(found) {
   if (points.empty()) return;
   bounds = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (const DisplacedPoint& v : points) {
@@ -43,43 +102,39 @@ DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, bool fi
   largest = std::max(std::max(-bounds.lo.x, bounds.hi.x), std::max(-bounds.lo.y, bounds.hi.y));
 }
 
-std::vector<DisplacedPoint> displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed) {
+Displacement displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed) {
   const std::size_t n = polygon.size();
   const double side = inwards ? 1.0 : -1.0;
-  std::vector<DisplacedPoint> out(n);
+  Displacement out;
+  out.points.reserve(n);
+  double farthest = 0;
+  Edge in(polygon[n - 1], polygon[0]);
   for (std::size_t i = 0; i < n; ++i) {
     const Point& v = polygon[i];
-    const Vector in = unit_towards(polygon[(i + n - 1) % n], v);
-    const Vector on = unit_towards(v, polygon[(i + 1) % n]);
-    // The inner normals of the two edges; the vertex moves by r1 along the first and r2 along the second.
-    const double r1 = side * random_between(seed + 2 * i, 1.05, 1.95);
-    const double r2 = side * random_between(seed + 2 * i + 1, 1.05, 1.95);
-    const double cross = in.x * on.y - in.y * on.x;
-    const double dot = in.x * on.x + in.y * on.y;
-    double dx, dy;
-    if (std::fabs(cross) > 0.05) {
-      // d = alpha in + beta on with n_in . d = r1 and n_on . d = r2, where n_e is e turned by +90 degrees.
-      const double alpha = -r2 / cross, beta = r1 / cross;
-      dx = alpha * in.x + beta * on.x;
-      dy = alpha * in.y + beta * on.y;
-    } else if (dot > 0) {
-      // Nearly straight: along the mean normal, with a random slide.
-      const double slide = random_between(~seed + i, -0.3, 0.3);
-      const double r = side * random_between(seed + 2 * i, 1.3, 1.7);
-      dx = -r * on.y + slide * on.x;
-      dy = r * on.x + slide * on.y;
-    } else {
-      // A spike: its tip runs back (inwards) or out (outwards) along the bisector, by about r over the half angle.
-      const double half = std::max(std::fabs(cross) / 2, 0x1p-40);
-      const double run = std::fabs(r1) / half;
-      const bool convex = cross > 0;  // a zero angle counts as reflex: it never occurs in a simple polygon
-      const double along = (convex == inwards) ? -run : run;
-      dx = along * in.x + 0.1 * side * (-in.y) * (r2 - r1);
-      dy = along * in.y + 0.1 * side * in.x * (r2 - r1);
+    const Edge on(v, polygon[i + 1 == n ? 0 : i + 1]);
+    const Vector unscaled = corner_displacement(in, on, side, seed, i);
+    Vector d{delta * unscaled.x, delta * unscaled.y};
+    if (!keeps_the_law(in, on, d, side, delta)) {
+      if (!out.too_sharp) out.too_sharp = static_cast<std::uint32_t>(i);
+      d = {0, 0};
     }
-    out[i] = {v.x, v.y, delta * dx, delta * dy};
+    farthest = std::max({farthest, std::fabs(d.x), std::fabs(d.y)});
+    out.points.push_back({v.x, v.y, d.x, d.y});
+    in = on;
   }
+  out.farthest = 1.5 * farthest;
   return out;
+}
+
+SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards, std::uint64_t seed) {
+  Displacement moved = displace(polygon, inwards, displacement_unit, seed);
+  std::optional<DisplacementFault> fault;
+  if (moved.too_sharp) {
+    fault = {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0};
+  } else if (!has_room(polygon, moved.farthest)) {
+    fault = find_displacement_fault(moved.points, inwards);
+  }
+  return std::make_shared<const DisplacedPolygon>(std::move(moved.points), fault);
 }
 
 }  // namespace taut

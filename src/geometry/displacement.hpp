@@ -1,8 +1,9 @@
-// The displacement that puts input in general position (DESIGN: "Touching"; section 2.3 of the paper asks for it).
+// The displacement that puts input in general position, as section 2.3 of the paper asks for.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,26 +17,54 @@ struct DisplacedPoint {
   double dx, dy;
 };
 
+/// Why a polygon cannot be displaced: it has a feature that is finer than the displacement.
+struct DisplacementFault {
+  enum class Kind : std::uint8_t {
+    sharp_corner,  ///< at vertex `first`: its edges leave no room for a displacement in doubles
+    close_edges,   ///< edges `first` and `second`, each named by its first vertex, come too close
+  };
+  Kind kind = Kind::sharp_corner;
+  std::uint32_t first = 0, second = 0;
+};
+
 /// A polygon of such vertices, never changed: pairs and threads share it.
 struct DisplacedPolygon {
-  /// `fine_features`: some feature may be smaller than the displacement. Then it must be checked that the displaced
-  /// polygon is simple.
-  explicit DisplacedPolygon(std::vector<DisplacedPoint> vertices, bool fine_features = false);
+  explicit DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::optional<DisplacementFault> found = {});
 
   std::vector<DisplacedPoint> points;
   Bounds bounds;       ///< of the points before the displacement
   double largest = 0;  ///< magnitude of their coordinates
-  bool fine_features = false;
+  /// The laws below do not hold: nothing may be asked of this polygon.
+  std::optional<DisplacementFault> fault;
 };
 using SharedPolygon = std::shared_ptr<const DisplacedPolygon>;
 
 /// delta, the unit of displacement, for coordinates up to 1 in magnitude.
 inline constexpr double displacement_unit = 0x1p-200;
+/// No coordinate of a vertex is displaced by more.
+inline constexpr double displacement_limit = 0x1p-156;
+/// What bounds in doubles allow for the displacement, per unit of the coordinates that it is multiplied with.
+inline constexpr double displacement_room = 0x1p-150;
 
-/// Displaces every vertex of a counterclockwise simple polygon so that both its edges move towards the inside
-/// (`inwards`) or the outside by between `delta` and 2 `delta`, by an amount that depends only on `seed` and the
-/// vertex's index. At a spike sharper than about 2^-40 the tip moves by at most 2^41 delta, which may be less than
-/// what its edges ask for.
-std::vector<DisplacedPoint> displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed);
+struct Displacement {
+  std::vector<DisplacedPoint> points;
+  double farthest = 0;                     ///< more than the way of any vertex
+  std::optional<std::uint32_t> too_sharp;  ///< a corner without a displacement in doubles; its vertex stays in place
+};
+
+/// Displaces every vertex of a counterclockwise simple polygon towards the inside (`inwards`) or the outside, by an
+/// amount that depends only on `seed` and the vertex's index. Where `too_sharp` is empty, both edges of each vertex
+/// move by between `delta` and 2 `delta` there, to the side asked for, and so do all their points in between.
+///
+/// Corners are too sharp below about 2^-42 radians. Vertices in line are none.
+Displacement displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed);
+
+/// The polygon displaced by `displacement_unit`, with these laws, or a fault. Coordinates are at most 1 in magnitude.
+/// 1. The displaced ring is simple and counterclockwise.
+/// 2. It lies in the interior of the polygon (inwards), or the polygon in its interior (outwards).
+/// 3. Each of its edges lies between delta and 2 delta to that side of the line of the polygon's edge, and each vertex
+///    within `displacement_limit` of the polygon's, in each coordinate.
+/// Hence what bodies displaced inwards do, the bodies do; and what the bodies do, those displaced outwards do.
+SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards, std::uint64_t seed);
 
 }  // namespace taut

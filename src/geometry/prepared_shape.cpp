@@ -1,26 +1,11 @@
 #include "geometry/prepared_shape.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "taut/validate.hpp"
 
 namespace taut {
 
-namespace {
-
-/// Where all coordinates are multiples of 2^-75, the distance of a vertex from an edge is at least 2^-150 / sqrt 8,
-/// above any displacement (2^-159 at the tip of the sharpest spike).
-bool has_fine_features(const std::vector<Point>& polygon) {
-  const auto coarse = [](double c) { return std::ldexp(std::floor(std::ldexp(c, 75)), -75) == c; };
-  return !std::all_of(polygon.begin(), polygon.end(), [&](const Point& v) { return coarse(v.x) && coarse(v.y); });
-}
-
-}  // namespace
-
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
-  return std::make_shared<const DisplacedPolygon>(
-      displace(polygon, role.inwards, displacement_unit, role.plays_p ? 1 : 0x1234567), has_fine_features(polygon));
+  return displaced_polygon(polygon, role.inwards, role.plays_p ? 1 : 0x1234567);
 }
 
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {

@@ -12,7 +12,7 @@ namespace {
 
 const ShapeTiling* known_tiling(const PairPlan& plan, int side, bool inwards) {
   const ShapeInRole* shape = shape_in_role(plan, side, inwards);
-  if (!shape || shape->displaced->fine_features) return nullptr;
+  if (!shape) return nullptr;
   return shape->kept<ShapeTiling>(ShapeInRole::tiling, [&] {
     return tile_shape(shape->displaced, shape->role.plays_p ? node::p_tree : node::q_tree);
   });
@@ -27,11 +27,9 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
 Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
-  for (std::size_t i = 0; i < names_.size(); ++i) names_[i] = scene.bodies[i].name;
   build(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
   const Overlap overlap = *engine_->overlap();
-  if (overlap.one_body) refuse_fine_features(scene, witness().edge(overlap.edge_p), witness().edge(overlap.edge_q));
   if (touch == Touch::closed) {
     // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
     const PairGeometry inner = displaced_pair(plan_, true);
@@ -82,7 +80,7 @@ void Session::set_motion(int body, const Motion& motion) {
   if (contact_) return;
   const double now = engine_->time();
   const std::size_t side = plan_.maps[0].body == body ? 0 : 1;
-  const std::string& name = names_[static_cast<std::size_t>(body)];
+  const std::string& name = plan_.names[side];
   validate_motion(motion, name, plan_.bounds[side], now, end_, plan_.extent);
   std::vector<MotionPiece> fresh;
   for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));

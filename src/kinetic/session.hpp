@@ -43,7 +43,6 @@ class Session : private EngineObserver {
   Witness witness() const { return {plan_, engine_->geometry()}; }
 
   double start_, end_;
-  std::array<std::string, 2> names_;  ///< of the bodies
   PairPlan plan_;
   Tracer* tracer_;
   EngineObserver* observer_;

@@ -63,7 +63,8 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
   f.pp = triple.pp;
   f.a[1] = -ey * side;
   f.a[2] = ex * side;
-  f.w = std::fabs(ex) + std::fabs(ey);
+  // The displacement of a short edge may be more than what it rounds: the room counts for where that meets a long way.
+  f.w = std::fabs(ex) + std::fabs(ey) + 0x1p54 * displacement_room;
   const double shift = leg.offset_size();
   const double size_a = std::fabs(pa.x) + std::fabs(pa.y) + shift, size_c = std::fabs(pc.x) + std::fabs(pc.y) + shift;
   if (leg.translation) {
@@ -78,7 +79,7 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
     f.m0 = f.w * size_a;
     f.m34 = f.w * size_c;
   }
-  f.floor_error = 0x1p-150 * (size_a + size_c + f.w);
+  f.floor_error = displacement_room * (size_a + size_c + f.w);
   return f;
 }
 
@@ -102,7 +103,7 @@ bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const MixedT
   const double shift = std::fabs(leg.shift.x) + std::fabs(leg.shift.y);
   const double size = std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pc.x) + std::fabs(pc.y) + 2 * shift;
   f.m0 = f.w * size + (std::fabs(ex) + std::fabs(ey)) * (std::fabs(dcx) + std::fabs(dcy));
-  f.floor_error = 0x1p-150 * (size + f.w) * (1 + f.w);
+  f.floor_error = displacement_room * (size + f.w) * (1 + f.w);
   return true;
 }
 

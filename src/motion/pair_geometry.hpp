@@ -16,7 +16,6 @@ struct PairGeometry {
   PairGeometry(SharedPolygon first, SharedPolygon second)
       : np(static_cast<std::uint32_t>(first->points.size())),
         nq(static_cast<std::uint32_t>(second->points.size())),
-        fine_features(first->fine_features || second->fine_features),
         p_(std::move(first)),
         q_(std::move(second)),
         points_p_(p_->points.data()),
@@ -26,8 +25,6 @@ struct PairGeometry {
                      std::make_shared<const DisplacedPolygon>(std::move(second))) {}
 
   std::uint32_t np = 0, nq = 0;
-  /// Of one of the polygons: then they must be checked to be simple.
-  bool fine_features = false;
 
   const SharedPolygon& p() const { return p_; }
   const SharedPolygon& q() const { return q_; }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/prepared_shape.hpp"
@@ -28,7 +30,8 @@ struct BodyMap {
 
 /// Everything about a scene that does not depend on the touch mode.
 struct PairPlan {
-  std::array<BodyMap, 2> maps;  ///< of P and of Q
+  std::array<BodyMap, 2> maps;       ///< of P and of Q
+  std::array<std::string, 2> names;  ///< of P and of Q
   /// Scaled, counterclockwise, first vertex on the hull.
   std::array<std::shared_ptr<const std::vector<Point>>, 2> polygons;
   std::array<std::vector<MotionPiece>, 2> pieces;                ///< scaled
@@ -52,7 +55,10 @@ inline PairPlan plan_pair(const Scene& scene) {
 /// What is kept of P (side 0) or Q (side 1) if it is a prepared shape; else null.
 const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards);
 
-/// The two polygons, displaced inwards or outwards.
+/// The two polygons, displaced inwards or outwards. Throws InputError where one of them has features that are finer
+/// than the displacement.
 PairGeometry displaced_pair(const PairPlan& plan, bool inwards);
+/// The same, or nothing.
+std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, bool inwards);
 
 }  // namespace taut

@@ -72,7 +72,7 @@ void Placement::set_bounds(const Frame<double>& f) {
   const double size = local + far_x + far_y + std::fabs(after_turn_.x) + std::fabs(after_turn_.y);
   const double frame_error = std::max(f.for_pp[1].v.rad, f.for_pp[2].v.rad) +
                              (f.for_pp[3].v.rad + f.for_pp[4].v.rad) * (local + far_x + far_y);
-  error_ = 16 * 0x1p-53 * size + frame_error + 0x1p-150;
+  error_ = 16 * 0x1p-53 * size + frame_error + displacement_room;
   // A box around everything, with irregular corners, which are far enough out for what rounding adds.
   const double w = std::max({all.hi.x - all.lo.x, all.hi.y - all.lo.y, 1e-3 * size}), x0 = all.lo.x, y0 = all.lo.y;
   corners_ = {{{x0 - 5.137 * w, y0 - 4.871 * w},

@@ -139,8 +139,8 @@ bool PlanRange::keeps_sign(const PairGeometry& g, const MixedTriple& triple, int
     error += size[i] * farthest;
     reach += farthest;
   }
-  // 2^-48 covers the rounding; the displacement moves points by 2^-158 of their scale at most.
-  return least > 0x1p-48 * error + 0x1p-140 * reach;
+  // 2^-48 covers the rounding; the rest the displacement.
+  return least > 0x1p-48 * error + 0x1p10 * displacement_room * reach;
 }
 
 }  // namespace taut

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "motion/pose.hpp"
-#include "taut/error.hpp"
-#include "taut/shape.hpp"
 
 namespace taut {
 namespace {
@@ -77,18 +74,6 @@ Contact Witness::contact_of_crossing(VertexId e, VertexId f, const Leg& leg, dou
     return distance(a.first, a.second) < distance(b.first, b.second);
   });
   return contact(best->first, best->second, leg, t, t);
-}
-
-void refuse_fine_features(const Scene& scene, const Feature& e, const Feature& f) {
-  const Body& body = scene.bodies[static_cast<std::size_t>(e.body)];
-  const auto edge = [&body](const Feature& x) {
-    return std::to_string(x.index) + "-" +
-           std::to_string((static_cast<std::size_t>(x.index) + 1) % polygon_of(body).size());
-  };
-  throw InputError(body.name,
-                   "edges " + edge(e) + " and " + edge(f) +
-                       " come closer than the displacement that taut computes with, 2^-199 of the largest coordinate",
-                   "features that small can only be rounding noise: remove them");
 }
 
 }  // namespace taut

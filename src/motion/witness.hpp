@@ -29,7 +29,4 @@ class Witness {
   const PairGeometry& geometry_;
 };
 
-/// Throws InputError that names two edges of one body that come closer than the displacement.
-[[noreturn]] void refuse_fine_features(const Scene& scene, const Feature& e, const Feature& f);
-
 }  // namespace taut

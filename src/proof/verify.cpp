@@ -4,7 +4,6 @@
 #include <cstring>
 #include <string>
 
-#include "motion/body_crossing.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/witness.hpp"
 #include "proof/lifetime.hpp"
@@ -43,7 +42,6 @@ class Verifier {
         lifetimes_(geometry_),
         births_(map_.size()),
         place_(map_.size(), nowhere) {
-    if (geometry_.fine_features && crossing_within_body(geometry_)) throw ProofError("a displaced body is not simple");
     enter(0);
     for (std::uint32_t i = 0; i < map_.size(); ++i) begin(HalfedgeId(i), Instant::exactly(leg().start));
   }

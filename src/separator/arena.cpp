@@ -21,7 +21,9 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   scene.bodies = {{"a", a, {}}, {"b", b, {}}};
   std::optional<Arena> arena(std::in_place);
   arena->plan = plan_pair(scene);
-  arena->geometry = displaced_pair(arena->plan, true);
+  std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, true);
+  if (!geometry) return std::nullopt;
+  arena->geometry = std::move(*geometry);
   const std::vector<Leg> legs = make_legs(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
   const Placement placement(arena->geometry, legs.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;

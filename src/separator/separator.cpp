@@ -79,7 +79,7 @@ std::vector<Point> both(const PairPlan& plan) {
 
 Polygon grown(const Polygon& polygon, double margin) {
   Polygon out;
-  for (const DisplacedPoint& v : displace(polygon, false, margin, 1)) out.push_back({v.x + v.dx, v.y + v.dy});
+  for (const DisplacedPoint& v : displace(polygon, false, margin, 1).points) out.push_back({v.x + v.dx, v.y + v.dy});
   return out;
 }
 

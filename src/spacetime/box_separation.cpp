@@ -63,9 +63,9 @@ double motion(const Stretch& s, const Box& p, const Box& q) {
 bool misses(const Stretch& s, const Carriage& carriage, Vector vertex, Vector from, Vector to) {
   const Vector edge = to - from;
   const Path way = carriage.place(vertex, from);
-  // The displacement is at most 2^-158 a coordinate: of the edge's direction, times the way, and of both points, along
-  // the edge, whose coordinates are at most 1.
-  const double error = carriage.error * size(edge) + 0x1p-150 * (1 + carriage.reach);
+  // The displacement counts in the edge's direction, times the way, and in both points, along the edge, whose
+  // coordinates are at most 1.
+  const double error = carriage.error * size(edge) + displacement_room * (1 + carriage.reach);
   const Parabola line = along(turned(edge), way), ahead = along(edge, way);
   const Parabola beyond{ahead.a - dot(edge, edge), ahead.b, ahead.c};
   return line.least(s.r) > error || (-line).least(s.r) > error || (-ahead).least(s.r) > error ||

@@ -42,8 +42,8 @@ Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std
   for (std::uint32_t i = first; i < first + count; ++i) add(polygon[i]);
   add(polygon[last]);
   // Projections and the centre round a few times each, relative to the size of the coordinates; u is a unit vector up
-  // to rounding; the displacement is below 2^-157.
-  const double padding = 0x1p-47 * largest + 0x1p-150;
+  // to rounding; then there is the displacement.
+  const double padding = 0x1p-47 * largest + displacement_room;
   along.pad(padding);
   across.pad(padding);
   Box box;

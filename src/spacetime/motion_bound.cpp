@@ -38,8 +38,8 @@ DirectedDistance::DirectedDistance(const Leg& leg, bool pp, const Point& n, cons
     m_[0] = w * size_a;
     m_[3] = m_[4] = w * size_c;
   }
-  // The displacement is at most 2^-158 a coordinate; combine() multiplies by 2^-49.
-  for (double& m : m_) m += 0x1p-100 * (1 + size_a + size_c + w);
+  // For the displacement; combine() multiplies by 2^-49.
+  for (double& m : m_) m += 0x1p50 * displacement_room * (1 + size_a + size_c + w);
 }
 
 Course::Course(const DirectedDistance& f, FrameWindow& window, double t, int sign)

@@ -116,7 +116,6 @@ class Sweep {
     if (overlap_) return;
     if (owner(f) == 2) f = e;  // a vertex that ought to start inside its own polygon lies outside of it
     overlap_ = owner(e) == 0 ? Overlap{VertexId(e), VertexId(f)} : Overlap{VertexId(f), VertexId(e)};
-    overlap_->one_body = owner(e) == owner(f);
   }
   /// Edges of different bodies that become neighbours must not cross (nor, if asked for, those of one body).
   void check_neighbours(Slot low, Slot high) {

@@ -12,7 +12,6 @@ namespace taut {
 /// an edge at the leftmost vertex of the inner one, and the edge of the outer one just below it).
 struct Overlap {
   VertexId edge_p, edge_q;  ///< named by their first vertices
-  bool one_body = false;    ///< both are edges of one polygon, which is not simple once displaced
 };
 
 /// Triangle t has the half-edges 3t, 3t+1, 3t+2, counterclockwise.
@@ -30,8 +29,7 @@ struct FreeTriangulation {
 /// Triangulates by a plane sweep, O(n log n); returns the overlap instead if the polygons are not disjoint.
 /// (Hertel and Mehlhorn's sweep: each free interval of the sweep line keeps a reflex chain of vertices that wait for
 /// triangles; every new vertex closes what it can see.)
-/// With `check_bodies` it also looks for edges of one polygon that cross: the displacement can bring that about where
-/// features are smaller than it is.
+/// With `check_bodies` it also finds edges of one polygon that cross: separators look at polygons that may.
 std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
                                               bool check_bodies = false);
 

@@ -8,7 +8,7 @@ StaticTiling build_tiling(const Placement& placement) {
   StaticTiling result;
   FreeTriangulation triangulation;
   const PairGeometry& g = placement.geometry();
-  result.overlap = triangulate_free_space(placement, triangulation, g.fine_features);
+  result.overlap = triangulate_free_space(placement, triangulation);
   if (result.overlap) return result;
   result.map.reset(g.size());
   const ChainTree tree_p(g.np, node::p_tree), tree_q(g.nq, node::q_tree);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "geometry/displaced_orientation.hpp"
 #include "geometry/displacement.hpp"
@@ -13,6 +14,8 @@
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
+#include "taut/proof.hpp"
+#include "taut/simulation.hpp"
 #include "taut/validate.hpp"
 
 namespace taut::testing {
@@ -223,7 +226,7 @@ TEST(Displacement, MovesEdgesToOneSide) {
       polygon.push_back({r * std::cos(a), r * std::sin(a)});
     }
     for (const bool inwards : {true, false}) {
-      const auto moved = displace(polygon, inwards, delta, static_cast<std::uint64_t>(i));
+      const auto moved = displace(polygon, inwards, delta, static_cast<std::uint64_t>(i)).points;
       for (int k = 0; k < n; ++k) {
         const auto at = [&](int j) { return polygon[static_cast<std::size_t>((j + n) % n)]; };
         const DisplacedPoint& m = moved[static_cast<std::size_t>(k)];
@@ -269,7 +272,8 @@ Scene sliding_square(double y) {
 /// Axis-aligned sliding is decided in doubles, by the part that is linear in the displacement.
 TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const PairGeometry g(displace(square, true, displacement_unit, 1), displace(square, true, displacement_unit, 2));
+  const PairGeometry g(displace(square, true, displacement_unit, 1).points,
+                       displace(square, true, displacement_unit, 2).points);
   const Scene scene = sliding_square(1);
   const Leg leg = Leg::motion({}, scene.bodies[1].motion.pieces[0], 0, 10);
   // P's upper edge (2 -> 3) and Q's lower left corner: on one line at all times.
@@ -388,6 +392,50 @@ TEST(FineFeatures, SmallerThanTheDisplacementAreRefused) {
   // A hundred million times larger than the displacement is fine.
   scene.bodies[0].polygon = {{0, 0}, {1, 0}, {1, 1}, {0.5, 1e-52}, {0.25, 0.5e-52}, {0, 1}};
   EXPECT_EQ(check(scene).outcome, Outcome::free);
+}
+
+/// Every way to ask refuses it, and names the vertex of the input.
+TEST(FineFeatures, CornersTooSharpAreRefused) {
+  Scene scene = sliding_square(2);
+  scene.bodies[0].polygon = {{0.5, 1e-15}, {0, 1}, {-0.25, 1}, {-0.5, 0.5}, {0, 0}, {1, 0}};
+  for (const auto engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+    CheckOptions options;
+    options.engine = engine;
+    try {
+      check(scene, options);
+      FAIL() << "accepted";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.place(), "a");
+      EXPECT_NE(e.problem().find("the corner at vertex 5"), std::string::npos) << e.what();
+      EXPECT_EQ(e.culprits().vertices, std::vector<int>{5});
+    }
+  }
+  std::ostringstream log;
+  EXPECT_THROW(prove(scene, log), InputError);
+  EXPECT_THROW(Simulation(scene, Touch::closed), InputError);
+  scene.bodies[0].polygon[0].y = 1e-11;
+  EXPECT_EQ(check(scene).outcome, Outcome::free);
+}
+
+/// The displacement of a short edge, times a long way, may exceed what the edge rounds.
+TEST(FastFunction, BoundsCoverTheDisplacementOfShortEdges) {
+  const std::vector<Point> shard{{0, 0}, {0x1p-170, 0}, {0, 0x1p-170}}, square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const PairGeometry g(displace(shard, true, displacement_unit, 1).points,
+                       displace(square, true, displacement_unit, 2).points);
+  MotionPiece way;
+  way.x = {0, 0x1p100, 1};
+  way.y = {0, 0x1p90, -1};
+  const Leg leg = Leg::motion({}, way, 0, 1);
+  LegClock clock;
+  clock.reset(leg);
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
+    for (int c = 3; c < 7; ++c) {
+      const MixedTriple triple = MixedTriple::of(g, VertexId(a), VertexId(b), VertexId(c));
+      const Ball<Real960> exact = PreciseFunction<Real960>(leg, g, triple).value(Ball<Real960>::exact(0.5));
+      const Bounded fast = FastFunction::level_zero(leg, g, triple).value(clock.at(0.5, triple.pp));
+      EXPECT_LE(std::fabs(static_cast<double>(exact.mid - Real960(fast.value))), fast.error);
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,175 @@
+// Why the laws of displaced_polygon() hold, and their check where that argument does not reach.
+//
+// Let R be the ring, R' the displaced one, D more than the way of any vertex, and f the least distance between an edge
+// and a vertex that is not one of its ends. Each point of R' is at most D from the point of R with the same place on
+// the same edge. By the law of corners (displace()), both ends of an edge e' lie between delta and 2 delta to the inner
+// side of e's line, and so does all of e': this is the third law, and e' does not meet e.
+//
+// If 2 D < f:
+// * Two edges that are no neighbours have distance f at least, so e' meets neither g' nor g. Neighbours e', g' share a
+//   vertex and nothing else: the far end of g' stays off e'. So R' is simple, and so are all rings on the straight way
+//   from R to R': none of them turns inside out.
+// * e = vw does not meet the displaced edge before it, from u' to v': where the corner v is convex, w is at least f
+// from
+//   the line of uv on its inner side, and v' strictly on the inner side of vw's line, u' also, as it moves by less than
+//   f. Where v is reflex, vw lies on the outer side of the line of uv, or on it, and u'v' strictly on the inner side.
+//   The edge after it likewise. So R' does not meet R.
+// * Hence R' lies wholly on one side of R, and at v that is the inner side, where v' is.
+// Moving outwards is the same with the sides exchanged.
+#include "geometry/displacement_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/displaced_orientation.hpp"
+#include "numeric/exact_sum.hpp"
+
+namespace taut {
+namespace {
+
+using Ring = std::vector<DisplacedPoint>;
+
+struct EdgeBounds {
+  double left = 0, right = 0, low = 0, high = 0;
+
+  /// Of an edge before and after the displacement.
+  static EdgeBounds of(const DisplacedPoint& a, const DisplacedPoint& b) {
+    constexpr double room = displacement_room;
+    return {std::min(a.x, b.x) - room, std::max(a.x, b.x) + room, std::min(a.y, b.y) - room, std::max(a.y, b.y) + room};
+  }
+  static EdgeBounds both(const EdgeBounds& a, const EdgeBounds& b) {
+    return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
+  }
+  friend bool meet(const EdgeBounds& a, const EdgeBounds& b) {
+    return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+  }
+};
+
+DisplacedPoint before_displacement(const DisplacedPoint& v) { return {v.x, v.y, 0, 0}; }
+
+/// May the segments ab and cd have a point in common? Certainly not if this is false.
+bool may_meet(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, const DisplacedPoint& d) {
+  const auto apart = [](int s, int t) { return s == t && s != 0; };
+  return !apart(orientation(a, b, c), orientation(a, b, d)) && !apart(orientation(c, d, a), orientation(c, d, b));
+}
+
+/// The sign of a coordinate's difference, displacement included.
+int compare(double a, double da, double b, double db) {
+  ExactSum<4> sum;
+  for (const double x : {da, -db, a, -b}) sum.add(x);
+  return sum.sign();
+}
+
+/// A tree of bounds over the edges of the ring, joined with itself.
+class RingCheck {
+ public:
+  explicit RingCheck(const Ring& ring) : ring_(ring), n_(static_cast<std::uint32_t>(ring.size())) {
+    nodes_.reserve(2 * ring.size());
+    build(0, n_);
+  }
+
+  /// Edges by which the displaced ring meets itself or the one it was made of.
+  std::optional<DisplacementFault> close_edges() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+    while (!stack.empty()) {
+      const auto [i, j] = stack.back();
+      stack.pop_back();
+      const Node &a = nodes_[i], &b = nodes_[j];
+      if (!meet(a.bounds, b.bounds)) continue;
+      if (i == j) {
+        if (a.count > 1) stack.insert(stack.end(), {{a.left, a.left}, {a.left, a.right}, {a.right, a.right}});
+      } else if (a.count == 1 && b.count == 1) {
+        if (edges_meet(a.first, b.first))
+          return DisplacementFault{DisplacementFault::Kind::close_edges, a.first, b.first};
+      } else if (b.count == 1 || a.count > b.count) {
+        stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
+      } else {
+        stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Node {
+    EdgeBounds bounds;
+    std::uint32_t first, count, left = 0, right = 0;
+  };
+
+  std::uint32_t next(std::uint32_t v) const { return v + 1 == n_ ? 0 : v + 1; }
+
+  /// Two different edges.
+  bool edges_meet(std::uint32_t i, std::uint32_t j) const {
+    const DisplacedPoint &a = ring_[i], &b = ring_[next(i)], &c = ring_[j], &d = ring_[next(j)];
+    if (may_meet(a, b, before_displacement(c), before_displacement(d)) ||
+        may_meet(before_displacement(a), before_displacement(b), c, d)) {
+      return true;
+    }
+    // Neighbours meet in their common vertex, and nowhere else unless they lie on one line.
+    if (next(i) == j) return orientation(a, b, d) == 0;
+    if (next(j) == i) return orientation(c, d, b) == 0;
+    return may_meet(a, b, c, d);
+  }
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t count) {
+    const auto index = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({EdgeBounds::of(ring_[first], ring_[next(first)]), first, count});
+    if (count == 1) return index;
+    const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
+    nodes_[index].left = left;
+    nodes_[index].right = right;
+    nodes_[index].bounds = EdgeBounds::both(nodes_[left].bounds, nodes_[right].bounds);
+    return index;
+  }
+
+  const Ring& ring_;
+  std::uint32_t n_;
+  std::vector<Node> nodes_;
+};
+
+/// The parity of the edges that a ray from v to the right crosses. v must not lie on the ring.
+bool contains(const Ring& ring, const DisplacedPoint& v) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const DisplacedPoint &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    const bool a_above = compare(a.y, a.dy, v.y, v.dy) > 0, b_above = compare(b.y, b.dy, v.y, v.dy) > 0;
+    if (a_above != b_above && (orientation(a, b, v) > 0) == b_above) inside = !inside;
+  }
+  return inside;
+}
+
+/// Of a simple ring: by its lowest vertex, of those the one farthest to the left.
+bool is_counterclockwise(const Ring& ring) {
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const DisplacedPoint &a = ring[i], &b = ring[lowest];
+    const int y = compare(a.y, a.dy, b.y, b.dy);
+    if (y < 0 || (y == 0 && compare(a.x, a.dx, b.x, b.dx) < 0)) lowest = i;
+  }
+  const std::size_t n = ring.size();
+  return orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n]) > 0;
+}
+
+}  // namespace
+
+bool has_room(const std::vector<Point>& polygon, double farthest) {
+  // Where all coordinates are multiples of 2^-k, twice the area of a triangle is one of 2^-2k, and edges are shorter
+  // than sqrt 8: so f is 2^(-2k - 1.5) at least. The largest k for which that is more than 2 D:
+  const int k = (-(std::ilogb(farthest) + 1) - 3) / 2;
+  const auto coarse = [k](double c) { return std::ldexp(std::floor(std::ldexp(c, k)), -k) == c; };
+  return k > 0 &&
+         std::all_of(polygon.begin(), polygon.end(), [&](const Point& v) { return coarse(v.x) && coarse(v.y); });
+}
+
+std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards) {
+  if (const auto fault = RingCheck(ring).close_edges()) return fault;
+  // The two rings are simple and do not meet: one vertex tells which lies inside.
+  Ring original;
+  original.reserve(ring.size());
+  for (const DisplacedPoint& v : ring) original.push_back(before_displacement(v));
+  const bool right_side = inwards ? contains(original, ring[0]) : contains(ring, original[0]);
+  if (right_side && is_counterclockwise(ring)) return std::nullopt;
+  return DisplacementFault{DisplacementFault::Kind::close_edges, static_cast<std::uint32_t>(ring.size() - 1), 0};
+}
+
+}  // namespace taut
