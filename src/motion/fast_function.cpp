@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/form.hpp"
+#include "motion/frame_identities.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut {
@@ -84,26 +86,39 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
 }
 
 bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, FastFunction& f) {
-  if (!leg.translation) return false;
+  if (leg.bridge) return false;
   const DisplacedPoint &pa = g.point(triple.a), &pb = g.point(triple.b), &pc = g.point(triple.c);
-  if (!vanishes(leg, pa, pb, pc, triple.pp)) return false;
+  if (leg.translation ? !vanishes(leg, pa, pb, pc, triple.pp) : !vanishes_before_displacement(leg, g, triple)) {
+    return false;
+  }
   constexpr double up = 0x1p200;
-  const double ex = pb.x - pa.x, ey = pb.y - pa.y;
-  const double dex = (pb.dx - pa.dx) * up, dey = (pb.dy - pa.dy) * up;
-  const double dcx = (pc.dx - pa.dx) * up, dcy = (pc.dy - pa.dy) * up;
   const Point a = seen(leg, pa, triple.pp), c = seen(leg, pc, !triple.pp);
-  const double side = triple.pp ? 1 : -1;
+  // What the displacement changes in the edge and in the points, each times the rest.
+  const FormPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
+  const FormPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
+  const double w = std::fabs(points.ex) + std::fabs(points.ey), shift = leg.offset_size();
+  const double size_a = std::fabs(pa.x) + std::fabs(pa.y) + shift, size_c = std::fabs(pc.x) + std::fabs(pc.y) + shift;
+  const double way_a = std::fabs(points.ax) + std::fabs(points.ay), way_c = std::fabs(points.cx) + std::fabs(points.cy);
   f.pp = triple.pp;
   f.level1 = true;
-  f.a[0] = dex * (c.y - a.y) - dey * (c.x - a.x) + ex * dcy - ey * dcx;
-  f.a[1] = -dey * side;
-  f.a[2] = dex * side;
-  f.a[3] = f.a[4] = f.m34 = 0;
-  f.w = std::fabs(dex) + std::fabs(dey);
-  const double shift = std::fabs(leg.shift.x) + std::fabs(leg.shift.y);
-  const double size = std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pc.x) + std::fabs(pc.y) + 2 * shift;
-  f.m0 = f.w * size + (std::fabs(ex) + std::fabs(ey)) * (std::fabs(dcx) + std::fabs(dcy));
-  f.floor_error = displacement_room * (size + f.w) * (1 + f.w);
+  f.w = std::fabs(edge.ex) + std::fabs(edge.ey);
+  const auto first = form_coefficients(triple.pp, edge), second = form_coefficients(triple.pp, points);
+  f.a[1] = first[1];
+  f.a[2] = first[2];
+  if (leg.translation) {
+    f.a[0] = edge.ex * (c.y - a.y) - edge.ey * (c.x - a.x) + points.ex * (points.cy - points.ay) -
+             points.ey * (points.cx - points.ax);
+    f.a[3] = f.a[4] = f.m34 = 0;
+    f.m0 = f.w * (size_a + size_c) + w * (way_a + way_c);
+  } else {
+    f.a[0] = first[0] + second[0];
+    f.a[3] = first[3] + second[3];
+    f.a[4] = first[4] + second[4];
+    f.m0 = f.w * size_a + w * way_a;
+    f.m34 = f.w * size_c + w * way_c;
+  }
+  // The square of the displacement, scaled once.
+  f.floor_error = displacement_room * (1 + size_a + size_c + f.w) * (1 + f.w + way_a + way_c);
   return true;
 }
 

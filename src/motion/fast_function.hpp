@@ -46,7 +46,7 @@ struct FastFunction {
 
   static FastFunction level_zero(const Leg& leg, const PairGeometry& g, const MixedTriple& triple,
                                  Measure measure = Measure::orientation);
-  /// The next level if level 0 is exactly zero at all times of a translation leg; false otherwise.
+  /// The next level if level 0 is exactly zero at all times of the leg; false otherwise.
   static bool level_one(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, FastFunction& result);
 
   Bounded value(const FastSide& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }

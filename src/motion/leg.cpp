@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "motion/frame_identities.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut {
@@ -57,9 +58,43 @@ struct Axes {
   J px, py, qx, qy;
 };
 
+/// The difference of two polynomials: its coefficients are exact sums of two doubles, and nothing is left of what is in
+/// both.
+template <class J, class Time>
+J difference(const Coefficients& q, const Coefficients& p, const Time& t) {
+  Coefficients hi(std::max(p.size(), q.size())), low(hi.size());
+  bool rounded = false;
+  for (std::size_t k = 0; k < hi.size(); ++k) {
+    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
+    hi[k] = d.hi;
+    low[k] = d.lo;
+    rounded = rounded || d.lo != 0;
+  }
+  const auto trimmed = [](Coefficients& c) {
+    while (!c.empty() && c.back() == 0) c.pop_back();
+  };
+  trimmed(hi);
+  trimmed(low);
+  const J difference = J::polynomial(hi, t);
+  return rounded ? difference + J::polynomial(low, t) : difference;
+}
+
+/// conj(x_P) x_Q of two bodies that turn. Where both angles are given their difference is formed first, so that what
+/// both have in common is not there to widen ranges.
+template <class J, class Time>
+void relative_turn(const Leg& leg, const Axes<J>& axes, const Time& t, J& c, J& s) {
+  const auto* p = std::get_if<AngleRotation>(&leg.p.rotation);
+  const auto* q = std::get_if<AngleRotation>(&leg.q.rotation);
+  if (p && q) {
+    sin_cos(difference<J>(q->angle, p->angle, t), s, c);
+  } else {
+    conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
+  }
+}
+
 /// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
-template <class J>
-void turning_frame(const Leg& leg, const Axes<J>& axes, const J& dx, const J& dy, FrameOf<J>& f) {
+template <class J, class Time>
+void turning_frame(const Leg& leg, const Axes<J>& axes, const Time& t, const J& dx, const J& dy, FrameOf<J>& f) {
   const auto& [px, py, qx, qy] = axes;
   const bool p_turns = turns(leg.p), q_turns = turns(leg.q);
   if (p_turns) {
@@ -84,7 +119,7 @@ void turning_frame(const Leg& leg, const Axes<J>& axes, const J& dx, const J& dy
   }
   conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
   if (p_turns) {
-    conjugate_product(px, py, qx, qy, f.for_pp[3], f.for_pp[4]);
+    relative_turn(leg, axes, t, f.for_pp[3], f.for_pp[4]);
   } else {
     f.for_pp[3] = qx;
     f.for_pp[4] = qy;
@@ -141,7 +176,7 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
   Axes<J> axes;
   if (turns(leg.p)) rotation_jet(leg.p.rotation, t, axes.px, axes.py);
   if (turns(leg.q) && !leg.aligned) rotation_jet(leg.q.rotation, t, axes.qx, axes.qy);
-  turning_frame(leg, axes, dx, dy, f);
+  turning_frame(leg, axes, t, dx, dy, f);
   if (leg.pivots && !offset) add_pivots(leg, axes, f);
   f.for_qq[3] = f.for_pp[3];
   f.for_qq[4] = f.for_pp[4];
@@ -287,12 +322,30 @@ FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { retu
 FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }
 
 FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
+FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
+  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols});
+}
+
+const FrameIdentities& Leg::identities() const {
+  if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
+  return *identities_;
+}
+
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
   return motion_frame<ThirdSeries>(leg, t);
 }
 
-FrameOf<EndSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
-  return motion_frame<EndSeries<Real320>>(leg, t);
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t) {
+  return motion_frame<PreciseSeries<Real320>>(leg, t);
+}
+FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t) {
+  return motion_frame<PreciseSeries<Real640>>(leg, t);
+}
+FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t) {
+  return motion_frame<PreciseSeries<Real960>>(leg, t);
+}
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
+  return motion_frame<PreciseSeries<Real320>>(leg, t);
 }
 
 }  // namespace taut

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "motion/pose.hpp"
+#include "motion/symbolic.hpp"
 #include "numeric/series.hpp"
 
 namespace taut {
@@ -36,6 +38,8 @@ struct ExactVector {
 
   ExactVector operator-() const { return {-x, -x_low, -y, -y_low, -x_rest, -y_rest}; }
 };
+
+class FrameIdentities;
 
 /// One leg of the relative motion.
 struct Leg {
@@ -72,6 +76,11 @@ struct Leg {
   }
   /// The time of the world at this parameter.
   double time(double parameter) const { return bridge ? joint : parameter; }
+  /// Made when first asked for, by one thread at a time.
+  const FrameIdentities& identities() const;
+
+ private:
+  mutable std::shared_ptr<const FrameIdentities> identities_;
 };
 
 /// The frame over the ball t of the leg's parameter.
@@ -97,16 +106,21 @@ FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
 
-/// Its Taylor series in s about a place near a singular end.
-inline constexpr int end_degree = 9;
+/// Its Taylor series at high precision (not of a bridge), and in s about a place near a singular end.
+inline constexpr int taylor_degree = 9;
 template <class Real>
-using EndSeries = Series<Real, end_degree>;
-FrameOf<EndSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
+using PreciseSeries = Series<Real, taylor_degree>;
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t);
+FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t);
+FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t);
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
 
-/// Turns a vertex of P or Q into what the leg sees of it.
-template <class Real>
-void add_offset(const Leg& leg, bool of_p, Ball<Real>& x, Ball<Real>& y) {
-  using B = Ball<Real>;
+/// As exact expressions (not of a bridge).
+FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
+
+/// Turns a vertex of P or Q into what the leg sees of it, in numbers that can be given exactly.
+template <class B>
+void add_offset(const Leg& leg, bool of_p, B& x, B& y) {
   const ExactVector& s = leg.offset(of_p);
   if (of_p ? leg.shift_p : leg.shift_q) {
     x = x + B::exact(s.x) + B::exact(s.x_low);

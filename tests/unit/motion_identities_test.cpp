@@ -1,0 +1,133 @@
+// Functions that vanish at all times through identities between the motions.
+#include <gtest/gtest.h>
+
+#include "motion/frame_identities.hpp"
+#include "motion/mixed_function.hpp"
+#include "support/effort.hpp"
+#include "support/rng.hpp"
+
+namespace taut::testing {
+namespace {
+
+Coefficients some(Rng& rng, int n) {
+  Coefficients c;
+  for (int i = 0; i < n; ++i) c.push_back(rng.between(-3, 3));
+  return c;
+}
+
+/// Small whole numbers, so that identities come about by chance.
+MotionPiece random_piece(Rng& rng) {
+  MotionPiece piece;
+  piece.x = some(rng, rng.between(0, 2));
+  piece.y = some(rng, rng.between(0, 2));
+  switch (rng.below(6)) {
+    case 0:
+      break;
+    case 1:
+      piece.rotation = AngleRotation{some(rng, 2)};
+      break;
+    case 2:
+      piece.rotation = DirectionRotation{{static_cast<double>(rng.between(1, 2))}, some(rng, 2)};
+      break;
+    case 3:
+      piece.rotation = HalfAngleRotation{some(rng, 2)};
+      break;
+    case 4:
+      piece.rotation = CosineRotation{{rng.between(-2, 2) * 0.25, rng.between(-1, 1) * 0.5}};
+      break;
+    default:
+      piece.rotation = DirectionRotation{{1, 0, -1}, {0, 2}};
+  }
+  if (rng.chance(0.3)) piece.pivot = {static_cast<double>(rng.between(-2, 2)), static_cast<double>(rng.between(-2, 2))};
+  return piece;
+}
+
+/// A triangle of each body, without displacement: all that the function is made of vanishes, or nothing does.
+PairGeometry random_points(Rng& rng) {
+  std::vector<DisplacedPoint> p, q;
+  for (int i = 0; i < 3; ++i) {
+    p.push_back({rng.between(-2, 2) * 0.25, rng.between(-2, 2) * 0.25, 0, 0});
+    q.push_back({rng.between(-2, 2) * 0.25, rng.between(-2, 2) * 0.25, 0, 0});
+  }
+  return {p, q};
+}
+
+using Wide = Ball<Real960>;
+
+struct Place {
+  Wide x, y;
+};
+
+/// Where a point is in the world, from the pose itself.
+Place place(const MotionPiece& piece, const DisplacedPoint& v, const Wide& t) {
+  const Pose<Real960> at = pose(piece, t);
+  const Wide x = Wide::exact(v.x), y = Wide::exact(v.y);
+  return {at.ox.v + at.xx.v * x - at.xy.v * y, at.oy.v + at.xy.v * x + at.xx.v * y};
+}
+
+/// Zero at a few instants, to nearly all bits.
+bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const MixedTriple& triple) {
+  for (const double t : {0.1, 0.37, 0.61, 0.83}) {
+    const auto at = [&](VertexId v) { return place(g.in_p(v) ? leg.p : leg.q, g.point(v), Wide::exact(t)); };
+    const Place a = at(triple.a), b = at(triple.b), c = at(triple.c);
+    if (!(((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).magnitude() < 0x1p-800)) return false;
+  }
+  return true;
+}
+
+TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
+  Rng rng(11);
+  int vanish = 0, missed = 0;
+  for (std::uint64_t i = 0; i < effort(8000); ++i) {
+    MotionPiece p = random_piece(rng), q = rng.chance(0.2) ? p : random_piece(rng);
+    if (rng.chance(0.3)) q.x = p.x, q.y = p.y;
+    const PairGeometry g = random_points(rng);
+    const Leg leg = Leg::motion(p, q, 0, 1);
+    if (leg.translation) continue;
+    const int a = rng.below(3), b = (a + 1) % 3, other = rng.below(3);
+    const bool pp = rng.chance(0.5);
+    const MixedTriple triple = pp ? MixedTriple{VertexId(a), VertexId(b), VertexId(3 + other), true}
+                                  : MixedTriple{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
+    const bool seems = seems_to_vanish(leg, g, triple), does = vanishes_before_displacement(leg, g, triple);
+    ASSERT_FALSE(does && !seems) << i;
+    vanish += does;
+    missed += seems && !does;
+  }
+  EXPECT_GT(vanish, static_cast<int>(enough(400)));
+  EXPECT_EQ(missed, 0);
+}
+
+/// The functions of an identity are not zero by themselves.
+TEST(FrameIdentities, OfTwoFormsOfOneTurn) {
+  MotionPiece p, q;
+  p.rotation = HalfAngleRotation{{0, 1}};
+  q.rotation = DirectionRotation{{1, 0, -1}, {0, 2}};
+  const Leg leg = Leg::motion(p, q, 0, 1);
+  const FrameIdentities& identities = leg.identities();
+  const auto exact = [](double x) { return Dyadic::exact(x); };
+  for (const bool pp : {true, false}) {
+    // c = 1 and s = 0, and D = 0.
+    EXPECT_TRUE(identities.vanishes(pp, {exact(-1), exact(5), exact(7), exact(1), exact(3)}));
+    EXPECT_FALSE(identities.vanishes(pp, {exact(1), exact(0), exact(0), exact(1), exact(0)}));
+    EXPECT_FALSE(identities.vanishes(pp, {exact(1), exact(0), exact(0), exact(-1 + 0x1p-53), exact(0)}));
+  }
+}
+
+TEST(Dyadic, SquareRootsOfPolynomials) {
+  Rng rng(3);
+  for (int i = 0; i < 300; ++i) {
+    DyadicPolynomial p;
+    for (int k = rng.between(1, 5); k > 0; --k) p.push_back(Dyadic::exact(rng.between(-9, 9) * 0x1p-3));
+    trim(p);
+    const DyadicPolynomial square = p * p;
+    const auto root = square_root(square);
+    ASSERT_TRUE(root);
+    EXPECT_TRUE(*root == p || *root == -p);
+    if (p.empty()) continue;
+    EXPECT_FALSE(square_root(square + DyadicPolynomial{Dyadic::exact(0x1p-80)}) && p.size() > 1);
+    EXPECT_FALSE(square_root(-square));
+  }
+}
+
+}  // namespace
+}  // namespace taut::testing
