@@ -1,0 +1,256 @@
+#include "support/exact_motion.hpp"
+
+namespace taut::testing::exact {
+namespace {
+
+Poly one() { return {Rational(1)}; }
+
+Complex constant(const Point& p) { return {trimmed({Rational(p.x)}), trimmed({Rational(p.y)})}; }
+
+/// 1 - a^2 of a cosine, or nothing.
+Poly radicand_of(const MotionPiece& piece) {
+  const auto* r = std::get_if<CosineRotation>(&piece.rotation);
+  return r ? one() - poly(r->a) * poly(r->a) : Poly{};
+}
+
+/// How often (t - root) divides p, which is divided by it.
+int take_out(Poly& p, const Rational& root) {
+  int m = 0;
+  while (!p.empty() && value(p, root) == 0) {
+    p = divided(p, root);
+    ++m;
+  }
+  return m;
+}
+
+/// Proves p > 0 on [from, to], but for instants that it lists.
+bool search_zeros(const Poly& p, const Rational& from, const Rational& to, int depth, std::vector<Rational>& zeros) {
+  std::vector<Wide> c;
+  for (const Rational& x : p) c.push_back(Wide::of(x));
+  const Wide low = Wide::of(from), high = Wide::of(to), t = Wide::hull(low, high), m = t.middle();
+  const Series<Wide, 4> at = polynomial<Wide, 4>(c, m), over = polynomial<Wide, 4>(c, t);
+  const Wide h = t - m;
+  if ((at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * over.c[4])))).positive()) return true;
+  const Rational middle = (from + to) / 2;
+  if (value(p, middle) < 0) return false;
+  if (depth < 70) return search_zeros(p, from, middle, depth + 1, zeros) && search_zeros(p, middle, to, depth + 1, zeros);
+  // Too near to a zero: it had better be a double.
+  for (const Rational& zero : zeros) {
+    if (abs(zero - middle) < (to - from) * 64) return true;
+  }
+  const double guess = Rational(middle + (to - from) / 3).get_d();
+  for (const double x : {guess, std::nextafter(guess, -INFINITY), std::nextafter(guess, INFINITY)}) {
+    if (value(p, Rational(x)) != 0 || value(derivative(p), Rational(x)) != 0) continue;
+    zeros.emplace_back(x);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::vector<Rational>> cuts(const MotionPiece& piece, const Rational& from, const Rational& to) {
+  std::vector<Rational> zeros;
+  Poly p = radicand_of(piece);
+  if (p.empty()) return zeros;
+  take_out(p, from);
+  if (take_out(p, to) % 2 == 1) p = Rational(-1) * p;
+  if (!search_zeros(p, from, to, 0, zeros)) return std::nullopt;
+  return zeros;
+}
+
+bool infinite_speed(const MotionPiece& piece, const Rational& end) {
+  Poly p = radicand_of(piece);
+  return take_out(p, end) % 2 == 1;
+}
+
+struct BodyMotion::Ends {
+  BodyMotion before, after;
+  Rational u;
+};
+
+std::optional<BodyMotion> BodyMotion::of(const MotionPiece& piece, const Poly& time, const Rational& from,
+                                         const Rational& to) {
+  BodyMotion b;
+  b.below_ = b.square_ = Curve(one());
+  if (!b.set_rotation(piece, time, from, to)) return std::nullopt;
+  b.set_origin(piece, time);
+  b.prepare();
+  return b;
+}
+
+void BodyMotion::set_origin(const MotionPiece& piece, const Poly& time) {
+  const bool turns = !std::holds_alternative<NoRotation>(piece.rotation);
+  pivot_ = turns ? constant(piece.pivot) : Complex{};
+  origin_ = Complex{composed(poly(piece.x), time), composed(poly(piece.y), time)} + pivot_;
+}
+
+bool BodyMotion::set_rotation(const MotionPiece& piece, const Poly& time, const Rational& from, const Rational& to) {
+  plain_ = {one(), {}};
+  if (const auto* r = std::get_if<AngleRotation>(&piece.rotation)) angle_ = composed(poly(r->angle), time);
+  if (const auto* r = std::get_if<HalfAngleRotation>(&piece.rotation)) {
+    const Poly s = composed(poly(r->s), time);
+    plain_ = Complex{one(), s} * Complex{one(), s};
+    below_ = square_ = Curve(one() + s * s);
+  }
+  if (const auto* r = std::get_if<DirectionRotation>(&piece.rotation)) {
+    Rational u = (from + to) / 2;
+    if (time.size() > 2) u = time[2] > 0 ? Rational(1, 1024) : Rational(-1, 1024);
+    set_direction(composed(poly(r->a), time), composed(poly(r->b), time), u);
+  }
+  if (const auto* r = std::get_if<CosineRotation>(&piece.rotation)) return set_cosine(poly(r->a), time, from, to);
+  return true;
+}
+
+void BodyMotion::set_direction(const Poly& a, const Poly& b, const Rational& inside) {
+  const Poly size = a * a + b * b;
+  Rational root;
+  if (a.empty() || b.empty()) {
+    const Rational sign = sgn(value(a.empty() ? b : a, inside));
+    plain_ = a.empty() ? Complex{{}, {sign}} : Complex{{sign}, {}};
+  } else if (size.size() == 1 && is_square(size[0], root)) {
+    plain_ = {Rational(1 / root) * a, Rational(1 / root) * b};
+  } else {
+    plain_ = {};
+    rooted_ = {a, b};
+    radicand_ = size;
+    below_ = square_ = Curve(size);
+  }
+}
+
+bool BodyMotion::set_cosine(const Poly& a, const Poly& time, const Rational& from, const Rational& to) {
+  plain_ = {composed(a, time), {}};
+  Poly rest = one() - a * a;
+  if (rest.empty()) return true;
+  const int before = take_out(rest, from), after = take_out(rest, to);
+  // 1 - a^2 = (t - from)^before (to - t)^after rest.
+  if (after % 2 == 1) rest = Rational(-1) * rest;
+  const Poly up = time - trimmed({from}), down = trimmed({to}) - time;
+  const Poly u = {Rational(0), Rational(1)}, minus_u = {Rational(0), Rational(-1)};
+  Poly factor = one();
+  const Poly square = {Rational(0), Rational(0), Rational(1)};
+  for (int k = 0; k < before; ++k) {
+    if (before % 2 == 1 && up != square) return false;
+    if (before % 2 == 1 || k % 2 == 0) factor = factor * (before % 2 == 1 ? u : up);
+  }
+  for (int k = 0; k < after; ++k) {
+    if (after % 2 == 1 && down != square) return false;
+    if (after % 2 == 1 || k % 2 == 0) factor = factor * (after % 2 == 1 ? minus_u : down);
+  }
+  radicand_ = composed(rest, time);
+  rooted_ = {{}, factor};
+  return true;
+}
+
+void BodyMotion::prepare() {
+  ox_ = origin_.re;
+  oy_ = origin_.im;
+  plain_x_ = plain_.re;
+  plain_y_ = plain_.im;
+  rooted_x_ = rooted_.re;
+  rooted_y_ = rooted_.im;
+}
+
+BodyMotion BodyMotion::bridge(const MotionPiece& before, const MotionPiece& after, double joint) {
+  const Poly time = {Rational(0), Rational(1)};
+  const Rational t(joint);
+  BodyMotion b;
+  b.below_ = b.square_ = Curve(one());
+  // Of a stretch around the joint at whose ends no cosine is 1: nothing is taken out of the radicand.
+  const Rational some(1, 7919);
+  const auto first = of(before, time, t - some, t + some), second = of(after, time, t - some, t + some);
+  Complex o0, o1, x0, x1;
+  if (first && second && first->rational_pose(t, o0, x0) && second->rational_pose(t, o1, x1)) {
+    const Complex u{{Rational(0), Rational(1)}, {}};
+    b.origin_ = o0 + u * (o1 - o0);
+    b.plain_ = x0 + u * (x1 - x0);
+    b.square_ = Curve(b.plain_.re * b.plain_.re + b.plain_.im * b.plain_.im);
+    b.prepare();
+    return b;
+  }
+  if (first && second) b.ends_ = std::make_shared<const Ends>(Ends{*first, *second, t});
+  return b;
+}
+
+bool BodyMotion::rational_pose(const Rational& u, Complex& origin, Complex& x) const {
+  Rational root = 0;
+  if (!is_square(value(radicand_.exact, u), root) || value(angle_.exact, u) != 0) return false;
+  const Rational below = value(below_.exact, u);
+  const auto part = [&](const Poly& p, const Poly& q) {
+    return trimmed({Rational((value(p, u) + value(q, u) * root) / below)});
+  };
+  x = {part(plain_.re, rooted_.re), part(plain_.im, rooted_.im)};
+  origin = Complex{trimmed({value(origin_.re, u)}), trimmed({value(origin_.im, u)})} - x * pivot_;
+  return true;
+}
+
+Formal BodyMotion::formal(int which) const {
+  return Formal::term(false, which, angle_.exact, plain_) + Formal::term(true, which, angle_.exact, rooted_);
+}
+
+template <>
+Series<Narrow, 4> Curve::series<Narrow, 4>(const Narrow& u) const {
+  return polynomial<Narrow, 4>(narrow, u);
+}
+template <>
+Series<Wide, 8> Curve::series<Wide, 8>(const Wide& u) const {
+  std::vector<Wide> c;
+  for (const Rational& x : exact) c.push_back(Wide::of(x));
+  return polynomial<Wide, 8>(c, u);
+}
+
+template <class I, int N>
+Pose<I, N> BodyMotion::pose(const I& u) const {
+  using S = Series<I, N>;
+  Pose<I, N> p;
+  if (ends_) {
+    const auto straight = [&](const I& from, const I& to) {
+      S s(from + u * (to - from));
+      s.c[1] = to - from;
+      return s;
+    };
+    const I t = I::of(ends_->u);
+    const Pose<I, N> a = ends_->before.template pose<I, N>(t), b = ends_->after.template pose<I, N>(t);
+    const auto part = [](const I& x, const Pose<I, N>& q) { return x / q.below.c[0]; };
+    const I ax = part(a.x.c[0], a), ay = part(a.y.c[0], a), bx = part(b.x.c[0], b), by = part(b.y.c[0], b);
+    const auto origin = [](const BodyMotion& m, const Pose<I, N>& q, const I& x, const I& y, I& ox, I& oy) {
+      const I cx = I::of(value(m.pivot_.re, 0)), cy = I::of(value(m.pivot_.im, 0));
+      ox = q.ox.c[0] - (x * cx - y * cy);
+      oy = q.oy.c[0] - (x * cy + y * cx);
+    };
+    I aox, aoy, box, boy;
+    origin(ends_->before, a, ax, ay, aox, aoy);
+    origin(ends_->after, b, bx, by, box, boy);
+    p.ox = straight(aox, box);
+    p.oy = straight(aoy, boy);
+    p.x = straight(ax, bx);
+    p.y = straight(ay, by);
+    p.below = S(I(1.0));
+    p.square = p.x * p.x + p.y * p.y;
+    return p;
+  }
+  p.ox = ox_.series<I, N>(u);
+  p.oy = oy_.series<I, N>(u);
+  p.below = below_.series<I, N>(u);
+  p.square = square_.series<I, N>(u);
+  p.x = plain_x_.series<I, N>(u);
+  p.y = plain_y_.series<I, N>(u);
+  if (!radicand_.exact.empty()) {
+    const S g = sqrt(radicand_.series<I, N>(u));
+    p.x = p.x + rooted_x_.series<I, N>(u) * g;
+    p.y = p.y + rooted_y_.series<I, N>(u) * g;
+  }
+  if (!angle_.exact.empty()) {
+    S s, c;
+    sin_cos(angle_.series<I, N>(u), s, c);
+    const S x = p.x * c - p.y * s;
+    p.y = p.x * s + p.y * c;
+    p.x = x;
+  }
+  return p;
+}
+
+template Pose<Narrow, 4> BodyMotion::pose(const Narrow&) const;
+template Pose<Wide, 8> BodyMotion::pose(const Wide&) const;
+
+}  // namespace taut::testing::exact
