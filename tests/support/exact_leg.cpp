@@ -5,10 +5,7 @@
 namespace taut::testing::exact {
 namespace {
 
-Complex constant(const Rational& x, const Rational& y) { return {trimmed({x}), trimmed({y})}; }
-Rational real(const Complex& c) { return c.re.empty() ? Rational(0) : c.re[0]; }
 bool is_imaginary(What what) { return what == What::height || what == What::turn || what == What::ray; }
-Rational imaginary(const Complex& c) { return c.im.empty() ? Rational(0) : c.im[0]; }
 
 /// The direction of rays: one in which nothing else lies.
 constexpr double ray_x = 0.7390851332151607, ray_y = 0.6736120291832148;
@@ -20,10 +17,23 @@ Leg::Leg(const Scene& scene, std::array<BodyMotion, 2> bodies, Poly time, Ration
   has_formal_ = bodies_[0].has_formal() && bodies_[1].has_formal();
   for (std::size_t b = 0; b < 2; ++b) {
     radicands_[b] = bodies_[b].radicand();
-    for (const Point& p : scene.bodies[b].polygon) {
-      local_[b].push_back(constant(Rational(p.x), Rational(p.y)) - bodies_[b].pivot());
-      narrow_[b].push_back({Narrow::of(real(local_[b].back())), Narrow::of(imaginary(local_[b].back()))});
+    polygons_[b] = scene.bodies[b].polygon;
+    for (int i = 0; i < size(static_cast<int>(b)); ++i) {
+      const std::array<Rational, 2> v = local<Rational>(static_cast<int>(b), i);
+      narrow_[b].push_back({Narrow::of(v[0]), Narrow::of(v[1])});
     }
+  }
+}
+
+template <class I>
+std::array<I, 2> Leg::local(int body, int vertex) const {
+  const auto b = static_cast<std::size_t>(body), i = static_cast<std::size_t>(vertex);
+  if constexpr (std::is_same_v<I, Narrow>) {
+    return narrow_[b][i];
+  } else {
+    const Point &v = polygons_[b][i], &c = bodies_[b].pivot_point();
+    if (c == Point{}) return {I(v.x), I(v.y)};
+    return {I(I(v.x) - I(c.x)), I(I(v.y) - I(c.y))};
   }
 }
 
@@ -44,67 +54,74 @@ FrameOf<I, N> Leg::make_frame(int side, const I& u) const {
 
 FrameOf<Narrow, 4> Leg::frame(int side, const Narrow& u) const { return make_frame<Narrow, 4>(side, u); }
 
-Leg::Terms Leg::terms(const Function& f) const {
-  const auto side = static_cast<std::size_t>(f.pair.side), i = static_cast<std::size_t>(f.pair.edge),
-             j = static_cast<std::size_t>(f.pair.vertex);
-  const std::vector<Complex>&own = local_[side], &other = local_[1 - side];
-  const Complex &a = own[i], &b = own[(i + 1) % own.size()], &v = other[j];
-  switch (f.what) {
-    case What::turn:
-    case What::along:
-      return {b - a, other[(j + 1) % other.size()] - v, {}, false, is_imaginary(f.what)};
-    case What::ray:
-      return {constant(Rational(ray_x), Rational(ray_y)), v, a, true, true};
-    default:
-      return {b - a, v, f.what == What::past_b ? b : a, true, is_imaginary(f.what)};
+template <class I>
+Leg::TermsOf<I> Leg::terms(const Function& f) const {
+  const int own = f.pair.side, other = 1 - own, i = f.pair.edge, j = f.pair.vertex;
+  using Vector = std::array<I, 2>;
+  const auto next = [&](int body, int k) { return local<I>(body, k + 1 == size(body) ? 0 : k + 1); };
+  const Vector a = local<I>(own, i), v = local<I>(other, j);
+  const bool imaginary = is_imaginary(f.what);
+  if (f.what == What::ray) return {I(ray_x), I(ray_y), v[0], v[1], a[0], a[1], true, imaginary};
+  const Vector b = next(own, i);
+  const I ex = b[0] - a[0], ey = b[1] - a[1];
+  if (f.what == What::turn || f.what == What::along) {
+    const Vector n = next(other, j);
+    return {ex, ey, I(n[0] - v[0]), I(n[1] - v[1]), I(0.0), I(0.0), false, imaginary};
   }
+  const Vector& s = f.what == What::past_b ? b : a;
+  return {ex, ey, v[0], v[1], s[0], s[1], true, imaginary};
+}
+
+template <int N>
+const FrameOf<Wide, N>& Leg::wide_frame(Cache<N>& cache, int side, const Wide& u) const {
+  for (const Cached<N>& c : cache) {
+    if (c.side == side && c.bits == Wide::bits() && c.u.same(u)) return c.frame;
+  }
+  if (++work_ > 20000) throw Beyond{"too much work"};
+  cache.push_front({side, Wide::bits(), u, make_frame<Wide, N>(side, u)});
+  if (cache.size() > 12) cache.pop_back();
+  return cache.front().frame;
+}
+
+namespace {
+
+/// Adds up the k-th coefficients.
+template <class I, int N, class Terms>
+I combined(const Terms& t, const FrameOf<I, N>& at, std::size_t k) {
+  I zx = t.wx * at.kx.c[k] - t.wy * at.ky.c[k], zy = t.wx * at.ky.c[k] + t.wy * at.kx.c[k];
+  if (t.whole) {
+    zx = zx + at.lx.c[k] - t.sx * at.r.c[k];
+    zy = zy + at.ly.c[k] - t.sy * at.r.c[k];
+  }
+  return t.imaginary ? t.ex * zy - t.ey * zx : t.ex * zx + t.ey * zy;
+}
+
+}  // namespace
+
+Wide Leg::coefficient(const Function& f, const Wide& u, int k) const {
+  const auto t = terms<Wide>(f);
+  const auto i = static_cast<std::size_t>(k);
+  if (k <= 2) return combined(t, wide_frame(short_frames_, f.pair.side, u), i);
+  return combined(t, wide_frame(long_frames_, f.pair.side, u), i);
 }
 
 Leg::WideSeries Leg::series(const Function& f, const Wide& u) const {
-  const Cached* found = nullptr;
-  for (const Cached& c : cache_) {
-    if (c.side == f.pair.side && c.bits == Wide::bits() && c.u.same(u)) found = &c;
-  }
-  if (!found) {
-    if (++work_ > 20000) throw Beyond{"too much work"};
-    cache_.push_front({f.pair.side, Wide::bits(), u, make_frame<Wide, 8>(f.pair.side, u)});
-    if (cache_.size() > 12) cache_.pop_back();
-    found = &cache_.front();
-  }
-  const Terms terms = this->terms(f);
-  const FrameOf<Wide, 8>& at = found->frame;
-  const Complex e = conj(terms.e), w = e * terms.w, s = e * terms.s;
-  const bool im = terms.imaginary;
-  // Im (p + i q) (X + i Y) = p Y + q X, Re = p X - q Y.
-  WideSeries r(Wide(0.0));
-  const auto add = [&](const Rational& weight, const WideSeries& x) {
-    if (weight != 0) r = r + Wide::of(weight) * x;
-  };
-  add(real(w), im ? at.ky : at.kx);
-  add(im ? imaginary(w) : Rational(-imaginary(w)), im ? at.kx : at.ky);
-  if (!terms.whole) return r;
-  add(real(e), im ? at.ly : at.lx);
-  add(im ? imaginary(e) : Rational(-imaginary(e)), im ? at.lx : at.ly);
-  add(Rational(-(im ? imaginary(s) : real(s))), at.r);
+  const FrameOf<Wide, 8>& at = wide_frame(long_frames_, f.pair.side, u);
+  const auto t = terms<Wide>(f);
+  WideSeries r;
+  for (std::size_t k = 0; k < r.c.size(); ++k) r.c[k] = combined(t, at, k);
   return r;
 }
 
 Leg::NarrowSeries Leg::series(const Function& f, const FrameOf<Narrow, 4>& at) const {
-  using Vector = std::array<Narrow, 2>;
-  const auto side = static_cast<std::size_t>(f.pair.side), i = static_cast<std::size_t>(f.pair.edge),
-             j = static_cast<std::size_t>(f.pair.vertex);
-  const std::vector<Vector>&own = narrow_[side], &other = narrow_[1 - side];
-  const Vector &a = own[i], &b = own[(i + 1) % own.size()], &v = other[j], &n = other[(j + 1) % other.size()];
-  const bool whole = f.what != What::turn && f.what != What::along;
-  const Vector e = f.what == What::ray ? Vector{ray_x, ray_y} : Vector{b[0] - a[0], b[1] - a[1]};
-  const Vector w = whole ? v : Vector{n[0] - v[0], n[1] - v[1]};
-  NarrowSeries zx = w[0] * at.kx - w[1] * at.ky, zy = w[0] * at.ky + w[1] * at.kx;
-  if (whole) {
-    const Vector& s = f.what == What::past_b ? b : a;
-    zx = zx + at.lx - s[0] * at.r;
-    zy = zy + at.ly - s[1] * at.r;
-  }
-  return is_imaginary(f.what) ? e[0] * zy - e[1] * zx : e[0] * zx + e[1] * zy;
+  const auto t = terms<Narrow>(f);
+  NarrowSeries r;
+  for (std::size_t k = 0; k < r.c.size(); ++k) r.c[k] = combined(t, at, k);
+  return r;
+}
+
+Narrow Leg::coefficient(const Function& f, const FrameOf<Narrow, 4>& at, int k) const {
+  return combined(terms<Narrow>(f), at, static_cast<std::size_t>(k));
 }
 
 const Leg::FormalFrame& Leg::formal_frame(int side) const {
@@ -125,10 +142,11 @@ const Leg::FormalFrame& Leg::formal_frame(int side) const {
 
 Formal Leg::formal(const Function& f) const {
   const FormalFrame& frame = formal_frame(f.pair.side);
-  const Terms t = terms(f);
-  const Complex e = conj(t.e);
-  const Formal turned = (e * t.w) * frame.k;
-  return t.whole ? turned + e * frame.l - (e * t.s) * frame.r : turned;
+  const auto t = terms<Rational>(f);
+  const auto complex = [](const Rational& x, const Rational& y) { return Complex{trimmed({x}), trimmed({y})}; };
+  const Complex e = complex(t.ex, Rational(-t.ey));
+  const Formal turned = (e * complex(t.wx, t.wy)) * frame.k;
+  return t.whole ? turned + e * frame.l - (e * complex(t.sx, t.sy)) * frame.r : turned;
 }
 
 Formal Leg::formal_part(const Function& f) const {
@@ -143,7 +161,7 @@ bool Leg::identically_zero(const Function& f, bool& assumed) const {
     Wide::bits() = bits;
     // An instant at which nothing else happens.
     const Wide u = Wide::of(from_ + (to_ - from_) * Rational(483647, 1000003));
-    zero = series(f, u).c[0].sign() == 0;
+    zero = coefficient(f, u, 0).sign() == 0;
     if (!zero) break;
     if (has_formal_ && formal_part(f).zero()) {
       Wide::bits() = before;

@@ -56,12 +56,15 @@ class Leg {
   const Rational& to() const { return to_; }
   Wide time(const Wide& u) const { return time_.series<Wide, 8>(u).c[0]; }
 
-  int size(int body) const { return static_cast<int>(local_[static_cast<std::size_t>(body)].size()); }
+  int size(int body) const { return static_cast<int>(polygons_[static_cast<std::size_t>(body)].size()); }
 
   /// Taylor coefficients over u.
   WideSeries series(const Function& f, const Wide& u) const;
+  /// One of them.
+  Wide coefficient(const Function& f, const Wide& u, int k) const;
   FrameOf<Narrow, 4> frame(int side, const Narrow& u) const;
   NarrowSeries series(const Function& f, const FrameOf<Narrow, 4>& frame) const;
+  Narrow coefficient(const Function& f, const FrameOf<Narrow, 4>& frame, int k) const;
 
   /// Is the function zero at all times? `assumed` is set if that is not proved.
   bool identically_zero(const Function& f, bool& assumed) const;
@@ -77,22 +80,32 @@ class Leg {
 
  private:
   /// The function is the imaginary or the real part of conj(e) (L + K w - R s), or without L and R.
-  struct Terms {
-    Complex e, w, s;
+  template <class I>
+  struct TermsOf {
+    I ex, ey, wx, wy, sx, sy;
     bool whole, imaginary;
   };
   struct FormalFrame {
     Formal k, l, r;
   };
+  template <int N>
   struct Cached {
     int side, bits;
     Wide u;
-    FrameOf<Wide, 8> frame;
+    FrameOf<Wide, N> frame;
   };
+  template <int N>
+  using Cache = std::deque<Cached<N>>;
 
   template <class I, int N>
   FrameOf<I, N> make_frame(int side, const I& u) const;
-  Terms terms(const Function& f) const;
+  template <class I>
+  TermsOf<I> terms(const Function& f) const;
+  /// A vertex about its pivot.
+  template <class I>
+  std::array<I, 2> local(int body, int vertex) const;
+  template <int N>
+  const FrameOf<Wide, N>& wide_frame(Cache<N>& cache, int side, const Wide& u) const;
   /// The function is its real or imaginary part.
   Formal formal(const Function& f) const;
   /// Zero if and only if the function is.
@@ -100,14 +113,16 @@ class Leg {
   const FormalFrame& formal_frame(int side) const;
 
   std::array<BodyMotion, 2> bodies_;
-  std::array<std::vector<Complex>, 2> local_;  // about the pivots; constants
-  std::array<std::vector<std::array<Narrow, 2>>, 2> narrow_;
+  std::array<Polygon, 2> polygons_;
+  std::array<std::vector<std::array<Narrow, 2>>, 2> narrow_;  // about the pivots
   Curve time_;
   Rational from_, to_;
   Radicands radicands_;
   bool has_formal_;
   mutable std::array<std::optional<FormalFrame>, 2> formal_frames_;
-  mutable std::deque<Cached> cache_;
+  /// Of the last frames, to high order and to low.
+  mutable Cache<8> long_frames_;
+  mutable Cache<2> short_frames_;
   mutable std::uint64_t work_ = 0;
 };
 

@@ -81,7 +81,8 @@ std::optional<BodyMotion> BodyMotion::of(const MotionPiece& piece, const Poly& t
 
 void BodyMotion::set_origin(const MotionPiece& piece, const Poly& time) {
   const bool turns = !std::holds_alternative<NoRotation>(piece.rotation);
-  pivot_ = turns ? constant(piece.pivot) : Complex{};
+  if (turns) pivot_point_ = piece.pivot;
+  pivot_ = constant(pivot_point_);
   origin_ = Complex{composed(poly(piece.x), time), composed(poly(piece.y), time)} + pivot_;
 }
 
@@ -188,15 +189,15 @@ Formal BodyMotion::formal(int which) const {
   return Formal::term(false, which, angle_.exact, plain_) + Formal::term(true, which, angle_.exact, rooted_);
 }
 
-template <>
-Series<Narrow, 4> Curve::series<Narrow, 4>(const Narrow& u) const {
-  return polynomial<Narrow, 4>(narrow, u);
-}
-template <>
-Series<Wide, 8> Curve::series<Wide, 8>(const Wide& u) const {
-  std::vector<Wide> c;
-  for (const Rational& x : exact) c.push_back(Wide::of(x));
-  return polynomial<Wide, 8>(c, u);
+template <class I, int N>
+Series<I, N> Curve::series(const I& u) const {
+  if constexpr (std::is_same_v<I, Narrow>) {
+    return polynomial<Narrow, N>(narrow, u);
+  } else {
+    std::vector<Wide> c;
+    for (const Rational& x : exact) c.push_back(Wide::of(x));
+    return polynomial<Wide, N>(c, u);
+  }
 }
 
 template <class I, int N>
@@ -251,6 +252,8 @@ Pose<I, N> BodyMotion::pose(const I& u) const {
 }
 
 template Pose<Narrow, 4> BodyMotion::pose(const Narrow&) const;
+template Pose<Wide, 2> BodyMotion::pose(const Wide&) const;
 template Pose<Wide, 8> BodyMotion::pose(const Wide&) const;
+template Series<Wide, 8> Curve::series(const Wide&) const;
 
 }  // namespace taut::testing::exact

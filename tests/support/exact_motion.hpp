@@ -51,7 +51,7 @@ class BodyMotion {
   Formal formal(int which) const;
   bool has_formal() const { return !ends_; }
 
-  const Complex& pivot() const { return pivot_; }
+  const Point& pivot_point() const { return pivot_point_; }
   const Complex& origin() const { return origin_; }
   const Poly& radicand() const { return radicand_.exact; }
   const Poly& below() const { return below_.exact; }
@@ -69,6 +69,7 @@ class BodyMotion {
   void set_direction(const Poly& a, const Poly& b, const Rational& inside);
   void prepare();
 
+  Point pivot_point_;
   Complex pivot_, origin_, plain_, rooted_;
   Curve ox_, oy_, plain_x_, plain_y_, rooted_x_, rooted_y_, radicand_, angle_, below_, square_;
   std::shared_ptr<const Ends> ends_;

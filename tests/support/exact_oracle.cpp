@@ -84,11 +84,11 @@ class LegSearch {
     const Narrow n = Narrow::of(u);
     const std::array<FrameOf<Narrow, 4>, 2> frames{leg_.frame(0, n), leg_.frame(1, n)};
     return interiors_intersect(shapes_, [&](const Function& f) {
-      const Narrow v = leg_.series(f, frames[static_cast<std::size_t>(f.pair.side)]).c[0];
+      const Narrow v = leg_.coefficient(f, frames[static_cast<std::size_t>(f.pair.side)], 0);
       if (v.positive() || v.negative()) return v.positive() ? 1 : -1;
       for (const int bits : {192, 700}) {
         Precision at(bits);
-        const int sign = leg_.series(f, Wide::of(u)).c[0].sign();
+        const int sign = leg_.coefficient(f, Wide::of(u), 0).sign();
         if (sign != 0) return sign;
         if (leg_.identically_zero(f, assumed_)) return 0;
       }
@@ -107,13 +107,16 @@ class LegSearch {
 
   // ---- going on in time
 
-  /// The value of a function over [m - h, m + h], or of its derivative.
-  static Narrow range(const Leg::NarrowSeries& at, const Leg::NarrowSeries& over, const Narrow& h) {
-    return at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * over.c[4])));
-  }
-  static Narrow slope(const Leg::NarrowSeries& at, const Leg::NarrowSeries& over, const Narrow& h) {
-    return at.c[1] + h * (Narrow(2) * at.c[2] + h * (Narrow(3) * at.c[3] + h * Narrow(4) * over.c[4]));
-  }
+  /// A function over [m - h, m + h], and its derivative: Taylor coefficients at m, and the last one over all of it.
+  struct Model {
+    Leg::NarrowSeries at;
+    Narrow last, h;
+
+    Narrow range() const { return at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * last))); }
+    Narrow slope() const {
+      return at.c[1] + h * (Narrow(2) * at.c[2] + h * (Narrow(3) * at.c[3] + h * Narrow(4) * last));
+    }
+  };
   static bool definite(const Narrow& x) { return x.positive() || x.negative(); }
 
   /// Of one slab of time, in doubles.
@@ -121,6 +124,10 @@ class LegSearch {
     std::array<FrameOf<Narrow, 4>, 2> at, over;
     Narrow h;
   };
+  Model model(const Function& f, const View& view) const {
+    const auto side = static_cast<std::size_t>(f.pair.side);
+    return {leg_.series(f, view.at[side]), leg_.coefficient(f, view.over[side], 4), view.h};
+  }
 
   bool search(const Rational& lo, const Rational& hi, const std::vector<int>& active, int depth) {
     if (active.empty() && !pending_) return false;
@@ -142,18 +149,17 @@ class LegSearch {
 
   /// `simple`: what is asked of the pair in this slab is easy.
   bool apart(int k, const View& view, bool& simple) {
-    const auto side = static_cast<std::size_t>(pairs_[static_cast<std::size_t>(k)].side);
     bool along_simple = true;
     for (const What what : {What::past_a, What::past_b}) {
-      const auto at = leg_.series(function(k, what), view.at[side]), over = leg_.series(function(k, what), view.over[side]);
-      const Narrow v = range(at, over, view.h);
+      const Model past = model(function(k, what), view);
+      const Narrow v = past.range();
       if (what == What::past_a ? v.negative() : v.positive()) return true;
-      along_simple &= definite(v) || definite(slope(at, over, view.h));
+      along_simple &= definite(v) || definite(past.slope());
     }
-    const Function f = function(k, What::height);
-    const auto at = leg_.series(f, view.at[side]), over = leg_.series(f, view.over[side]);
-    if (definite(range(at, over, view.h))) return true;
-    simple = definite(slope(at, over, view.h)) || (along_simple && identically_zero(k));
+    const Model height = model(function(k, What::height), view);
+    if (definite(height.range())) return true;
+    if (definite(height.at.c[0])) zero_[static_cast<std::size_t>(k)] = varying;
+    simple = definite(height.slope()) || (along_simple && identically_zero(k));
     return false;
   }
 
@@ -230,10 +236,10 @@ class LegSearch {
   void weigh(Event& e) {
     const int m = finder_.multiplicity(e.root);
     const double u = e.root.at.lo();
-    const double size = leg_.series(e.root.function, e.root.at).c[static_cast<std::size_t>(m)].lo();
-    const double slope_size = std::fabs(leg_.series(e.root.function, e.root.at).c[static_cast<std::size_t>(m)].hi());
+    const Wide coefficient = leg_.coefficient(e.root.function, e.root.at, m);
+    const double size = std::max(std::fabs(coefficient.lo()), std::fabs(coefficient.hi()));
     const Narrow unit = leg_.frame(e.pair.side, Narrow::of(e.root.at.exact_lo())).r.c[0];
-    const double height = std::max(std::fabs(size), slope_size) / (leg_.length(e.pair.side, e.pair.edge) * unit.hi());
+    const double height = size / (leg_.length(e.pair.side, e.pair.edge) * unit.hi());
     const double way = std::pow(shift_ / height, 1.0 / m);
     const Wide t = leg_.time(Wide(u));
     for (const double side : {-way, way}) {
@@ -252,7 +258,7 @@ class LegSearch {
     std::vector<VertexEdge> touching_pairs;
     for (const VertexEdge& pair : pairs_) {
       const auto side = static_cast<std::size_t>(pair.side);
-      if (definite(leg_.series({pair, What::height}, frames[side]).c[0])) continue;
+      if (definite(leg_.coefficient({pair, What::height}, frames[side], 0))) continue;
       if (touching(pair, signs)) touching_pairs.push_back(pair);
     }
     if (touching_pairs.empty()) return false;

@@ -70,17 +70,16 @@ std::vector<Root> RootFinder::descend(const Function& f, int order, int settled,
 
 /// The only zero of that derivative between the two, and simple: halved until Newton's steps work.
 Root RootFinder::crossing(const Function& f, int order, Wide lo, Wide hi, int sign_lo) {
-  const auto k = static_cast<std::size_t>(order);
   for (int bits = first_bits;; bits += 8) {
     Precision at(bits);
     const Wide over = Wide::hull(lo, hi);
-    if (leg_.series(f, over).c[k + 1].sign() != 0) return {f, order, over, std::nullopt};
+    if (leg_.coefficient(f, over, order + 1).sign() != 0) return {f, order, over, std::nullopt};
     Wide m = over.middle();
-    int sign = leg_.series(f, m).c[k].sign();
+    int sign = leg_.coefficient(f, m, order).sign();
     for (double share = 0.37; sign == 0; share *= 0.93) {
       // The middle may be the zero itself.
       m = (lo + (hi - lo) * Wide(share)).middle();
-      sign = leg_.series(f, m).c[k].sign();
+      sign = leg_.coefficient(f, m, order).sign();
       if (share < 0.01) throw Beyond{"a zero that cannot be isolated"};
     }
     (sign == sign_lo ? lo : hi) = m;
@@ -93,16 +92,15 @@ void RootFinder::refine(Root& root, int bits) {
     root.at = Wide::of(*root.exact);
     return;
   }
-  const auto k = static_cast<std::size_t>(root.order);
   for (int stuck = 0;;) {
     const long before = root.at.log_width(), size = std::max(root.at.log_size(), -64L);
     if (before <= -bits) return;
     // Newton's step doubles the digits. The middle must lie within the enclosure, and so needs its precision.
     Precision at(std::min(2 * std::max(size - before, 32L) + 128, size + bits + 192) + 64 * stuck);
     const Wide m = root.at.middle();
-    const Wide slope = Wide(static_cast<double>(k + 1)) * leg_.series(root.function, root.at).c[k + 1];
+    const Wide slope = Wide(static_cast<double>(root.order + 1)) * leg_.coefficient(root.function, root.at, root.order + 1);
     if (slope.sign() != 0) {
-      const Wide next = m - leg_.series(root.function, m).c[k] / slope;
+      const Wide next = m - leg_.coefficient(root.function, m, root.order) / slope;
       if (!(next.before(root.at) || root.at.before(next))) root.at = Wide::meet(root.at, next);
     }
     if (root.at.log_width() > before - 2 && ++stuck > 60) throw Beyond{"a zero that cannot be refined"};
@@ -122,14 +120,13 @@ long RootFinder::zero_bound(const Function& f, int order, const Root& root) cons
 
 int RootFinder::sign_at(const Function& f, int order, Root& root) {
   if (root.exact) return sign_at(f, order, *root.exact);
-  const auto k = static_cast<std::size_t>(order);
   const bool same = f.pair == root.function.pair && f.what == root.function.what;
   if (same && order == root.order) return 0;
   long bound = -2;
   for (int bits = first_bits;; bits *= 2) {
     refine(root, bits);
     Precision at(bits + 64);
-    const Wide v = leg_.series(f, root.at).c[k];
+    const Wide v = leg_.coefficient(f, root.at, order);
     if (v.sign() != 0) return v.sign();
     if (bits == first_bits) continue;
     if (bound == -2) bound = zero_bound(f, order, root);
@@ -143,10 +140,9 @@ int RootFinder::sign_at(const Function& f, int order, Root& root) {
 }
 
 int RootFinder::sign_at(const Function& f, int order, const Rational& u) {
-  const auto k = static_cast<std::size_t>(order);
   for (int bits = first_bits;; bits *= 2) {
     Precision at(bits);
-    const Wide v = leg_.series(f, Wide::of(u)).c[k];
+    const Wide v = leg_.coefficient(f, Wide::of(u), order);
     if (v.sign() != 0) return v.sign();
     if (bits == first_bits && order == 0 && leg_.has_formal() && leg_.zero_at(f, u)) return 0;
     if (bits == first_bits && order > 0) {
