@@ -1,9 +1,9 @@
 // Functions of time as sums that show what is identically zero: polynomial * root * exp(i angle).
 //
-// The roots are g_0 and g_1 (g_k^2 a polynomial, the radicand), the angles polynomials. Exponentials of different angles
-// are independent over the algebraic functions; at a rational instant, by Lindemann's theorem, over the algebraic
-// numbers. So a sum is zero if all its terms are; but for roots of radicands that are squares, or in a square's ratio,
-// which is seen at an instant and not for functions.
+// The roots are g_0 and g_1 (g_k^2 a polynomial, the radicand), the angles polynomials. Exponentials of different
+// angles are independent over the algebraic functions; at a rational instant, by Lindemann's theorem, over the
+// algebraic numbers. So a sum is zero if all its terms are; but for roots of radicands that are squares, or in a
+// square's ratio, which is seen at an instant and not for functions.
 #pragma once
 
 #include <array>

@@ -23,28 +23,26 @@ int take_out(Poly& p, const Rational& root) {
   return m;
 }
 
-/// Proves p > 0 on [from, to], but for instants that it lists.
-bool search_zeros(const Poly& p, const Rational& from, const Rational& to, int depth, std::vector<Rational>& zeros) {
+/// Nothing if p > 0 is proved on [from, to]; else about where it is not.
+std::optional<Rational> doubtful(const Poly& p, const Rational& from, const Rational& to, int depth) {
   std::vector<Wide> c;
   for (const Rational& x : p) c.push_back(Wide::of(x));
   const Wide low = Wide::of(from), high = Wide::of(to), t = Wide::hull(low, high), m = t.middle();
   const Series<Wide, 4> at = polynomial<Wide, 4>(c, m), over = polynomial<Wide, 4>(c, t);
   const Wide h = t - m;
-  if ((at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * over.c[4])))).positive()) return true;
+  if ((at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * over.c[4])))).positive()) return std::nullopt;
   const Rational middle = (from + to) / 2;
-  if (value(p, middle) < 0) return false;
-  if (depth < 70) return search_zeros(p, from, middle, depth + 1, zeros) && search_zeros(p, middle, to, depth + 1, zeros);
-  // Too near to a zero: it had better be a double.
-  for (const Rational& zero : zeros) {
-    if (abs(zero - middle) < (to - from) * 64) return true;
-  }
-  const double guess = Rational(middle + (to - from) / 3).get_d();
-  for (const double x : {guess, std::nextafter(guess, -INFINITY), std::nextafter(guess, INFINITY)}) {
-    if (value(p, Rational(x)) != 0 || value(derivative(p), Rational(x)) != 0) continue;
-    zeros.emplace_back(x);
-    return true;
-  }
-  return false;
+  if (depth == 0) return middle;
+  auto found = doubtful(p, from, middle, depth - 1);
+  return found ? found : doubtful(p, middle, to, depth - 1);
+}
+
+/// The multiple of 2^-20 next to it.
+Rational rounded(const Rational& x) {
+  const Rational shifted = x * 1048576 + Rational(1, 2);
+  mpz_class q;
+  mpz_fdiv_q(q.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+  return Rational(q) / 1048576;
 }
 
 }  // namespace
@@ -55,7 +53,13 @@ std::optional<std::vector<Rational>> cuts(const MotionPiece& piece, const Ration
   if (p.empty()) return zeros;
   take_out(p, from);
   if (take_out(p, to) % 2 == 1) p = Rational(-1) * p;
-  if (!search_zeros(p, from, to, 0, zeros)) return std::nullopt;
+  while (const auto place = doubtful(p, from, to, 40)) {
+    const Rational zero = rounded(*place);
+    const int m = take_out(p, zero);
+    if (m == 0) return doubtful(p, from, to, 90) ? std::nullopt : std::optional(zeros);
+    if (m % 2 == 1) return std::nullopt;
+    zeros.push_back(zero);
+  }
   return zeros;
 }
 

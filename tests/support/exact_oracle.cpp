@@ -43,7 +43,7 @@ class LegSearch {
       for (int v = 0; v < leg.size(1 - side); ++v)
         for (int e = 0; e < leg.size(side); ++e) pairs_.push_back({side, v, e});
     }
-    zero_.assign(pairs_.size(), unknown);
+    zero_.fill(std::vector<State>(pairs_.size(), unknown));
   }
 
   /// At the leg's start, exactly.
@@ -65,10 +65,11 @@ class LegSearch {
 
   Function function(int k, What what) const { return {pairs_[static_cast<std::size_t>(k)], what}; }
 
-  bool identically_zero(int k) {
-    State& state = zero_[static_cast<std::size_t>(k)];
-    if (state == unknown) state = leg_.identically_zero(function(k, What::height), assumed_) ? zero : varying;
-    return state == zero;
+  State& state(int k, What what) { return zero_[static_cast<std::size_t>(what)][static_cast<std::size_t>(k)]; }
+  bool identically_zero(int k, What what) {
+    State& known = state(k, what);
+    if (known == unknown) known = leg_.identically_zero(function(k, what), assumed_) ? zero : varying;
+    return known == zero;
   }
 
   // ---- judging an instant
@@ -154,13 +155,17 @@ class LegSearch {
       const Model past = model(function(k, what), view);
       const Narrow v = past.range();
       if (what == What::past_a ? v.negative() : v.positive()) return true;
-      along_simple &= definite(v) || definite(past.slope());
+      along_simple &= definite(v) || easy(k, what, past);
     }
     const Model height = model(function(k, What::height), view);
     if (definite(height.range())) return true;
-    if (definite(height.at.c[0])) zero_[static_cast<std::size_t>(k)] = varying;
-    simple = definite(height.slope()) || (along_simple && identically_zero(k));
+    simple = definite(height.slope()) || (along_simple && easy(k, What::height, height));
     return false;
+  }
+  /// Monotone, or always zero.
+  bool easy(int k, What what, const Model& f) {
+    if (definite(f.at.c[0])) state(k, what) = varying;
+    return definite(f.slope()) || identically_zero(k, what);
   }
 
   /// All events of the slab, in order.
@@ -168,9 +173,8 @@ class LegSearch {
     std::vector<Event> events;
     for (const int k : pairs) find_events(k, lo, hi, events);
     for (Event& e : events) finder_.refine(e.root, time_bits);
-    std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
-      return a.root.at.middle().before(b.root.at.middle());
-    });
+    std::sort(events.begin(), events.end(),
+              [](const Event& a, const Event& b) { return a.root.at.middle().before(b.root.at.middle()); });
     Rational from = lo;
     if (pending_ && pending_until_ > from) from = pending_until_;
     for (std::size_t k = 0; k < events.size();) {
@@ -194,27 +198,31 @@ class LegSearch {
 
   void find_events(int k, const Rational& lo, const Rational& hi, std::vector<Event>& events) {
     const VertexEdge& pair = pairs_[static_cast<std::size_t>(k)];
-    if (!identically_zero(k)) {
+    if (!identically_zero(k, What::height)) {
       for (Root& r : finder_.zeros(function(k, What::height), lo, hi)) {
         if (on_edge(k, r)) events.push_back({std::move(r), pair});
       }
       return;
     }
     for (const What what : {What::past_a, What::past_b}) {
-      const Function f = function(k, what);
-      if (leg_.identically_zero(f, assumed_)) continue;
-      for (Root& r : finder_.zeros(f, lo, hi)) {
+      if (identically_zero(k, what)) continue;
+      for (Root& r : finder_.zeros(function(k, what), lo, hi)) {
         if (on_edge(k, r)) events.push_back({std::move(r), pair});
       }
     }
   }
   bool on_edge(int k, Root& r) {
-    return finder_.sign_at(function(k, What::past_a), 0, r) >= 0 && finder_.sign_at(function(k, What::past_b), 0, r) <= 0;
+    return finder_.sign_at(function(k, What::past_a), 0, r) >= 0 &&
+           finder_.sign_at(function(k, What::past_b), 0, r) <= 0;
   }
 
   // ---- the answer
 
-  void meet(const VertexEdge& pair) { answer_->meetings.push_back({1 - pair.side, pair.vertex, pair.edge}); }
+  void meet(const VertexEdge& pair) {
+    const Meeting m{1 - pair.side, pair.vertex, pair.edge};
+    std::vector<Meeting>& all = answer_->meetings;
+    if (std::find(all.begin(), all.end(), m) == all.end()) all.push_back(m);
+  }
 
   bool conclude(std::vector<Event>& events, std::size_t from, std::size_t to) {
     ExactAnswer& answer = *answer_;
@@ -228,7 +236,8 @@ class LegSearch {
     }
     answer.time = leg_.time(hull);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      if (zero_[k] == zero && on_edge(static_cast<int>(k), events[from].root)) meet(pairs_[k]);
+      const int i = static_cast<int>(k);
+      if (state(i, What::height) == zero && on_edge(i, events[from].root)) meet(pairs_[k]);
     }
     return true;
   }
@@ -278,7 +287,8 @@ class LegSearch {
   double shift_;
   RootFinder finder_;
   std::vector<VertexEdge> pairs_;
-  std::vector<State> zero_;
+  /// Of the height, past_a and past_b of each pair.
+  std::array<std::vector<State>, 3> zero_;
   ExactAnswer* answer_ = nullptr;
   /// Open reading: the bodies touch at the answer's time, and what follows is not known yet.
   bool pending_ = false;

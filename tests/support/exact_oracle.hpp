@@ -26,6 +26,7 @@ const char* to_string(Verdict verdict);
 /// A vertex of a body on a closed edge of the other one.
 struct Meeting {
   int vertex_body, vertex, edge;
+  friend bool operator==(const Meeting&, const Meeting&) = default;
 };
 
 struct ExactAnswer {

@@ -44,7 +44,8 @@ class Placement {
   bool crossing() const {
     for (int e = 0; e < shapes_.size(0); ++e) {
       for (int f = 0; f < shapes_.size(1); ++f) {
-        if (height(0, e, f) * height(0, e, next(1, f)) < 0 && height(1, f, e) * height(1, f, next(0, e)) < 0) return true;
+        if (height(0, e, f) * height(0, e, next(1, f)) < 0 && height(1, f, e) * height(1, f, next(0, e)) < 0)
+          return true;
       }
     }
     return false;

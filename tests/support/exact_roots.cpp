@@ -98,7 +98,8 @@ void RootFinder::refine(Root& root, int bits) {
     // Newton's step doubles the digits. The middle must lie within the enclosure, and so needs its precision.
     Precision at(std::min(2 * std::max(size - before, 32L) + 128, size + bits + 192) + 64 * stuck);
     const Wide m = root.at.middle();
-    const Wide slope = Wide(static_cast<double>(root.order + 1)) * leg_.coefficient(root.function, root.at, root.order + 1);
+    const Wide slope =
+        Wide(static_cast<double>(root.order + 1)) * leg_.coefficient(root.function, root.at, root.order + 1);
     if (slope.sign() != 0) {
       const Wide next = m - leg_.coefficient(root.function, m, root.order) / slope;
       if (!(next.before(root.at) || root.at.before(next))) root.at = Wide::meet(root.at, next);
