@@ -19,6 +19,21 @@ Rational inside(const Rational& lo, const Rational& hi) {
   return q > lo && q < hi ? q : Rational((lo + hi) / 2);
 }
 
+/// Taylor coefficients over an interval, from those in its middle and the last one over all of it: where large terms
+/// cancel, they do so in the middle already.
+Leg::WideSeries centred(const Leg& leg, const Function& f, const Wide& over) {
+  constexpr int n = Leg::WideSeries::order;
+  const Wide m = over.middle(), h = over - m;
+  Leg::WideSeries s = leg.series(f, m);
+  s.c[n] = leg.coefficient(f, over, n);
+  // Horner's rule for all derivatives at once: a Taylor shift by h.
+  for (int k = 0; k < n; ++k) {
+    for (int j = n - 1; j >= k; --j)
+      s.c[static_cast<std::size_t>(j)] = s.c[static_cast<std::size_t>(j)] + h * s.c[static_cast<std::size_t>(j + 1)];
+  }
+  return s;
+}
+
 }  // namespace
 
 std::vector<Root> RootFinder::zeros(const Function& f, const Rational& lo, const Rational& hi) {
@@ -27,7 +42,7 @@ std::vector<Root> RootFinder::zeros(const Function& f, const Rational& lo, const
 
 std::vector<Root> RootFinder::search(const Function& f, const Rational& lo, const Rational& hi, int depth) {
   Precision at(first_bits + 2 * depth);
-  const Leg::WideSeries s = leg_.series(f, Wide::hull(Wide::of(lo), Wide::of(hi)));
+  const Leg::WideSeries s = centred(leg_, f, Wide::hull(Wide::of(lo), Wide::of(hi)));
   if (s.c[0].sign() != 0) return {};
   for (int j = 1; j <= 7; ++j) {
     if (s.c[static_cast<std::size_t>(j)].sign() != 0) return descend(f, 0, j, lo, hi);
