@@ -32,7 +32,7 @@ TEST(Definition, RandomScenesOfAllFamilies) {
   for (const bool grid : {false, true}) {
     Counts counts;
     for (const Family family : all_families) {
-      for (std::uint64_t seed = 0; seed < effort(90); ++seed) {
+      for (std::uint64_t seed = 0; seed < effort(70); ++seed) {
         SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
         SceneOptions options;
         options.grid = grid;
