@@ -1,5 +1,6 @@
 // Random scenes without end: the kinetic engine, the spacetime engine and the verified proof must agree on each, and
-// none may be undecided. `./dev soak --minutes N` builds and runs it.
+// with the oracle by definition if the scene is small; none may be undecided. `./dev soak --minutes N` builds and runs
+// it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@
 #include "check/proof_writer.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
+#include "support/exact_comparison.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
@@ -56,11 +58,29 @@ std::string prepared_difference(const SoakScene& s, const CheckOptions& options,
   return a.lo == b.lo && a.hi == b.hi ? "" : "prepared shapes give another time of contact";
 }
 
+struct Limits {
+  double minutes = 1;
+  unsigned jobs = 2;
+  double seconds = 1e300;       ///< for each engine and scene
+  std::size_t oracle_size = 0;  ///< vertices of the scenes that the oracle judges
+  bool contacts = false;        ///< soak_contact_scene(), not soak_scene()
+};
+
+/// What the oracle says against the answer.
+std::string judgement(const SoakScene& s, const Limits& limits, const Answer& answer, Tally& tally) {
+  if (s.scene.bodies[0].polygon.size() + s.scene.bodies[1].polygon.size() > limits.oracle_size) return {};
+  const exact::ExactAnswer truth = exact::first_contact(s.scene, s.touch);
+  ++(truth.verdict == exact::Verdict::beyond ? tally.beyond : tally.judged);
+  tally.assumed += truth.assumed;
+  return exact::difference(truth, answer, s.scene, s.touch);
+}
+
 /// Empty if all agree.
-std::string examine(const SoakScene& s, bool also_prepared, Tally& tally, StageCounts& stages) {
+std::string examine(const SoakScene& s, bool also_prepared, const Limits& limits, Tally& tally, StageCounts& stages) {
   ++tally.scenes;
   CheckOptions options;
   options.touch = s.touch;
+  options.max_seconds = limits.seconds;
   std::ostringstream log;
   CountingWriter writer(s.scene, s.touch, log);
   try {
@@ -68,6 +88,7 @@ std::string examine(const SoakScene& s, bool also_prepared, Tally& tally, StageC
     const Answer answer = agreed(kinetic, run_spacetime(s.scene, options));
     stages += writer.stages;
     tally.events += kinetic.events;
+    if (const std::string wrong = judgement(s, limits, answer, tally); !wrong.empty()) return wrong;
     if (kinetic.outcome == Outcome::undecided) return "undecided: " + kinetic.reason;
     if (also_prepared) {
       if (const std::string wrong = prepared_difference(s, options, kinetic); !wrong.empty()) return wrong;
@@ -91,22 +112,18 @@ std::string examine(const SoakScene& s, bool also_prepared, Tally& tally, StageC
 
 class Soak {
  public:
-  struct Limits {
-    double minutes = 1;
-    unsigned jobs = 2;
-  };
-
-  Soak(std::string totals_file, std::string folder) : totals_file_(std::move(totals_file)), folder_(std::move(folder)) {
+  Soak(const Limits& limits, std::string totals_file, std::string folder)
+      : limits_(limits), totals_file_(std::move(totals_file)), folder_(std::move(folder)) {
     if (!totals_file_.empty()) totals_ = read_soak_totals(totals_file_);
   }
 
   void skip_to(std::uint64_t scene) { totals_.next_scene = scene; }
 
   /// In rounds of a minute, each saved: a soak that is ended early loses one.
-  void run(const Limits& limits) {
-    const Clock::time_point end = after(Clock::now(), limits.minutes);
+  void run() {
+    const Clock::time_point end = after(Clock::now(), limits_.minutes);
     while (Clock::now() < end) {
-      round(limits.jobs, std::min(end, after(Clock::now(), 1)));
+      round(limits_.jobs, std::min(end, after(Clock::now(), 1)));
       if (!totals_file_.empty()) write_soak_totals(totals_file_, totals_);
     }
   }
@@ -135,27 +152,28 @@ class Soak {
   }
 
   void look_at(std::uint64_t number, SoakTotals& part) {
-    const SoakScene s = soak_scene(number);
+    const SoakScene s = limits_.contacts ? soak_contact_scene(number) : soak_scene(number);
     Tally tally;
-    const std::string wrong = examine(s, number % 4 == 0, tally, part.stages);
+    const std::string wrong = examine(s, number % 4 == 0, limits_, tally, part.stages);
     part.by_family[s.family] += tally;
     part.by_injection[to_string(s.injection)] += tally;
     if (wrong.empty()) return;
-    const std::string file = fmt::format("{}/{}.json", folder_, number);
+    const std::string file = fmt::format("{}/{}{}.json", folder_, limits_.contacts ? "contact-" : "", number);
     part.findings.push_back(
         fmt::format("{}, {}, {}, touch {}: {}", file, s.family, to_string(s.injection), to_string(s.touch), wrong));
     fmt::print(stderr, "{}\n", part.findings.back());
     write_file(file, write_scene(s.scene));
   }
 
+  Limits limits_;
   std::string totals_file_, folder_;
   SoakTotals totals_;
 };
 
 /// One scene a line.
-void print_scenes(std::uint64_t first, std::uint64_t count) {
+void print_scenes(std::uint64_t first, std::uint64_t count, bool contacts) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene(soak_scene(k).scene);
+    std::string text = write_scene((contacts ? soak_contact_scene(k) : soak_scene(k)).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     fmt::print("{}\n", text);
   }
@@ -166,23 +184,30 @@ void print_scenes(std::uint64_t first, std::uint64_t count) {
 
 int main(int argc, char** argv) {
   CLI::App app("Compares both engines and verified proofs on random scenes.", "taut_soak");
-  taut::testing::Soak::Limits limits;
+  taut::testing::Limits limits;
   std::uint64_t first = 0, print = 0;
   std::string folder = ".", totals;
   app.add_option("--minutes", limits.minutes, "How long")->check(CLI::PositiveNumber);
   app.add_option("--jobs", limits.jobs, "Threads")->check(CLI::Range(1, 1024));
   const CLI::Option* from = app.add_option("--first", first, "Number of the first scene; default: after the totals'");
+  app.add_option("--oracle", limits.oracle_size, "Judge scenes of up to so many vertices by definition")
+      ->expected(0, 1)
+      ->default_str("24");
+  app.add_flag("--contacts", limits.contacts,
+               "Small scenes made of contacts, judged by definition, in place of others");
+  app.add_option("--seconds", limits.seconds, "Limit for each engine and scene")->check(CLI::PositiveNumber);
   app.add_option("--findings", folder, "Folder for the scenes with findings")->check(CLI::ExistingDirectory);
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
   app.add_option("--print", print, "Only print so many scenes, one a line");
   CLI11_PARSE(app, argc, argv);
   if (print > 0) {
-    taut::testing::print_scenes(first, print);
+    taut::testing::print_scenes(first, print, limits.contacts);
     return 0;
   }
-  taut::testing::Soak soak(totals, folder);
+  if (limits.contacts) limits.oracle_size = std::max<std::size_t>(limits.oracle_size, 24);
+  taut::testing::Soak soak(limits, totals, folder);
   if (*from) soak.skip_to(first);
-  soak.run(limits);
+  soak.run();
   fmt::print("{}", soak.totals().report());
   return soak.totals().findings.empty() ? 0 : 1;
 }

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "gen/generators.hpp"
+#include "support/contact_scene.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {
@@ -64,6 +65,11 @@ SoakScene soak_scene(std::uint64_t number) {
   }
   s.scene = inject(rng, s.injection, s.scene);
   return s;
+}
+
+SoakScene soak_contact_scene(std::uint64_t number) {
+  const ContactScene s = contact_scene(number);
+  return {s.scene, s.family, Injection::none, s.touch};
 }
 
 }  // namespace taut::testing

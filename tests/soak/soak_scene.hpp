@@ -16,5 +16,7 @@ struct SoakScene {
 
 /// Scene `number`; the same everywhere.
 SoakScene soak_scene(std::uint64_t number);
+/// The same of contact_scene(), whose numbers mean other scenes.
+SoakScene soak_contact_scene(std::uint64_t number);
 
 }  // namespace taut::testing

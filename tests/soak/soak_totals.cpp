@@ -19,11 +19,16 @@ struct Column {
   std::uint64_t Tally::*value;
 };
 
-constexpr Column columns[] = {
-    {"scenes", "scenes", &Tally::scenes},    {"free", "free", &Tally::free},
-    {"contact", "contact", &Tally::contact}, {"overlap_at_start", "overlap at the start", &Tally::at_start},
-    {"invalid", "invalid", &Tally::invalid}, {"proofs", "proofs verified", &Tally::proofs},
-    {"events", "events", &Tally::events}};
+constexpr Column columns[] = {{"scenes", "scenes", &Tally::scenes},
+                              {"free", "free", &Tally::free},
+                              {"contact", "contact", &Tally::contact},
+                              {"overlap_at_start", "overlap at the start", &Tally::at_start},
+                              {"invalid", "invalid", &Tally::invalid},
+                              {"proofs", "proofs verified", &Tally::proofs},
+                              {"judged", "judged by definition", &Tally::judged},
+                              {"assumed", "on an assumption", &Tally::assumed},
+                              {"beyond", "beyond the oracle", &Tally::beyond},
+                              {"events", "events", &Tally::events}};
 
 std::string row(const std::string& name, const Tally& tally) {
   std::string line = "| " + name + " |";
@@ -53,7 +58,7 @@ Json to_json(const std::map<std::string, Tally>& rows) {
 std::map<std::string, Tally> tallies(const Json& json) {
   std::map<std::string, Tally> rows;
   for (const auto& [name, row] : json.items()) {
-    for (const Column& c : columns) rows[name].*c.value = row.at(c.key).get<std::uint64_t>();
+    for (const Column& c : columns) rows[name].*c.value = row.value(c.key, std::uint64_t{0});
   }
   return rows;
 }

@@ -12,6 +12,8 @@ namespace taut::testing {
 
 struct Tally {
   std::uint64_t scenes = 0, free = 0, contact = 0, at_start = 0, invalid = 0, events = 0, proofs = 0;
+  /// By the oracle by definition: answers compared, some of them on an assumption, and scenes beyond it.
+  std::uint64_t judged = 0, assumed = 0, beyond = 0;
 
   Tally& operator+=(const Tally& o);
 };

@@ -1,0 +1,341 @@
+#include "support/exact_oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/exact_placement.hpp"
+#include "support/exact_roots.hpp"
+#include "support/exact_stretches.hpp"
+
+namespace taut::testing::exact {
+namespace {
+
+constexpr int time_bits = 256;
+
+/// How far the displacement may move a vertex, in the scene's units and on the safe side.
+double greatest_shift(const Scene& scene) {
+  double largest = 0, sharpest = 1;
+  for (const Body& body : scene.bodies) {
+    const std::size_t n = body.polygon.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point &v = body.polygon[i], &a = body.polygon[(i + n - 1) % n], &b = body.polygon[(i + 1) % n];
+      largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+      const double ax = a.x - v.x, ay = a.y - v.y, bx = b.x - v.x, by = b.y - v.y;
+      const double half = std::fabs(std::atan2(ax * by - ay * bx, ax * bx + ay * by)) / 2;
+      sharpest = std::max(sharpest, 1 / std::max(std::sin(half), 0x1p-41));
+    }
+  }
+  return largest * sharpest * 0x1p-190;
+}
+
+/// A vertex comes to lie on an edge, or leaves it.
+struct Event {
+  Root root;
+  VertexEdge pair;
+};
+
+/// Follows one leg.
+class LegSearch {
+ public:
+  LegSearch(const Leg& leg, const Shapes& shapes, Touch touch, double shift)
+      : leg_(leg), shapes_(shapes), open_(touch == Touch::open), shift_(shift), finder_(leg) {
+    for (int side = 0; side < 2; ++side) {
+      for (int v = 0; v < leg.size(1 - side); ++v)
+        for (int e = 0; e < leg.size(side); ++e) pairs_.push_back({side, v, e});
+    }
+    zero_.fill(std::vector<State>(pairs_.size(), unknown));
+  }
+
+  /// At the leg's start, exactly.
+  bool overlap_at_start() { return interiors_intersect(shapes_, exactly_at(leg_.from())); }
+
+  /// True if there is a contact, at or after the leg's start: `answer` has it.
+  bool run(bool first, ExactAnswer& answer) {
+    answer_ = &answer;
+    const bool touching_at_start = open_ || first ? touch_at_start() : false;
+    if (touching_at_start && !open_) return true;
+    std::vector<int> all;
+    for (std::size_t k = 0; k < pairs_.size(); ++k) all.push_back(static_cast<int>(k));
+    return leg_.from() < leg_.to() && search(leg_.from(), leg_.to(), all, 0);
+  }
+  bool assumed() const { return assumed_ || finder_.assumed; }
+
+ private:
+  enum State : std::uint8_t { unknown, zero, varying };
+
+  Function function(int k, What what) const { return {pairs_[static_cast<std::size_t>(k)], what}; }
+
+  State& state(int k, What what) { return zero_[static_cast<std::size_t>(what)][static_cast<std::size_t>(k)]; }
+  bool identically_zero(int k, What what) {
+    State& known = state(k, what);
+    if (known == unknown) known = leg_.identically_zero(function(k, what), assumed_) ? zero : varying;
+    return known == zero;
+  }
+
+  // ---- judging an instant
+
+  Signs exactly_at(const Rational& u) {
+    return [this, u](const Function& f) { return finder_.sign_at(f, 0, u); };
+  }
+
+  struct Coincidence {};
+
+  /// At an instant at which nothing vanishes but what always does.
+  bool overlap_at(const Rational& u) {
+    const Narrow n = Narrow::of(u);
+    const std::array<FrameOf<Narrow, 4>, 2> frames{leg_.frame(0, n), leg_.frame(1, n)};
+    return interiors_intersect(shapes_, [&](const Function& f) {
+      const Narrow v = leg_.coefficient(f, frames[static_cast<std::size_t>(f.pair.side)], 0);
+      if (v.positive() || v.negative()) return v.positive() ? 1 : -1;
+      for (const int bits : {192, 700}) {
+        Precision at(bits);
+        const int sign = leg_.coefficient(f, Wide::of(u), 0).sign();
+        if (sign != 0) return sign;
+        if (leg_.identically_zero(f, assumed_)) return 0;
+      }
+      throw Coincidence{};
+    });
+  }
+  bool overlap_between(const Rational& lo, const Rational& hi) {
+    for (const double share : {0.4142135, 0.7320508, 0.2360679, 0.1622776, 0.8284271}) {
+      try {
+        return overlap_at(Rational(lo + (hi - lo) * Rational(share)));
+      } catch (const Coincidence&) {
+      }
+    }
+    throw Beyond{"coincidences at every instant tried"};
+  }
+
+  // ---- going on in time
+
+  /// A function over [m - h, m + h], and its derivative: Taylor coefficients at m, and the last one over all of it.
+  struct Model {
+    Leg::NarrowSeries at;
+    Narrow last, h;
+
+    Narrow range() const { return at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * last))); }
+    Narrow slope() const {
+      return at.c[1] + h * (Narrow(2) * at.c[2] + h * (Narrow(3) * at.c[3] + h * Narrow(4) * last));
+    }
+  };
+  static bool definite(const Narrow& x) { return x.positive() || x.negative(); }
+
+  /// Of one slab of time, in doubles.
+  struct View {
+    std::array<FrameOf<Narrow, 4>, 2> at, over;
+    Narrow h;
+  };
+  Model model(const Function& f, const View& view) const {
+    const auto side = static_cast<std::size_t>(f.pair.side);
+    return {leg_.series(f, view.at[side]), leg_.coefficient(f, view.over[side], 4), view.h};
+  }
+
+  bool search(const Rational& lo, const Rational& hi, const std::vector<int>& active, int depth) {
+    if (active.empty() && !pending_) return false;
+    const Narrow low = Narrow::of(lo), high = Narrow::of(hi), m = Narrow((low.lo() + high.hi()) / 2);
+    const Narrow whole(low.lo(), high.hi());
+    const View view{{leg_.frame(0, m), leg_.frame(1, m)}, {leg_.frame(0, whole), leg_.frame(1, whole)}, whole - m};
+    std::vector<int> rest;
+    bool ready = true;
+    for (const int k : active) {
+      bool simple = false;
+      if (apart(k, view, simple)) continue;
+      ready &= simple;
+      rest.push_back(k);
+    }
+    if (ready || depth >= 12) return settle(lo, hi, rest);
+    const Rational middle = lo + (hi - lo) * Rational(0.4871093752312312);
+    return search(lo, middle, rest, depth + 1) || search(middle, hi, rest, depth + 1);
+  }
+
+  /// `simple`: what is asked of the pair in this slab is easy.
+  bool apart(int k, const View& view, bool& simple) {
+    bool along_simple = true;
+    for (const What what : {What::past_a, What::past_b}) {
+      const Model past = model(function(k, what), view);
+      const Narrow v = past.range();
+      if (what == What::past_a ? v.negative() : v.positive()) return true;
+      along_simple &= definite(v) || easy(k, what, past);
+    }
+    const Model height = model(function(k, What::height), view);
+    if (definite(height.range())) return true;
+    simple = definite(height.slope()) || (along_simple && easy(k, What::height, height));
+    return false;
+  }
+  /// Monotone, or always zero.
+  bool easy(int k, What what, const Model& f) {
+    if (definite(f.at.c[0])) state(k, what) = varying;
+    return definite(f.slope()) || identically_zero(k, what);
+  }
+
+  /// All events of the slab, in order.
+  bool settle(const Rational& lo, const Rational& hi, const std::vector<int>& pairs) {
+    std::vector<Event> events;
+    for (const int k : pairs) find_events(k, lo, hi, events);
+    for (Event& e : events) finder_.refine(e.root, time_bits);
+    std::sort(events.begin(), events.end(),
+              [](const Event& a, const Event& b) { return a.root.at.middle().before(b.root.at.middle()); });
+    Rational from = lo;
+    if (pending_ && pending_until_ > from) from = pending_until_;
+    for (std::size_t k = 0; k < events.size();) {
+      std::size_t end = k + 1;
+      Wide hull = events[k].root.at;
+      while (end < events.size() && !hull.before(events[end].root.at)) hull = Wide::hull(hull, events[end++].root.at);
+      if (!open_) return conclude(events, k, end);
+      if (pending_ && hull.exact_lo() > from && overlap_between(from, hull.exact_lo())) return true;
+      ExactAnswer& answer = *answer_;
+      answer = {};
+      conclude(events, k, end);
+      pending_ = true;
+      pending_until_ = from = hull.exact_hi();
+      k = end;
+    }
+    if (!pending_ || from >= hi) return false;
+    if (overlap_between(from, hi)) return true;
+    pending_ = false;
+    return false;
+  }
+
+  void find_events(int k, const Rational& lo, const Rational& hi, std::vector<Event>& events) {
+    const VertexEdge& pair = pairs_[static_cast<std::size_t>(k)];
+    if (!identically_zero(k, What::height)) {
+      for (Root& r : finder_.zeros(function(k, What::height), lo, hi)) {
+        if (on_edge(k, r)) events.push_back({std::move(r), pair});
+      }
+      return;
+    }
+    for (const What what : {What::past_a, What::past_b}) {
+      if (identically_zero(k, what)) continue;
+      for (Root& r : finder_.zeros(function(k, what), lo, hi)) {
+        if (on_edge(k, r)) events.push_back({std::move(r), pair});
+      }
+    }
+  }
+  bool on_edge(int k, Root& r) {
+    return finder_.sign_at(function(k, What::past_a), 0, r) >= 0 &&
+           finder_.sign_at(function(k, What::past_b), 0, r) <= 0;
+  }
+
+  // ---- the answer
+
+  void meet(const VertexEdge& pair) {
+    const Meeting m{1 - pair.side, pair.vertex, pair.edge};
+    std::vector<Meeting>& all = answer_->meetings;
+    if (std::find(all.begin(), all.end(), m) == all.end()) all.push_back(m);
+  }
+
+  bool conclude(std::vector<Event>& events, std::size_t from, std::size_t to) {
+    ExactAnswer& answer = *answer_;
+    answer.verdict = Verdict::contact;
+    Precision precision(2 * time_bits);
+    Wide hull = events[from].root.at;
+    for (std::size_t k = from; k < to; ++k) {
+      hull = Wide::hull(hull, events[k].root.at);
+      weigh(events[k]);
+      meet(events[k].pair);
+    }
+    answer.time = leg_.time(hull);
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      const int i = static_cast<int>(k);
+      if (state(i, What::height) == zero && on_edge(i, events[from].root)) meet(pairs_[k]);
+    }
+    return true;
+  }
+
+  void weigh(Event& e) {
+    const int m = finder_.multiplicity(e.root);
+    const double u = e.root.at.lo();
+    const Wide coefficient = leg_.coefficient(e.root.function, e.root.at, m);
+    const double size = std::max(std::fabs(coefficient.lo()), std::fabs(coefficient.hi()));
+    const Narrow unit = leg_.frame(e.pair.side, Narrow::of(e.root.at.exact_lo())).r.c[0];
+    const double height = size / (leg_.length(e.pair.side, e.pair.edge) * unit.hi());
+    const double way = std::pow(shift_ / height, 1.0 / m);
+    const Wide t = leg_.time(Wide(u));
+    for (const double side : {-way, way}) {
+      Precision precision(2 * time_bits);
+      const Wide moved = leg_.time(Wide(u) + Wide(side)) - t;
+      answer_->sway = std::max({answer_->sway, std::fabs(moved.lo()), std::fabs(moved.hi())});
+    }
+    answer_->multiplicity = std::max(answer_->multiplicity, m);
+  }
+
+  /// Sets the answer to a contact at the start of the leg, if the bodies touch there.
+  bool touch_at_start() {
+    const Signs signs = exactly_at(leg_.from());
+    const Narrow n = Narrow::of(leg_.from());
+    const std::array<FrameOf<Narrow, 4>, 2> frames{leg_.frame(0, n), leg_.frame(1, n)};
+    std::vector<VertexEdge> touching_pairs;
+    for (const VertexEdge& pair : pairs_) {
+      const auto side = static_cast<std::size_t>(pair.side);
+      if (definite(leg_.coefficient({pair, What::height}, frames[side], 0))) continue;
+      if (touching(pair, signs)) touching_pairs.push_back(pair);
+    }
+    if (touching_pairs.empty()) return false;
+    Precision precision(2 * time_bits);
+    *answer_ = {};
+    for (const VertexEdge& pair : touching_pairs) meet(pair);
+    answer_->verdict = Verdict::contact;
+    answer_->time = leg_.time(Wide::of(leg_.from()));
+    pending_ = open_;
+    pending_until_ = leg_.from();
+    return true;
+  }
+
+  const Leg& leg_;
+  const Shapes& shapes_;
+  bool open_;
+  double shift_;
+  RootFinder finder_;
+  std::vector<VertexEdge> pairs_;
+  /// Of the height, past_a and past_b of each pair.
+  std::array<std::vector<State>, 3> zero_;
+  ExactAnswer* answer_ = nullptr;
+  /// Open reading: the bodies touch at the answer's time, and what follows is not known yet.
+  bool pending_ = false;
+  Rational pending_until_;
+  bool assumed_ = false;
+};
+
+ExactAnswer search(const Scene& scene, Touch touch) {
+  const Shapes shapes(scene);
+  const double shift = greatest_shift(scene);
+  const std::vector<Leg> legs = stretches(scene);
+  ExactAnswer answer;
+  bool assumed = false;
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    LegSearch leg(legs[k], shapes, touch, shift);
+    if (k == 0 && leg.overlap_at_start()) {
+      answer.verdict = Verdict::overlap_at_start;
+      return answer;
+    }
+    const bool found = leg.run(k == 0, answer);
+    assumed |= leg.assumed();
+    if (found) {
+      answer.assumed = assumed;
+      return answer;
+    }
+  }
+  answer = {};
+  answer.verdict = Verdict::free;
+  answer.assumed = assumed;
+  return answer;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  static constexpr const char* names[] = {"free", "contact", "overlap_at_start", "beyond"};
+  return names[static_cast<int>(verdict)];
+}
+
+ExactAnswer first_contact(const Scene& scene, Touch touch) {
+  try {
+    return search(scene, touch);
+  } catch (const Beyond& beyond) {
+    ExactAnswer answer;
+    answer.why = beyond.why;
+    return answer;
+  }
+}
+
+}  // namespace taut::testing::exact
