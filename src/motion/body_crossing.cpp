@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "numeric/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -41,6 +43,7 @@ class SelfJoin {
   std::optional<std::pair<VertexId, VertexId>> find() const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
+      interruption_point();
       const auto [i, j] = stack.back();
       stack.pop_back();
       const Node &a = nodes_[i], &b = nodes_[j];
