@@ -7,6 +7,7 @@
 #include "motion/body_crossing.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/witness.hpp"
+#include "numeric/interruption.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
 #include "taut/validate.hpp"
@@ -52,8 +53,7 @@ class Verifier {
     result_.touch = header_.touch;
     result_.fingerprint = scene_fingerprint(scene_);
     try {
-      while (record()) {
-      }
+      while (record()) interruption_point();
     } catch (const ProofError& error) {
       throw ProofError("event " + std::to_string(result_.events) + ", before byte " + std::to_string(in_.offset()) +
                        ": " + error.what());
@@ -164,6 +164,8 @@ class Verifier {
     result_.contact = witness().contact(vertex, map_.origin(HalfedgeId(hit.value & ~1u)), leg(), fine.lo,
                                         std::min(fine.hi, leg().end));
     result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
+    const bool at_start = result_.contact->time.hi <= scene_.start;
+    result_.contact_at = leg().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
     result_.free_until = result_.contact->time.lo;
     result_.outcome = Outcome::contact;
   }
@@ -196,6 +198,7 @@ class Verifier {
         place.orientation(f, f2, e) == place.orientation(f, f2, e2))
       throw ProofError("the edges do not cross");
     result_.contact = Witness(plan_, outer).contact_of_crossing(e, f, legs_[0], scene_.start);
+    result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;
   }
@@ -205,6 +208,7 @@ class Verifier {
   }
 
   void check_holds(HalfedgeId h, const Instant& until) {
+    interruption_point();
     if (!lifetimes_.holds(corner_at(h), until)) throw ProofError("a corner does not last until it is changed");
   }
   void all_hold(const Instant& until) {
