@@ -4,6 +4,7 @@
 
 #include "motion/motion_plan.hpp"
 #include "motion/polynomial_search.hpp"
+#include "numeric/interruption.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -94,6 +95,7 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
   };
   double from = start;
   for (std::size_t i = 0; i < n; ++i) {
+    interruption_point();
     const MotionPiece& piece = motion.pieces[i];
     if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
     if (i > 0 && piece.until <= motion.pieces[i - 1].until)
