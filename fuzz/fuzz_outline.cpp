@@ -1,6 +1,7 @@
 // Any bytes are an outline or an InputError, as WKT and as GeoJSON; what is read has as many vertices as it may.
 #include "io/json_text.hpp"
 #include "io/outline_reader.hpp"
+#include "io/terminal_text.hpp"
 #include "require.hpp"
 #include "taut/error.hpp"
 
@@ -32,6 +33,8 @@ void look(const Read& read) {
     fuzz::require(io::parse_geojson(json + "]]}", "again", limits()) == ring, "the outline changes as GeoJSON");
   } catch (const InputError& error) {
     fuzz::require(!error.problem().empty(), "an error that says nothing");
+    // Nothing of the file is quoted, and so nothing that a terminal would obey.
+    fuzz::require(io::for_terminal(error.problem()) == error.problem(), "an error with a control character");
   }
 }
 

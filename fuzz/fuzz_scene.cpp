@@ -1,6 +1,7 @@
 // Any bytes are a scene or an InputError, and a scene survives being written and read.
 #include <cmath>
 
+#include "io/terminal_text.hpp"
 #include "numeric/interruption.hpp"
 #include "require.hpp"
 #include "taut/error.hpp"
@@ -41,6 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Scene scene = parse_scene(text);
     const std::string written = write_scene(scene);
+    fuzz::require(io::for_terminal(written) == written, "a scene is written with control characters");
     const Scene again = parse_scene(written);
     fuzz::require(same(scene, again), "the scene that was written is another one");
     fuzz::require(write_scene(again) == written, "a scene that was read is written differently");

@@ -122,6 +122,16 @@ for signal in INT TERM; do
   fi
 done
 
+# Also while it is only being looked at, for minutes if need be: is each of these cosines within [-1, 1]?
+{
+  printf '{"format":"taut-scene/1","time":[-0.9,0.9],"bodies":[{"name":"p","polygon":[[0,0],[1,0],[0,1]]},{"name":"q","polygon":[[0,0],[1,0],[0,1]],"motion":['
+  awk 'BEGIN { for (i = 1; i <= 4000; i++) print "{\"x\":[9],\"rotation\":{\"cosine\":[1,0,-128,0,2688,0,-21504,0,84480,0,-180224,0,212992,0,-131072,0,32768]},\"until\":" i / 4444 "}" }' | paste -sd,
+  printf ']}]}'
+} >cosines.json
+expect 3 'the time limit was reached' '' check --max-seconds 0.2 cosines.json
+timeout --foreground --preserve-status -s INT 0.7 "$taut" check cosines.json >out 2>err
+[ $? = 3 ] && grep -q '  interrupted' out || { echo "FAILED: SIGINT while a scene is validated" && cat out err; failures=$((failures + 1)); }
+
 # Proofs.
 prove() { # prove SCENE CODE: writes a proof that taut and taut-verify accept
   expect "$2" 'proof in a\.proof' '' prove "$1" -o a.proof
@@ -139,6 +149,7 @@ expect 1 'cut off' '' verify free.json cut.proof
 expect 1 '"valid":false' '' verify --json free.json cut.proof
 prove hit.json 1
 expect 0 'contact within \[.*: vertex [01] of hammer meets edge 2-3 of anvil' '' verify hit.json a.proof
+cp a.proof hit.proof
 expect 1 '"outcome":"contact"' '' prove --json --touch closed touch.json -o a.proof
 expect 0 'touch closed' '' verify touch.json a.proof
 expect 3 'proof in' '' prove --max-seconds 0.2 long.json -o a.proof
@@ -150,6 +161,85 @@ expect 2 '' 'no/a.proof: cannot write' prove free.json -o no/a.proof
 expect 2 '' 'missing.proof: cannot open' verify free.json missing.proof
 expect 2 '' 'no.json: cannot open' verify no.json cut.proof
 if ls | grep -q '\.tmp'; then echo "FAILED: temporary files are left"; failures=$((failures + 1)); fi
+
+# What a log should prove. The other program says the same, and nothing else.
+verifies() { # verifies CODE 'PATTERN' ARGS: of both programs
+  local code="$1" pattern="$2" verifier
+  shift 2
+  for verifier in "$taut verify" "$(dirname "$taut")/taut-verify"; do
+    $verifier "$@" >out 2>err </dev/null
+    [ $? = "$code" ] && cat out err | grep -qE -- "$pattern" || { echo "FAILED: $verifier $*: not $code, $pattern" && cat out err; failures=$((failures + 1)); }
+  done
+}
+"$taut" prove free.json -o free.proof >/dev/null
+"$taut" prove --max-events 0 hit.json -o nothing.proof >/dev/null
+verifies 0 '^VALID' free.json free.proof --expect free
+verifies 0 '^VALID' free.json free.proof --expect free --touch open --until 10
+verifies 1 'NOT AS EXPECTED: free on \[0, 10\], touch closed' free.json free.proof --expect free --touch closed
+verifies 1 'NOT AS EXPECTED: touch closed' free.json free.proof --touch closed
+verifies 1 'NOT AS EXPECTED: a contact' free.json free.proof --expect contact
+verifies 1 'NOT AS EXPECTED: free on \[0, 10\]' hit.json hit.proof --expect free
+verifies 0 '^VALID' hit.json hit.proof --expect free --until 7.5
+verifies 1 'NOT AS EXPECTED: free on \[0, 8.5\)' hit.json hit.proof --expect free --until 8.5
+verifies 0 '^VALID' hit.json hit.proof --expect contact
+verifies 0 '^VALID' hit.json hit.proof --expect contact --until 8.5
+verifies 1 'NOT AS EXPECTED: a contact by t = 7.5' hit.json hit.proof --expect contact --until 7.5
+verifies 0 'nothing after that' hit.json nothing.proof
+verifies 1 'NOT AS EXPECTED' hit.json nothing.proof --expect free
+verifies 1 'NOT AS EXPECTED' hit.json nothing.proof --expect contact
+verifies 1 '"expected":"free on \[0, 10\]","as_expected":false' hit.json nothing.proof --json --expect free
+verifies 0 '"as_expected":true' hit.json hit.proof --json --expect contact
+verifies 0 '"t":\[[0-9.]+,[0-9.]+\],"contact":\{"vertex":\{"body":"hammer","index":[01]\},"edge":\{"body":"anvil","index":2\},.*"contact_at":"motion"' hit.json hit.proof --json
+verifies 2 '--until: 11 is outside' hit.json hit.proof --expect free --until 11
+verifies 2 '--until: no time passes before the start' hit.json hit.proof --expect free --until 0
+verifies 2 '--until: nan is outside|--until' hit.json hit.proof --expect free --until nan
+verifies 2 '--until requires --expect' hit.json hit.proof --until 3
+verifies 2 '--expect' hit.json hit.proof --expect maybe
+verifies 2 'cannot both come from' - -
+verifies 2 'PROOF' hit.json
+verifies 0 'Example' --help
+verifies 1 'another scene' free.json hit.proof --expect free
+"$taut" gen maze -n 4000 -o maze.json
+"$taut" prove maze.json -o maze.proof >/dev/null
+verifies 3 '^UNDECIDED' maze.json maze.proof --max-seconds 0
+verifies 3 '"valid":null,"reason":"the time limit was reached"' maze.json maze.proof --max-seconds 0 --json
+verifies 0 '^VALID' maze.json maze.proof --max-seconds 60 --expect free
+for verifier in "$taut verify" "$(dirname "$taut")/taut-verify"; do
+  for json in "" --json; do
+    # shellcheck disable=SC2086
+    $verifier $json hit.json hit.proof >/dev/full 2>err
+    [ $? = 2 ] && grep -q 'cannot write to standard output' err || { echo "FAILED: $verifier cannot write"; failures=$((failures + 1)); }
+  done
+  cat hit.json | $verifier - hit.proof >out 2>err && grep -q '^VALID' out || { echo "FAILED: $verifier with a scene from standard input"; failures=$((failures + 1)); }
+  cat hit.proof | $verifier hit.json - >out 2>err && grep -q '^VALID' out || { echo "FAILED: $verifier with a log from standard input"; failures=$((failures + 1)); }
+done
+# Between two pieces that join but for rounding, the hammer moves onto the anvil.
+scene joint.json '[{"y":[-3.999999],"until":3},{"y":[-4.000001]}]' 10
+expect 1 '^CONTACT .* t = 3$' '' check joint.json
+expect 1 'proof in' '' prove joint.json -o joint.proof
+verifies 0 'free on \[0, 3\); contact at the joint t = 3, in the jump .*: vertex [01] of hammer meets edge 2-3 of anvil' joint.json joint.proof
+verifies 0 '"t":\[3,3\],.*"contact_at":"joint"' joint.json joint.proof --json
+"$taut" prove --touch closed - -o start.proof >/dev/null <<<"$(sed 's/"y":\[0,-0.5\]/"y":[-4,-0.5]/' hit.json)"
+sed 's/"y":\[0,-0.5\]/"y":[-4,-0.5]/' hit.json >start.json
+verifies 0 '  contact at the start, t = 0: ' start.json start.proof
+verifies 0 '"contact_at":"start"' start.json start.proof --json
+
+# No signal leaves half a file behind.
+"$taut" gen rotor -n 40000 -o longer.json
+for signals in "HUP" "QUIT" "INT INT" "TERM TERM" "INT TERM"; do
+  (ulimit -c 0; exec env --default-signal "$taut" prove longer.json -o killed.proof) >out 2>err &
+  pid=$!
+  for _ in $(seq 100); do ls | grep -q '\.tmp' && break; sleep 0.05; done
+  # The first one ends the run with an answer, unless the second one comes at once.
+  for signal in $signals; do kill -s "$signal" $pid 2>/dev/null; done
+  wait $pid
+  if ls | grep -q '\.tmp'; then echo "FAILED: SIG$signals leaves a temporary file"; failures=$((failures + 1)); rm -f ./*.tmp*; fi
+done
+rm -f killed.proof
+echo old >private.svg
+chmod 600 private.svg
+expect 0 '' '' draw free.json -o private.svg
+[ "$(stat -c %a private.svg)" = 600 ] || { echo "FAILED: a file that is replaced gets another mode"; failures=$((failures + 1)); }
 
 # Where the disk is full, or a limit of the shell says so, nothing is left behind.
 "$taut" gen gears -n 2000 -o large.json
@@ -173,7 +263,85 @@ if ls | grep -q '\.tmp'; then echo "FAILED: temporary files are left"; failures=
 
 # Bad scenes.
 expect 2 '' 'no\.json: cannot open the file' check no.json
-expect 2 '' 'cannot read the file' check .
+expect 2 '' 'cannot read the file: it is a folder' check .
+expect 2 '' 'cannot read the file: it is a device' check /dev/zero
+mkfifo pipe
+for command in check trace draw view separator "prove -o x.proof" "check --lines"; do
+  # shellcheck disable=SC2086
+  expect 2 '' 'pipe: cannot read the file: it is a pipe' $command pipe
+done
+expect 2 '' 'pipe: cannot read the file: it is a pipe' verify free.json pipe
+expect 2 '' 'pipe: cannot read the file: it is a pipe' verify pipe free.json
+ln -s hit.json link.json
+expect 1 '^CONTACT' '' check link.json
+printf '%s\0 and more' "$(cat hit.json)" >nul.json
+expect 2 '' 'nul.json:3:[0-9]+: a NUL character ends the JSON' check nul.json
+
+# What a terminal would obey is shown instead, wherever it comes from.
+quiet() { # quiet ARGS: no byte of the output is one that a terminal obeys
+  "$taut" "$@" >out 2>err </dev/null
+  if LC_ALL=C grep -qP '[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\x8e\x8f\xa8-\xae]|\xe2\x81[\xa6-\xa9]' out err; then
+    echo "FAILED: taut $* prints control characters" && cat -v out err
+    failures=$((failures + 1))
+  fi
+}
+evil="$(printf 'e\x1b]0;title\x07\xc2\x9b31m\xe2\x80\xae\n')"
+sed "s/anvil/an\xc2\x9b31m\xe2\x80\xaevil/" hit.json >"$evil.json"
+sed 's/"time"/"ti\\u001b[31m\xe2\x80\xaeme"/' hit.json >key.json
+sed 's/anvil/\x1b[31m/' hit.json >raw.json
+printf 't,\x1b[31mx\n0,0\n' >evil.csv
+scene evil_csv.json '{"csv":"evil.csv"}' 10
+printf '{"type":"\\u001b[31m"}' >evil.geojson
+sed 's/\[\[0,0\],\[4,0\],\[4,1\],\[0,1\]\]/{"geojson":"evil.geojson"}/' hit.json >evil_outline.json
+"$taut" prove "$evil.json" -o evil.proof >/dev/null
+for file in "$evil.json" "no$evil" key.json raw.json evil_csv.json evil_outline.json; do
+  for command in check "check --json" "check --engine spacetime" "check --threads 1 free.json" trace draw separator "separator --json" \
+    "view --template no" "prove -o $folder/x.proof" "prove --json -o $folder/x.proof"; do
+    # shellcheck disable=SC2086
+    quiet $command "$file"
+  done
+  quiet verify "$file" evil.proof
+  quiet verify --json "$file" evil.proof
+  quiet verify free.json "$file"
+done
+quiet check "--$evil"
+quiet "$evil"
+quiet demo "$evil"
+quiet draw free.json -o "no$evil/x.svg"
+quiet prove free.json -o "$evil.proof"
+expect 1 'an.u009b31m.u202evil' '' check "$evil.json"
+expect 1 '"an.u009b31m.u202evil"' '' check --json "$evil.json"
+is_json_lines
+rm -f ./*title* ./*evil* x.proof
+
+# A scene does not choose what is read: neither where, nor by what an error quotes.
+mkdir -p inner
+echo 'POLYGON ((0 0, 4 0, 4 1, 0 1))' >outline.wkt
+sed 's/\[\[0,0\],\[4,0\],\[4,1\],\[0,1\]\]/{"wkt":"..\/outline.wkt"}/' hit.json >inner/scene.json
+tr -d '\n' <inner/scene.json >inner/scene.jsonl
+ln -s ../outline.wkt inner/link.wkt
+sed 's/..\/outline/link/' inner/scene.json >inner/linked.json
+echo '<p>@TAUT-DATA@</p>' >page.html
+for command in check "check --lines" "check free.json" trace draw separator "view --template page.html" "prove -o a.proof"; do
+  file=inner/scene.json
+  [ "$command" = "check --lines" ] && file=inner/scene.jsonl
+  # shellcheck disable=SC2086
+  "$taut" $command "$file" >out 2>err && { echo "FAILED: taut $command reads an outline outside"; failures=$((failures + 1)); }
+  grep -q 'the file "../outline.wkt" is not below the scene.s folder' err || { echo "FAILED: taut $command: " && cat err; failures=$((failures + 1)); }
+  # shellcheck disable=SC2086
+  "$taut" $command --allow-outside "$file" >out 2>err || [ $? = 1 ] || { echo "FAILED: taut $command --allow-outside" && cat err; failures=$((failures + 1)); }
+done
+expect 2 '' 'not below' verify inner/scene.json a.proof
+expect 0 '^VALID' '' verify --allow-outside inner/scene.json a.proof
+expect 2 '' 'not below' check inner/linked.json
+expect 1 '^CONTACT' '' check --allow-outside inner/linked.json
+"$taut" check - <inner/scene.json >out 2>err
+[ $? = 2 ] && grep -q 'not below' err || { echo "FAILED: an outline outside of a scene from standard input"; failures=$((failures + 1)); }
+sed 's/..\/outline.wkt/secret/' inner/scene.json >inner/peeping.json
+echo 'password:hunter2' >inner/secret
+expect 2 '' 'secret:1:9: expected POLYGON' check inner/peeping.json
+grep -qi 'hunter\|password' err && { echo "FAILED: an error quotes an outline" && cat err; failures=$((failures + 1)); }
+rm -rf inner
 sed 's/"time"/"tiem"/' hit.json >bad.json
 expect 2 '' 'bad\.json:1:26: unknown key "tiem"' check bad.json
 expect 2 '' 'did you mean "time"' check --json bad.json

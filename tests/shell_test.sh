@@ -41,6 +41,11 @@ offers closed taut check --touch ''
 offers_not open taut check --touch cl
 offers both taut check scene.json --engine ''
 offers scene.json taut check sc
+touch 'my scene.json' 'a$b *.json'
+offers 'my scene.json' taut check my
+offers 'my scene.json' taut check scene.json my
+offers 'my scene.json' taut draw scene.json -o my
+offers 'a$b *.json' taut check a
 offers gears taut gen ''
 offers --teeth1 taut gen gears --te
 offers fish taut completion ''

@@ -12,6 +12,8 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "io/json_text.hpp"
+#include "io/regular_file.hpp"
+#include "io/terminal_text.hpp"
 #include "io/text_file.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
@@ -31,11 +33,11 @@ class Tasks {
     while (current_ < paths_.size()) {
       if (!lines_) return BatchTask{paths_[current_++], {}};
       if (line_ == 0 && paths_[current_] != "-") {
-        file_ = std::ifstream(paths_[current_]);
-        if (!file_) {
+        if (!is_regular(paths_[current_])) {
           const BatchTask missing{paths_[current_++], {}};  // reading it will say what is wrong
           return missing;
         }
+        file_ = std::ifstream(paths_[current_]);
       }
       std::istream& in = paths_[current_] == "-" ? std::cin : file_;
       std::string text;
@@ -51,6 +53,15 @@ class Tasks {
   }
 
  private:
+  static bool is_regular(const std::string& path) {
+    try {
+      io::open_regular_file(path);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
   const std::vector<std::string>& paths_;
   bool lines_;
   std::size_t current_ = 0;
@@ -58,10 +69,11 @@ class Tasks {
   std::uint64_t line_ = 0;
 };
 
-BatchResult failure(const BatchTask& task, int code, const std::string& what, bool json) {
+/// `shown` is `what` for a terminal.
+BatchResult failure(const BatchTask& task, int code, const std::string& what, const std::string& shown, bool json) {
   BatchResult result;
   result.code = code;
-  result.err = fmt::format("taut: {}\n", what);
+  result.err = fmt::format("taut: {}\n", shown);
   // A line for every scene: programs may count on it.
   if (json)
     result.out = fmt::format("{{\"scene\":{},\"error\":{}}}\n", io::string_text(task.place), io::string_text(what));
@@ -70,8 +82,10 @@ BatchResult failure(const BatchTask& task, int code, const std::string& what, bo
 
 BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
   try {
-    const Scene scene =
-        task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place)) : load_scene(task.place);
+    ReadLimits limits;
+    limits.allow_outside = batch.allow_outside;
+    const Scene scene = task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place), limits)
+                                  : load_scene({task.place, batch.allow_outside});
     Answer answer;
     try {
       answer = check(scene, batch.options);
@@ -84,13 +98,15 @@ BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
       const std::string object = answer_json(scene, answer, batch.options.touch);
       result.out = fmt::format("{{\"scene\":{},{}\n", io::string_text(task.place), object.substr(1));
     } else {
-      result.out = fmt::format("{}\n{}", task.place, report(scene, answer, batch.options.touch));
+      result.out = fmt::format("{}\n{}", io::line_for_terminal(task.place),
+                               io::for_terminal(report(scene, answer, batch.options.touch)));
     }
     return result;
   } catch (const InputError& error) {
-    return failure(task, exit_bad_input, error.what(), batch.json);
+    return failure(task, exit_bad_input, error.what(), io::for_terminal(error), batch.json);
   } catch (const std::exception& error) {
-    return failure(task, exit_internal, fmt::format("internal error in {}: {}", task.place, error.what()), batch.json);
+    const std::string what = fmt::format("internal error in {}: {}", task.place, error.what());
+    return failure(task, exit_internal, what, io::for_terminal(what), batch.json);
   }
 }
 

@@ -10,8 +10,9 @@ namespace taut::cli {
 
 struct CheckBatch {
   std::vector<std::string> paths;
-  bool lines = false;    ///< each file holds a scene on every line
-  unsigned threads = 0;  ///< 0: as many as the machine has
+  bool allow_outside = false;  ///< see SceneSource
+  bool lines = false;          ///< each file holds a scene on every line
+  unsigned threads = 0;        ///< 0: as many as the machine has
   CheckOptions options;
   bool json = false, timing = false;
 };

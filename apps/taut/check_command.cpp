@@ -9,6 +9,7 @@
 #include "report.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
+#include "terminal.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -16,13 +17,13 @@ namespace taut::cli {
 namespace {
 
 struct CheckArguments {
-  std::string path;
+  SceneSource scene;
   CheckOptions options;
   bool json = false, timing = false;
 };
 
 CheckArguments single(const CheckBatch& batch) {
-  return {batch.paths.front(), batch.options, batch.json, batch.timing};
+  return {{batch.paths.front(), batch.allow_outside}, batch.options, batch.json, batch.timing};
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -37,11 +38,11 @@ void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreemen
 
 int run_check(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene = load_scene(arguments.path);
+  const Scene scene = load_scene(arguments.scene);
   const double read_seconds = seconds_since(start);
   Answer answer;
   try {
-    answer = watched_run(scene, arguments.path, arguments.options, check);
+    answer = watched_run(scene, arguments.scene.path, arguments.options, check);
   } catch (const EngineDisagreement& error) {
     print_disagreement(scene, arguments.options.touch, error);
     throw;
@@ -49,9 +50,9 @@ int run_check(const CheckArguments& arguments) {
   const AnswerTiming timing{read_seconds, answer.build_seconds, answer.run_seconds};
   if (arguments.json) {
     const auto wanted = arguments.timing ? std::optional(timing) : std::nullopt;
-    fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch, wanted));
+    print_text(answer_json(scene, answer, arguments.options.touch, wanted) + "\n");
   } else {
-    fmt::print("{}", report(scene, answer, arguments.options.touch));
+    print_text(report(scene, answer, arguments.options.touch));
     if (arguments.timing) {
       fmt::print("  read {}, build {}, run {}\n", seconds_text(timing.read), seconds_text(timing.build),
                  seconds_text(timing.run));
@@ -68,6 +69,7 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("SCENE", arguments->paths, "scene files (taut-scene/1), or - for standard input")
       ->required()
       ->option_text(" ");
+  add_allow_outside(*command, arguments->allow_outside);
   add_touch(*command, arguments->options.touch);
   add_limits(*command, arguments->options);
   command->add_flag("--json", arguments->json, "print one JSON object for each scene");

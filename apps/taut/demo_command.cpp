@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "demo_scenes.hpp"
 #include "gen/generators.hpp"
+#include "io/terminal_text.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -99,18 +100,19 @@ int run_demo(const DemoArguments& arguments) {
   }
   const Demo& demo = find_demo(arguments.name);
   const std::string stem = arguments.folder == "." ? demo.name : arguments.folder + "/" + demo.name;
+  const std::string shown = io::line_for_terminal(stem);
   const std::string text = demo.scene();
   const Scene scene = parse_scene(text);
   write_new(stem + ".json", text, arguments.force);
-  fmt::print("{}.json  {}\n", stem, demo.what);
+  fmt::print("{}.json  {}\n", shown, demo.what);
   write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
-  fmt::print("{}.svg   the motion, to open in a browser\n", stem);
+  fmt::print("{}.svg   the motion, to open in a browser\n", shown);
   if (viewer_is_there()) {
     if (!arguments.force) require_new(stem + ".html");
     write_viewer(scene, {}, stem + ".html");
-    fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", stem);
+    fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", shown);
   }
-  fmt::print("next:  taut check {}.json\n", stem);
+  fmt::print("next:  taut check {}.json\n", shown);
   return exit_free;
 }
 

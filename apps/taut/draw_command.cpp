@@ -15,7 +15,8 @@ namespace taut::cli {
 namespace {
 
 struct DrawArguments {
-  std::string path, output;
+  SceneSource scene;
+  std::string output;
   std::optional<double> at;
   Touch touch = Touch::open;
   DrawOptions options;
@@ -31,8 +32,9 @@ double instant(const DrawArguments& arguments, const Scene& scene) {
 }
 
 int run_draw(DrawArguments arguments) {
-  const Scene scene = load_scene(arguments.path);
-  auto simulation = within_file(arguments.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
+  const Scene scene = load_scene(arguments.scene);
+  auto simulation =
+      within_file(arguments.scene.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
   if (simulation->state() == SimulationState::overlap_at_start) {
     fmt::print(stderr, "taut: the bodies overlap at the start: there is no free space to tile\n");
     return exit_contact;
@@ -67,7 +69,7 @@ int run_draw(DrawArguments arguments) {
 void add_draw(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("draw", "Draw bodies and tiling at one instant as SVG");
   const auto arguments = std::make_shared<DrawArguments>();
-  add_scene(*command, arguments->path);
+  add_scene(*command, arguments->scene);
   CLI::Option* at = command->add_option("--at", arguments->at, "the instant; without it, the first contact, or the end")
                         ->option_text("T");
   command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")

@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
+#include "terminal.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ const char* const examples =
 
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  fmt::print(stderr, "taut: {}\nhint: see `taut --help` or `taut COMMAND --help`\n", error.what());
+  taut::cli::print_error("taut", std::string(error.what()) + "\nhint: see `taut --help` or `taut COMMAND --help`");
   return taut::cli::exit_bad_input;
 }
 
@@ -35,13 +36,6 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
   const std::string near = taut::io::nearest_word(word, known);
   throw taut::InputError("", fmt::format("unknown command \"{}\"", taut::io::excerpt(word)),
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
-}
-
-/// Output that was cut short (a full disk) must not look like success.
-int flushed(int code) {
-  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
-  fmt::print(stderr, "taut: cannot write to standard output\n");
-  return taut::cli::exit_bad_input;
 }
 
 }  // namespace
@@ -64,26 +58,23 @@ int main(int argc, char** argv) {
   taut::cli::add_schema(app, action);
   taut::cli::add_completion(app, action);
   taut::cli::add_man(app, action);
+  taut::cli::clean_up_on_signals();
   try {
     require_known_command(app, argc, argv);
     app.parse(argc, argv);
-    return flushed(action());
+    return taut::cli::flushed("taut", action());
   } catch (const CLI::ParseError& error) {
     return report_usage(app, error);
   } catch (const taut::InputError& error) {
-    std::fflush(stdout);
-    fmt::print(stderr, "taut: {}\n", error.what());
+    taut::cli::print_error("taut", error);
     return taut::cli::exit_bad_input;
   } catch (const taut::UndecidedError& error) {
-    std::fflush(stdout);
-    fmt::print(stderr, "taut: {}\n", error.what());
+    taut::cli::print_error("taut", error.what());
     return taut::cli::exit_undecided;
   } catch (const std::exception& error) {
-    std::fflush(stdout);
-    fmt::print(stderr,
-               "taut: internal error: {}\n"
-               "This is a defect of taut. Please report it, together with the scene and the command line.\n",
-               error.what());
+    taut::cli::print_error(
+        "taut", std::string("internal error: ") + error.what() +
+                    "\nThis is a defect of taut. Please report it, together with the scene and the command line.");
     return taut::cli::exit_internal;
   }
 }

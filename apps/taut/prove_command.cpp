@@ -1,12 +1,12 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "commands.hpp"
 #include "io/answer_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/terminal_text.hpp"
 #include "report.hpp"
 #include "taut/proof.hpp"
+#include "terminal.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -14,25 +14,26 @@ namespace taut::cli {
 namespace {
 
 struct ProveArguments {
-  std::string path, output;
+  SceneSource scene;
+  std::string output;
   CheckOptions options;
   bool json = false;
 };
 
 int run_prove(const ProveArguments& arguments) {
-  const Scene scene = load_scene(arguments.path);
+  const Scene scene = load_scene(arguments.scene);
   io::AtomicFile file(arguments.output);
   const Answer answer =
-      watched_run(scene, arguments.path, arguments.options,
+      watched_run(scene, arguments.scene.path, arguments.options,
                   [&file](const Scene& s, const CheckOptions& options) { return prove(s, file.stream(), options); });
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
   if (proof) file.commit();
   if (arguments.json) {
-    fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch, std::nullopt));
+    print_text(answer_json(scene, answer, arguments.options.touch, std::nullopt) + "\n");
   } else {
-    fmt::print("{}", report(scene, answer, arguments.options.touch));
-    fmt::print("{}\n", proof ? "  proof in " + arguments.output : "  no proof was written");
+    print_text(report(scene, answer, arguments.options.touch));
+    print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + "\n" : "  no proof was written\n");
   }
   return exit_code(answer.outcome);
 }
@@ -42,7 +43,7 @@ int run_prove(const ProveArguments& arguments) {
 void add_prove(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("prove", "Check a scene and write a proof of the answer");
   const auto arguments = std::make_shared<ProveArguments>();
-  add_run(*command, arguments->path, arguments->options);
+  add_run(*command, arguments->scene, arguments->options);
   command->add_option("-o,--output", arguments->output, "the proof log to write")->required()->option_text("FILE");
   command->add_flag("--json", arguments->json, "print the answer as one JSON object");
   command->footer(

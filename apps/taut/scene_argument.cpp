@@ -8,10 +8,6 @@
 
 namespace taut::cli {
 
-void add_scene(CLI::App& command, std::string& path) {
-  command.add_option("SCENE", path, "scene file (taut-scene/1), or - for standard input")->required()->option_text(" ");
-}
-
 void add_touch(CLI::App& command, Touch& touch) {
   const auto set = [&touch](const std::string& mode) { touch = mode == "closed" ? Touch::closed : Touch::open; };
   command
@@ -44,20 +40,6 @@ void add_limits(CLI::App& command, CheckOptions& options) {
       ->option_text("S")
       ->check(CLI::NonNegativeNumber);
 }
-
-Scene load_scene(const std::string& path) {
-  if (path != "-") return read_scene(path);
-  const ReadLimits limits;
-  std::string text;
-  char buffer[1 << 16];
-  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin)) {
-    text.append(buffer, n);
-    if (text.size() > limits.max_bytes) break;  // parse_scene refuses it
-  }
-  return parse_scene(text, display_name(path), ".", limits);
-}
-
-std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 
 void write_output(const std::string& path, const std::string& text) {
   if (!path.empty() && path != "-") return write_file(path, text);

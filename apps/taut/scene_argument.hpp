@@ -5,25 +5,18 @@
 #include <cstdint>
 #include <string>
 
+#include "scene_source.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {
 
-/// Adds the positional SCENE.
-void add_scene(CLI::App& command, std::string& path);
 /// Adds --touch open|closed.
 void add_touch(CLI::App& command, Touch& touch);
 /// Adds --engine kinetic|spacetime|both|either.
 void add_engine(CLI::App& command, EngineChoice& engine);
 /// Adds --max-events and --max-seconds.
 void add_limits(CLI::App& command, CheckOptions& options);
-
-/// Reads a file, or standard input if `path` is "-".
-Scene load_scene(const std::string& path);
-
-/// What the path is called in messages.
-std::string display_name(const std::string& path);
 
 /// Writes to a file, or to standard output if `path` is empty or "-".
 void write_output(const std::string& path, const std::string& text);

@@ -10,6 +10,7 @@
 #include "taut/io.hpp"
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
+#include "terminal.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -17,7 +18,8 @@ namespace taut::cli {
 namespace {
 
 struct SeparatorArguments {
-  std::string path, picture;
+  SceneSource scene;
+  std::string picture;
   std::optional<double> at;
   bool json = false;
 };
@@ -92,15 +94,15 @@ std::string picture(const Scene& scene, double t, const Separator& found) {
 }
 
 int run_separator(const SeparatorArguments& arguments) {
-  const Scene scene = load_scene(arguments.path);
+  const Scene scene = load_scene(arguments.scene);
   const double t = arguments.at.value_or(scene.start);
   if (!(t >= scene.start && t <= scene.end)) {
     throw InputError("--at", fmt::format("{} is outside the scene's time [{}, {}]", t, scene.start, scene.end),
                      "choose an instant within");
   }
-  const Separator found = within_file(arguments.path, [&] { return separator(scene, t); });
+  const Separator found = within_file(arguments.scene.path, [&] { return separator(scene, t); });
   if (!arguments.picture.empty() && !found.overlap) write_file(arguments.picture, picture(scene, t, found));
-  fmt::print("{}", arguments.json ? to_json(scene, t, found) : to_text(scene, t, found));
+  print_text(arguments.json ? to_json(scene, t, found) : to_text(scene, t, found));
   return found.overlap ? exit_contact : exit_free;
 }
 
@@ -109,7 +111,7 @@ int run_separator(const SeparatorArguments& arguments) {
 void add_separator(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("separator", "Curves that keep the bodies apart at one instant");
   const auto arguments = std::make_shared<SeparatorArguments>();
-  add_scene(*command, arguments->path);
+  add_scene(*command, arguments->scene);
   command->add_option("--at", arguments->at, "the instant; without it, the start")->option_text("T");
   command->add_flag("--json", arguments->json, "one JSON object, with all vertices");
   command->add_option("-o,--output", arguments->picture, "also write a picture (SVG) to FILE")->option_text("FILE");

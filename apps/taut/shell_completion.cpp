@@ -55,7 +55,7 @@ std::string bash_values(const CommandModel& command) {
     if (option.names.empty() || option.value.empty()) continue;
     const std::string reply = !option.choices.empty()
                                   ? "COMPREPLY=($(compgen -W \"" + joined(option.choices) + "\" -- \"$word\"))"
-                              : option.takes_file() ? "COMPREPLY=($(compgen -f -- \"$word\"))"
+                              : option.takes_file() ? "COMPREPLY=(); _taut_files"
                                                     : "COMPREPLY=()";
     cases += fmt::format("        {}) {}; return ;;\n", joined(option.names, "|"), reply);
   }
@@ -65,6 +65,11 @@ std::string bash_values(const CommandModel& command) {
 std::string bash(const std::vector<const CommandModel*>& all) {
   std::string s =
       "# bash completion for taut, made by `taut completion bash`\n"
+      "# Line by line: a name may have spaces.\n"
+      "_taut_files() {\n"
+      "  local name\n"
+      "  while IFS= read -r name; do COMPREPLY+=(\"$name\"); done < <(compgen -f -- \"$word\")\n"
+      "}\n"
       "_taut() {\n"
       "  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\" command=taut i\n"
       "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
@@ -74,7 +79,7 @@ std::string bash(const std::vector<const CommandModel*>& all) {
   for (const CommandModel* command : all) {
     s += fmt::format("    \"{}\")\n{}", command->name, bash_values(*command));
     s += fmt::format("      COMPREPLY=($(compgen -W \"{}\" -- \"$word\"))\n", joined(words_of(*command)));
-    if (command->commands.empty()) s += "      [[ $word == -* ]] || COMPREPLY+=($(compgen -f -- \"$word\"))\n";
+    if (command->commands.empty()) s += "      [[ $word == -* ]] || _taut_files\n";
     s += "      ;;\n";
   }
   return s + "  esac\n}\ncomplete -o filenames -F _taut taut\n";

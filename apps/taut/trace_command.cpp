@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "commands.hpp"
 #include "io/trace_json.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
+#include "terminal.hpp"
 #include "watched_run.hpp"
 
 namespace taut::cli {
@@ -16,24 +15,24 @@ namespace {
 class LineTracer : public Tracer {
  public:
   explicit LineTracer(const Scene& scene) : writer_(scene) {}
-  void on_event(const TraceEvent& event) override { fmt::print("{}\n", writer_.line(event)); }
+  void on_event(const TraceEvent& event) override { print_text(writer_.line(event) + "\n"); }
 
  private:
   io::TraceWriter writer_;
 };
 
 struct TraceArguments {
-  std::string path;
+  SceneSource scene;
   CheckOptions options;
   bool json = false;
 };
 
 int run_trace(TraceArguments arguments) {
-  const Scene scene = load_scene(arguments.path);
+  const Scene scene = load_scene(arguments.scene);
   LineTracer tracer(scene);
   arguments.options.tracer = &tracer;
-  const Answer answer = watched_run(scene, arguments.path, arguments.options, check);
-  fmt::print("{}\n", answer_json(scene, answer, arguments.options.touch));
+  const Answer answer = watched_run(scene, arguments.scene.path, arguments.options, check);
+  print_text(answer_json(scene, answer, arguments.options.touch) + "\n");
   return exit_code(answer.outcome);
 }
 
@@ -42,7 +41,7 @@ int run_trace(TraceArguments arguments) {
 void add_trace(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("trace", "Print one JSON line per event, then the answer");
   const auto arguments = std::make_shared<TraceArguments>();
-  add_run(*command, arguments->path, arguments->options);
+  add_run(*command, arguments->scene, arguments->options);
   command->add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
   command->footer(
       "Example:\n"

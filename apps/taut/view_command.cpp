@@ -13,16 +13,17 @@ namespace taut::cli {
 namespace {
 
 struct ViewArguments {
-  std::string path, output;
+  SceneSource scene;
+  std::string output;
   ViewerOptions options;
 };
 
 int run_view(const ViewArguments& arguments) {
-  const Scene scene = load_scene(arguments.path);
+  const Scene scene = load_scene(arguments.scene);
   try {
     validate(scene);
   } catch (const InputError& error) {
-    throw error.within(display_name(arguments.path));
+    throw error.within(display_name(arguments.scene.path));
   }
   const auto& at = arguments.options.at;
   if (at && !(*at >= scene.start && *at <= scene.end)) {
@@ -38,7 +39,7 @@ int run_view(const ViewArguments& arguments) {
 void add_view(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("view", "Write a page that shows the motion and the tiling in a browser");
   const auto arguments = std::make_shared<ViewArguments>();
-  add_scene(*command, arguments->path);
+  add_scene(*command, arguments->scene);
   command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
       ->option_text("FILE");
   add_touch(*command, arguments->options.touch);

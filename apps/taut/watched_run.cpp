@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-void add_run(CLI::App& command, std::string& path, CheckOptions& options) {
-  add_scene(command, path);
+void add_run(CLI::App& command, SceneSource& scene, CheckOptions& options) {
+  add_scene(command, scene);
   add_touch(command, options.touch);
   add_limits(command, options);
 }

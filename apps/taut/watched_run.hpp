@@ -11,8 +11,8 @@
 
 namespace taut::cli {
 
-/// Adds SCENE, --touch, --max-events and --max-seconds.
-void add_run(CLI::App& command, std::string& path, CheckOptions& options);
+/// Adds SCENE, --allow-outside, --touch, --max-events and --max-seconds.
+void add_run(CLI::App& command, SceneSource& scene, CheckOptions& options);
 
 /// What `work` returns; an error in the scene is said to be in its file.
 template <class Work>

@@ -1,27 +1,27 @@
 // taut-verify: checks a proof log, with none of the code that writes such logs.
-#include <fmt/format.h>
-
-#include <cstring>
 #include <exception>
 
 #include "taut/error.hpp"
-#include "taut/io.hpp"
+#include "terminal.hpp"
 #include "verify_report.hpp"
 
 int main(int argc, char** argv) {
-  const bool json = argc == 4 && std::strcmp(argv[1], "--json") == 0;
-  if (argc != 3 && !json) {
-    fmt::print(stderr, "usage: taut-verify [--json] SCENE PROOF\nexit codes: 0 valid, 1 not valid, 2 bad input\n");
-    return 2;
-  }
-  const std::string scene = argv[argc - 2], log = argv[argc - 1];
+  const char* const program = "taut-verify";
+  CLI::App app("taut-verify: check a proof, and say what it proves", program);
+  taut::cli::VerifyArguments arguments;
+  taut::cli::add_verify_options(app, arguments, "taut-verify scene.json scene.proof");
   try {
-    return taut::cli::verify_and_report(taut::read_scene(scene), scene, log, json);
+    app.parse(argc, argv);
+    return taut::cli::flushed(program, taut::cli::verify_and_report(arguments));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    taut::cli::print_error(program, std::string(error.what()) + "\nhint: see `taut-verify --help`");
+    return 2;
   } catch (const taut::InputError& error) {
-    fmt::print(stderr, "taut-verify: {}\n", error.what());
+    taut::cli::print_error(program, error);
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "taut-verify: internal error: {}\n", error.what());
+    taut::cli::print_error(program, std::string("internal error: ") + error.what());
     return 4;
   }
 }

@@ -2,18 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 
+#include "io/answer_json.hpp"
 #include "io/json_text.hpp"
+#include "io/regular_file.hpp"
+#include "numeric/interruption.hpp"
 #include "taut/error.hpp"
 #include "taut/motions.hpp"
 #include "taut/proof.hpp"
+#include "terminal.hpp"
 
 namespace taut::cli {
 namespace {
+
+enum : int { exit_proved = 0, exit_not_proved = 1, exit_time_is_up = 3 };
 
 std::string vertex_text(const Scene& scene, const Feature& f) {
   return fmt::format("vertex {} of {}", f.index, scene.bodies[static_cast<std::size_t>(f.body)].name);
@@ -25,62 +29,141 @@ std::string edge_text(const Scene& scene, const Feature& f) {
                      body.name);
 }
 
+/// When the contact is, as far as that was proved.
+std::string contact_time(const Verified& v) {
+  const TimeInterval& t = v.contact->time;
+  if (v.contact_at == ContactAt::start) return fmt::format("contact at the start, t = {}", t.lo);
+  if (v.contact_at == ContactAt::joint)
+    return fmt::format("contact at the joint t = {}, in the jump from one piece of a motion to the next", t.lo);
+  return fmt::format("contact within [{}, {}]", t.lo, t.hi);
+}
+
 /// The claim in words: what holds when.
 std::string claim(const Scene& scene, const Verified& v) {
   const char* touching = v.touch == Touch::closed ? ", touching included" : "";
   if (v.outcome == Outcome::free) return fmt::format("free on [{}, {}]{}", scene.start, scene.end, touching);
-  if (v.outcome == Outcome::undecided) {
-    return fmt::format("free on [{}, {}){}; nothing after that", scene.start, v.free_until, touching);
-  }
+  const std::string before =
+      v.free_until > scene.start ? fmt::format("free on [{}, {}){}", scene.start, v.free_until, touching) : "";
+  if (v.outcome == Outcome::undecided)
+    return before.empty() ? fmt::format("apart at the start, t = {}; nothing after that", scene.start)
+                          : before + "; nothing after that";
   const Contact& c = *v.contact;
   const auto angle = contact_angle(scene, c);
   const std::string at = angle ? fmt::format(", at an angle within [{}, {}] deg", angle->lo, angle->hi) : "";
-  const std::string what = at + ": " + vertex_text(scene, c.vertex) + " meets " + edge_text(scene, c.edge);
-  if (c.time.lo == c.time.hi) return fmt::format("contact at the start, t = {}{}", c.time.lo, what);
-  return fmt::format("free on [{}, {}){}; contact within [{}, {}]{}", scene.start, c.time.lo, touching, c.time.lo,
-                     c.time.hi, what);
+  return before + (before.empty() ? "" : "; ") + contact_time(v) + at + ": " + vertex_text(scene, c.vertex) +
+         " meets " + edge_text(scene, c.edge);
 }
 
-std::string valid_text(const Scene& scene, const Verified& v) {
-  return fmt::format("VALID  {} x {}\n  {}\n  touch {}, {} event{}, scene {:016x}\n", scene.bodies[0].name,
-                     scene.bodies[1].name, claim(scene, v), to_string(v.touch), v.events, v.events == 1 ? "" : "s",
-                     v.fingerprint);
+const char* name_of(ContactAt at) {
+  return at == ContactAt::start ? "start" : at == ContactAt::joint ? "joint" : "motion";
 }
 
-std::string valid_json(const Scene& scene, const Verified& v) {
-  return fmt::format(
-      "{{\"valid\":true,\"outcome\":\"{}\",\"free_until\":{},\"claim\":{},\"touch\":\"{}\",\"events\":{},"
-      "\"scene\":\"{:016x}\"}}\n",
-      to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)), to_string(v.touch),
-      v.events, v.fingerprint);
+std::string pair_text(const Scene& scene) { return scene.bodies[0].name + " x " + scene.bodies[1].name; }
+
+std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
+  std::string text =
+      fmt::format("VALID  {}\n  {}\n  touch {}, {} event{}, scene {:016x}\n", pair_text(scene), claim(scene, v),
+                  to_string(v.touch), v.events, v.events == 1 ? "" : "s", v.fingerprint);
+  if (!met) text += fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
+  return text;
+}
+
+std::string valid_json(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
+  std::string s = fmt::format("{{\"valid\":true,\"outcome\":\"{}\",\"free_until\":{},\"claim\":{}",
+                              to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)));
+  if (v.contact)
+    s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
+  s +=
+      fmt::format(",\"touch\":\"{}\",\"events\":{},\"scene\":\"{:016x}\"", to_string(v.touch), v.events, v.fingerprint);
+  if (expected.any())
+    s += fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met);
+  return s + "}\n";
 }
 
 Verified verify_file(const Scene& scene, const std::string& log) {
   if (log == "-") return verify(scene, std::cin);
+  io::open_regular_file(log);  // says what is wrong
   std::ifstream file(log, std::ios::binary);
-  if (!file || file.peek() == std::ifstream::traits_type::eof()) {
-    throw InputError(log, file ? "the file is empty" : std::string("cannot open the file: ") + std::strerror(errno),
-                     "`taut prove` writes proofs");
-  }
+  if (file.peek() == std::ifstream::traits_type::eof())
+    throw InputError(log, "the file is empty", "`taut prove` writes proofs");
   return verify(scene, file);
 }
 
+/// Neither valid nor not: with a reason.
+int report_failure(const Scene& scene, bool json, const char* verdict, const std::string& members,
+                   const std::string& reason, int code) {
+  if (json) {
+    print_text(fmt::format("{{{},\"reason\":{}}}\n", members, io::string_text(reason)));
+  } else {
+    print_text(fmt::format("{}  {}\n  {}\n", verdict, pair_text(scene), reason));
+  }
+  return code;
+}
+
+int report_log(const VerifyArguments& arguments, const Scene& scene) {
+  const bool json = arguments.json;
+  try {
+    const InterruptionScope scope(nullptr, arguments.max_seconds);
+    const Verified verified = verify_file(scene, arguments.proof);
+    const bool met = is_met(arguments.expected, scene, verified);
+    if (json) {
+      print_text(valid_json(scene, verified, arguments.expected, met));
+    } else {
+      print_text(valid_text(scene, verified, arguments.expected, met));
+    }
+    return met ? exit_proved : exit_not_proved;
+  } catch (const ProofError& error) {
+    return report_failure(scene, json, "NOT VALID", "\"valid\":false", error.what(), exit_not_proved);
+  } catch (const Interrupted& limit) {
+    return report_failure(scene, json, "UNDECIDED", "\"valid\":null", limit.reason, exit_time_is_up);
+  }
+}
+
+const char* const exit_codes =
+    "\n"
+    "Without --until, --expect free wants a proof for the scene's whole time.\n"
+    "\n"
+    "Exit codes: 0 the proof is valid, and proves what --expect and --touch say; 1 it is not, or does not;\n"
+    "2 bad input; 3 the time was up; 4 internal error. Without --expect, whatever a valid proof proves gives 0.\n";
+
 }  // namespace
 
-int verify_and_report(const Scene& scene, const std::string& scene_name, const std::string& log, bool json) {
+void add_verify_options(CLI::App& command, VerifyArguments& arguments, const std::string& example) {
+  add_scene(command, arguments.scene);
+  command.add_option("PROOF", arguments.proof, "proof log, or - for standard input")->required()->option_text(" ");
+  command.add_flag("--json", arguments.json, "print one JSON object");
+  const auto expect = [&arguments](const std::string& outcome) {
+    arguments.expected.outcome = outcome == "free" ? Outcome::free : Outcome::contact;
+  };
+  CLI::Option* outcome =
+      command.add_option_function<std::string>("--expect", expect, "fail unless this is what the log proves")
+          ->check(CLI::IsMember({"free", "contact"}))
+          ->option_text("free|contact");
+  const auto touch = [&arguments](const std::string& mode) {
+    arguments.expected.touch = mode == "closed" ? Touch::closed : Touch::open;
+  };
+  command.add_option_function<std::string>("--touch", touch, "fail unless the log was made with this --touch")
+      ->check(CLI::IsMember({"open", "closed"}))
+      ->option_text("open|closed");
+  command.add_option("--until", arguments.expected.until, "with --expect: free before T suffices; or, a contact by T")
+      ->option_text("T")
+      ->needs(outcome);
+  command.add_option("--max-seconds", arguments.max_seconds, "give up after S seconds")
+      ->option_text("S")
+      ->check(CLI::NonNegativeNumber);
+  command.footer("Example:\n  " + example + "\n  " + example + " --expect free --touch closed\n" + exit_codes);
+}
+
+int verify_and_report(const VerifyArguments& arguments) {
+  if (arguments.scene.path == "-" && arguments.proof == "-")
+    throw InputError("", "the scene and the proof cannot both come from standard input", "name one of the files");
+  const Scene scene = load_scene(arguments.scene);
   try {
-    const Verified verified = verify_file(scene, log);
-    fmt::print("{}", json ? valid_json(scene, verified) : valid_text(scene, verified));
-    return 0;
-  } catch (const ProofError& error) {
-    if (json) {
-      fmt::print("{{\"valid\":false,\"reason\":{}}}\n", io::string_text(error.what()));
-    } else {
-      fmt::print("NOT VALID  {} x {}\n  {}\n", scene.bodies[0].name, scene.bodies[1].name, error.what());
-    }
-    return 1;
+    validate(arguments.expected, scene);
+    return report_log(arguments, scene);
   } catch (const InputError& error) {
-    throw error.place() == log ? error : error.within(scene_name);
+    const bool about_scene = error.place() != arguments.proof && error.place() != "--until";
+    throw about_scene ? error.within(display_name(arguments.scene.path)) : error;
   }
 }
 

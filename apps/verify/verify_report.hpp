@@ -1,13 +1,27 @@
 // What `taut verify` and `taut-verify` do.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
-#include "taut/scene.hpp"
+#include "expectation.hpp"
+#include "scene_source.hpp"
 
 namespace taut::cli {
 
-/// Checks the log and prints what it proves. Returns 0 if it is valid, 1 if not; throws InputError.
-int verify_and_report(const Scene& scene, const std::string& scene_name, const std::string& log, bool json);
+struct VerifyArguments {
+  SceneSource scene;
+  std::string proof;
+  bool json = false;
+  Expectation expected;
+  double max_seconds = 1e300;
+};
+
+/// Adds all that the two programs take, and what `--help` tells.
+void add_verify_options(CLI::App& command, VerifyArguments& arguments, const std::string& example);
+
+/// Checks the log and prints what it proves. Returns 0 if it is valid and proves what was expected, 1 if not, 3 if the
+/// time was up; throws InputError.
+int verify_and_report(const VerifyArguments& arguments);
 
 }  // namespace taut::cli

@@ -18,12 +18,16 @@ struct ReadLimits {
   std::size_t max_bytes = std::size_t{1} << 30;     ///< of one file
   std::size_t max_vertices = std::size_t{1} << 27;  ///< of one polygon
   std::size_t max_pieces = std::size_t{1} << 20;    ///< of one motion; also keyframes
+  /// May the files that a scene names lie outside of the scene's folder (symbolic links followed)? If so, who writes
+  /// the scene chooses what is read.
+  bool allow_outside = false;
 };
 
 /// Reads a scene in the format taut-scene/1; outlines named by {"wkt": file} or {"geojson": file}, and keyframes named
-/// by {"csv": file}, are found relative to the scene's folder. Throws InputError naming the file, line and column or
-/// JSON path, and the remedy. The geometry itself (simple polygons, joints of motions, ...) is validated by check() and
-/// Simulation, or by validate() in taut/validate.hpp.
+/// by {"csv": file}, are found relative to the scene's folder, and must lie below it; errors about them do not quote
+/// them. Only regular files are read. Throws InputError naming the file, line and column or JSON path, and the remedy.
+/// The geometry itself (simple polygons, joints of motions, ...) is validated by check() and Simulation, or by
+/// validate() in taut/validate.hpp.
 Scene read_scene(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages, `folder` is where outlines are looked up.
 Scene parse_scene(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",

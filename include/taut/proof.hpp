@@ -14,12 +14,21 @@ namespace taut {
 /// memory does not grow with it. Format: docs/proof-format.md. Throws InputError.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
+/// Where in the course of a motion a contact was proved.
+enum class ContactAt : std::uint8_t {
+  start,   ///< at the scene's start
+  motion,  ///< while a piece of the motion runs
+  joint,   ///< in the jump between two pieces, which rounding leaves: at their joint
+};
+
 /// What a log proves about the scene that it was checked against.
 struct Verified {
   /// free: on the whole interval. contact: `contact` is the first one. undecided: free before `free_until`, no more.
   Outcome outcome = Outcome::undecided;
   Touch touch = Touch::open;
   std::optional<Contact> contact;
+  /// Of the contact, if there is one.
+  ContactAt contact_at = ContactAt::motion;
   double free_until = 0;
   std::uint64_t events = 0;
   /// Identifies the scene's numbers: see scene_fingerprint().

@@ -94,10 +94,21 @@ struct UndecidedError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A simulation was asked after an exception came out of the middle of an event; see Simulation.
+struct UnusableError : std::logic_error {
+  UnusableError()
+      : std::logic_error(
+            "the simulation was left in the middle of an event by an exception, from a Tracer, say: "
+            "make a new one") {}
+};
+
 /// The external relative geodesic triangulation of two moving polygons, kept up to date event by event.
 /// The current time only grows. Not thread-safe; distinct simulations are independent.
 /// Where the highest precision does not decide, the constructor, next_event(), step(), advance_to() and set_motion()
 /// throw UndecidedError; after that only time(), events() and contact() may be asked.
+/// Where another exception leaves one of these (one that a Tracer threw, whatever the event, or a lack of memory), an
+/// event is half done: after that every call throws UnusableError, and the simulation may only be destroyed or assigned
+/// to. An InputError of taut's own changes nothing.
 class Simulation {
  public:
   /// Validates the scene, builds the tiling at its start. Throws InputError.
@@ -119,6 +130,7 @@ class Simulation {
   /// Processes one event. False if there is none before the end, or after a contact.
   bool step();
   /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
+  /// A time before time() changes nothing; one that is not a number is an InputError.
   SimulationState advance_to(double t);
   /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
@@ -157,6 +169,7 @@ class Simulation {
   struct Impl;
 
  private:
+  Impl& usable() const;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/predicates.hpp"
+#include "numeric/interruption.hpp"
 
 namespace taut {
 
@@ -40,6 +41,7 @@ class Sweep {
 
   std::optional<SelfMeeting> run() {
     for (const int v : order_) {
+      interruption_point();
       const int before = v == 0 ? n_ - 1 : v - 1;
       const bool ends = lexicographically_less(vertex(before), vertex(v));      // edge `before` lies to the left
       const bool next_ends = lexicographically_less(vertex(v + 1), vertex(v));  // edge v lies to the left

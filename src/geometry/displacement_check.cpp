@@ -23,6 +23,7 @@
 
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/exact_sum.hpp"
+#include "numeric/interruption.hpp"
 
 namespace taut {
 namespace {
@@ -72,6 +73,7 @@ class RingCheck {
   std::optional<DisplacementFault> close_edges() const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
+      interruption_point();
       const auto [i, j] = stack.back();
       stack.pop_back();
       const Node &a = nodes_[i], &b = nodes_[j];

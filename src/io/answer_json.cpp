@@ -18,13 +18,6 @@ std::string angle_text(const Scene& scene, const Contact& contact) {
   return angle ? ",\"angle_deg\":" + io::array_text({angle->lo, angle->hi}) : "";
 }
 
-std::string contact_text(const Scene& scene, const Contact& contact) {
-  return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) +
-         ",\"contact\":{\"vertex\":" + feature_text(scene, contact.vertex) +
-         ",\"edge\":" + feature_text(scene, contact.edge) + ",\"point\":" + io::point_text(contact.point) +
-         ",\"normal\":" + io::point_text(contact.normal) + angle_text(scene, contact) + "}";
-}
-
 std::string scope_text(const Scene& scene, Touch touch) {
   std::string s = "{\"bodies\":[";
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? "," : "") + io::string_text(scene.bodies[i].name);
@@ -33,10 +26,17 @@ std::string scope_text(const Scene& scene, Touch touch) {
 
 }  // namespace
 
+std::string io::contact_json(const Scene& scene, const Contact& contact) {
+  return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) +
+         ",\"contact\":{\"vertex\":" + feature_text(scene, contact.vertex) +
+         ",\"edge\":" + feature_text(scene, contact.edge) + ",\"point\":" + io::point_text(contact.point) +
+         ",\"normal\":" + io::point_text(contact.normal) + angle_text(scene, contact) + "}";
+}
+
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing) {
   std::string s = std::string("{\"outcome\":\"") + to_string(answer.outcome) + "\"";
-  if (answer.contact) s += contact_text(scene, *answer.contact);
+  if (answer.contact) s += io::contact_json(scene, *answer.contact);
   if (answer.outcome == Outcome::undecided) {
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }

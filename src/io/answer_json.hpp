@@ -18,4 +18,11 @@ struct AnswerTiming {
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing);
 
+namespace io {
+
+/// The members "t" and "contact" of an answer, each with a comma before it.
+std::string contact_json(const Scene& scene, const Contact& contact);
+
+}  // namespace io
+
 }  // namespace taut

@@ -76,7 +76,8 @@ class CsvReader {
     position_ = begin;
     if (known) fail("the column \"" + name + "\" appears twice", "keep one of the two");
     const std::string near = nearest_word(name, {"angle_deg"});
-    fail("unknown column \"" + excerpt(name) + "\" in the header",
+    // It is not quoted: the file may be any.
+    fail("unknown column in the header",
          (near.empty() ? "" : "did you mean \"" + near + "\"? ") + std::string(csv_shape));
   }
 

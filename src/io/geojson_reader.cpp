@@ -1,7 +1,8 @@
 // Outlines as GeoJSON (RFC 7946). Members that taut has no use for are allowed, as the RFC demands.
+#include <algorithm>
+
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
-#include "io/json_object.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -40,6 +41,30 @@ std::size_t count_elements(const JsonDocument& document, std::size_t array) {
   return count;
 }
 
+/// Readers differ in which of two they take.
+void require_distinct_keys(const JsonDocument& document) {
+  std::vector<std::size_t> keys;
+  const auto name = [&document](std::size_t key) -> const std::string& { return document.string_at(key); };
+  for (std::size_t object = 0; object < document.tokens.size(); ++object) {
+    if (document.at(object).kind() != JsonKind::object) continue;
+    keys.clear();
+    for (std::size_t key = object + 1; key < document.after(object); key = document.after(key + 1)) keys.push_back(key);
+    std::stable_sort(keys.begin(), keys.end(), [&](std::size_t a, std::size_t b) { return name(a) < name(b); });
+    const auto twice =
+        std::adjacent_find(keys.begin(), keys.end(), [&](std::size_t a, std::size_t b) { return name(a) == name(b); });
+    if (twice != keys.end()) throw document.error(*(twice + 1), "", "a key appears twice", "keep one of the two");
+  }
+}
+
+/// The types of GeoJSON that are not polygons; other words are not quoted.
+std::string found_type(const std::string& name) {
+  for (const char* known :
+       {"Point", "MultiPoint", "LineString", "MultiLineString", "MultiPolygon", "GeometryCollection"}) {
+    if (name == known) return "\"" + name + "\"";
+  }
+  return "another type";
+}
+
 /// Goes down through FeatureCollection and Feature, and leaves the path of the geometry in `path`.
 std::size_t find_geometry(const JsonDocument& document, std::string* path) {
   std::size_t here = 0;
@@ -62,7 +87,7 @@ std::size_t find_geometry(const JsonDocument& document, std::string* path) {
     } else if (name == "Polygon") {
       return here;
     } else {
-      throw document.error(type, prefix + "type", "expected a Polygon, found \"" + excerpt(name) + "\"",
+      throw document.error(type, prefix + "type", "expected a Polygon, found " + found_type(name),
                            std::string("write ") + polygon_shape);
     }
   }
@@ -71,7 +96,9 @@ std::size_t find_geometry(const JsonDocument& document, std::string* path) {
 }  // namespace
 
 Polygon parse_geojson(std::string text, const std::string& name, const ReadLimits& limits) {
-  const JsonDocument document = parse_json(std::move(text), name, std::string("write ") + polygon_shape);
+  const JsonDocument document =
+      parse_json(std::move(text), name, std::string("write ") + polygon_shape, Quoting::never);
+  require_distinct_keys(document);
   std::string path;
   const std::size_t geometry = find_geometry(document, &path);
   const std::size_t rings = get_member(document, geometry, path, "coordinates", JsonKind::array);

@@ -1,5 +1,6 @@
 #include "io/json_document.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -39,7 +40,8 @@ struct TrackingIterator {
 
 class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TokenWriter(JsonDocument& document, const char** furthest) : document_(document), furthest_(furthest) {}
+  TokenWriter(JsonDocument& document, const char** furthest, Quoting quoting)
+      : document_(document), furthest_(furthest), quoting_(quoting) {}
 
   bool null() override { return add(JsonKind::null); }
   bool boolean(bool value) override { return add_number(JsonKind::boolean, value ? 1 : 0); }
@@ -65,11 +67,14 @@ class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
     if (problem.rfind("parse error at line", 0) == 0) problem.erase(0, problem.find(": ") + 2);
     const std::size_t read = offset();
     const std::string special = special_number();
-    const bool whole_token = !special.empty() || problem.find("overflow") != std::string::npos;
+    const bool overflow = problem.find("overflow") != std::string::npos;
+    const bool whole_token = !special.empty() || overflow;
     const std::size_t at = whole_token ? start_of_token() : read == 0 ? 0 : read - 1;
+    const std::string hint = hint_for(problem);
+    if (quoting_ == Quoting::never) drop_quotation(problem);
     throw InputError(place_in_text(document_.text, document_.name, at),
                      special.empty() ? "not valid JSON: " + excerpt(problem, 160) : special,
-                     special.empty() ? hint_for(problem) : "write a finite decimal number");
+                     special.empty() ? hint : "write a finite decimal number");
   }
 
  private:
@@ -84,6 +89,12 @@ class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
       }
     }
     return "";
+  }
+
+  /// The parser's messages end with what it read, the one about numbers with the number.
+  static void drop_quotation(std::string& problem) {
+    for (const char* quotation : {"; last read", " parsing '"})
+      problem.resize(std::min(problem.find(quotation), problem.size()));
   }
 
   static std::string hint_for(const std::string& problem) {
@@ -140,6 +151,7 @@ class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
 
   JsonDocument& document_;
   const char** furthest_;
+  Quoting quoting_;
   std::size_t last_end_ = 0;
   std::vector<std::size_t> open_;  ///< tokens of the arrays and objects being read
 };
@@ -176,7 +188,7 @@ void JsonDocument::require(std::size_t token, JsonKind kind, const std::string& 
               "write " + shape);
 }
 
-JsonDocument parse_json(std::string text, const std::string& name, const std::string& example) {
+JsonDocument parse_json(std::string text, const std::string& name, const std::string& example, Quoting quoting) {
   JsonDocument document;
   document.name = name;
   document.text = std::move(text);
@@ -186,8 +198,13 @@ JsonDocument parse_json(std::string text, const std::string& name, const std::st
   const char* begin = document.text.data();
   const char* furthest = begin;
   const char* end = begin + document.text.size();
-  TokenWriter writer(document, &furthest);
+  TokenWriter writer(document, &furthest, quoting);
   nlohmann::json::sax_parse(TrackingIterator{begin, &furthest}, TrackingIterator{end, &furthest}, &writer);
+  // The parser takes a NUL for the end of the text.
+  const std::size_t nul = document.text.find('\0');
+  if (nul != std::string::npos)
+    throw InputError(place_in_text(document.text, name, nul), "a NUL character ends the JSON, but not the file",
+                     "remove it, and what comes after it");
   return document;
 }
 

@@ -51,7 +51,11 @@ struct JsonDocument {
   void require(std::size_t token, JsonKind kind, const std::string& path, const std::string& shape) const;
 };
 
+/// May errors quote the text? Not that of a file which a scene names: the scene would be a way to read any file.
+enum class Quoting : std::uint8_t { allowed, never };
+
 /// Throws InputError with line and column if the text is not JSON. `example` is the hint for an empty file.
-JsonDocument parse_json(std::string text, const std::string& name, const std::string& example);
+JsonDocument parse_json(std::string text, const std::string& name, const std::string& example,
+                        Quoting quoting = Quoting::allowed);
 
 }  // namespace taut::io

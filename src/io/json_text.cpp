@@ -2,10 +2,24 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/terminal_text.hpp"
+
 namespace taut::io {
 
 std::string string_text(const std::string& s) {
-  return nlohmann::json(s).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string plain = nlohmann::json(s).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string out;
+  out.reserve(plain.size());
+  for (std::size_t at = 0; at < plain.size();) {
+    const std::size_t begin = at;
+    const auto character = next_character(plain, at);
+    if (character && is_hidden(*character)) {
+      out += line_for_terminal(plain.substr(begin, at - begin));
+    } else {
+      out.append(plain, begin, at - begin);
+    }
+  }
+  return out;
 }
 
 std::string array_text(const std::vector<double>& numbers) {

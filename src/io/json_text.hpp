@@ -9,7 +9,7 @@
 
 namespace taut::io {
 
-/// In quotes, with escapes; bytes that are not UTF-8 become U+FFFD.
+/// In quotes, with escapes, also of what a terminal would not show; bytes that are not UTF-8 become U+FFFD.
 std::string string_text(const std::string& s);
 /// [1,2.5]
 std::string array_text(const std::vector<double>& numbers);

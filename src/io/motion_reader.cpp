@@ -6,6 +6,7 @@
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/keyframe_reader.hpp"
+#include "io/named_file.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::io {
@@ -151,7 +152,8 @@ class FormReader {
   std::vector<Keyframe> read_csv(std::size_t token) const {
     document_.require(token, JsonKind::string, object_.path("csv"), R"({"csv": "file.csv"})");
     try {
-      return read_keyframes_csv(in_folder(context_.folder, document_.string_at(token)), context_.limits);
+      const std::string& file = document_.string_at(token);
+      return read_keyframes_csv(named_file(context_.folder, file, context_.limits.allow_outside), context_.limits);
     } catch (const InputError& e) {
       throw e.within(document_.error(token, object_.path("csv"), "", "").place());
     }
@@ -206,11 +208,6 @@ void refuse_forms(const JsonDocument& document, std::size_t token, const std::st
 }
 
 }  // namespace
-
-std::string in_folder(const std::string& folder, const std::string& file) {
-  const bool absolute = !file.empty() && file[0] == '/';
-  return absolute || folder.empty() || folder == "." ? file : folder + "/" + file;
-}
 
 Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                    const MotionContext& context) {

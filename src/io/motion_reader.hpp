@@ -20,7 +20,4 @@ struct MotionContext {
 Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                    const MotionContext& context);
 
-/// A file named in a scene, relative to the scene's folder.
-std::string in_folder(const std::string& folder, const std::string& file);
-
 }  // namespace taut::io

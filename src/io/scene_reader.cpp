@@ -3,6 +3,7 @@
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 #include "io/motion_reader.hpp"
+#include "io/named_file.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -113,8 +114,8 @@ class SceneReader {
     }
     const std::size_t file = wkt ? *wkt : *geojson;
     document_.require(file, JsonKind::string, object.path(wkt ? "wkt" : "geojson"), shape);
-    const std::string outline = io::in_folder(folder_, document_.string_at(file));
     try {
+      const std::string outline = io::named_file(folder_, document_.string_at(file), limits_.allow_outside);
       return wkt ? read_wkt(outline, limits_) : read_geojson(outline, limits_);
     } catch (const InputError& e) {
       throw e.within(document_.error(file, path, "", "").place());

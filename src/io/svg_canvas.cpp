@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/terminal_text.hpp"
+
 namespace taut::io {
 
 namespace {
@@ -58,7 +60,9 @@ std::string outline_path(const std::vector<Point>& pixels) {
   return s + "Z";
 }
 
-std::string escape_xml(const std::string& text) {
+/// What the eye would not see, and a terminal might obey, is written so that it is seen.
+std::string escape_xml(const std::string& raw) {
+  const std::string text = for_terminal(raw);
   std::string s;
   for (char c : text) {
     switch (c) {

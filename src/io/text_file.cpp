@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
+#include "io/regular_file.hpp"
 #include "taut/error.hpp"
 
 namespace taut::io {
@@ -29,8 +29,7 @@ std::string folder_of(const std::string& path) {
 }
 
 std::string read_text_file(const std::string& path, std::size_t max_bytes) {
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw InputError(path, std::string("cannot open the file: ") + std::strerror(errno), "check the path");
+  const FilePointer file = open_regular_file(path);
   std::string text;
   char buffer[1 << 16];
   while (std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) {

@@ -26,7 +26,7 @@ class WktReader {
       position_ = semicolon + 1;
       word = read_word();
     }
-    if (word != "POLYGON") fail(word.empty() ? "expected POLYGON" : "expected POLYGON, found " + excerpt(word, 20));
+    if (word != "POLYGON") fail("expected POLYGON" + found(word));
     const std::string dimensions = read_word();
     if (dimensions == "EMPTY") fail("the polygon is empty");
     expect('(', "before the first ring");
@@ -71,6 +71,16 @@ class WktReader {
       fail("the number is too large", "numbers must fit a 64-bit floating-point number (about 1.8e308 at most)");
     }
     return *number;
+  }
+
+  /// The geometries of WKT that are not polygons; other words are not quoted, the file may be any.
+  static std::string found(const std::string& word) {
+    if (word.empty()) return "";
+    for (const char* known :
+         {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
+      if (word == known) return ", found " + word;
+    }
+    return ", found another word";
   }
 
   std::string read_word() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
 
 namespace taut {
 
@@ -156,6 +157,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
+    interruption_point();
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;

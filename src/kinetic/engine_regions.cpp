@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "kinetic/engine.hpp"
+#include "numeric/interruption.hpp"
 
 namespace taut {
 namespace {
@@ -74,6 +75,7 @@ void Engine::settle(double t, bool all_due) {
     Certificate& c = certificates_[i];
     if (!c.corner.valid()) continue;
     const CertificateId id(i);
+    interruption_point();
     if (settled_[i]) {
       queue_.remove(id);
       solver_.rest(c);

@@ -85,9 +85,9 @@ void Session::set_motion(int body, const Motion& motion) {
   std::vector<MotionPiece> fresh;
   for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));
   const MotionPiece before = side == 0 ? engine_->leg().p : engine_->leg().q;
-  const double gap =
-      joint_gap(scaled(before, -plan_.exponent), scaled(fresh[0], -plan_.exponent), plan_.bounds[side], now);
-  if (!(gap <= joint_tolerance * plan_.extent)) {
+  const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
+  const double gap = joint_gap(from, to, plan_.bounds[side], now);
+  if (!(gap <= joint_room(from, to, plan_.bounds[side], now, plan_.extent))) {
     throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
                      "coefficients are in powers of the absolute time t");

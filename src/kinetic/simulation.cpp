@@ -1,6 +1,7 @@
 #include "taut/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "kinetic/session.hpp"
@@ -23,14 +24,42 @@ auto decided(const Question& question) {
 
 }  // namespace
 
-struct Simulation::Impl : private EngineObserver {
+struct Simulation::Impl : private EngineObserver, private Tracer {
   Impl(const Scene& scene, Touch touch, Tracer* tracer)
-      : session(scene, touch, tracer, static_cast<EngineObserver*>(this)) {}
+      : users_tracer(tracer),
+        session(scene, touch, tracer ? static_cast<Tracer*>(this) : nullptr, static_cast<EngineObserver*>(this)) {}
 
   // The repair changes records of the corners it names, of the half-edges after them, and of the edge it removes
   // (src/kinetic/repair_*.cpp).
   void on_event(const EngineEvent& event) override { last = event.report; }
+  /// An event whose tracer throws has changed the map and is not finished.
+  void on_event(const TraceEvent& event) override {
+    try {
+      users_tracer->on_event(event);
+    } catch (...) {
+      broken = true;
+      throw;
+    }
+  }
 
+  /// What changes the simulation. Refused input changes nothing, and where nothing was decided, the past is still
+  /// known; any other exception leaves an event half done.
+  template <class Work>
+  auto changing(const Work& work) {
+    try {
+      return decided(work);
+    } catch (const InputError&) {
+      throw;
+    } catch (const UndecidedError&) {
+      throw;
+    } catch (...) {
+      broken = true;
+      throw;
+    }
+  }
+
+  bool broken = false;
+  Tracer* users_tracer;
   RepairReport last;  ///< before the session, which may report to it from its constructor
   Session session;
 };
@@ -41,35 +70,45 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
+Simulation::Impl& Simulation::usable() const {
+  if (impl_->broken) throw UnusableError();
+  return *impl_;
+}
+
 SimulationState Simulation::state() const {
-  const Session& s = impl_->session;
+  const Session& s = usable().session;
   if (s.overlap_at_start()) return SimulationState::overlap_at_start;
   if (s.contact()) return SimulationState::contact;
   return s.finished() ? SimulationState::finished : SimulationState::running;
 }
 
-double Simulation::time() const { return impl_->session.engine().time(); }
+double Simulation::time() const { return usable().session.engine().time(); }
 
 std::optional<TimeInterval> Simulation::next_event() {
-  Session& s = impl_->session;
+  Impl& impl = usable();
+  Session& s = impl.session;
   if (s.finished()) return std::nullopt;
-  const auto found = decided([&s] { return s.engine().next_event(s.end()); });
+  const auto found = impl.changing([&s] { return s.engine().next_event(s.end()); });
   if (!found) return std::nullopt;
   return TimeInterval{found->first, found->second};
 }
 
 bool Simulation::step() {
-  Session& s = impl_->session;
+  Impl& impl = usable();
+  Session& s = impl.session;
   if (s.finished()) return false;
   const std::uint64_t before = s.engine().events();
-  decided([&s] { return s.step(s.end()); });
+  impl.changing([&s] { return s.step(s.end()); });
   return s.engine().events() > before;
 }
 
 SimulationState Simulation::advance_to(double t) {
-  Session& s = impl_->session;
+  Impl& impl = usable();
+  if (std::isnan(t))
+    throw InputError("", "the time to advance to is not a number", "choose one within the scene's time");
+  Session& s = impl.session;
   const double limit = std::min(t, s.end());
-  decided([&s, limit] {
+  impl.changing([&s, limit] {
     while (s.step(limit)) {
     }
   });
@@ -77,12 +116,13 @@ SimulationState Simulation::advance_to(double t) {
 }
 
 void Simulation::set_motion(int body, const Motion& motion) {
-  decided([&] { impl_->session.set_motion(body, motion); });
+  Impl& impl = usable();
+  impl.changing([&] { impl.session.set_motion(body, motion); });
 }
-const std::optional<Contact>& Simulation::contact() const { return impl_->session.contact(); }
-std::uint64_t Simulation::events() const { return impl_->session.engine().events(); }
-std::uint64_t Simulation::certificates() const { return impl_->session.engine().active_certificates(); }
-std::uint64_t Simulation::certificates_max() const { return impl_->session.engine().max_certificates(); }
+const std::optional<Contact>& Simulation::contact() const { return usable().session.contact(); }
+std::uint64_t Simulation::events() const { return usable().session.engine().events(); }
+std::uint64_t Simulation::certificates() const { return usable().session.engine().active_certificates(); }
+std::uint64_t Simulation::certificates_max() const { return usable().session.engine().max_certificates(); }
 
 namespace {
 
@@ -122,7 +162,7 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
 }  // namespace
 
 Tiling Simulation::tiling() const {
-  const Session& session = impl_->session;
+  const Session& session = usable().session;
   const PlanarMap& map = session.engine().map();
   const PairGeometry& g = session.engine().geometry();
   Tiling out;
@@ -146,7 +186,7 @@ Tiling Simulation::tiling() const {
 }
 
 TilingHalfedge Simulation::halfedge(int index) const {
-  const Session& session = impl_->session;
+  const Session& session = usable().session;
   const PlanarMap& map = session.engine().map();
   const HalfedgeId h(index);
   TilingHalfedge out;
@@ -163,14 +203,14 @@ TilingHalfedge Simulation::halfedge(int index) const {
 }
 
 std::vector<TilingHalfedge> Simulation::halfedges() const {
-  std::vector<TilingHalfedge> out(impl_->session.engine().map().halfedge_count());
+  std::vector<TilingHalfedge> out(usable().session.engine().map().halfedge_count());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = halfedge(static_cast<int>(i));
   return out;
 }
 
 std::vector<int> Simulation::changed_halfedges() const {
-  const RepairReport& report = impl_->last;
-  const PlanarMap& map = impl_->session.engine().map();
+  const RepairReport& report = usable().last;
+  const PlanarMap& map = usable().session.engine().map();
   std::vector<int> out;
   const auto add = [&out](HalfedgeId h) { out.push_back(static_cast<int>(h.value)); };
   for (std::uint32_t i = 0; i < report.corner_count; ++i) {
@@ -187,7 +227,7 @@ std::vector<int> Simulation::changed_halfedges() const {
 }
 
 std::vector<ActiveCertificate> Simulation::active_set() const {
-  const Session& session = impl_->session;
+  const Session& session = usable().session;
   std::vector<ActiveCertificate> out;
   session.engine().for_each_certificate([&](const Certificate& c) {
     out.push_back({session.input_vertex(c.u), session.input_vertex(c.v), session.input_vertex(c.w), c.sign > 0,
@@ -211,13 +251,13 @@ ChainTree tree_of(const PairGeometry& g, std::size_t side) {
 }  // namespace
 
 int Simulation::levels(int body) const {
-  const Session& s = impl_->session;
+  const Session& s = usable().session;
   const ChainTree tree = tree_of(s.engine().geometry(), side_of(s, body));
   return node::depth(tree.leaf(0)) + 1;
 }
 
 GeodesicCycle Simulation::geodesic_cycle(int body, int level) const {
-  const Session& session = impl_->session;
+  const Session& session = usable().session;
   const std::size_t side = side_of(session, body);
   const Engine& engine = session.engine();
   const PairGeometry& g = engine.geometry();

@@ -68,4 +68,30 @@ double joint_gap(const MotionPiece& before, const MotionPiece& after, const Boun
   return gap;
 }
 
+namespace {
+
+/// The sum of the terms' magnitudes: by so many units in the last place does rounding them change the value, at most.
+double magnitude_of(const Coefficients& c, double t) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * std::fabs(t) + std::fabs(c[k]);
+  return sum;
+}
+
+/// Of all that is added up to where a piece puts a corner of the polygon's bounds.
+double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
+  const Point c = pivot_of(piece);
+  const double turned = std::max(std::fabs(polygon.lo.x), std::fabs(polygon.hi.x)) +
+                        std::max(std::fabs(polygon.lo.y), std::fabs(polygon.hi.y)) + std::fabs(c.x) + std::fabs(c.y);
+  const auto* angle = std::get_if<AngleRotation>(&piece.rotation);
+  const double turn = angle ? magnitude_of(angle->angle, t) : 0;
+  return magnitude_of(piece.x, t) + magnitude_of(piece.y, t) + turned * (1 + turn);
+}
+
+}  // namespace
+
+double joint_room(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t, double extent) {
+  return joint_tolerance * extent +
+         joint_rounding * (magnitude_of(before, polygon, t) + magnitude_of(after, polygon, t));
+}
+
 }  // namespace taut

@@ -1,8 +1,10 @@
 #include <cmath>
-#include <functional>
+#include <optional>
 #include <sstream>
 
 #include "motion/motion_plan.hpp"
+#include "motion/polynomial_search.hpp"
+#include "numeric/interruption.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -13,22 +15,6 @@ std::string number(double x) {
   s.precision(17);
   s << x;
   return s.str();
-}
-
-using Test = std::function<bool(const Ball<double>&)>;
-
-/// A time in [lo, hi] at which something is certainly wrong, by bisection: `fine` proves that nothing is wrong over a
-/// ball, `wrong` that something is at a point. Nothing if neither is shown at the resolution of doubles.
-bool find_time(double lo, double hi, const Test& fine, const Test& wrong, double& t, int depth = 0) {
-  const double middle = lo + (hi - lo) / 2;
-  for (const double candidate : {lo, middle, hi}) {
-    if (wrong(Ball<double>::exact(candidate))) {
-      t = candidate;
-      return true;
-    }
-  }
-  if (fine(Ball<double>::between(lo, hi)) || depth > 48 || !(lo < middle && middle < hi)) return false;
-  return find_time(lo, middle, fine, wrong, t, depth + 1) || find_time(middle, hi, fine, wrong, t, depth + 1);
 }
 
 class PieceCheck {
@@ -67,56 +53,30 @@ class PieceCheck {
   void direction(const DirectionRotation& r) const {
     coefficients("rotation.direction.a", r.a);
     coefficients("rotation.direction.b", r.b);
-    const auto square = [&r](const Ball<double>& t) {
-      const Ball<double> a = Jet<double>::polynomial(r.a, t).v, b = Jet<double>::polynomial(r.b, t).v;
-      return a * a + b * b;
-    };
-    const double size = square(Ball<double>::between(start_, end_)).magnitude();
-    double t = 0;
-    // Zero is never certain in rounded arithmetic: shorter than 2^-40 of the longest is refused as well.
-    const auto fine = [&](const Ball<double>& x) {
-      return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() > 0;
-    };
-    const auto wrong = [&](const Ball<double>& x) {
-      return (square(x) - Ball<double>::exact(size * 0x1p-80)).sign() <= 0;
-    };
-    const double middle = start_ + (end_ - start_) / 2;
-    if (!(size > 0) || find_vanishing(start_, end_, fine, wrong, t)) {
-      throw InputError(place_, "the direction (a, b) vanishes near t = " + number(size > 0 ? t : middle),
+    if (const auto t = searched([&] { return common_zero(r.a, r.b, start_, end_); })) {
+      throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
                        "a direction must have a length at all times of its piece");
     }
-  }
-  /// As find_time, but what cannot be shown to be fine at the finest resolution counts as wrong.
-  static bool find_vanishing(double lo, double hi, const Test& fine, const Test& wrong, double& t, int depth = 0) {
-    if (fine(Ball<double>::between(lo, hi))) return false;
-    const double middle = lo + (hi - lo) / 2;
-    if (depth > 60 || !(lo < middle && middle < hi)) {
-      t = middle;
-      return wrong(Ball<double>::exact(lo)) || wrong(Ball<double>::exact(middle)) || wrong(Ball<double>::exact(hi)) ||
-             depth > 60;
-    }
-    return find_vanishing(lo, middle, fine, wrong, t, depth + 1) ||
-           find_vanishing(middle, hi, fine, wrong, t, depth + 1);
   }
 
   void cosine(const CosineRotation& r) const {
     coefficients("rotation.cosine", r.a);
-    BallPolynomial<double> coefficient_balls;
-    for (const double c : r.a) coefficient_balls.push_back(Ball<double>::exact(c));
-    if (coefficient_balls.size == 0) return;
-    // An excess below 2^-40 is taken for rounding of the coefficients; the sine is 0 there.
-    const auto excess = [&](const Ball<double>& t) {
-      const Ball<double> a = polynomial_range(coefficient_balls, t).v;
-      return a * a - Ball<double>::exact(1 + 0x1p-40);
-    };
-    double t = 0;
-    const auto fine = [&](const Ball<double>& x) { return excess(x).sign() < 0; };
-    const auto wrong = [&](const Ball<double>& x) { return excess(x).sign() > 0; };
-    if (find_time(start_, end_, fine, wrong, t)) {
+    if (const auto t = searched([&] { return beyond_one(r.a, start_, end_); })) {
       throw InputError(place_,
-                       "the cosine is beyond 1 in magnitude at t = " + number(t) + ": " +
-                           number(Jet<double>::polynomial(r.a, Ball<double>::exact(t)).v.mid),
+                       "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
+                           number(Jet<double>::polynomial(r.a, Ball<double>::exact(*t)).v.mid),
                        "a cosine must stay within [-1, 1] at all times of its piece");
+    }
+  }
+
+  /// What a search finds. One that did not come to an end has shown nothing, and nothing is accepted on its account.
+  template <class Search>
+  std::optional<double> searched(const Search& search) const {
+    try {
+      return search();
+    } catch (const SearchExhausted&) {
+      throw InputError(place_, "the rotation is too intricate to tell whether it is well defined",
+                       "divide the motion into pieces, or lower the degree");
     }
   }
 
@@ -135,6 +95,7 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
   };
   double from = start;
   for (std::size_t i = 0; i < n; ++i) {
+    interruption_point();
     const MotionPiece& piece = motion.pieces[i];
     if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
     if (i > 0 && piece.until <= motion.pieces[i - 1].until)
@@ -156,12 +117,13 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
     PieceCheck(piece, place(i), from, to).run();
     if (!last && piece.until < end) {
       const double gap = joint_gap(piece, motion.pieces[i + 1], polygon, piece.until);
-      if (!(gap <= joint_tolerance * extent))
+      const double room = joint_room(piece, motion.pieces[i + 1], polygon, piece.until, extent);
+      if (!(gap <= room))
         throw InputError(
             place(i),
             "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
                 ", where the next piece takes over",
-            "pieces must join up to rounding (" + number(joint_tolerance * extent) +
+            "pieces must join up to rounding (" + number(room) +
                 " here): coefficients are in powers of the absolute time t, not of the time since the joint");
     }
     from = to;

@@ -1,5 +1,7 @@
 #include "numeric/interruption.hpp"
 
+#include <algorithm>
+
 namespace taut {
 namespace {
 
@@ -14,8 +16,8 @@ constexpr unsigned stride = 64;
 
 InterruptionScope::InterruptionScope(const std::atomic<bool>* stop, double max_seconds)
     : stop_(stop), limited_(max_seconds < for_ever), outer_(innermost) {
-  if (limited_)
-    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(max_seconds));
+  const std::chrono::duration<double> limit(std::max(max_seconds, 0.0));
+  if (limited_) deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
   innermost = this;
 }
 

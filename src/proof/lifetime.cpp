@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
 #include "numeric/quadratic_bound.hpp"
 #include "taut/proof.hpp"
 
@@ -50,6 +51,7 @@ bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& 
   const bool from_root = corner.birth.concerns(corner.u, corner.v, corner.w);
   const double stop = corner.birth.lo;
   for (int step = 0; step < patience; ++step) {
+    interruption_point();
     const FastSide& side = clock_.at(t, f.pp);
     const Bounded v = f.value(side), d = f.slope(side);
     const double a = corner.sign * v.value - v.error;

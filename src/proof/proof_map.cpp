@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "numeric/interruption.hpp"
+
 namespace taut::proof {
 namespace {
 
@@ -78,11 +80,13 @@ void ProofMap::measure(const Placement& placement) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     const HalfedgeId h(i);
     if (!alive(h)) continue;
+    interruption_point();
     halfedges_[i].sign = static_cast<std::int8_t>(placement.orientation(origin(h), target(h), target(next(h))));
     out[origin(h).value] = h;
     ++degree[origin(h).value];
   }
   for (std::uint32_t v = 0; v < vertices_; ++v) {
+    interruption_point();
     std::uint32_t met = 0;
     HalfedgeId h = out[v];
     do {
@@ -118,6 +122,7 @@ int ProofMap::turns(HalfedgeId start, const Placement& placement, std::vector<bo
   int half_turns = 0;
   HalfedgeId h = start;
   do {
+    interruption_point();
     seen[h.value] = true;
     const bool forwards = placement.before(origin(h), target(h));
     if (sign(h) > 0) ++convex;

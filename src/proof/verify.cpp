@@ -6,8 +6,10 @@
 
 #include "motion/motion_plan.hpp"
 #include "motion/witness.hpp"
+#include "numeric/interruption.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
+#include "proof/stretch_of_legs.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {
@@ -40,18 +42,17 @@ class Verifier {
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
         map_(in_, Placement(geometry_, legs_[0], scene.start)),
         lifetimes_(geometry_),
-        births_(map_.size()),
-        place_(map_.size(), nowhere) {
-    enter(0);
+        stretch_(geometry_) {
+    make_room();
     for (std::uint32_t i = 0; i < map_.size(); ++i) begin(HalfedgeId(i), Instant::exactly(leg().start));
+    enter(0);
   }
 
   Verified run() {
     result_.touch = header_.touch;
     result_.fingerprint = scene_fingerprint(scene_);
     try {
-      while (record()) {
-      }
+      while (record()) interruption_point();
     } catch (const ProofError& error) {
       throw ProofError("event " + std::to_string(result_.events) + ", before byte " + std::to_string(in_.offset()) +
                        ": " + error.what());
@@ -61,8 +62,6 @@ class Verifier {
   }
 
  private:
-  static constexpr std::uint32_t nowhere = 0xffffffffu;
-
   const Leg& leg() const { return legs_[current_]; }
   Witness witness() const { return {plan_, geometry_}; }
 
@@ -101,13 +100,24 @@ class Verifier {
     current_ = leg;
     lifetimes_.enter(legs_[leg]);
     last_ = Instant::exactly(legs_[leg].start);
+    if (stretch_.enter(legs_, leg, active_.size())) {
+      watched_.clear();
+      for (const HalfedgeId h : active_) {
+        if (!is_settled(h)) watched_.add(h);
+      }
+      stretch_.judge(watched_.size(), active_.size());
+    }
+    for (const HalfedgeId h : watched_) births_[h.value] = last_;
+  }
+
+  bool is_settled(HalfedgeId h) const {
+    return stretch_.settles(map_.origin(h), map_.target(h), map_.target(map_.next(h)), map_.sign(h));
   }
 
   void end_leg() {
     if (current_ + 1 == legs_.size()) throw ProofError("there is no further leg");
     all_hold(Instant::exactly(leg().end));
     enter(current_ + 1);
-    for (const HalfedgeId h : active_) births_[h.value] = Instant::exactly(leg().start);
   }
 
   bool event(Record kind) {
@@ -115,7 +125,8 @@ class Verifier {
     const HalfedgeId h(in_.u32());
     if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
     ++result_.events;
-    if (!map_.alive(h) || place_[h.value] == nowhere) throw ProofError("no corner of both bodies is there");
+    if (!map_.alive(h) || !active_.has(h)) throw ProofError("no corner of both bodies is there");
+    if (!watched_.has(h)) throw ProofError("the corner does not fail on this leg");
     const Corner corner = corner_at(h);
     const Instant now = lifetimes_.failure(corner, about);
     const double near = lifetimes_.nearness();
@@ -146,10 +157,7 @@ class Verifier {
     const Change before = map_.ending(h, kind);
     for (int i = 0; i < before.count; ++i) end(before.corners[static_cast<std::size_t>(i)], now);
     const Change after = map_.apply(h, kind);
-    if (map_.size() > place_.size()) {
-      place_.resize(map_.size(), nowhere);
-      births_.resize(map_.size());
-    }
+    make_room();
     for (int i = 0; i < after.count; ++i) begin(after.corners[static_cast<std::size_t>(i)], now);
   }
 
@@ -162,6 +170,8 @@ class Verifier {
     result_.contact = witness().contact(vertex, map_.origin(HalfedgeId(hit.value & ~1u)), leg(), fine.lo,
                                         std::min(fine.hi, leg().end));
     result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
+    const bool at_start = result_.contact->time.hi <= scene_.start;
+    result_.contact_at = leg().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
     result_.free_until = result_.contact->time.lo;
     result_.outcome = Outcome::contact;
   }
@@ -175,7 +185,7 @@ class Verifier {
       return;
     }
     // The next event may be at the same instant, as far as doubles can tell: the tiling is good up to the last one.
-    for (const HalfedgeId h : active_) {
+    for (const HalfedgeId h : watched_) {
       if (!births_[h.value].is(last_)) check_holds(h, last_);
     }
     result_.free_until = leg().time(std::min(t, last_.lo));
@@ -194,6 +204,7 @@ class Verifier {
         place.orientation(f, f2, e) == place.orientation(f, f2, e2))
       throw ProofError("the edges do not cross");
     result_.contact = Witness(plan_, outer).contact_of_crossing(e, f, legs_[0], scene_.start);
+    result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;
   }
@@ -203,10 +214,18 @@ class Verifier {
   }
 
   void check_holds(HalfedgeId h, const Instant& until) {
+    interruption_point();
     if (!lifetimes_.holds(corner_at(h), until)) throw ProofError("a corner does not last until it is changed");
   }
   void all_hold(const Instant& until) {
-    for (const HalfedgeId h : active_) check_holds(h, until);
+    for (const HalfedgeId h : watched_) check_holds(h, until);
+  }
+
+  /// Events add half-edges.
+  void make_room() {
+    births_.resize(map_.size());
+    active_.resize(map_.size());
+    watched_.resize(map_.size());
   }
 
   /// The corner that h enters begins: if its vertices are of both bodies, it must be watched.
@@ -215,21 +234,18 @@ class Verifier {
     const VertexId u = map_.origin(h), v = map_.target(h), w = map_.target(map_.next(h));
     if (u == w) throw ProofError("a face turns back on an edge");
     if (geometry_.same_body(u, v) && geometry_.same_body(v, w)) return;
-    if (place_[h.value] == nowhere) {
-      place_[h.value] = static_cast<std::uint32_t>(active_.size());
-      active_.push_back(h);
-    }
+    active_.add(h);
     births_[h.value] = birth;
+    if (is_settled(h)) {
+      watched_.remove(h);
+    } else {
+      watched_.add(h);
+    }
   }
   void end(HalfedgeId h, const Instant& now) {
-    const std::uint32_t place = place_[h.value];
-    if (place == nowhere) return;
-    check_holds(h, now);
-    const HalfedgeId last = active_.back();
-    active_[place] = last;
-    place_[last.value] = place;
-    active_.pop_back();
-    place_[h.value] = nowhere;
+    if (watched_.has(h)) check_holds(h, now);
+    watched_.remove(h);
+    active_.remove(h);
   }
 
   const Scene& scene_;
@@ -241,9 +257,10 @@ class Verifier {
   std::size_t current_ = 0;
   ProofMap map_;
   Lifetimes lifetimes_;
-  std::vector<Instant> births_;       ///< by half-edge
-  std::vector<std::uint32_t> place_;  ///< by half-edge, in active_
-  std::vector<HalfedgeId> active_;    ///< half-edges that enter a corner of both bodies
+  StretchOfLegs stretch_;
+  std::vector<Instant> births_;  ///< by half-edge; of those that are watched
+  HalfedgeList active_;          ///< half-edges that enter a corner of both bodies
+  HalfedgeList watched_;         ///< the same without those that hold all over the stretch
   Instant last_;
   Verified result_;
 };

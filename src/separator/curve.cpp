@@ -5,6 +5,7 @@
 
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
+#include "numeric/interruption.hpp"
 #include "numeric/real.hpp"
 
 namespace taut {
@@ -115,6 +116,7 @@ std::optional<Point> point_inside(const Polygon& polygon) {
   for (double share = 0.5; share > 0x1p-40; share /= 4) {
     for (std::size_t i = 0; i < n; ++i) {
       const Point &u = polygon[i], &v = polygon[(i + 1) % n], &w = polygon[(i + 2) % n];
+      interruption_point();
       if (orientation(u, v, w) <= 0) continue;
       const Point middle{u.x + (w.x - u.x) / 2, u.y + (w.y - u.y) / 2};
       const Point p{v.x + share * (middle.x - v.x), v.y + share * (middle.y - v.y)};
@@ -161,6 +163,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   bool odd = false;
   for (std::size_t i = 0; i < edges; ++i) {
     const Point &a = curve.vertices[i], &b = curve.vertices[(i + 1) % n];
+    interruption_point();
     if (a == b) continue;
     if (meets_inside(a, b, p, at_p) || meets_inside(a, b, q, at_q)) return false;
     // The curve avoids both points, so of two sides that differ at most one is zero.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "numeric/interruption.hpp"
 #include "separator/window.hpp"
 #include "tiling/root_faces.hpp"
 
@@ -61,6 +62,7 @@ std::vector<Sight> follow_open(const Arena& arena, const std::vector<Gate>& head
     if (!pass(head[i])) return {};
   }
   for (const Gate g : core) {
+    interruption_point();
     if (!pass(g)) return {};
   }
   for (std::size_t k = 0; k < tail.gates.size(); ++k) {
@@ -110,6 +112,7 @@ class Loop {
     const std::size_t target = crossed - 1;
     Follower f(arena_, Hourglass(start.forward.left, start.forward.right), {start.line});
     for (std::size_t k = start.forward.last + 1; k < target; ++k) {
+      interruption_point();
       f.pass(gates_[k % m], gates_[(k + 1) % m]);
       if (f.lines().size() > give_up) return {};
     }
@@ -153,6 +156,7 @@ class Loop {
   Window extend(const std::vector<Gate>& gates, std::size_t anchor, const Sight& line, VertexId foot) const {
     std::vector<VertexId> left{arena_.origin(gates[anchor])}, right{arena_.target(gates[anchor])};
     for (std::size_t k = anchor;; ++k) {
+      interruption_point();
       if (k > anchor + 2 * gates.size()) throw StructureError("a common tangent never leaves the loop");
       const Gate g = gates[k % gates.size()];
       const bool new_left = new_left_end(arena_, g, gates[(k + 1) % gates.size()]);

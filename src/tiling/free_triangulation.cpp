@@ -1,8 +1,10 @@
 #include "tiling/free_triangulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "numeric/interruption.hpp"
 #include "tiling/sweep_status.hpp"
 
 namespace taut {
@@ -35,6 +37,7 @@ class Sweep {
     out_.origin.reserve(3 * triangles);
     out_.twin.reserve(3 * triangles);
     for (const VertexId v : order) {
+      interruption_point();
       visit(v);
       if (overlap_) return overlap_;
     }
@@ -55,7 +58,9 @@ class Sweep {
     const double error = place_.key_error();
     std::sort(keyed.begin(), keyed.end(), [this, error](const Keyed& a, const Keyed& b) {
       const double d = a.key - b.key;
-      return d > error ? false : (-d > error ? true : place_.before(a.vertex, b.vertex));
+      if (std::fabs(d) > error) return d < 0;
+      interruption_point();
+      return place_.before(a.vertex, b.vertex);
     });
     std::vector<VertexId> order(total);
     for (std::uint32_t i = 0; i < total; ++i) order[i] = keyed[i].vertex;

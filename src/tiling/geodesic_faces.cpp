@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "numeric/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -16,6 +18,7 @@ class Funnel {
     left_.start(a);
     right_.start(a);
     for (const std::uint32_t* d = first; d != last; ++d) {
+      interruption_point();
       add(left_, right_, triangulation_.origin[*d], 1, path);
       add(right_, left_, triangulation_.target(*d), -1, path);
     }

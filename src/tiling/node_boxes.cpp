@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -40,6 +42,7 @@ class NearSearch {
   /// Pushes the descendants of `other` that are no larger than the node and may be near it.
   void refine(std::uint32_t node, std::uint32_t other) {
     const NodeBox &box = tree_.boxes[node], &far = other_.boxes[other];
+    interruption_point();
     if (!near(box, tree_.pose, far, other_.pose, margin_)) return;
     if (other < other_.tree.leaves() && far.along + far.across > box.along + box.across) {
       refine(node, 2 * other);

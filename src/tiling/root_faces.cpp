@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
 
 namespace taut {
 
@@ -75,6 +76,7 @@ class RootBuilder {
   /// Moves i to the vertex where the line through `from` touches the cycle; false if it is there already.
   bool walk_to_tangent(const View& view, VertexId from, std::size_t& i) const {
     for (std::size_t steps = 0; steps < 4 * view.cycle.size(); ++steps) {
+      interruption_point();
       if (!on_side(view, from, i, after(view, i))) {
         i = after(view, i);
       } else if (!on_side(view, from, i, before(view, i))) {
@@ -206,6 +208,7 @@ class RootBuilder {
       VertexId v = cycle.back();
       int side_v = turn(y, x, v);
       for (const VertexId w : cycle) {
+        interruption_point();
         const int side_w = turn(y, x, w);
         if (side_v * side_w < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
         v = w;
@@ -241,6 +244,7 @@ class RootBuilder {
     if (last_a < 2) throw StructureError("the hull of P has no free vertex");
     // Roll the lid of the notch at z_b outwards until it supports both chains.
     for (bool moved = true; moved;) {
+      interruption_point();
       moved = false;
       while (i + 1 < last_a && turn(a_[i], b_[j], a_[i + 1]) > 0) ++i, moved = true;
       while (j < last_b && turn(a_[i], b_[j], b_[j + 1]) > 0) ++j, moved = true;
@@ -250,9 +254,11 @@ class RootBuilder {
     // The far lip is in the way, or the chains wind around each other: look everywhere.
     for (i = 1; i < last_a; ++i) {
       for (std::size_t l = i + 2; l < last_a; ++l) {
+        interruption_point();
         if (supports_mouth(i, l) && !crossed(a_[i], a_[l])) return close_mouth(i, l);
       }
       for (j = 1; j < last_b; ++j) {
+        interruption_point();
         if (supports_b(i, j) && !crossed(a_[i], b_[j])) return close_bridge_b(i, j);
       }
       if (supports_end(i) && !crossed(a_[i], a_.back())) return close_bridge_end(i);

@@ -51,6 +51,8 @@ std::vector<testing::BadInput> syntax() {
       {"negative_overflow", "{\"time\":[-1e400,0]}", "s.json:1:10", "number overflow", "1.8e308"},
       {"bad_utf8", "{\"na\xff\":1}", "s.json:1:5", "ill-formed UTF-8", "syntax"},
       {"zero_byte", std::string("{\"a\0\":1}", 8), "s.json:1:4", "control character", "syntax"},
+      {"after_a_nul", scene_with_bodies("[]") + std::string("\0 anything", 10), "s.json:1:51",
+       "a NUL character ends the JSON", "remove it"},
       {"depth_bomb", std::string(1000000, '['), "s.json:1:33", "nested more than 32 deep", "shape of a scene"},
       {"object_depth_bomb",
        [] {

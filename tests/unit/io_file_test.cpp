@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "io/atomic_file.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -66,6 +68,57 @@ TEST_F(WriteFile, NamesAMissingFolder) {
 TEST_F(WriteFile, DoesNotReplaceADevice) {
   write_file("/dev/null", "text");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(WriteFile, KeepsTheModeOfWhatItReplaces) {
+  const fs::path path = folder_ / "a.txt";
+  write_file(path.string(), "first");
+  for (const fs::perms mode : {fs::perms::owner_read | fs::perms::owner_write, fs::perms::all}) {
+    fs::permissions(path, mode);
+    write_file(path.string(), "second");
+    EXPECT_EQ(fs::status(path).permissions(), mode);
+  }
+}
+
+TEST_F(WriteFile, UnfinishedFilesCanBeRemovedAtOnce) {
+  io::AtomicFile first((folder_ / "a.txt").string());
+  {
+    io::AtomicFile second((folder_ / "b.txt").string());
+    second.stream() << "whole";
+    second.commit();
+  }
+  EXPECT_EQ(files(), 2);
+  io::remove_unfinished_files();
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(content(folder_ / "b.txt"), "whole");
+}
+
+TEST_F(WriteFile, NamesEndWhereTheyEnd) {
+  EXPECT_THROW(write_file((folder_ / "a").string() + std::string("\0b", 2), "text"), InputError);
+  EXPECT_THROW(io::read_text_file("/dev/null" + std::string("\0b", 2), 10), InputError);
+  EXPECT_EQ(files(), 0);
+}
+
+/// Opening a pipe would wait for somebody to write to it, and a device may have no end.
+TEST_F(WriteFile, OnlyRegularFilesAreRead) {
+  const auto problem = [](const std::string& path) {
+    try {
+      io::read_text_file(path, 1 << 20);
+      return std::string();
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.place(), path);
+      EXPECT_NE(e.hint(), "");
+      return e.problem();
+    }
+  };
+  const std::string pipe = (folder_ / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(problem(pipe), "cannot read the file: it is a pipe");
+  EXPECT_EQ(problem("/dev/zero"), "cannot read the file: it is a device");
+  EXPECT_EQ(problem(folder_.string()), "cannot read the file: it is a folder");
+  write_file((folder_ / "a").string(), "text");
+  fs::create_symlink("a", folder_ / "link");
+  EXPECT_EQ(problem((folder_ / "link").string()), "");
 }
 
 TEST_F(WriteFile, AFolderIsNoScene) { EXPECT_THROW(read_scene(folder_.string()), InputError); }

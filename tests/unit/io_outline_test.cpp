@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/keyframe_reader.hpp"
 #include "io/outline_reader.hpp"
 #include "support/bad_input.hpp"
 #include "taut/error.hpp"
@@ -56,6 +57,8 @@ std::vector<testing::BadInput> bad_wkt() {
       {"truncated", "POLYGON ((0 0, 1 1", "o.wkt:1:19", "expected \")\" after the vertices", shape},
       {"rest", "POLYGON ((0 0,1 0,0 1)) POLYGON", "o.wkt:1:25", "unexpected text", "one polygon"},
       {"srid", "SRID=12", "o.wkt:1:5", "without a \";\"", shape},
+      {"after_a_nul", std::string("POLYGON ((0 0,1 0,0 1))\0 POLYGON", 32), "o.wkt:1:24", "unexpected text",
+       "one polygon"},
   };
 }
 
@@ -79,6 +82,12 @@ std::vector<testing::BadInput> bad_geojson() {
        "slit"},
       {"text", R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,"a"]]]}})",
        "o.geojson:1:67: geometry.coordinates[0][0][1]", "expected a number, found a string", "[x, y]"},
+      {"twice", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1]]],"coordinates":[]})", "o.geojson:1:55",
+       "a key appears twice", "one of the two"},
+      {"twice_within", R"({"type":"Feature","properties":{"a":[{"b":1,"c":2,"b":3}]},"geometry":{}})", "o.geojson:1:51",
+       "a key appears twice", "one of the two"},
+      {"after_a_nul", std::string(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1]]]})") + std::string("\0x", 2),
+       "o.geojson:1:55", "a NUL character ends the JSON", "remove it"},
   };
 }
 
@@ -115,6 +124,31 @@ TEST(OutlineLimits, CountVerticesWithoutTheRepeatedOne) {
   EXPECT_EQ(geojson("[0,0],[1,0],[1,1],[0,1]", 3), "more vertices than the limit of 3");
 }
 
+/// The file may be any: a scene names it, and its author is to learn nothing of what is in it.
+TEST(OutlineErrors, QuoteNothing) {
+  const std::string secret = "root:$6$salt$hash:19000:0:99999:7:::";
+  const auto message_of = [](const auto& read) {
+    try {
+      read();
+      return std::string("accepted");
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+  };
+  const std::vector<std::string> texts{secret,           "{\"type\":\"" + secret + "\"}",
+                                       "\"" + secret,    "{\"" + secret + "\":1,\"" + secret + "\":2}",
+                                       "[root",          "123456e789",
+                                       "t,root,x\n1,2,3"};
+  for (const std::string& text : texts) {
+    for (const std::string& message : {message_of([&] { wkt(text); }), message_of([&] { geojson(text); }),
+                                       message_of([&] { io::parse_keyframes_csv(text, "k.csv", {}); })}) {
+      EXPECT_EQ(message.find("root"), std::string::npos) << message;
+      EXPECT_EQ(message.find("ROOT"), std::string::npos) << message;
+      EXPECT_EQ(message.find("123456"), std::string::npos) << message;
+    }
+  }
+}
+
 TEST(OutlineLimits, NestingEndsAtOnceAndWithoutRecursion) {
   std::string text;
   for (int i = 0; i < 1000000; ++i) text += R"({"type":"FeatureCollection","features":[)";
@@ -134,9 +168,49 @@ TEST(OutlineLimits, FilesAreReadNoFurtherThanTheLimit) {
   EXPECT_EQ(problem_of([&] { read_geojson(file, {.max_bytes = 24}); }), large);
   EXPECT_EQ(problem_of([&] { read_scene(file, {.max_bytes = 24}); }), large);
   // It has no end.
-  EXPECT_EQ(problem_of([] { read_wkt("/dev/zero", {.max_bytes = 1 << 20}); }),
-            "the file is larger than the limit of 1048576 bytes");
+  EXPECT_EQ(problem_of([] { read_wkt("/dev/zero", {.max_bytes = 1 << 20}); }), "cannot read the file: it is a device");
   std::filesystem::remove(file);
+}
+
+/// A scene in `inner` that names this outline.
+class OutlineOutside : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("taut_outside_") + info->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "inner" / "deep");
+    for (const char* name : {"secret.wkt", "inner/deep/o.wkt", "inner/..o.wkt"})
+      write_file((folder_ / name).string(), "POLYGON ((0 0, 1 0, 0 1))");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string problem(const std::string& outline, const ReadLimits& limits = {}) const {
+    const std::string scene = (folder_ / "inner" / "scene.json").string();
+    write_file(scene, R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":{"wkt":")" + outline +
+                          R"("}},{"name":"Q","polygon":[[5,0],[6,0],[5,1]]}]})");
+    return problem_of([&] { read_scene(scene, limits); });
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(OutlineOutside, IsRefusedUnlessAllowed) {
+  const std::string absolute = (folder_ / "secret.wkt").string();
+  std::filesystem::create_symlink("../secret.wkt", folder_ / "inner" / "link.wkt");
+  std::filesystem::create_symlink("..", folder_ / "inner" / "up");
+  std::filesystem::create_symlink("deep/o.wkt", folder_ / "inner" / "fine.wkt");
+  for (const std::string& outline : {std::string("../secret.wkt"), absolute, std::string("link.wkt"),
+                                     std::string("up/secret.wkt"), std::string("deep/../../secret.wkt")}) {
+    EXPECT_EQ(problem(outline), "the file \"" + outline + "\" is not below the scene's folder");
+    EXPECT_EQ(problem(outline, {.allow_outside = true}), "");
+  }
+  for (const char* outline : {"deep/o.wkt", "deep/../deep/o.wkt", "../inner/deep/o.wkt", "fine.wkt", "..o.wkt"})
+    EXPECT_EQ(problem(outline), "") << outline;
+  EXPECT_EQ(problem((folder_ / "inner/deep/o.wkt").string()), "");
+  EXPECT_EQ(problem("missing.wkt").rfind("cannot open the file", 0), 0u);
+  EXPECT_EQ(problem("../missing.wkt").find("cannot open"), std::string::npos) << "it tells what is there";
+  EXPECT_EQ(problem("deep/o.wkt\\u0000.png"), "the name of a file has a NUL in it");
 }
 
 TEST(Outline, IsFoundNextToTheScene) {

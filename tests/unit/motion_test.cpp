@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "geometry/displaced_orientation.hpp"
 #include "geometry/displacement.hpp"
@@ -357,6 +358,77 @@ TEST(MotionValidation, RefusesPiecesThatDoNotFit) {
                  "`until` 3 does not come after");
   expect_refusal(with_motion({{{3}, {2}, NoRotation{}, 3}}), "the motion ends at 3, before the scene does, at 10");
   EXPECT_EQ(refusal(with_motion({{{3, -1}, {2}, NoRotation{}, 3}, {{1e-9, 0}, {2}, NoRotation{}}})), "");
+}
+
+/// The Chebyshev polynomial of this degree: it reaches 1 and -1 in turn, all over [-1, 1].
+Coefficients chebyshev(int degree) {
+  Coefficients before{1}, last{0, 1};
+  for (int k = 1; k < degree; ++k) {
+    Coefficients next(last.size() + 1, 0.0);
+    for (std::size_t i = 0; i < last.size(); ++i) next[i + 1] += 2 * last[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
+    before = std::exchange(last, std::move(next));
+  }
+  return last;
+}
+
+std::string refusal_of_rotation(const Rotation& rotation, double start, double end) {
+  Scene scene = with_motion({{{3}, {}, rotation}});
+  scene.start = start;
+  scene.end = end;
+  return refusal(scene);
+}
+
+/// What doubles cannot tell from a cosine beyond 1, and halving would look for in every interval there is.
+TEST(MotionValidation, TellsCosinesThatReachOneFromOnesBeyondIt) {
+  EXPECT_EQ(refusal_of_rotation(CosineRotation{{-9999, 200, -1}}, 100, 101), "");
+  EXPECT_NE(refusal_of_rotation(CosineRotation{{-9999, 200, -1 - 0x1p-36}}, 101, 101.5), "");
+  EXPECT_EQ(refusal_of_rotation(CosineRotation{{-99999999, 20000, -1}}, 9999.5, 10001), "");
+  EXPECT_EQ(refusal_of_rotation(CosineRotation{{1 + 0x1p-41}}, 0, 1), "");
+  EXPECT_NE(refusal_of_rotation(CosineRotation{{-1 - 0x1p-39}}, 0, 1), "");
+  EXPECT_NE(refusal_of_rotation(CosineRotation{{1 + 0x1p-40, 0, -1}}, -1, 1), "") << "it just reaches the bound";
+  for (const int degree : {2, 11, 12, 16}) {
+    EXPECT_EQ(refusal_of_rotation(CosineRotation{chebyshev(degree)}, -1, 1), "") << degree;
+    EXPECT_NE(refusal_of_rotation(CosineRotation{chebyshev(degree)}, -1, 1.0001), "") << degree;
+    Coefficients beyond = chebyshev(degree);
+    for (double& c : beyond) c *= 1 + 0x1p-38;
+    EXPECT_NE(refusal_of_rotation(CosineRotation{beyond}, -0.5, 0.99), "") << degree;
+  }
+}
+
+TEST(MotionValidation, RefusesDirectionsThatVanishAndNoOthers) {
+  const Coefficients t{0, 1}, sqrt_two{-2, 0, 1}, multiple{0, -2, 0, 1};
+  EXPECT_EQ(refusal_of_rotation(DirectionRotation{t, {1e-15}}, -1, 1), "");
+  EXPECT_EQ(refusal_of_rotation(DirectionRotation{t, {1e-100}}, -1, 1), "");
+  EXPECT_EQ(refusal_of_rotation(DirectionRotation{t, {1e-100, 1}}, -1.0 / 3, 1), "");
+  EXPECT_EQ(refusal_of_rotation(DirectionRotation{sqrt_two, multiple}, 2, 3), "");
+  EXPECT_NE(refusal_of_rotation(DirectionRotation{t, {0, 0, 1}}, 0, 1), "") << "at an end";
+  EXPECT_NE(refusal_of_rotation(DirectionRotation{t, {0, 0, 1}}, -1.0 / 3, 1), "") << "where nothing is halved";
+  EXPECT_NE(refusal_of_rotation(DirectionRotation{sqrt_two, multiple}, 0, 3).find("near t = 1.41421356"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_rotation(DirectionRotation{{0}, {0}}, 0, 1), "");
+  // One root of multiplicity 8, and the same moved by a little.
+  Coefficients root{256, 0, -1024, 0, 1792, 0, -1792, 0, 1120, 0, -448, 0, 112, 0, -16, 0, 1};
+  Coefficients moved = root;
+  moved[1] = 1e-30;
+  EXPECT_NE(refusal_of_rotation(DirectionRotation{root, root}, 0, 2), "");
+  EXPECT_EQ(refusal_of_rotation(DirectionRotation{root, moved}, 0, 2), "");
+}
+
+TEST(MotionValidation, SmallBodiesFarAwayMayJumpByWhatDoublesRound) {
+  Scene scene = sliding_square(2);
+  for (Body& body : scene.bodies) {
+    for (Point& v : body.polygon) v = {v.x * 0x1p-20, v.y * 0x1p-20};
+  }
+  const auto jump = [&scene](double by) {
+    scene.bodies[1].motion.pieces = {{{1e6 + by}, {}, NoRotation{}, 3}, {{1e6}, {}, NoRotation{}}};
+    return refusal(scene);
+  };
+  EXPECT_EQ(jump(0x1p-33), "");
+  EXPECT_NE(jump(0x1p-20).find("the motion jumps by"), std::string::npos);
+  // Terms that cancel are rounded, too.
+  scene.bodies[1].motion.pieces = {{{1e6 - 3e6, 1e6}, {}, NoRotation{}, 3}, {{-2e6 + 0x1p-32, 1e6}, {}, NoRotation{}}};
+  EXPECT_EQ(refusal(scene), "");
 }
 
 TEST(SceneValidation, RefusesBadTimesAndBodies) {

@@ -1,0 +1,41 @@
+#include "expectation.hpp"
+
+#include <fmt/format.h>
+
+#include "taut/error.hpp"
+
+namespace taut::cli {
+
+void validate(const Expectation& expected, const Scene& scene) {
+  if (!expected.until) return;
+  const double until = *expected.until;
+  if (!(until >= scene.start && until <= scene.end)) {
+    throw InputError("--until", fmt::format("{} is outside the scene's time [{}, {}]", until, scene.start, scene.end),
+                     "choose an instant within");
+  }
+  if (until == scene.start && scene.start < scene.end)
+    throw InputError("--until", fmt::format("no time passes before the start, {}", until), "choose a later instant");
+}
+
+bool is_met(const Expectation& expected, const Scene& scene, const Verified& proved) {
+  if (expected.touch && *expected.touch != proved.touch) return false;
+  if (!expected.outcome) return true;
+  if (*expected.outcome == Outcome::contact)
+    return proved.outcome == Outcome::contact && !(expected.until && *expected.until < proved.contact->time.hi);
+  if (proved.outcome == Outcome::free) return true;
+  return expected.until && *expected.until <= proved.free_until && scene.start < proved.free_until;
+}
+
+std::string text_of(const Expectation& expected, const Scene& scene) {
+  std::string text;
+  if (expected.outcome == Outcome::free) {
+    text = expected.until ? fmt::format("free on [{}, {})", scene.start, *expected.until)
+                          : fmt::format("free on [{}, {}]", scene.start, scene.end);
+  } else if (expected.outcome) {
+    text = expected.until ? fmt::format("a contact by t = {}", *expected.until) : "a contact";
+  }
+  if (expected.touch) text += std::string(text.empty() ? "" : ", ") + "touch " + to_string(*expected.touch);
+  return text;
+}
+
+}  // namespace taut::cli

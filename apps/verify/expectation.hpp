@@ -1,0 +1,30 @@
+// What a log should prove, so that a CI job fails where it proves less.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "taut/proof.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::cli {
+
+struct Expectation {
+  std::optional<Outcome> outcome;  ///< free or contact
+  std::optional<Touch> touch;
+  /// free: before this time. contact: no later than this time. Without it, the scene's whole interval is meant.
+  std::optional<double> until;
+
+  bool any() const { return outcome || touch; }
+};
+
+/// Throws InputError unless `until` is an instant of the scene that something can be said about.
+void validate(const Expectation& expected, const Scene& scene);
+
+/// Does the log prove all of it?
+bool is_met(const Expectation& expected, const Scene& scene, const Verified& proved);
+
+/// In words: "free on [0, 10], touch closed".
+std::string text_of(const Expectation& expected, const Scene& scene);
+
+}  // namespace taut::cli

@@ -1,0 +1,35 @@
+#include "scene_source.hpp"
+
+#include <cstdio>
+
+#include "taut/io.hpp"
+
+namespace taut::cli {
+
+void add_allow_outside(CLI::App& command, bool& allow_outside) {
+  command.add_flag("--allow-outside", allow_outside, "files that a scene names may lie outside of its folder");
+}
+
+void add_scene(CLI::App& command, SceneSource& scene) {
+  command.add_option("SCENE", scene.path, "scene file (taut-scene/1), or - for standard input")
+      ->required()
+      ->option_text(" ");
+  add_allow_outside(command, scene.allow_outside);
+}
+
+Scene load_scene(const SceneSource& source) {
+  ReadLimits limits;
+  limits.allow_outside = source.allow_outside;
+  if (source.path != "-") return read_scene(source.path, limits);
+  std::string text;
+  char buffer[1 << 16];
+  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin)) {
+    text.append(buffer, n);
+    if (text.size() > limits.max_bytes) break;  // parse_scene refuses it
+  }
+  return parse_scene(text, display_name(source.path), ".", limits);
+}
+
+std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
+
+}  // namespace taut::cli

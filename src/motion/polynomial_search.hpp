@@ -1,0 +1,23 @@
+// Where polynomials do what a rotation must not do. Certain: what doubles cannot tell, 960 bits do.
+#pragma once
+
+#include <optional>
+
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// How far a cosine may exceed 1 in magnitude, on account of the rounding of its coefficients.
+inline constexpr double cosine_excess = 0x1p-40;
+
+/// Thrown where a search has looked at as many intervals as it may.
+struct SearchExhausted {};
+
+/// An instant of [start, end] at which both polynomials are zero, or cannot be told from zero in 960 bits.
+std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double start, double end);
+
+/// An instant of [start, end] at which |a| is more than 1 + cosine_excess, less 2^-60 of that: without such a margin,
+/// one that just reaches the bound would be looked at for ever.
+std::optional<double> beyond_one(const Coefficients& a, double start, double end);
+
+}  // namespace taut

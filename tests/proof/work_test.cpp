@@ -1,0 +1,73 @@
+// What it costs to verify a log: not the legs times the corners.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "gen/generators.hpp"
+#include "numeric/interruption.hpp"
+#include "taut/proof.hpp"
+
+namespace taut {
+namespace {
+
+/// Two combs, one of which trembles in the slots of the other.
+Scene trembling(int teeth, int pieces) {
+  gen::CombOptions options;
+  options.teeth = teeth;
+  Scene scene = gen::make_combs(options);
+  Motion& motion = scene.bodies[1].motion;
+  const MotionPiece start = motion.pieces.empty() ? MotionPiece{} : motion.pieces.front();
+  motion.pieces.clear();
+  for (int i = 1; i <= pieces; ++i) {
+    MotionPiece piece;
+    piece.x = {(start.x.empty() ? 0 : start.x[0]) + (i % 3) * 1e-9};
+    piece.y = {start.y.empty() ? 0 : start.y[0]};
+    piece.until = i;
+    motion.pieces.push_back(piece);
+  }
+  scene.start = 0;
+  scene.end = pieces;
+  return scene;
+}
+
+struct Work {
+  std::uint64_t points = 0, legs_times_corners = 0;
+};
+
+/// Interruption points passed until the log is accepted: each look at a corner passes at least one.
+Work work_of(int teeth, int pieces) {
+  const Scene scene = trembling(teeth, pieces);
+  std::ostringstream log;
+  const Answer answer = prove(scene, log);
+  EXPECT_EQ(answer.outcome, Outcome::free);
+  Work work;
+  work.legs_times_corners = answer.certificates_initial * static_cast<std::uint64_t>(pieces);
+  for (work.points = 1 << 12;; work.points *= 2) {
+    try {
+      const InterruptionScope scope(work.points);
+      std::istringstream in(log.str());
+      EXPECT_EQ(verify(scene, in).outcome, Outcome::free);
+      return work;
+    } catch (const Interrupted&) {
+    }
+  }
+}
+
+TEST(WorkOfVerification, GrowsWithTheSceneAndTheLog) {
+  const Work small = work_of(100, 500), large = work_of(400, 2000);
+  EXPECT_GT(large.legs_times_corners, 15 * small.legs_times_corners);
+  EXPECT_LE(large.points, 8 * small.points);
+  EXPECT_LT(large.points, large.legs_times_corners / 4);
+}
+
+TEST(WorkOfVerification, EndsWhereALimitSays) {
+  const Scene scene = trembling(100, 500);
+  std::ostringstream log;
+  prove(scene, log);
+  std::istringstream in(log.str());
+  const InterruptionScope scope(std::uint64_t{1000});
+  EXPECT_THROW(verify(scene, in), Interrupted);
+}
+
+}  // namespace
+}  // namespace taut
