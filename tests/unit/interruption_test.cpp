@@ -83,22 +83,29 @@ Scene many_pieces() {
   return with_motion(std::move(motion), 0, 20000);
 }
 
-/// Both ends of the way into a cavity are long convex chains, and the other body is out of sight.
+/// Both sides of the way into a cavity are long convex chains, and the other body stands beside the way: the bridge at
+/// the start has to be looked for.
 Scene cavity() {
-  const int n = 4000;
-  Polygon left;
-  for (int i = 0; i <= n; ++i) {
-    const double a = (80 - 160.0 * i / n) * 3.14159265358979 / 180;
-    left.push_back({-11 + 10 * std::cos(a), 10 * std::sin(a)});
+  const int n = 20000;
+  const double gap = 1.637, deep = 12, shift = 0.053;
+  Polygon p;
+  const auto add_side = [&p](double x, double y, double side, int k) {
+    const double a = (80 - 160.0 * k / n) * 3.14159265358979 / 180;
+    p.push_back({side * (x - 10 * std::cos(a)), 10 * std::sin(a) + y});
+  };
+  for (int k = 0; k <= n; ++k) add_side(gap + 10, -shift, -1, k);
+  const double x = p.back().x, low = p.back().y - 1;
+  p.insert(p.end(), {{x - deep, low}, {x - deep, low - 8}, {deep - x, low - 8}, {deep - x, low}});
+  for (int k = n; k >= 0; --k) add_side(gap + 10, shift, 1, k);
+  p.insert(p.end(), {{60, 40}, {60, -60}, {-60, -60}, {-60, 40}});
+  Polygon q;
+  for (int k = 0; k < n; ++k) {
+    const double a = 2 * 3.14159265358979 * k / n;
+    q.push_back({5.9 + 2 * std::cos(a), -12.77 + 2 * std::sin(a)});
   }
-  Polygon p = left;
-  const double x = left.back().x, y = left.back().y;
-  p.insert(p.end(), {{x - 11, y - 1}, {x - 11, y - 8}, {11 - x, y - 8}, {11 - x, y - 1}});
-  for (int i = n; i >= 0; --i) p.push_back({-left[static_cast<std::size_t>(i)].x, left[static_cast<std::size_t>(i)].y});
-  p.insert(p.end(), {{60, 30}, {60, -60}, {-60, -60}, {-60, 30}});
   Scene scene = with_motion({{{{0}, {0, 0.1}, AngleRotation{{0, 1e-3}}}}}, 0, 1);
   scene.bodies[0].polygon = p;
-  scene.bodies[1].polygon = {{13.7, -14}, {14.3, -14}, {14, -13}};
+  scene.bodies[1].polygon = q;
   return scene;
 }
 
