@@ -14,9 +14,6 @@ namespace {
 using Big = Ball<RealMax>;
 using Double = Ball<double>;
 
-/// Of intervals that one search looks at. A polynomial of degree 16 that is bounded by 1 needs a few hundred.
-constexpr int most_intervals = 1 << 15;
-
 /// Of halvings that doubles try first: they settle nearly every motion at once.
 constexpr int double_depth = 4;
 
@@ -76,12 +73,12 @@ bool fine_in_doubles(const Fine& fine, double lo, double hi, int depth = 0) {
 /// A time at which `wrong` holds, or around which `fine` fails over the shortest interval there is; nothing if `fine`
 /// holds over all parts.
 template <class Fine, class Wrong>
-std::optional<RealMax> search(const RealMax& lo, const RealMax& hi, const Fine& fine, const Wrong& wrong) {
+std::optional<RealMax> search(const RealMax& lo, const RealMax& hi, const Fine& fine, const Wrong& wrong, int most) {
   for (const RealMax& end : {lo, hi}) {
     if (wrong(Big(end, 0.0))) return end;
   }
   std::vector<std::pair<RealMax, RealMax>> open{{lo, hi}};
-  for (int left = most_intervals; !open.empty(); --left) {
+  for (int left = most; !open.empty(); --left) {
     interruption_point();
     if (left == 0) throw SearchExhausted{};
     const auto [from, to] = open.back();
@@ -97,17 +94,17 @@ std::optional<RealMax> search(const RealMax& lo, const RealMax& hi, const Fine& 
 
 /// The same for times in the user's units.
 template <class Fine, class Wrong>
-std::optional<double> search_time(double start, double end, const Fine& fine, const Wrong& wrong) {
+std::optional<double> search_time(double start, double end, const Fine& fine, const Wrong& wrong, int most) {
   const int exponent = time_exponent(start, end);
   const auto in_units = [exponent](double t) { return RealMax(ldexp(RealTraits<RealMax>::from_double(t), -exponent)); };
-  const auto found = search(in_units(start), in_units(end), fine, wrong);
+  const auto found = search(in_units(start), in_units(end), fine, wrong, most);
   if (!found) return std::nullopt;
   return RealTraits<RealMax>::to_double(RealMax(ldexp(*found, exponent)));
 }
 
 }  // namespace
 
-std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double start, double end) {
+std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double start, double end, int most) {
   const BallPolynomial<double> quick_a = in_doubles(a), quick_b = in_doubles(b);
   const auto certain = [&](const Double& t) {
     return polynomial_value(quick_a, t).sign() != 0 || polynomial_value(quick_b, t).sign() != 0;
@@ -117,10 +114,10 @@ std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, 
   const BigPolynomial big_a(a, 0, 1, exponent), big_b(b, 0, 1, exponent);
   const auto fine = [&](const Big& t) { return big_a.over(t).sign() != 0 || big_b.over(t).sign() != 0; };
   const auto wrong = [&](const Big& t) { return !fine(t); };
-  return search_time(start, end, fine, wrong);
+  return search_time(start, end, fine, wrong, most);
 }
 
-std::optional<double> beyond_one(const Coefficients& a, double start, double end) {
+std::optional<double> beyond_one(const Coefficients& a, double start, double end, int most) {
   constexpr double bound = 1 + cosine_excess;
   const BallPolynomial<double> quick = in_doubles(a);
   const auto within = [&](const Double& t) {
@@ -135,7 +132,7 @@ std::optional<double> beyond_one(const Coefficients& a, double start, double end
     return (room.over(t) - Big(room.unit(), 0.0) * 0x1p-60).sign() <= 0;
   };
   const auto wrong = [&](const Big& t) { return beyond(below, t) || beyond(above, t); };
-  return search_time(start, end, fine, wrong);
+  return search_time(start, end, fine, wrong, most);
 }
 
 }  // namespace taut

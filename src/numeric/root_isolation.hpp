@@ -112,6 +112,7 @@ template <class Real, class Function>
 void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough = 0) {
   using B = Ball<Real>;
   for (int step = 0; step < 4000; ++step) {
+    interruption_point();
     const B whole = B::between(r.lo, r.hi);
     const B slope = f(whole).d;
     const B value = detail::value_of(f, B(whole.mid, 0.0));

@@ -83,23 +83,34 @@ Scene many_pieces() {
   return with_motion(std::move(motion), 0, 20000);
 }
 
-/// Both ends of the way into a cavity are long convex chains, and the other body is out of sight.
-Scene cavity() {
-  const int n = 4000;
-  Polygon left;
-  for (int i = 0; i <= n; ++i) {
-    const double a = (80 - 160.0 * i / n) * 3.14159265358979 / 180;
-    left.push_back({-11 + 10 * std::cos(a), 10 * std::sin(a)});
-  }
-  Polygon p = left;
-  const double x = left.back().x, y = left.back().y;
-  p.insert(p.end(), {{x - 11, y - 1}, {x - 11, y - 8}, {11 - x, y - 8}, {11 - x, y - 1}});
-  for (int i = n; i >= 0; --i) p.push_back({-left[static_cast<std::size_t>(i)].x, left[static_cast<std::size_t>(i)].y});
-  p.insert(p.end(), {{60, 30}, {60, -60}, {-60, -60}, {-60, 30}});
+/// Both sides of the way into a cavity are long convex chains, of n edges, and the other body stands beside the way:
+/// the bridge at the start has to be looked for among pairs of vertices.
+Scene cavity_of(int n) {
+  const double gap = 1.616, deep = 12.43, shift = 4.03;
+  Polygon p;
+  const auto add_side = [&](double side, int k) {
+    const double a = (80 - 160.0 * k / n) * 3.14159265358979 / 180;
+    p.push_back({side * (gap + 10 - 10 * std::cos(a)), 10 * std::sin(a) + side * shift});
+  };
+  for (int k = 0; k <= n; ++k) add_side(-1, k);
+  const double x = p.back().x, low = p.back().y - 1;
+  p.insert(p.end(), {{x - deep, low}, {x - deep, low - 8}, {deep - x, low - 8}, {deep - x, low}});
+  for (int k = n; k >= 0; --k) add_side(1, k);
+  p.insert(p.end(), {{60, 40}, {60, -60}, {-60, -60}, {-60, 40}});
   Scene scene = with_motion({{{{0}, {0, 0.1}, AngleRotation{{0, 1e-3}}}}}, 0, 1);
   scene.bodies[0].polygon = p;
-  scene.bodies[1].polygon = {{13.7, -14}, {14.3, -14}, {14, -13}};
+  scene.bodies[1].polygon.clear();
+  for (const double a : {0.3, 2.394, 4.489})
+    scene.bodies[1].polygon.push_back({10.08 + 4 * std::cos(a), -10.2 + 4 * std::sin(a)});
   return scene;
+}
+Scene cavity() { return cavity_of(100000); }
+
+/// The rest of the work passes some ten thousand points.
+TEST(InterruptionOfTheBridge, IsPossibleWhileItIsLookedFor) {
+  const Scene scene = cavity_of(4000);
+  const InterruptionScope scope(std::uint64_t{200000});
+  EXPECT_THROW(Simulation{scene}, Interrupted);
 }
 
 struct Hostile {

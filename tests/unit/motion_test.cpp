@@ -12,6 +12,7 @@
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
 #include "motion/plan_range.hpp"
+#include "motion/polynomial_search.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -413,6 +414,14 @@ TEST(MotionValidation, RefusesDirectionsThatVanishAndNoOthers) {
   moved[1] = 1e-30;
   EXPECT_NE(refusal_of_rotation(DirectionRotation{root, root}, 0, 2), "");
   EXPECT_EQ(refusal_of_rotation(DirectionRotation{root, moved}, 0, 2), "");
+}
+
+TEST(MotionValidation, AcceptsNothingThatItCouldNotSearch) {
+  EXPECT_EQ(beyond_one(chebyshev(16), -1, 1), std::nullopt);
+  EXPECT_THROW(beyond_one(chebyshev(16), -1, 1, 100), SearchExhausted);
+  const Coefficients sqrt_two{-2, 0, 1}, multiple{0, -2, 0, 1};
+  EXPECT_NE(common_zero(sqrt_two, multiple, 0, 2), std::nullopt);
+  EXPECT_THROW(common_zero(sqrt_two, multiple, 0, 2, 100), SearchExhausted);
 }
 
 TEST(MotionValidation, SmallBodiesFarAwayMayJumpByWhatDoublesRound) {
