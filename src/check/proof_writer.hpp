@@ -24,11 +24,13 @@ class ProofWriter : public RunWatcher {
   void header(proof::Shapes shapes);
   void tiling(const PlanarMap& map);
   void contact_at_start(const Session& session);
+  double about(const EngineEvent& event) const;
 
   const Scene& scene_;
   Touch touch_;
   proof::ByteWriter out_;
   std::size_t leg_ = 0;
+  const PairGeometry* geometry_ = nullptr;  ///< of the session that is watched
 };
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 // What a proof log is made of; docs/proof-format.md tells it in full.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace taut::proof {
@@ -26,5 +27,8 @@ enum class Record : std::uint8_t {
 
 /// Stands for the origin of a half-edge that is not in use.
 inline constexpr std::uint32_t unused = 0xffffffffu;
+
+/// How far from an event the time in its record may be, on a leg from `start` to `end`.
+inline double nearness(double start, double end) { return 0x1p-40 * (std::fabs(start) + std::fabs(end)); }
 
 }  // namespace taut::proof

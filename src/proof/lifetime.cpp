@@ -6,6 +6,7 @@
 #include "motion/placement.hpp"
 #include "numeric/interruption.hpp"
 #include "numeric/quadratic_bound.hpp"
+#include "proof/format.hpp"
 #include "taut/proof.hpp"
 
 namespace taut::proof {
@@ -135,7 +136,7 @@ bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
   throw Undecidable{"whether a corner lasts until an event"};
 }
 
-double Lifetimes::nearness() const { return 0x1p-40 * (std::fabs(leg().start) + std::fabs(leg().end)); }
+double Lifetimes::nearness() const { return proof::nearness(leg().start, leg().end); }
 
 Instant Lifetimes::failure(const Corner& c, double about) {
   Instant root;
