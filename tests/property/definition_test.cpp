@@ -11,11 +11,11 @@
 namespace taut::testing {
 namespace {
 
-struct Counts {
+struct Verdicts {
   int free = 0, contact = 0, overlap = 0, beyond = 0, assumed = 0;
 };
 
-void compare(const Scene& scene, Touch touch, const CheckOptions& base, Counts& counts) {
+void judge(const Scene& scene, Touch touch, const CheckOptions& base, Verdicts& counts) {
   CheckOptions options = base;
   options.touch = touch;
   const Answer answer = check(scene, options);
@@ -30,7 +30,7 @@ void compare(const Scene& scene, Touch touch, const CheckOptions& base, Counts& 
 
 TEST(Definition, RandomScenesOfAllFamilies) {
   for (const bool grid : {false, true}) {
-    Counts counts;
+    Verdicts counts;
     for (const Family family : all_families) {
       for (std::uint64_t seed = 0; seed < effort(70); ++seed) {
         SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
@@ -38,7 +38,7 @@ TEST(Definition, RandomScenesOfAllFamilies) {
         options.grid = grid;
         const Scene scene = random_scene(9000 + seed, family, options);
         if (scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size() > 30) continue;
-        for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, {}, counts);
+        for (const Touch touch : {Touch::open, Touch::closed}) judge(scene, touch, {}, counts);
       }
     }
     EXPECT_GT(counts.free, static_cast<int>(enough(100)));
