@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/cosine_pieces.hpp"
+
 namespace taut {
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
+  double from = start;
   for (const MotionPiece& piece : motion.pieces) {
     if (piece.until <= start && &piece != &motion.pieces.back()) continue;
-    out.push_back(piece);
+    for (MotionPiece& part : cut_at_extremes(piece, from, std::min(piece.until, end))) out.push_back(std::move(part));
     if (piece.until >= end) break;
+    from = piece.until;
   }
   if (out.empty()) out.emplace_back();
   out.back().until = std::numeric_limits<double>::infinity();
