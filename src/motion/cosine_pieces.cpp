@@ -14,13 +14,16 @@ double value(const Coefficients& c, double t) {
   return v;
 }
 
-/// The sign of |a| - 1, exactly.
-int excess(const Coefficients& a, double t) {
+/// |a| - 1, exactly.
+Dyadic excess(const Coefficients& a, double t) {
   Dyadic v;
   const Dyadic at = Dyadic::exact(t), one = Dyadic::exact(1);
   for (std::size_t k = a.size(); k-- > 0;) v = v * at + Dyadic::exact(a[k]);
-  return (v.sign() < 0 ? -v - one : v - one).sign();
+  return v.sign() < 0 ? -v - one : v - one;
 }
+
+/// Is |a| 1 at a double, or beyond, or so close to 1 that it must touch it beside the double?
+bool touches(const Coefficients& a, double t) { return (excess(a, t) + Dyadic(1, -90)).sign() > 0; }
 
 Coefficients derivative(const Coefficients& c) {
   Coefficients d;
@@ -68,20 +71,29 @@ std::vector<double> guesses(const Coefficients& a, double from, double to) {
   return all;
 }
 
-/// The doubles strictly between the ends at which |a| is 1, or next to which it crosses 1; in order.
+/// The doubles strictly between the ends at which |a| is 1, or next to which it crosses 1, or between which it touches
+/// 1; in order.
 std::vector<double> extremes(const Coefficients& a, double from, double to) {
   std::vector<double> found;
   const auto note = [&](double t) {
     if (from < t && t < to && std::find(found.begin(), found.end(), t) == found.end()) found.push_back(t);
   };
   for (const double guess : guesses(a, from, to)) {
-    const double before = std::nextafter(guess, -INFINITY), after = std::nextafter(guess, INFINITY);
-    for (const double t : {before, guess, after}) {
-      if (excess(a, t) == 0) note(t);
+    const double ends[] = {std::nextafter(guess, -INFINITY), guess, std::nextafter(guess, INFINITY)};
+    int sign[3];
+    for (int i = 0; i < 3; ++i) {
+      sign[i] = excess(a, ends[i]).sign();
+      if (sign[i] == 0) note(ends[i]);
     }
     // Of two neighbours on both sides of 1, the one within.
-    for (const auto& [s, t] : {std::pair(before, guess), std::pair(guess, after)}) {
-      if (excess(a, s) * excess(a, t) < 0) note(excess(a, s) < 0 ? s : t);
+    for (int i = 0; i < 2; ++i) {
+      if (sign[i] * sign[i + 1] < 0) note(sign[i] < 0 ? ends[i] : ends[i + 1]);
+    }
+    // Beside an end of the piece, that is what touches.
+    const double away = 0x1p-40 * (to - from);
+    if (sign[0] < 0 && sign[1] < 0 && sign[2] < 0 && touches(a, guess) && guess > from + away && guess < to - away) {
+      note(ends[0]);
+      note(ends[2]);
     }
   }
   std::sort(found.begin(), found.end());
@@ -105,8 +117,7 @@ std::vector<MotionPiece> cut_at_extremes(const MotionPiece& piece, double from, 
     MotionPiece part = piece;
     part.until = until;
     const double end = std::min(until, to), middle = start + (end - start) / 2;
-    if (excess(a, middle) >= 0 && excess(a, start) >= 0 && excess(a, end) >= 0)
-      part.rotation = at_rest(value(a, middle));
+    if (touches(a, start) && touches(a, middle) && touches(a, end)) part.rotation = at_rest(value(a, middle));
     pieces.push_back(part);
     start = until;
   }

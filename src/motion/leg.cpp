@@ -32,8 +32,8 @@ std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double
   for (std::size_t k = 0; k + 1 < c.size(); ++k) {
     for (std::size_t i = c.size() - 1; i-- > k;) c[i] = c[i] + c[i + 1] * at;
   }
-  if (!(c[0] - Dyadic::exact(extreme)).is_zero()) return std::nullopt;
-  SingularCosine cosine{end, extreme, 1, {}};
+  c[0] = c[0] - Dyadic::exact(extreme);
+  SingularCosine cosine{end, extreme, 0, {}};
   while (cosine.order < c.size() && c[cosine.order].is_zero()) ++cosine.order;
   if (cosine.order == c.size()) return std::nullopt;
   for (std::size_t k = cosine.order; k < c.size(); ++k) cosine.rest.push_back(ball_of<RealMax>(c[k]));

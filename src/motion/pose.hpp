@@ -31,14 +31,15 @@ struct VaryingPart {
   double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
 };
 
-/// A cosine about an end of a leg at which it is exactly 1 or -1: it is `extreme` + h^order rest(h), where h is the
-/// time from that end, and the rest is not zero there. Of odd order, the angle starts, or ends, with infinite speed.
+/// A cosine about an end of a leg at which it is 1 or -1, or nearly: it is `extreme` + h^order rest(h), where h is the
+/// time from that end, and the rest is not zero there. The order is 0 where the cosine is not quite so far. Of odd
+/// order, the angle starts, or ends, with infinite speed.
 struct SingularCosine {
   double end = 0, extreme = 1;
   std::size_t order = 1;
   std::vector<Ball<RealMax>> rest;
 };
-/// Nothing if the cosine is not exactly 1 or -1 there, or always is.
+/// Nothing if the cosine is not about 1 or -1 there, or always is.
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end);
 
 /// Its rest, rounded to a precision.
