@@ -4,11 +4,38 @@
 #include <cmath>
 
 namespace taut {
+namespace {
+
+void trim(Coefficients& c) {
+  while (!c.empty() && c.back() == 0) c.pop_back();
+}
+
+struct RotationTrimmer {
+  void operator()(NoRotation&) const {}
+  void operator()(AngleRotation& r) const { trim(r.angle); }
+  void operator()(DirectionRotation& r) const {
+    trim(r.a);
+    trim(r.b);
+  }
+  void operator()(HalfAngleRotation& r) const { trim(r.s); }
+  void operator()(CosineRotation& r) const { trim(r.a); }
+};
+
+/// The same piece without zeros at the end of polynomials, so that equal motions look alike.
+MotionPiece trimmed(MotionPiece piece) {
+  trim(piece.x);
+  trim(piece.y);
+  std::visit(RotationTrimmer{}, piece.rotation);
+  return piece;
+}
+
+}  // namespace
+
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
   for (const MotionPiece& piece : motion.pieces) {
     if (piece.until <= start && &piece != &motion.pieces.back()) continue;
-    out.push_back(piece);
+    out.push_back(trimmed(piece));
     if (piece.until >= end) break;
   }
   if (out.empty()) out.emplace_back();

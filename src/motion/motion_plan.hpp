@@ -11,6 +11,7 @@
 namespace taut {
 
 /// The pieces of a motion that matter on [start, end], at least one; the last one's `until` is infinite.
+/// Their polynomials have no zeros at the end.
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end);
 
 /// The piece that holds at t.

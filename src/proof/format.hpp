@@ -5,9 +5,11 @@
 
 namespace taut::proof {
 
-inline constexpr char magic[8] = {'t', 'a', 'u', 't', 'p', 'r', 'f', '1'};
+inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
+/// Follows the magic number. Version 1 had a checksum of 64 bits for the scene.
+inline constexpr char version = '2';
 
-/// The third byte after the magic number: which polygons the tiling surrounds.
+/// The second byte after the fingerprint: which polygons the tiling surrounds.
 enum class Shapes : std::uint8_t { inwards, outwards };
 
 /// The first byte of a record. An event has the time (f64, of the leg's parameter, within a few units in the last

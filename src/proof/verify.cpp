@@ -17,18 +17,26 @@ namespace proof {
 namespace {
 
 struct Header {
+  Fingerprint fingerprint{};
   Touch touch = Touch::open;
   Shapes shapes = Shapes::inwards;
 };
 
 Header read_header(ByteReader& in, const Scene& scene) {
   for (const char c : magic) {
-    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut, version 1");
+    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
   }
-  if (in.u64() != scene_fingerprint(scene)) throw ProofError("the log belongs to another scene");
+  if (in.u8() != static_cast<std::uint8_t>(version))
+    throw ProofError("the log is of another version of the format than 2, which this program checks: prove again");
+  Header header;
+  for (std::uint8_t& byte : header.fingerprint) byte = in.u8();
   const std::uint8_t touch = in.u8(), shapes = in.u8();
   if (touch > 1 || shapes > 1) throw ProofError("the log's header makes no sense");
-  return {touch ? Touch::closed : Touch::open, shapes ? Shapes::outwards : Shapes::inwards};
+  header.touch = touch ? Touch::closed : Touch::open;
+  header.shapes = shapes ? Shapes::outwards : Shapes::inwards;
+  if (header.fingerprint != scene_fingerprint(scene, header.touch))
+    throw ProofError("the log belongs to another scene, or to another touch mode");
+  return header;
 }
 
 class Verifier {
@@ -50,7 +58,7 @@ class Verifier {
 
   Verified run() {
     result_.touch = header_.touch;
-    result_.fingerprint = scene_fingerprint(scene_);
+    result_.fingerprint = header_.fingerprint;
     try {
       while (record()) interruption_point();
     } catch (const ProofError& error) {
