@@ -135,7 +135,8 @@ bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
   throw Undecidable{"whether a corner lasts until an event"};
 }
 
-double Lifetimes::nearness() const { return 0x1p-40 * (std::fabs(leg().start) + std::fabs(leg().end)); }
+/// The factor is no power of two, so that no bit of a time decides whether it is near enough.
+double Lifetimes::nearness() const { return 0x1.8p-40 * (std::fabs(leg().start) + std::fabs(leg().end)); }
 
 Instant Lifetimes::failure(const Corner& c, double about) {
   Instant root;

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""taut's verifier and the independent checker must say the same of hundreds of logs and of thousands of damaged ones.
+
+usage: checker_test.py PROGRAM REPOSITORY [LOGS]      PROGRAM is taut_checker_logs"""
+
+import collections
+import json
+import subprocess
+import sys
+import time
+
+from bodies import Plan
+from checker import check
+
+
+def difference(said, proved, reason):
+    """Empty if the two agree."""
+    if said["valid"] != (proved is not None):
+        return f"taut: {said.get('reason', 'valid')}; the checker: {reason or 'valid'}"
+    if not proved:
+        return ""
+    for key in ("outcome", "closed", "events"):
+        if said[key] != proved[key]:
+            return f"{key}: {said[key]} and {proved[key]}"
+    if proved["outcome"] != "contact" or proved.get("at_start"):
+        return ""
+    lo, hi = said["t"]
+    slack = 1e-15 * max(abs(lo), abs(hi))
+    if not lo - slack <= proved["t"] <= hi + slack:
+        return f"time: {said['t']} and {proved['t']}"
+    for key in ("vertex", "edge", "joint"):
+        if said[key] != proved[key]:
+            return f"{key}: {said[key]} and {proved[key]}"
+    return ""
+
+
+def main():
+    program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "400"
+    lines = subprocess.run([program, root, logs], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
+    began, counts, bad, plan, text = time.process_time(), collections.Counter(), 0, None, ""
+    for line in lines:
+        said = json.loads(line)
+        if "scene" in said:
+            plan, text = Plan(said["scene"]), line
+            continue
+        proved, reason = check(plan, bytes.fromhex(said["log"]))
+        kind = said["damage"] or "valid logs"
+        counts[kind, "accepted" if proved else "refused"] += 1
+        outcome = difference(said, proved, reason)
+        if outcome:
+            bad += 1
+            print(f"{kind}: {outcome}\n  {text[:2000]}\n  {said['log'][-400:]}")
+    for key, count in sorted(counts.items()):
+        print(*key, count)
+    valid = counts["valid logs", "accepted"]
+    print(f"{sum(counts.values())} logs, {valid} of them valid as written, {bad} differences, "
+          f"{time.process_time() - began:.1f} s")
+    return 1 if bad or valid < int(logs) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
