@@ -1,6 +1,9 @@
 #include "check/proof_writer.hpp"
 
+#include <algorithm>
+
 #include "motion/placement.hpp"
+#include "motion/precise_triple.hpp"
 #include "spacetime/first_contact.hpp"
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
@@ -12,6 +15,7 @@ using proof::Shapes;
 
 void ProofWriter::started(const Session& session) {
   if (session.overlap_at_start()) return;
+  geometry_ = &session.engine().geometry();
   if (session.contact()) return contact_at_start(session);
   header(touch_ == Touch::open ? Shapes::inwards : Shapes::outwards);
   tiling(session.engine().map());
@@ -31,8 +35,21 @@ void ProofWriter::on_event(const EngineEvent& event) {
       kind(hit ? Record::contact_second : Record::event_second);
       break;
   }
-  out_.f64(event.lo + (event.hi - event.lo) / 2);
+  out_.f64(time_of(event));
   out_.u32(event.corner.value);
+}
+
+/// The engine needs to know no more of an instant than that it comes first; a verifier wants to find it.
+double ProofWriter::time_of(const EngineEvent& event) const {
+  const Leg& leg = *event.leg;
+  const double enough = proof::nearness(leg.start, leg.end) / 8;
+  PreciseTime t = PreciseTime::between(event.lo, event.hi);
+  const PreciseTriple f(leg, *geometry_, MixedTriple::of(*geometry_, event.u, event.v, event.w));
+  for (int stage = 0; stage < precise_stages && t.ceiling() - t.floor() > enough; ++stage) {
+    f.refine(event.sign, t, stage, enough);
+  }
+  const double lo = std::max(event.lo, t.floor()), hi = std::min(event.hi, t.ceiling());
+  return lo + (hi - lo) / 2;
 }
 
 void ProofWriter::ended(const Session& session, const Answer& answer) {

@@ -1,6 +1,7 @@
 // What a proof log is made of; docs/proof-format.md tells it in full.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace taut::proof {
@@ -28,5 +29,9 @@ enum class Record : std::uint8_t {
 
 /// Stands for the origin of a half-edge that is not in use.
 inline constexpr std::uint32_t unused = 0xffffffffu;
+
+/// How far from the instant of an event its time in the log may be, on a leg from `start` to `end`. The factor is no
+/// power of two, so that no single bit of a time decides.
+inline double nearness(double start, double end) { return 0x1.8p-40 * (std::fabs(start) + std::fabs(end)); }
 
 }  // namespace taut::proof
