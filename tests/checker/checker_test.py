@@ -5,11 +5,13 @@ usage: checker_test.py PROGRAM REPOSITORY [LOGS]      PROGRAM is taut_checker_lo
 
 import collections
 import json
+import re
+import struct
 import subprocess
 import sys
 import time
 
-from bodies import Plan
+from bodies import Plan, displaced
 from checker import check
 
 
@@ -34,8 +36,24 @@ def difference(said, proved, reason):
     return ""
 
 
+def check_vectors(root):
+    """The test vectors of the specification that no command prints: displaced vertices, and what is hashed."""
+    with open(f"{root}/docs/proof-format.md", encoding="utf-8") as page:
+        text = page.read()
+    plan = Plan(json.loads(re.search(r"file: pair.json -->\n```text\n(.*?)```", text, re.S).group(1)))
+    assert "".join(re.findall(r"^`([0-9a-f]{40,})`", text, re.M)) == (b"taut scene 2\0" + plan.hashed).hex()
+    assert plan.fingerprint(0).hex() in text
+    rows = re.findall(r"^\| ([PQ]) \| (\d) \| .* \| (\w+)wards \| `(\w+)` \| `(\w+)` \|$", text, re.M)
+    assert len(rows) == 8
+    for body, vertex, side, *bits in rows:
+        ring, seed = (plan.rings[0], 1) if body == "P" else (plan.rings[1], 0x1234567)
+        _, d = displaced(ring, side == "in", seed)[int(vertex)]
+        assert [struct.pack(">d", x).hex() for x in d] == bits, (body, vertex, side)
+
+
 def main():
     program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "400"
+    check_vectors(root)
     lines = subprocess.run([program, root, logs], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     began, counts, bad, plan, text = time.process_time(), collections.Counter(), 0, None, ""
     for line in lines:
