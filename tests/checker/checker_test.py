@@ -5,6 +5,7 @@ usage: checker_test.py PROGRAM REPOSITORY [LOGS]      PROGRAM is taut_checker_lo
 
 import collections
 import json
+import os
 import re
 import struct
 import subprocess
@@ -51,9 +52,16 @@ def check_vectors(root):
         assert [struct.pack(">d", x).hex() for x in d] == bits, (body, vertex, side)
 
 
+def check_what_is_not_covered(root):
+    checker = os.path.join(os.path.dirname(os.path.abspath(__file__)), "checker.py")
+    asked = [sys.executable, checker, f"{root}/examples/rotor.json", os.devnull]
+    assert subprocess.run(asked, stdout=subprocess.DEVNULL).returncode == 3
+
+
 def main():
     program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "400"
     check_vectors(root)
+    check_what_is_not_covered(root)
     lines = subprocess.run([program, root, logs], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     began, counts, bad, plan, text = time.process_time(), collections.Counter(), 0, None, ""
     for line in lines:

@@ -56,7 +56,21 @@ void jolt(Rng& rng, Scene& scene) {
   }
 }
 
+/// Two squares that are as close as a jump between two pieces is long: often they meet on a bridge.
+Scene jump(Rng& rng) {
+  const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const double gap = rng.real(0, 2e-8), slope = rng.real(-1e-8, 1e-8), joint = rng.real(0.2, 0.8);
+  MotionPiece before, after;
+  before.x = {1 + gap, slope};
+  before.y = {rng.real(-1.5, 1.5)};
+  before.until = joint;
+  after.x = {1 + gap + rng.real(-4e-8, 4e-8), slope, rng.real(-1e-8, 1e-8)};
+  after.y = {before.y[0] + rng.real(-4e-8, 4e-8)};
+  return {0, 1, {Body{"P", square, {}}, Body{"Q", square, Motion{{before, after}}}}};
+}
+
 Scene drawn(Rng& rng, std::uint64_t number) {
+  if (number % 8 == 5) return jump(rng);
   if (number % 4 == 3) return contact_scene(number).scene;
   SceneOptions options;
   options.grid = rng.chance(0.4);
@@ -142,6 +156,15 @@ const char* damage_records(Rng& rng, std::vector<std::string>& records) {
   }
 }
 
+/// The other touch mode, with its fingerprint, or the other shapes.
+void change_claim(Rng& rng, const Scene& scene, LogParts& parts) {
+  char& touch = parts.header[40];
+  touch = rng.chance(0.5) ? 1 : 0;
+  parts.header[41] = rng.chance(0.5) ? 1 : 0;
+  const Fingerprint id = scene_fingerprint(scene, touch ? Touch::closed : Touch::open);
+  std::copy(id.begin(), id.end(), parts.header.begin() + 8);
+}
+
 void print_damaged(Rng& rng, const Scene& scene, const std::string& log) {
   LogParts parts = take_apart(log, static_cast<std::uint32_t>(vertices_of(scene)));
   const int kind = rng.below(10);
@@ -159,6 +182,10 @@ void print_damaged(Rng& rng, const Scene& scene, const std::string& log) {
     char& byte = whole[static_cast<std::size_t>(rng.below(static_cast<int>(whole.size())))];
     byte = changed(rng, byte);
     return print_log(scene, whole, "byte, not sealed");
+  }
+  if (rng.chance(0.2)) {
+    change_claim(rng, scene, parts);
+    return print_log(scene, put_together(parts), "other claim");
   }
   // After the fingerprint: it would hide everything else.
   char& byte = parts.header[40 + static_cast<std::size_t>(rng.below(static_cast<int>(parts.header.size()) - 40))];
