@@ -42,7 +42,7 @@ void ProofWriter::on_event(const EngineEvent& event) {
 /// The engine needs to know no more of an instant than that it comes first; a verifier wants to find it.
 double ProofWriter::time_of(const EngineEvent& event) const {
   const Leg& leg = *event.leg;
-  const double enough = proof::nearness(leg.start, leg.end) / 8;
+  const double enough = proof::nearness(leg.start, leg.end) / 2;
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
   const PreciseTriple f(leg, *geometry_, MixedTriple::of(*geometry_, event.u, event.v, event.w));
   for (int stage = 0; stage < precise_stages && t.ceiling() - t.floor() > enough; ++stage) {

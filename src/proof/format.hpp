@@ -30,8 +30,8 @@ enum class Record : std::uint8_t {
 /// Stands for the origin of a half-edge that is not in use.
 inline constexpr std::uint32_t unused = 0xffffffffu;
 
-/// How far from the instant of an event its time in the log may be, on a leg from `start` to `end`. The factor is no
-/// power of two, so that no single bit of a time decides.
-inline double nearness(double start, double end) { return 0x1.8p-40 * (std::fabs(start) + std::fabs(end)); }
+/// How far from the instant of an event its time in the log may be, on a leg from `start` to `end`. The factor has
+/// many digits, so that no time with a few other bits lies at the limit.
+inline double nearness(double start, double end) { return 0x1p-40 * 1.618 * (std::fabs(start) + std::fabs(end)); }
 
 }  // namespace taut::proof

@@ -4,6 +4,7 @@ import hashlib
 import math
 import struct
 from fractions import Fraction
+from itertools import zip_longest
 
 from roots import Function, sign
 
@@ -89,13 +90,13 @@ def random_between(key, lo, hi):
 
 
 def unit_of(a, b):
-    """The direction from a to b, and the length, in doubles."""
+    """The direction from a to b, in doubles."""
     x, y = b[0] - a[0], b[1] - a[1]
     m = max(abs(x), abs(y))
     x /= m
     y /= m
     scaled = math.sqrt(x * x + y * y)
-    return (x / scaled, y / scaled), scaled * m
+    return x / scaled, y / scaled
 
 
 def corner_displacement(u, w, side, seed, i):
@@ -114,8 +115,8 @@ def displaced(ring, inwards, seed):
     """Pairs (point, displacement), each two doubles."""
     out, n, side = [], len(ring), 1.0 if inwards else -1.0
     for i, v in enumerate(ring):
-        u, _ = unit_of(ring[i - 1], v)
-        w, _ = unit_of(v, ring[(i + 1) % n])
+        u = unit_of(ring[i - 1], v)
+        w = unit_of(v, ring[(i + 1) % n])
         d = corner_displacement(u, w, side, seed, i)
         out.append((v, (DELTA * d[0], DELTA * d[1])))
     return out
@@ -150,39 +151,32 @@ class Leg:
         scale = max([bodies.scale] + [exponent_of(c) for c in x + y])
         more = scale - bodies.scale
         self.points = [(a << more, b << more) for a, b in bodies.points]
-        self.dx, self.dy = ([c.numerator * ((1 << scale) // c.denominator) for c in p] for p in (x, y))
-        size = max(len(self.dx), len(self.dy), 1)
-        self.dx += [0] * (size - len(self.dx))
-        self.dy += [0] * (size - len(self.dy))
+        size = max(len(x), len(y), 1)
+        self.moves = [[int(c * (1 << scale)) for c in p] + [0] * (size - len(p)) for p in (x, y)]
         self.np = bodies.np
         self.known = {}
 
-    def of_three(self, u, v, w, dot):
-        """Of vertices in this order, not all of one body: (v - u) x (w - u), or the product with a dot."""
-        first, second, third = (u, v, w) if (u < self.np) == (v < self.np) else \
-            (v, w, u) if (v < self.np) == (w < self.np) else (w, u, v)
-        if dot:
-            return self._projection(u, v, w)
-        a, b, c = (self.points[k] for k in (first, second, third))
-        e = less(a, b)
-        sense = 1 if first < self.np else -1
-        p = [sense * (e[0] * y - e[1] * x) for x, y in zip(self.dx, self.dy)]
-        p[0] += cross(e, less(a, c))
-        return p
+    def places_at_start(self):
+        dx, dy = self.moves[0][0], self.moves[1][0]
+        return self.points[:self.np] + [(x + dx, y + dy) for x, y in self.points[self.np:]]
 
-    def _projection(self, u, v, w):
-        def difference(a, b):
-            moves = (b >= self.np) - (a >= self.np)
-            d = less(self.points[a], self.points[b])
-            x, y = [moves * c for c in self.dx], [moves * c for c in self.dy]
-            x[0] += d[0]
-            y[0] += d[1]
-            return x, y
-        (ax, ay), (bx, by) = difference(u, v), difference(u, w)
+    def difference(self, a, b):
+        """From one vertex to another: a polynomial for each coordinate."""
+        moves = (b >= self.np) - (a >= self.np)
+        d = less(self.points[a], self.points[b])
+        return [[moves * c + (d[k] if i == 0 else 0) for i, c in enumerate(p)] for k, p in enumerate(self.moves)]
+
+    def of_three(self, u, v, w, dot):
+        """(v - u) x (w - u), or the product with a dot."""
+        if not dot:  # first two of one body, whose difference is constant
+            while (u < self.np) != (v < self.np):
+                u, v, w = v, w, u
+        (ax, ay), (bx, by) = self.difference(u, v), self.difference(u, w)
         out = [0] * (2 * len(ax) - 1)
-        for i in range(len(ax)):
-            for k in range(len(ax)):
-                out[i + k] += ax[i] * bx[k] + ay[i] * by[k]
+        for i, (x, y) in enumerate(zip(ax, ay)):
+            if x or y:
+                for k in range(len(ax)):
+                    out[i + k] += x * bx[k] + y * by[k] if dot else x * by[k] - y * bx[k]
         return out
 
     def function(self, u, v, w, dot=False):
@@ -206,8 +200,7 @@ def polynomial_on(c, exponent, start, width):
 
 
 def minus(a, b):
-    size = max(len(a), len(b))
-    return [(a[k] if k < len(a) else 0) - (b[k] if k < len(b) else Fraction(0)) for k in range(size)]
+    return [x - y for x, y in zip_longest(a, b, fillvalue=Fraction(0))]
 
 
 class Bodies:
@@ -291,6 +284,5 @@ class Plan:
             after = [self.pieces[side][place[side]] for side in (0, 1)]
             if any(a.x != b.x or a.y != b.y for a, b in zip(before, after)):
                 new = relative(*place, Fraction(t), Fraction(0))
-                x, y = ([(a or [Fraction(0)])[0], ((b or [Fraction(0)])[0] - (a or [Fraction(0)])[0])]
-                        for a, b in zip(old, new))
+                x, y = ([a[0], b[0] - a[0]] for a, b in zip(old, new))
                 legs.append(Leg(0.0, 1.0, x, y, bodies, joint=t))

@@ -109,7 +109,7 @@ class Checker:
         require(count < len(f.roots), "a corner does not fail")
         now = Instant(f.roots[count], corner, count)
         width = Fraction(leg.end) - Fraction(leg.start)
-        near = Fraction(3, 2**41) * (abs(Fraction(leg.start)) + abs(Fraction(leg.end)))
+        near = Fraction(1.618) / 2**40 * (abs(Fraction(leg.start)) + abs(Fraction(leg.end)))
         for bound, side in ((-near, 1), (near, -1)):
             place = (Fraction(about) + bound - Fraction(leg.start)) / width
             if 0 < place < 1:
@@ -191,12 +191,9 @@ class Checker:
 
     def touching(self, e, f):
         require(self.closed and self.inwards and self.events == 0 and self.current == 0, "no place for this")
-        np, n = self.bodies.np, self.bodies.size
-        require(e < np <= f < n, "no such edges")
-        leg = self.plan.bodies(False).legs[0]
-        place = [leg.points[v] if v < np else (leg.points[v][0] + leg.dx[0], leg.points[v][1] + leg.dy[0])
-                 for v in (e, self.tiling.following(e), f, self.tiling.following(f))]
-        a, b, c, d = place
+        require(e < self.bodies.np <= f < self.bodies.size, "no such edges")
+        place, following = self.plan.bodies(False).legs[0].places_at_start(), self.tiling.following
+        a, b, c, d = (place[v] for v in (e, following(e), f, following(f)))
         sides = orientation(a, b, c), orientation(a, b, d), orientation(c, d, a), orientation(c, d, b)
         require(sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0, "the edges do not cross")
         return {"outcome": "contact", "at_start": True}

@@ -81,8 +81,7 @@ class Tiling:
 
     def measure(self, leg):
         """The signs of corners; angles around vertices; how often faces turn, and how many convex corners they have."""
-        place = [(x + (leg.dx[0] if v >= self.np else 0), y + (leg.dy[0] if v >= self.np else 0))
-                 for v, (x, y) in enumerate(leg.points)]
+        place = leg.places_at_start()
         around = {}
         for h in self.alive_ones():
             self.sign[h] = orientation(*(place[v] for v in self.corner(h)))
