@@ -1,4 +1,6 @@
-"""A scene in the terms of a proof: fingerprint, roles, displaced bodies, legs. See docs/proof-format.md."""
+"""A scene in the terms of a proof: fingerprint, roles, displaced bodies, legs. See docs/proof-format.md.
+
+The scene must be valid. Of the laws of the displacement only one is checked: that displaced rings are simple."""
 
 import hashlib
 import math
