@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from bodies import Plan, displaced
+from bodies import Plan, displaced, random_between
 from checker import check
 
 
@@ -50,6 +50,9 @@ def check_vectors(root):
         ring, seed = (plan.rings[0], 1) if body == "P" else (plan.rings[1], 0x1234567)
         _, d = displaced(ring, side == "in", seed)[int(vertex)]
         assert [struct.pack(">d", x).hex() for x in d] == bits, (body, vertex, side)
+    ring = [(0.0, 0.0), (0.25, 0.0), (0.5, 0.0), (0.0, 0.375)]
+    numbers = [random_between(0, 0.0, 1.0), random_between(1, 0.0, 1.0), *displaced(ring, True, 1)[1][1]]
+    assert [struct.pack(">d", x).hex() for x in numbers] == re.findall(r"(?:bits|has|dx|dy) `([0-9a-f]{16})`", text)
 
 
 def check_what_is_not_covered(root):
