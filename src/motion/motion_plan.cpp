@@ -6,26 +6,26 @@
 namespace taut {
 namespace {
 
-void trim(Coefficients& c) {
+void drop_last_zeros(Coefficients& c) {
   while (!c.empty() && c.back() == 0) c.pop_back();
 }
 
-struct RotationTrimmer {
+struct LastZerosOfRotation {
   void operator()(NoRotation&) const {}
-  void operator()(AngleRotation& r) const { trim(r.angle); }
+  void operator()(AngleRotation& r) const { drop_last_zeros(r.angle); }
   void operator()(DirectionRotation& r) const {
-    trim(r.a);
-    trim(r.b);
+    drop_last_zeros(r.a);
+    drop_last_zeros(r.b);
   }
-  void operator()(HalfAngleRotation& r) const { trim(r.s); }
-  void operator()(CosineRotation& r) const { trim(r.a); }
+  void operator()(HalfAngleRotation& r) const { drop_last_zeros(r.s); }
+  void operator()(CosineRotation& r) const { drop_last_zeros(r.a); }
 };
 
 /// The same piece without zeros at the end of polynomials, so that equal motions look alike.
-MotionPiece trimmed(MotionPiece piece) {
-  trim(piece.x);
-  trim(piece.y);
-  std::visit(RotationTrimmer{}, piece.rotation);
+MotionPiece without_last_zeros(MotionPiece piece) {
+  drop_last_zeros(piece.x);
+  drop_last_zeros(piece.y);
+  std::visit(LastZerosOfRotation{}, piece.rotation);
   return piece;
 }
 
@@ -35,7 +35,7 @@ std::vector<MotionPiece> pieces_between(const Motion& motion, double start, doub
   std::vector<MotionPiece> out;
   for (const MotionPiece& piece : motion.pieces) {
     if (piece.until <= start && &piece != &motion.pieces.back()) continue;
-    out.push_back(trimmed(piece));
+    out.push_back(without_last_zeros(piece));
     if (piece.until >= end) break;
   }
   if (out.empty()) out.emplace_back();
