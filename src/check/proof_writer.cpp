@@ -1,10 +1,8 @@
 #include "check/proof_writer.hpp"
 
-#include <algorithm>
-
+#include "motion/crossing_edges.hpp"
 #include "motion/placement.hpp"
 #include "motion/precise_triple.hpp"
-#include "spacetime/first_contact.hpp"
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
 
@@ -14,8 +12,8 @@ using proof::Record;
 using proof::Shapes;
 
 void ProofWriter::started(const Session& session) {
-  if (session.overlap_at_start()) return;
   geometry_ = &session.engine().geometry();
+  if (session.overlap_at_start()) return;
   if (session.contact()) return contact_at_start(session);
   header(touch_ == Touch::open ? Shapes::inwards : Shapes::outwards);
   tiling(session.engine().map());
@@ -35,20 +33,20 @@ void ProofWriter::on_event(const EngineEvent& event) {
       kind(hit ? Record::contact_second : Record::event_second);
       break;
   }
-  out_.f64(time_of(event));
+  out_.f64(about(event));
   out_.u32(event.corner.value);
 }
 
-/// The engine needs to know no more of an instant than that it comes first; a verifier wants to find it.
-double ProofWriter::time_of(const EngineEvent& event) const {
+/// An instant so close to the event that the verifier finds it there. Where a function is flat the engine's enclosure
+/// in doubles may be wide.
+double ProofWriter::about(const EngineEvent& event) const {
   const Leg& leg = *event.leg;
-  const double enough = proof::nearness(leg.start, leg.end) / 2;
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
-  const PreciseTriple f(leg, *geometry_, MixedTriple::of(*geometry_, event.u, event.v, event.w));
-  for (int stage = 0; stage < precise_stages && t.ceiling() - t.floor() > enough; ++stage) {
-    f.refine(event.sign, t, stage, enough);
+  if (event.hi - event.lo > proof::nearness(leg.start, leg.end)) {
+    const PreciseTriple f(leg, *geometry_, MixedTriple::of(*geometry_, event.u, event.v, event.w));
+    if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), 0)) f.refine(before, t, 0);
   }
-  const double lo = std::max(event.lo, t.floor()), hi = std::min(event.hi, t.ceiling());
+  const double lo = t.floor(), hi = t.ceiling();
   return lo + (hi - lo) / 2;
 }
 
@@ -88,13 +86,13 @@ void ProofWriter::tiling(const PlanarMap& map) {
 void ProofWriter::contact_at_start(const Session& session) {
   const PairGeometry inner = displaced_pair(session.plan(), true), outer = displaced_pair(session.plan(), false);
   const Leg& leg = session.engine().leg();
-  const auto overlap = spacetime::overlapping(outer, leg, scene_.start);
-  if (!overlap || !overlap->crossing) throw StructureError("bodies that touch without a crossing of their outlines");
+  const auto crossing = crossing_edges(Placement(outer, leg, scene_.start));
+  if (!crossing) throw StructureError("bodies that touch without a crossing of their outlines");
   header(Shapes::inwards);
   tiling(build_tiling(Placement(inner, leg, scene_.start)).map);
   kind(Record::touching);
-  out_.u32(overlap->edge_p.value);
-  out_.u32(overlap->edge_q.value);
+  out_.u32(crossing->p.value);
+  out_.u32(crossing->q.value);
 }
 
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {

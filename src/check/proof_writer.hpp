@@ -20,17 +20,17 @@ class ProofWriter : public RunWatcher {
 
  private:
   void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
-  double time_of(const EngineEvent& event) const;
   void to_leg(std::size_t leg);
   void header(proof::Shapes shapes);
   void tiling(const PlanarMap& map);
   void contact_at_start(const Session& session);
+  double about(const EngineEvent& event) const;
 
   const Scene& scene_;
-  const PairGeometry* geometry_ = nullptr;
   Touch touch_;
   proof::ByteWriter out_;
   std::size_t leg_ = 0;
+  const PairGeometry* geometry_ = nullptr;  ///< of the session that is watched
 };
 
 }  // namespace taut

@@ -272,7 +272,6 @@ void Engine::process(CertificateId id, double limit) {
   event.u = c.u;
   event.v = c.v;
   event.w = c.w;
-  event.sign = c.sign;
   event.face = map_.node(c.corner);
   if (c.sign > 0) {
     VertexId middle;

@@ -25,7 +25,6 @@ struct EngineEvent {
   const Leg* leg = nullptr;
   std::size_t leg_index = 0;
   VertexId u, v, w;
-  int sign = 0;       ///< of their orientation, before
   HalfedgeId corner;  ///< enters the corner that the repair went by
   RepairReport report;
   bool three_corners = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/crossing_edges.hpp"
 #include "motion/motion_plan.hpp"
 #include "motion/placement.hpp"
 #include "taut/error.hpp"
@@ -29,14 +30,15 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
   plan_ = plan_pair(scene, validated_facts(scene));
   build(touch == Touch::open);
   if (engine_->state() != EngineState::overlap) return;
-  const Overlap overlap = *engine_->overlap();
   if (touch == Touch::closed) {
     // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
     const PairGeometry inner = displaced_pair(plan_, true);
     const Placement placement(inner, engine_->leg(), start_);
     FreeTriangulation triangulation;
     if (!triangulate_free_space(placement, triangulation)) {
-      contact_ = witness().contact_of_crossing(overlap.edge_p, overlap.edge_q, engine_->leg(), start_);
+      const auto crossing = crossing_edges(Placement(engine_->geometry(), engine_->leg(), start_));
+      if (!crossing) throw StructureError("bodies that touch without a crossing of their outlines");
+      contact_ = witness().contact_of_crossing(crossing->p, crossing->q, engine_->leg(), start_);
       return;
     }
   }

@@ -19,28 +19,40 @@ bool same_rotation(const Rotation& a, const Rotation& b) {
   return true;
 }
 
-bool singular_at(const CosineRotation& rotation, double end) {
-  const Coefficients& a = rotation.a;
-  if (a.size() < 2) return false;
-  if (end == 0) return std::fabs(a[0]) == 1;
-  if (a.size() > 2) return false;
-  for (const double e : {1.0, -1.0}) {
-    ExactSum<4> distance;
-    distance.add(a[0]);
-    distance.add_product(a[1], end);
-    distance.add(-e);
-    if (distance.is_zero()) return true;
+std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end) {
+  if (rotation.a.size() < 2) return std::nullopt;
+  double about = 0;
+  for (std::size_t k = rotation.a.size(); k-- > 0;) about = about * end + rotation.a[k];
+  const double extreme = about > 0 ? 1 : -1;
+  if (!(std::fabs(about - extreme) < 0x1p-10)) return std::nullopt;
+  // The coefficients about the end, exactly.
+  DyadicPolynomial c;
+  const Dyadic at = Dyadic::exact(end);
+  for (const double x : rotation.a) c.push_back(Dyadic::exact(x));
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+    for (std::size_t i = c.size() - 1; i-- > k;) c[i] = c[i] + c[i + 1] * at;
+  }
+  if (!(c[0] - Dyadic::exact(extreme)).is_zero()) return std::nullopt;
+  SingularCosine cosine{end, extreme, 1, {}};
+  while (cosine.order < c.size() && c[cosine.order].is_zero()) ++cosine.order;
+  if (cosine.order == c.size()) return std::nullopt;
+  for (std::size_t k = cosine.order; k < c.size(); ++k) cosine.rest.push_back(ball_of<RealMax>(c[k]));
+  return cosine;
+}
+
+bool Leg::singular_at(double t) const {
+  for (const bool of_p : {true, false}) {
+    const SingularCosine* const cosine = singular_cosine(of_p, t);
+    if (cosine && cosine->order % 2 == 1) return true;
   }
   return false;
 }
 
-bool Leg::singular_at(double t) const {
-  if (bridge) return false;
-  for (const MotionPiece* piece : {&p, &q}) {
-    const auto* c = std::get_if<CosineRotation>(&piece->rotation);
-    if (c && taut::singular_at(*c, t)) return true;
+const SingularCosine* Leg::singular_cosine(bool of_p, double t) const {
+  for (const std::size_t i : {of_p ? 0 : 2, of_p ? 1 : 3}) {
+    if (singular_[i] && singular_[i]->end == t) return singular_[i].get();
   }
-  return false;
+  return nullptr;
 }
 
 namespace {
@@ -57,6 +69,20 @@ template <class J>
 struct Axes {
   J px, py, qx, qy;
 };
+
+/// x_P or x_Q.
+template <class J, class Time>
+void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
+  if constexpr (requires { t.direction; }) {
+    if (const SingularCosine* cosine = leg.singular_cosine(of_p, t.end)) return cosine_from_end(*cosine, t, x, y);
+  } else if constexpr (requires { t.mid; }) {
+    // The nearer end of the leg, if the cosine is singular there.
+    const bool first = t.mid - leg.start < leg.end - t.mid;
+    const SingularCosine* cosine = leg.singular_cosine(of_p, first ? leg.start : leg.end);
+    if (cosine) return cosine_near_end(*cosine, t, first ? 1.0 : -1.0, x, y);
+  }
+  rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
+}
 
 /// The difference of two polynomials: its coefficients are exact sums of two doubles, and nothing is left of what is in
 /// both.
@@ -174,8 +200,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
     return f;
   }
   Axes<J> axes;
-  if (turns(leg.p)) rotation_jet(leg.p.rotation, t, axes.px, axes.py);
-  if (turns(leg.q) && !leg.aligned) rotation_jet(leg.q.rotation, t, axes.qx, axes.qy);
+  if (turns(leg.p)) axis(leg, true, t, axes.px, axes.py);
+  if (turns(leg.q) && !leg.aligned) axis(leg, false, t, axes.qx, axes.qy);
   turning_frame(leg, axes, t, dx, dy, f);
   if (leg.pivots && !offset) add_pivots(leg, axes, f);
   f.for_qq[3] = f.for_pp[3];
@@ -285,6 +311,15 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
     exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, leg.shift.y, leg.shift.y_low,
                      leg.shift.y_rest);
     (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
+  }
+  for (const bool of_p : {true, false}) {
+    const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
+    if (!cosine) continue;
+    for (const bool at_end : {false, true}) {
+      auto singular = taut::singular_at(*cosine, at_end ? end : start);
+      if (!singular) continue;
+      leg.singular_[(of_p ? 0 : 2) + (at_end ? 1 : 0)] = std::make_shared<const SingularCosine>(std::move(*singular));
+    }
   }
   return leg;
 }

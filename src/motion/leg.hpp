@@ -67,8 +67,9 @@ struct Leg {
   static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
                       double joint);
 
-  /// Does a body turn with infinite speed at that end of the leg, in a way that TimeFromEnd makes smooth?
-  bool singular_at(double end) const;
+  /// Does a body turn with infinite speed at that end of the leg? TimeFromEnd makes it smooth.
+  bool singular_at(double t) const;
+  const SingularCosine* singular_cosine(bool of_p, double t) const;
   const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
   /// A bound of what the offsets add to a coordinate's magnitude.
   double offset_size() const {
@@ -80,6 +81,8 @@ struct Leg {
   const FrameIdentities& identities() const;
 
  private:
+  /// Of P and of Q, at the leg's start and at its end; none where there is nothing singular.
+  std::array<std::shared_ptr<const SingularCosine>, 4> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
 };
 

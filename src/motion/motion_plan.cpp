@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/cosine_pieces.hpp"
+
 namespace taut {
 namespace {
 
@@ -31,7 +33,7 @@ MotionPiece without_last_zeros(MotionPiece piece) {
 
 }  // namespace
 
-std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
+std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
   for (const MotionPiece& piece : motion.pieces) {
     if (piece.until <= start && &piece != &motion.pieces.back()) continue;
@@ -39,6 +41,17 @@ std::vector<MotionPiece> pieces_between(const Motion& motion, double start, doub
     if (piece.until >= end) break;
   }
   if (out.empty()) out.emplace_back();
+  out.back().until = std::numeric_limits<double>::infinity();
+  return out;
+}
+
+std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
+  std::vector<MotionPiece> out;
+  double from = start;
+  for (const MotionPiece& piece : given_pieces_between(motion, start, end)) {
+    for (MotionPiece& part : cut_at_extremes(piece, from, std::min(piece.until, end))) out.push_back(std::move(part));
+    from = piece.until;
+  }
   out.back().until = std::numeric_limits<double>::infinity();
   return out;
 }

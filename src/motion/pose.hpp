@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
@@ -29,54 +31,74 @@ struct VaryingPart {
   double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
 };
 
-/// A polynomial divided by t^order, the lower powers dropped.
-struct Quotient {
-  const Coefficients& whole;
-  std::size_t order;
-  std::size_t size() const { return whole.size() - order; }
-  double operator[](std::size_t k) const { return whole[k + order]; }
+/// A cosine about an end of a leg at which it is exactly 1 or -1: it is `extreme` + h^order rest(h), where h is the
+/// time from that end, and the rest is not zero there. Of odd order, the angle starts, or ends, with infinite speed.
+struct SingularCosine {
+  double end = 0, extreme = 1;
+  std::size_t order = 1;
+  std::vector<Ball<RealMax>> rest;
 };
+/// Nothing if the cosine is not exactly 1 or -1 there, or always is.
+std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end);
 
-/// Is the cosine exactly 1 or -1 at `end`, and can it be divided by the distance from there without rounding? Then the
-/// angle starts, or ends, with infinite speed.
-bool singular_at(const CosineRotation& rotation, double end);
-
-/// The lowest power of t in the polynomial, apart from its constant; 0 if there is none.
-inline std::size_t first_power(const Coefficients& a) {
-  for (std::size_t k = 1; k < a.size(); ++k) {
-    if (a[k] != 0) return k;
+/// Its rest, rounded to a precision.
+template <class Real>
+std::vector<Ball<Real>> rest_of(const SingularCosine& cosine) {
+  std::vector<Ball<Real>> rest;
+  for (const Ball<RealMax>& c : cosine.rest) {
+    const double rounding = RealTraits<RealMax>::magnitude(c.mid) * unit_roundoff<Real>();
+    rest.emplace_back(static_cast<Real>(c.mid), detail::inflate(c.rad + rounding));
   }
-  return 0;
+  return rest;
 }
 
-/// sqrt(1 - c^2) for a cosine c that is singular at that end: with c = e + h^m r, where e is 1 or -1, h = t - end and r
-/// is not zero there, it is sqrt(-e h^m r (2 + e h^m r)), and h is direction * s^2.
+template <class J>
+J power(const J& base, std::size_t exponent) {
+  J product = J::constant(1.0);
+  for (std::size_t k = 0; k < exponent; ++k) product = product * base;
+  return product;
+}
+
+/// x near such an end, after it (`direction` 1) or before it (-1), from h and its distance |h|. With c = e + h^m r the
+/// sine is sqrt(1 - c^2) = sqrt(-e h^m r (2 + e h^m r)): as good as h is known, however close that is to zero, and
+/// smooth if m is even.
 template <class J, class Real>
-void cosine_from_end(const CosineRotation& rotation, const TimeFromEnd<Real>& t, J& xx, J& xy) {
-  const double e = rotation.a[0] + t.end * (rotation.a.size() > 1 ? rotation.a[1] : 0) > 0 ? 1 : -1;
-  const std::size_t m = first_power(rotation.a);
-  xx = J::constant(e);
-  xy = J::constant(0.0);
-  if (m == 0) return;
+void cosine_about_end(const SingularCosine& cosine, const J& h, const J& rest, double direction, J& xx, J& xy) {
+  const std::size_t m = cosine.order;
+  const double e = cosine.extreme, side = m % 2 == 1 ? direction : 1;
+  const auto times = [](const J& a, double b) { return a * Ball<Real>::exact(b); };
+  const J distance = times(h, direction), change = power(h, m) * rest;
+  xx = J::constant(e) + change;
+  const J positive = times(rest * (J::constant(2.0) + times(change, e)), -e * side);
+  xy = power(distance, m / 2) * (m % 2 == 1 ? sqrt(distance * positive) : sqrt(positive));
+}
+
+/// The same as functions of time.
+template <class J, class Real>
+void cosine_near_end(const SingularCosine& cosine, const Ball<Real>& t, double direction, J& xx, J& xy) {
+  const J h = J::variable(t) - J::constant(cosine.end);
+  const J rest = J::polynomial(rest_of<Real>(cosine), t - Ball<Real>::exact(cosine.end));
+  cosine_about_end<J, Real>(cosine, h, rest, direction, xx, xy);
+}
+
+/// The same as functions of s, where h is direction * s^2: smooth, whatever the order.
+template <class J, class Real>
+void cosine_from_end(const SingularCosine& cosine, const TimeFromEnd<Real>& t, J& xx, J& xy) {
+  const double e = cosine.extreme;
+  const std::size_t m = cosine.order;
   const J s = J::variable(t.s);
-  // By singular_at(), either the end is 0 or c is linear: r is the same polynomial about both.
-  const J r = J::polynomial(Quotient{rotation.a, m}, t);
-  J distance = J::constant(1.0);  // |s|^m
-  for (std::size_t k = 0; k < m; ++k) distance = distance * s * Ball<Real>::exact(t.direction);
+  const J r = J::polynomial(rest_of<Real>(cosine), TimeFromEnd<Real>{0, t.direction, t.s});
+  const J distance = power(s * Ball<Real>::exact(t.direction), m);  // |s|^m
   const double side = m % 2 == 1 ? t.direction : 1;
   const J change = distance * distance * r * Ball<Real>::exact(side);
-  xx = xx + change;
+  xx = J::constant(e) + change;
   const J two = J::constant(2.0);
   xy = distance * sqrt(r * (two + change * Ball<Real>::exact(e)) * Ball<Real>::exact(-e * side));
 }
 
-/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>, and the time a ball or, for jets, TimeFromEnd.
+/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>, and the time a ball or TimeFromEnd.
 template <class J, class Time>
 void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
-  if constexpr (requires { t.direction; }) {
-    const auto* c = std::get_if<CosineRotation>(&rotation);
-    if (c && singular_at(*c, t.end)) return cosine_from_end(*c, t, xx, xy);
-  }
   if (const auto* r = std::get_if<AngleRotation>(&rotation)) {
     sin_cos(J::polynomial(r->angle, t), xy, xx);
   } else if (const auto* d = std::get_if<DirectionRotation>(&rotation)) {

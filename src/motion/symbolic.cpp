@@ -14,11 +14,6 @@ std::size_t place_of(const Items& items, const Same& same) {
   return static_cast<std::size_t>(std::find_if(items.begin(), items.end(), same) - items.begin());
 }
 
-Ball<Real320> ball(const Dyadic& x) {
-  const Real320 mantissa(x.mantissa());
-  return Ball<Real320>(ldexp(mantissa, x.exponent()), 0.0) * Ball<Real320>(Real320(1), 4 * unit_roundoff<Real320>());
-}
-
 const DyadicPolynomial& zero() {
   static const DyadicPolynomial none;
   return none;
@@ -47,7 +42,7 @@ std::size_t SymbolicLeg::factor_of(const DyadicPolynomial& factor) {
 int SymbolicLeg::sign_over(const DyadicPolynomial& p) const {
   BallPolynomial<Real320> balls;
   if (p.size() > balls.capacity) return 0;
-  for (const Dyadic& c : p) balls.push_back(ball(c));
+  for (const Dyadic& c : p) balls.push_back(ball_of<Real320>(c));
   constexpr int parts = 64;
   int sign = 0;
   for (int i = 0; i < parts; ++i) {

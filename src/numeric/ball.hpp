@@ -52,6 +52,16 @@ double rounding(const Real& m) {
 }
 }  // namespace detail
 
+/// A coefficient as a ball, whichever it is.
+template <class Real>
+Ball<Real> as_ball(double x) {
+  return Ball<Real>::exact(x);
+}
+template <class Real>
+const Ball<Real>& as_ball(const Ball<Real>& x) {
+  return x;
+}
+
 template <class Real>
 Ball<Real> operator-(const Ball<Real>& a) {
   return Ball<Real>(-a.mid, a.rad);

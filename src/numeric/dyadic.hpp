@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "numeric/ball.hpp"
+
 namespace taut {
 
 /// mantissa * 2^exponent. Sums, differences and products of doubles are exact.
@@ -48,6 +50,14 @@ class Dyadic {
   Integer mantissa_ = 0;
   int exponent_ = 0;
 };
+
+/// The number, rounded.
+template <class Real>
+Ball<Real> ball_of(const Dyadic& x) {
+  Ball<Real> b(Real(ldexp(Real(x.mantissa()), x.exponent())), 0.0);
+  b.rad = detail::inflate(2 * detail::rounding(b.mid));
+  return x.is_zero() ? Ball<Real>::exact(0) : b;
+}
 
 /// Coefficients, ascending, the last of which is not zero; none for zero.
 using DyadicPolynomial = std::vector<Dyadic>;

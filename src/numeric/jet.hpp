@@ -33,11 +33,11 @@ struct Jet {
   static Jet polynomial(const Coefficients& c, const Ball<Real>& t) {
     using B = Ball<Real>;
     if (c.empty()) return constant(0.0);
-    B v = B::exact(c[c.size() - 1]), d = B::exact(0), dd = B::exact(0);
+    B v = as_ball<Real>(c[c.size() - 1]), d = B::exact(0), dd = B::exact(0);
     for (std::size_t i = c.size() - 1; i-- > 0;) {
       dd = dd * t + d;
       d = d * t + v;
-      v = v * t + B::exact(c[i]);
+      v = v * t + as_ball<Real>(c[i]);
     }
     return {v, d, dd * 2.0};
   }

@@ -40,10 +40,11 @@ struct Series {
   std::array<Ball<Real>, N + 1> c;
   int terms = N + 1;
 
-  static Series constant(double x) {
+  static Series constant(double x) { return constant(Ball<Real>::exact(x)); }
+  static Series constant(const Ball<Real>& x) {
     Series s;
     s.c.fill(Ball<Real>::exact(0));
-    s.c[0] = Ball<Real>::exact(x);
+    s.c[0] = x;
     s.terms = 1;
     return s;
   }
@@ -54,7 +55,7 @@ struct Series {
     int degree = -1;
     for (std::size_t i = coefficients.size(); i-- > 0; ++degree) {
       for (int k = std::min(degree + 1, N); k > 0; --k) s.c[k] = s.c[k] * t + s.c[k - 1];
-      s.c[0] = s.c[0] * t + Ball<Real>::exact(coefficients[i]);
+      s.c[0] = s.c[0] * t + as_ball<Real>(coefficients[i]);
     }
     s.terms = std::clamp(degree + 1, 1, N + 1);
     return s;
@@ -73,10 +74,11 @@ struct Series {
   }
   /// The argument itself.
   static Series variable(const Ball<Real>& t) {
-    Series s = constant(0.0);
-    s.c[0] = t;
-    s.c[1] = Ball<Real>::exact(1);
-    s.terms = 2;
+    Series s = constant(t);
+    if constexpr (N > 0) {
+      s.c[1] = Ball<Real>::exact(1);
+      s.terms = 2;
+    }
     return s;
   }
   /// With so many terms, all of them still to be set; the rest is zero.

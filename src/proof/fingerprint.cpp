@@ -74,7 +74,7 @@ void add_body(Hasher& hash, const Body& body, const Scene& scene) {
   const Polygon& polygon = polygon_of(body);
   hash.count(polygon.size());
   for (const Point& v : polygon) hash.point(v);
-  const std::vector<MotionPiece> pieces = pieces_between(body.motion, scene.start, scene.end);
+  const std::vector<MotionPiece> pieces = given_pieces_between(body.motion, scene.start, scene.end);
   hash.count(pieces.size());
   for (const MotionPiece& piece : pieces) add_piece(hash, piece);
 }

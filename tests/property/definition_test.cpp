@@ -11,11 +11,11 @@
 namespace taut::testing {
 namespace {
 
-struct Counts {
+struct Verdicts {
   int free = 0, contact = 0, overlap = 0, beyond = 0, assumed = 0;
 };
 
-void compare(const Scene& scene, Touch touch, const CheckOptions& base, Counts& counts) {
+void judge(const Scene& scene, Touch touch, const CheckOptions& base, Verdicts& counts) {
   CheckOptions options = base;
   options.touch = touch;
   const Answer answer = check(scene, options);
@@ -30,7 +30,7 @@ void compare(const Scene& scene, Touch touch, const CheckOptions& base, Counts& 
 
 TEST(Definition, RandomScenesOfAllFamilies) {
   for (const bool grid : {false, true}) {
-    Counts counts;
+    Verdicts counts;
     for (const Family family : all_families) {
       for (std::uint64_t seed = 0; seed < effort(70); ++seed) {
         SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
@@ -38,13 +38,37 @@ TEST(Definition, RandomScenesOfAllFamilies) {
         options.grid = grid;
         const Scene scene = random_scene(9000 + seed, family, options);
         if (scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size() > 30) continue;
-        for (const Touch touch : {Touch::open, Touch::closed}) compare(scene, touch, {}, counts);
+        for (const Touch touch : {Touch::open, Touch::closed}) judge(scene, touch, {}, counts);
       }
     }
     EXPECT_GT(counts.free, static_cast<int>(enough(100)));
     EXPECT_GT(counts.contact, static_cast<int>(enough(100)));
     EXPECT_LE(counts.beyond + counts.assumed, 5);
   }
+}
+
+/// Faces on faces, corners on corners, blades, quarter turns, and paths that only graze. Disabled until a contact at
+/// the start always names features that meet.
+TEST(Definition, DISABLED_ScenesMadeOfContacts) {
+  Verdicts counts;
+  int invalid = 0;
+  CheckOptions options;
+  // A contact of high multiplicity with rotation may take long: undecided is no wrong answer.
+  options.max_seconds = 0.1;
+  for (std::uint64_t number = 0; number < effort(1500); ++number) {
+    const ContactScene s = contact_scene(number);
+    SCOPED_TRACE(s.family + ' ' + std::to_string(number));
+    try {
+      judge(s.scene, s.touch, options, counts);
+    } catch (const InputError&) {
+      ++invalid;
+    }
+  }
+  EXPECT_GT(counts.free, static_cast<int>(enough(200)));
+  EXPECT_GT(counts.contact, static_cast<int>(enough(500)));
+  EXPECT_GT(counts.overlap, static_cast<int>(enough(100)));
+  EXPECT_LT(counts.beyond, 30);
+  EXPECT_LT(invalid, 30);
 }
 
 }  // namespace

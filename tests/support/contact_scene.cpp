@@ -11,13 +11,13 @@ namespace taut::testing {
 namespace {
 
 /// Two shapes that fit, or are at least of the same lattice.
-struct Pair {
+struct FittingPair {
   Polygon p, q;
   bool sharp;
 };
 
-Pair random_pair(Rng& rng) {
-  Pair pair;
+FittingPair fitting_pair(Rng& rng) {
+  FittingPair pair;
   pair.sharp = rng.chance(0.5);
   const ShortMap map = random_map(rng, pair.sharp);
   pair.p = random_shape(rng, map);
@@ -33,7 +33,7 @@ Pair random_pair(Rng& rng) {
 
 double random_instant(Rng& rng) { return rng.pick(std::vector<double>{0, 0.5, 1, 1, 1.5, 2, 2, 3}); }
 
-Scene scene_of(const Pair& pair, double end) {
+Scene scene_of(const FittingPair& pair, double end) {
   Scene scene;
   scene.end = end;
   scene.bodies = {Body{"P", pair.p, {}}, Body{"Q", pair.q, {}}};
@@ -71,7 +71,7 @@ void move_both(Rng& rng, Scene& scene) {
 }
 
 Scene slide(Rng& rng, bool& sharp) {
-  const Pair pair = random_pair(rng);
+  const FittingPair pair = fitting_pair(rng);
   sharp = pair.sharp;
   Scene scene = scene_of(pair, rng.between(2, 4));
   meet(rng, scene, random_instant(rng));
@@ -80,8 +80,8 @@ Scene slide(Rng& rng, bool& sharp) {
 }
 
 /// One of the bodies or both turn about a vertex, which may be where they meet.
-Scene turn(Rng& rng) {
-  Scene scene = scene_of(random_pair(rng), 1);
+Scene turn_about(Rng& rng) {
+  Scene scene = scene_of(fitting_pair(rng), 1);
   if (rng.chance(0.6)) {
     meet(rng, scene, rng.below(2));
   } else {
@@ -133,7 +133,7 @@ Motion steps(Rng& rng, const Polygon& own, const Polygon& other, int count) {
 }
 
 Scene joints(Rng& rng) {
-  Pair pair = random_pair(rng);
+  FittingPair pair = fitting_pair(rng);
   const int count = rng.between(2, 4);
   Scene scene = scene_of(pair, count);
   scene.bodies[1].motion = steps(rng, pair.q, pair.p, count);
@@ -168,7 +168,7 @@ Scene graze(Rng& rng) {
 Scene cosine_ends(Rng& rng) {
   static const Coefficients cosines[] = {{1, -1}, {1, -0.5}, {0, 1},     {-1, 1},    {0, -1},       {1, 0, -1},
                                          {1, -2}, {-1, 2},   {-1, 0, 1}, {1, 0, -2}, {1, 0, 0, -1}, {0, 2, -1}};
-  Scene scene = scene_of(random_pair(rng), 1);
+  Scene scene = scene_of(fitting_pair(rng), 1);
   meet(rng, scene, rng.below(2));
   for (std::size_t b = rng.chance(0.5) ? 0 : 1; b < 2; ++b) {
     Body& body = scene.bodies[b];
@@ -194,7 +194,7 @@ ContactScene contact_scene(std::uint64_t number) {
       s.family = sharp ? "blades" : "slides";
       break;
     case 2:
-      s.scene = turn(rng);
+      s.scene = turn_about(rng);
       s.family = "turns";
       break;
     case 3:

@@ -34,7 +34,7 @@ Rational rational(Real x) {
 }
 
 template <class Real>
-bool contains(const Ball<Real>& ball, const Wide& x) {
+bool encloses(const Ball<Real>& ball, const Wide& x) {
   const Rational mid = rational(ball.mid), rad(ball.rad);
   return !Wide::of(mid + rad).before(x) && !x.before(Wide::of(mid - rad));
 }
@@ -46,7 +46,7 @@ Coefficients random_coefficients(Rng& rng, int degree, double size) {
 }
 
 /// Well defined on [0, 1].
-Rotation random_rotation(Rng& rng) {
+Rotation any_rotation(Rng& rng) {
   switch (rng.below(5)) {
     case 0:
       return NoRotation{};
@@ -64,9 +64,9 @@ Rotation random_rotation(Rng& rng) {
   }
 }
 
-MotionPiece random_piece(Rng& rng) {
+MotionPiece any_piece(Rng& rng) {
   MotionPiece piece{random_coefficients(rng, rng.below(6), 3), random_coefficients(rng, rng.below(6), 3),
-                    random_rotation(rng)};
+                    any_rotation(rng)};
   if (rng.chance(0.5)) piece.pivot = {rng.real(-5, 5), double(rng.between(-5, 5))};
   return piece;
 }
@@ -99,8 +99,8 @@ std::array<Ball<Real>, 2> seen(const Leg& leg, bool of_p, const Point& v) {
 
 template <class Real, class Part>
 void expect_part(const std::array<Ball<Real>, 2>& got, const Complex& want, const Part& part) {
-  EXPECT_TRUE(contains(got[0], part(want.x)));
-  EXPECT_TRUE(contains(got[1], part(want.y)));
+  EXPECT_TRUE(encloses(got[0], part(want.x)));
+  EXPECT_TRUE(encloses(got[1], part(want.y)));
 }
 
 /// conj(x) (q - p) in both frames, with both derivatives: by the leg's functions and by definition.
@@ -143,8 +143,8 @@ TEST(MotionFrames, ContainTheExactValues) {
   for (std::uint64_t seed = 0; seed < effort(2000); ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed + 77);
-    const MotionPiece p = random_piece(rng);
-    MotionPiece q = random_piece(rng);
+    const MotionPiece p = any_piece(rng);
+    MotionPiece q = any_piece(rng);
     if (rng.chance(0.1)) q.rotation = p.rotation;
     const exact::Poly time{Rational(0), Rational(1)};
     const auto a = BodyMotion::of(p, time, 0, 1), b = BodyMotion::of(q, time, 0, 1);
@@ -161,7 +161,7 @@ TEST(MotionFrames, OfBridgesContainTheExactValues) {
   for (std::uint64_t seed = 0; seed < effort(500); ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed + 7777);
-    const MotionPiece p = random_piece(rng), q = random_piece(rng), p_next = random_piece(rng);
+    const MotionPiece p = any_piece(rng), q = any_piece(rng), p_next = any_piece(rng);
     const double joint = rng.unit();
     const std::array<BodyMotion, 2> bodies{BodyMotion::bridge(p, p_next, joint), BodyMotion::bridge(q, q, joint)};
     const Point u{rng.real(-3, 3), rng.real(-3, 3)}, v{rng.real(-3, 3), rng.real(-3, 3)};
@@ -173,8 +173,8 @@ TEST(MotionFrames, OfBridgesContainTheExactValues) {
 template <class Real>
 void expect_trig(double x, const Wide& sine, const Wide& cosine) {
   const SinCos<Real> got = sin_cos(Ball<Real>::exact(x));
-  EXPECT_TRUE(contains(got.sin, sine)) << x;
-  EXPECT_TRUE(contains(got.cos, cosine)) << x;
+  EXPECT_TRUE(encloses(got.sin, sine)) << x;
+  EXPECT_TRUE(encloses(got.cos, cosine)) << x;
   // And closely, unless the argument is huge.
   if (std::fabs(x) < 1000) {
     EXPECT_LE(got.sin.rad, 0x1p-30) << x;

@@ -127,21 +127,23 @@ TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     const PairGeometry g = random_pair(rng);
     MotionPiece p = random_piece(rng);
     const bool at_start = rng.chance(0.5), linear = rng.chance(0.5);
-    const double e = rng.chance(0.5) ? 1 : -1, change = -e * rng.real(0.1, 0.5);
-    // |c| = 1 at the end; a linear cosine may have its end anywhere.
-    const double end = linear ? 0.75 : 0, direction = at_start ? 1 : -1, slope = direction * change;
-    // The first power that is there: with the second one the body starts at a finite speed.
-    const int order = linear || !at_start ? 1 : rng.between(1, 3);
+    const double e = rng.chance(0.5) ? 1 : -1, change = -e * rng.between(20, 100) * 0x1p-8;
+    // |c| = 1 at the end.
+    const double end = rng.chance(0.5) ? 0.75 : 0, direction = at_start ? 1 : -1;
+    // The first power that is there: with the second one the body starts at a finite speed, and nothing is singular.
+    const int order = linear ? 1 : rng.between(1, 3);
     Coefficients a{e, 0, 0, 0};
-    a[static_cast<std::size_t>(order)] = slope;
-    for (int k = order + 1; k < 4; ++k) a[static_cast<std::size_t>(k)] = rng.real(-0.05, 0.05);
-    p.rotation = CosineRotation{linear ? Coefficients{e - slope * end, slope} : a};
+    a[static_cast<std::size_t>(order)] = order % 2 == 1 ? direction * change : change;
+    for (int k = order + 1; k < 4 && !linear; ++k) a[static_cast<std::size_t>(k)] = rng.between(-12, 12) * 0x1p-8;
+    // About 0 instead of about the end: exact with coefficients of few bits.
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t power = 3; power-- > k;) a[power] -= a[power + 1] * end;
+    }
+    p.rotation = CosineRotation{a};
     const Leg leg =
         at_start ? Leg::motion(p, random_piece(rng), end, end + 1) : Leg::motion(p, random_piece(rng), end - 1, end);
-    if (!leg.singular_at(end)) {
-      EXPECT_TRUE(linear);  // rounding in e - slope * end
-      continue;
-    }
+    ASSERT_TRUE(leg.singular_cosine(true, end));
+    EXPECT_EQ(leg.singular_at(end), order % 2 == 1);
     const PreciseFunction<Real320> f(leg, g, MixedTriple::of(g, VertexId(0), VertexId(1), VertexId(6)));
     const double s = direction * rng.real(0.01, 0.9);
     const Ball<Real320> exact = Ball<Real320>::exact(s), square = exact * exact;
