@@ -109,7 +109,7 @@ class Runner:
                 file.write("\n".join(self.lines))
 
     def set_up(self):
-        for name in ("examples", "docs", "include"):
+        for name in ("examples", "docs", "include", "tests/checker"):
             shutil.copytree(os.path.join(self.root, name), os.path.join(self.folder, name))
         os.mkdir(os.path.join(self.folder, "bin"))
         for name in ("taut", "taut-verify"):

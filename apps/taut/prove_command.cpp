@@ -29,11 +29,15 @@ int run_prove(const ProveArguments& arguments) {
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
   if (proof) file.commit();
+  const std::string id = to_hex(scene_fingerprint(scene, arguments.options.touch));
   if (arguments.json) {
-    print_text(answer_json(scene, answer, arguments.options.touch, std::nullopt) + "\n");
+    std::string json = answer_json(scene, answer, arguments.options.touch, std::nullopt);
+    if (proof) json.insert(json.size() - 1, ",\"scene_sha256\":\"" + id + "\"");
+    print_text(json + "\n");
   } else {
     print_text(report(scene, answer, arguments.options.touch));
-    print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + "\n" : "  no proof was written\n");
+    print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " + id.substr(0, 16) + "\n"
+                     : "  no proof was written\n");
   }
   return exit_code(answer.outcome);
 }

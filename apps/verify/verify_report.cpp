@@ -62,8 +62,8 @@ std::string pair_text(const Scene& scene) { return scene.bodies[0].name + " x " 
 
 std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
   std::string text =
-      fmt::format("VALID  {}\n  {}\n  touch {}, {} event{}, scene {:016x}\n", pair_text(scene), claim(scene, v),
-                  to_string(v.touch), v.events, v.events == 1 ? "" : "s", v.fingerprint);
+      fmt::format("VALID  {}\n  {}\n  touch {}, {} event{}, scene {:.16}\n", pair_text(scene), claim(scene, v),
+                  to_string(v.touch), v.events, v.events == 1 ? "" : "s", to_hex(v.fingerprint));
   if (!met) text += fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
   return text;
 }
@@ -73,8 +73,8 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
                               to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)));
   if (v.contact)
     s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
-  s +=
-      fmt::format(",\"touch\":\"{}\",\"events\":{},\"scene\":\"{:016x}\"", to_string(v.touch), v.events, v.fingerprint);
+  s += fmt::format(",\"touch\":\"{}\",\"events\":{},\"scene_sha256\":\"{}\"", to_string(v.touch), v.events,
+                   to_hex(v.fingerprint));
   if (expected.any())
     s += fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met);
   return s + "}\n";

@@ -1,6 +1,8 @@
 // Proofs that can be checked by a program that knows nothing of how they were found.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -13,6 +15,9 @@ namespace taut {
 /// `undecided` run has proved; nothing useful for `overlap_at_start`. The log is written event by event, so that
 /// memory does not grow with it. Format: docs/proof-format.md. Throws InputError.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
+
+/// A SHA-256 digest.
+using Fingerprint = std::array<std::uint8_t, 32>;
 
 /// Where in the course of a motion a contact was proved.
 enum class ContactAt : std::uint8_t {
@@ -31,8 +36,8 @@ struct Verified {
   ContactAt contact_at = ContactAt::motion;
   double free_until = 0;
   std::uint64_t events = 0;
-  /// Identifies the scene's numbers: see scene_fingerprint().
-  std::uint64_t fingerprint = 0;
+  /// Identifies what was proved about: see scene_fingerprint().
+  Fingerprint fingerprint{};
 };
 
 /// The log does not prove what it claims, or belongs to another scene.
@@ -47,8 +52,12 @@ struct ProofError : std::runtime_error {
 /// src/numeric, src/geometry and src/motion can be trusted; src/tiling and src/kinetic are not used.
 Verified verify(const Scene& scene, std::istream& log);
 
-/// A hash (64-bit FNV-1a) of all numbers of a scene: time, polygons, motions; not of the names. It tells scenes apart;
-/// it is no defence against forgery, which needs none: a log is checked against the scene itself.
-std::uint64_t scene_fingerprint(const Scene& scene);
+/// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.
+/// What means nothing does not enter: names, the sign of a zero, a pivot without a rotation, zeros that are a
+/// polynomial's last coefficients, pieces of a motion outside of the scene's time.
+Fingerprint scene_fingerprint(const Scene& scene, Touch touch);
+
+/// In 64 hexadecimal digits.
+std::string to_hex(const Fingerprint& fingerprint);
 
 }  // namespace taut

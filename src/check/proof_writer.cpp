@@ -67,7 +67,8 @@ void ProofWriter::to_leg(std::size_t leg) {
 
 void ProofWriter::header(Shapes shapes) {
   for (const char c : proof::magic) out_.u8(static_cast<std::uint8_t>(c));
-  out_.u64(scene_fingerprint(scene_));
+  out_.u8(static_cast<std::uint8_t>(proof::version));
+  for (const std::uint8_t byte : scene_fingerprint(scene_, touch_)) out_.u8(byte);
   out_.u8(touch_ == Touch::closed);
   out_.u8(static_cast<std::uint8_t>(shapes));
 }

@@ -6,16 +6,52 @@
 #include "motion/cosine_pieces.hpp"
 
 namespace taut {
+namespace {
+
+void drop_last_zeros(Coefficients& c) {
+  while (!c.empty() && c.back() == 0) c.pop_back();
+}
+
+struct LastZerosOfRotation {
+  void operator()(NoRotation&) const {}
+  void operator()(AngleRotation& r) const { drop_last_zeros(r.angle); }
+  void operator()(DirectionRotation& r) const {
+    drop_last_zeros(r.a);
+    drop_last_zeros(r.b);
+  }
+  void operator()(HalfAngleRotation& r) const { drop_last_zeros(r.s); }
+  void operator()(CosineRotation& r) const { drop_last_zeros(r.a); }
+};
+
+/// The same piece without zeros at the end of polynomials, so that equal motions look alike.
+MotionPiece without_last_zeros(MotionPiece piece) {
+  drop_last_zeros(piece.x);
+  drop_last_zeros(piece.y);
+  std::visit(LastZerosOfRotation{}, piece.rotation);
+  return piece;
+}
+
+}  // namespace
+
+std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end) {
+  std::vector<MotionPiece> out;
+  for (const MotionPiece& piece : motion.pieces) {
+    if (piece.until <= start && &piece != &motion.pieces.back()) continue;
+    out.push_back(without_last_zeros(piece));
+    if (piece.until >= end) break;
+  }
+  if (out.empty()) out.emplace_back();
+  out.back().until = std::numeric_limits<double>::infinity();
+  return out;
+}
+
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
   double from = start;
-  for (const MotionPiece& piece : motion.pieces) {
-    if (piece.until <= start && &piece != &motion.pieces.back()) continue;
+  for (const MotionPiece& piece : given_pieces_between(motion, start, end)) {
     for (MotionPiece& part : cut_at_extremes(piece, from, std::min(piece.until, end))) out.push_back(std::move(part));
-    if (piece.until >= end) break;
     from = piece.until;
   }
-  if (out.empty()) out.emplace_back();
   out.back().until = std::numeric_limits<double>::infinity();
   return out;
 }

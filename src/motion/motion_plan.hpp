@@ -11,6 +11,10 @@
 namespace taut {
 
 /// The pieces of a motion that matter on [start, end], at least one; the last one's `until` is infinite.
+/// Their polynomials have no zeros at the end.
+std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end);
+
+/// The same, cut where a cosine reaches 1 or -1.
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end);
 
 /// The piece that holds at t.

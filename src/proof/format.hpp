@@ -6,9 +6,11 @@
 
 namespace taut::proof {
 
-inline constexpr char magic[8] = {'t', 'a', 'u', 't', 'p', 'r', 'f', '1'};
+inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
+/// Follows the magic number. Version 1 had a checksum of 64 bits for the scene.
+inline constexpr char version = '2';
 
-/// The third byte after the magic number: which polygons the tiling surrounds.
+/// The second byte after the fingerprint: which polygons the tiling surrounds.
 enum class Shapes : std::uint8_t { inwards, outwards };
 
 /// The first byte of a record. An event has the time (f64, of the leg's parameter, within a few units in the last
@@ -28,7 +30,8 @@ enum class Record : std::uint8_t {
 /// Stands for the origin of a half-edge that is not in use.
 inline constexpr std::uint32_t unused = 0xffffffffu;
 
-/// How far from an event the time in its record may be, on a leg from `start` to `end`.
-inline double nearness(double start, double end) { return 0x1p-40 * (std::fabs(start) + std::fabs(end)); }
+/// How far from the instant of an event its time in the log may be, on a leg from `start` to `end`. The factor has
+/// many digits, so that no time with a few other bits lies at the limit.
+inline double nearness(double start, double end) { return 0x1p-40 * 1.618 * (std::fabs(start) + std::fabs(end)); }
 
 }  // namespace taut::proof

@@ -136,8 +136,6 @@ bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
   throw Undecidable{"whether a corner lasts until an event"};
 }
 
-double Lifetimes::nearness() const { return proof::nearness(leg().start, leg().end); }
-
 Instant Lifetimes::failure(const Corner& c, double about) {
   Instant root;
   root.event = true;
@@ -156,7 +154,8 @@ Instant Lifetimes::failure(const Corner& c, double about) {
     birth.stage = stage;
     // The enclosure of the birth must end before the corner fails.
     if (!c.birth.concerns(c.u, c.v, c.w) && f.sign_at(birth, stage) != c.sign) continue;
-    const std::optional<PreciseTime> found = f.first_failure(c.sign, birth, std::min(leg().end, about + nearness()));
+    const std::optional<PreciseTime> found =
+        f.first_failure(c.sign, birth, std::min(leg().end, about + nearness(leg().start, leg().end)));
     if (!found) throw ProofError("a corner does not fail where the log says");
     root.lo = found->floor();
     root.hi = std::min(found->ceiling(), leg().end);

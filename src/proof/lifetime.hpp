@@ -53,8 +53,6 @@ class Lifetimes {
   /// The instant close to `about` at which the corner fails: for the first time since its birth if holds() says so.
   /// Throws ProofError if there is none.
   Instant failure(const Corner& corner, double about);
-  /// How far from the time in the log a failure may be.
-  double nearness() const;
   /// Does the corner keep its sign from its birth up to `until`, that included? Where its own three vertices are those
   /// of `until`: up to then, not included.
   bool holds(const Corner& corner, const Instant& until);

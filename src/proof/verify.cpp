@@ -17,18 +17,26 @@ namespace proof {
 namespace {
 
 struct Header {
+  Fingerprint fingerprint{};
   Touch touch = Touch::open;
   Shapes shapes = Shapes::inwards;
 };
 
 Header read_header(ByteReader& in, const Scene& scene) {
   for (const char c : magic) {
-    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut, version 1");
+    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
   }
-  if (in.u64() != scene_fingerprint(scene)) throw ProofError("the log belongs to another scene");
+  if (in.u8() != static_cast<std::uint8_t>(version))
+    throw ProofError("the log is of another version of the format than 2, which this program checks: prove again");
+  Header header;
+  for (std::uint8_t& byte : header.fingerprint) byte = in.u8();
   const std::uint8_t touch = in.u8(), shapes = in.u8();
   if (touch > 1 || shapes > 1) throw ProofError("the log's header makes no sense");
-  return {touch ? Touch::closed : Touch::open, shapes ? Shapes::outwards : Shapes::inwards};
+  header.touch = touch ? Touch::closed : Touch::open;
+  header.shapes = shapes ? Shapes::outwards : Shapes::inwards;
+  if (header.fingerprint != scene_fingerprint(scene, header.touch))
+    throw ProofError("the log belongs to another scene, or to another touch mode");
+  return header;
 }
 
 class Verifier {
@@ -50,7 +58,7 @@ class Verifier {
 
   Verified run() {
     result_.touch = header_.touch;
-    result_.fingerprint = scene_fingerprint(scene_);
+    result_.fingerprint = header_.fingerprint;
     try {
       while (record()) interruption_point();
     } catch (const ProofError& error) {
@@ -129,8 +137,7 @@ class Verifier {
     if (!watched_.has(h)) throw ProofError("the corner does not fail on this leg");
     const Corner corner = corner_at(h);
     const Instant now = lifetimes_.failure(corner, about);
-    const double near = lifetimes_.nearness();
-    if (!(now.lo - near <= about && about <= now.hi + near)) throw ProofError("the corner fails at another time");
+    if (!is_near(now, about)) throw ProofError("the corner fails at another time");
     if (!lifetimes_.in_order(last_, now)) throw ProofError("the event comes before the one before it");
     check_sides(corner, now, kind);
     last_ = now;
@@ -140,6 +147,14 @@ class Verifier {
     }
     change(h, now, kind);
     return true;
+  }
+
+  /// An enclosure in doubles can be wide: where it does not tell, a finer one does.
+  bool is_near(const Instant& now, double about) const {
+    const double near = nearness(leg().start, leg().end);
+    if (about - near <= now.lo && now.hi <= about + near) return true;
+    const Instant fine = lifetimes_.tightened(now);
+    return fine.lo - near <= about && about <= fine.hi + near;
   }
 
   /// The map's rules speak of what is between what.

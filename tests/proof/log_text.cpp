@@ -9,7 +9,7 @@
 namespace taut::testing {
 namespace {
 
-constexpr std::size_t fixed_header = 8 + 8 + 1 + 1;
+constexpr std::size_t fixed_header = 8 + 32 + 1 + 1;
 
 std::uint32_t u32(const std::string& s, std::size_t at) {
   std::uint32_t x = 0;

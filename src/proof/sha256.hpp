@@ -1,0 +1,27 @@
+// SHA-256, as FIPS 180-4 defines it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace taut::proof {
+
+/// Bytes go in one after the other; finish() comes last, once.
+class Sha256 {
+ public:
+  using Digest = std::array<std::uint8_t, 32>;
+
+  void add(std::uint8_t byte);
+  Digest finish();
+
+ private:
+  void compress();
+
+  std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                      0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::array<std::uint8_t, 64> block_{};
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace taut::proof
