@@ -49,7 +49,7 @@ TEST(Definition, RandomScenesOfAllFamilies) {
 
 /// Faces on faces, corners on corners, blades, quarter turns, and paths that only graze. Disabled until a contact at
 /// the start always names features that meet.
-TEST(Definition, DISABLED_ScenesMadeOfContacts) {
+TEST(Definition, ScenesMadeOfContacts) {
   Verdicts counts;
   int invalid = 0;
   CheckOptions options;

@@ -5,7 +5,7 @@
 namespace taut::testing {
 namespace {
 
-constexpr int cosines[] = {1, 0, -1, 0}, sines[] = {0, 1, 0, -1};
+constexpr int quarter_cosines[] = {1, 0, -1, 0}, quarter_sines[] = {0, 1, 0, -1};
 
 Coefficients times(double factor, Coefficients c) {
   for (double& x : c) x *= factor;
@@ -14,7 +14,7 @@ Coefficients times(double factor, Coefficients c) {
 
 /// (a, b), turned by quarters.
 DirectionRotation turned(const Coefficients& a, const Coefficients& b, int quarters) {
-  const double c = cosines[quarters], s = sines[quarters];
+  const double c = quarter_cosines[quarters], s = quarter_sines[quarters];
   return {sum(times(c, a), times(-s, b)), sum(times(s, a), times(c, b))};
 }
 

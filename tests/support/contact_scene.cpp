@@ -101,7 +101,7 @@ Scene turn_about(Rng& rng) {
 }
 
 /// Slides and quarter turns by turns, on the lattice, one in each unit of time.
-Motion steps(Rng& rng, const Polygon& own, const Polygon& other, int count) {
+Motion stepwise(Rng& rng, const Polygon& own, const Polygon& other, int count) {
   Motion motion;
   const Point pivot = rng.pick(own);
   Point at = random_way(rng, own, other);
@@ -136,8 +136,8 @@ Scene joints(Rng& rng) {
   FittingPair pair = fitting_pair(rng);
   const int count = rng.between(2, 4);
   Scene scene = scene_of(pair, count);
-  scene.bodies[1].motion = steps(rng, pair.q, pair.p, count);
-  if (rng.chance(0.4)) scene.bodies[0].motion = steps(rng, pair.p, pair.q, count);
+  scene.bodies[1].motion = stepwise(rng, pair.q, pair.p, count);
+  if (rng.chance(0.4)) scene.bodies[0].motion = stepwise(rng, pair.p, pair.q, count);
   return scene;
 }
 

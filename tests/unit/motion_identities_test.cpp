@@ -9,28 +9,28 @@
 namespace taut::testing {
 namespace {
 
-Coefficients some(Rng& rng, int n) {
+Coefficients small_coefficients(Rng& rng, int n) {
   Coefficients c;
   for (int i = 0; i < n; ++i) c.push_back(rng.between(-3, 3));
   return c;
 }
 
 /// Small whole numbers, so that identities come about by chance.
-MotionPiece random_piece(Rng& rng) {
+MotionPiece lattice_piece(Rng& rng) {
   MotionPiece piece;
-  piece.x = some(rng, rng.between(0, 2));
-  piece.y = some(rng, rng.between(0, 2));
+  piece.x = small_coefficients(rng, rng.between(0, 2));
+  piece.y = small_coefficients(rng, rng.between(0, 2));
   switch (rng.below(6)) {
     case 0:
       break;
     case 1:
-      piece.rotation = AngleRotation{some(rng, 2)};
+      piece.rotation = AngleRotation{small_coefficients(rng, 2)};
       break;
     case 2:
-      piece.rotation = DirectionRotation{{static_cast<double>(rng.between(1, 2))}, some(rng, 2)};
+      piece.rotation = DirectionRotation{{static_cast<double>(rng.between(1, 2))}, small_coefficients(rng, 2)};
       break;
     case 3:
-      piece.rotation = HalfAngleRotation{some(rng, 2)};
+      piece.rotation = HalfAngleRotation{small_coefficients(rng, 2)};
       break;
     case 4:
       piece.rotation = CosineRotation{{rng.between(-2, 2) * 0.25, rng.between(-1, 1) * 0.5}};
@@ -43,7 +43,7 @@ MotionPiece random_piece(Rng& rng) {
 }
 
 /// A triangle of each body, without displacement: all that the function is made of vanishes, or nothing does.
-PairGeometry random_points(Rng& rng) {
+PairGeometry lattice_triangles(Rng& rng) {
   std::vector<DisplacedPoint> p, q;
   for (int i = 0; i < 3; ++i) {
     p.push_back({rng.between(-2, 2) * 0.25, rng.between(-2, 2) * 0.25, 0, 0});
@@ -52,24 +52,24 @@ PairGeometry random_points(Rng& rng) {
   return {p, q};
 }
 
-using Wide = Ball<Real960>;
+using WideBall = Ball<Real960>;
 
-struct Place {
-  Wide x, y;
+struct WorldPlace {
+  WideBall x, y;
 };
 
 /// Where a point is in the world, from the pose itself.
-Place place(const MotionPiece& piece, const DisplacedPoint& v, const Wide& t) {
+WorldPlace world_place(const MotionPiece& piece, const DisplacedPoint& v, const WideBall& t) {
   const Pose<Real960> at = pose(piece, t);
-  const Wide x = Wide::exact(v.x), y = Wide::exact(v.y);
+  const WideBall x = WideBall::exact(v.x), y = WideBall::exact(v.y);
   return {at.ox.v + at.xx.v * x - at.xy.v * y, at.oy.v + at.xy.v * x + at.xx.v * y};
 }
 
 /// Zero at a few instants, to nearly all bits.
 bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const MixedTriple& triple) {
   for (const double t : {0.1, 0.37, 0.61, 0.83}) {
-    const auto at = [&](VertexId v) { return place(g.in_p(v) ? leg.p : leg.q, g.point(v), Wide::exact(t)); };
-    const Place a = at(triple.a), b = at(triple.b), c = at(triple.c);
+    const auto at = [&](VertexId v) { return world_place(g.in_p(v) ? leg.p : leg.q, g.point(v), WideBall::exact(t)); };
+    const WorldPlace a = at(triple.a), b = at(triple.b), c = at(triple.c);
     if (!(((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).magnitude() < 0x1p-800)) return false;
   }
   return true;
@@ -79,9 +79,9 @@ TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
   Rng rng(11);
   int vanish = 0, missed = 0;
   for (std::uint64_t i = 0; i < effort(8000); ++i) {
-    MotionPiece p = random_piece(rng), q = rng.chance(0.2) ? p : random_piece(rng);
+    MotionPiece p = lattice_piece(rng), q = rng.chance(0.2) ? p : lattice_piece(rng);
     if (rng.chance(0.3)) q.x = p.x, q.y = p.y;
-    const PairGeometry g = random_points(rng);
+    const PairGeometry g = lattice_triangles(rng);
     const Leg leg = Leg::motion(p, q, 0, 1);
     if (leg.translation) continue;
     const int a = rng.below(3), b = (a + 1) % 3, other = rng.below(3);
