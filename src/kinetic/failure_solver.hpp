@@ -1,4 +1,4 @@
-// When does a certificate fail? Lower bounds first, isolation only when it matters (DESIGN, section 4).
+// When does a certificate fail? Lower bounds first, isolation only when it matters.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Restoring the tiling where a certificate failed (Fig. 7 of the paper; DESIGN, section 3).
+// Restoring the tiling where a certificate failed (Fig. 7 of the paper).
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@ namespace taut {
 ///                 -- 3 (PT, too) -- 6 the tree of Q, 7 (inf_o)
 ///
 /// The paper's tree hangs T_P and T_Q below the root. The infinite face counts as one of two extra nodes, inf_i
-/// between the root and T_P or the leaf inf_o at the root, depending on where it is seen from (DESIGN, section 3).
+/// between the root and T_P or the leaf inf_o at the root, depending on where it is seen from.
 /// As the label of the infinite face itself, 5 is used: it is not a node.
 struct NodeId {
   std::uint32_t code = 0;

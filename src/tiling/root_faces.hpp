@@ -11,7 +11,7 @@ namespace taut {
 
 class Placement;
 
-/// The four states of the root (DESIGN, section 3).
+/// The four states of the root.
 enum class RootState : unsigned char { disjoint, bridged, mouth, pinched };
 const char* to_string(RootState state);
 
