@@ -74,11 +74,12 @@ std::vector<double> guesses(const Coefficients& a, double from, double to) {
 /// The doubles strictly between the ends at which |a| is 1, or next to which it crosses 1, or between which it touches
 /// 1; in order.
 std::vector<double> extremes(const Coefficients& a, double from, double to) {
-  std::vector<double> found;
+  std::vector<double> found{from, to};
   const auto note = [&](double t) {
     if (from < t && t < to && std::find(found.begin(), found.end(), t) == found.end()) found.push_back(t);
   };
-  for (const double guess : guesses(a, from, to)) {
+  const std::vector<double> all = guesses(a, from, to);
+  for (const double guess : all) {
     const double ends[] = {std::nextafter(guess, -INFINITY), guess, std::nextafter(guess, INFINITY)};
     int sign[3];
     for (int i = 0; i < 3; ++i) {
@@ -89,15 +90,17 @@ std::vector<double> extremes(const Coefficients& a, double from, double to) {
     for (int i = 0; i < 2; ++i) {
       if (sign[i] * sign[i + 1] < 0) note(sign[i] < 0 ? ends[i] : ends[i + 1]);
     }
-    // Beside an end of the piece, that is what touches.
-    const double away = 0x1p-40 * (to - from);
-    if (sign[0] < 0 && sign[1] < 0 && sign[2] < 0 && touches(a, guess) && guess > from + away && guess < to - away) {
-      note(ends[0]);
-      note(ends[2]);
-    }
+  }
+  // Beside an end of the piece, or an instant that is known, that is what touches.
+  const double beside = 0x1p-10 * (to - from);
+  for (const double guess : all) {
+    const bool known = std::any_of(found.begin(), found.end(), [&](double t) { return std::fabs(t - guess) < beside; });
+    if (known || !touches(a, guess)) continue;
+    note(std::nextafter(guess, -INFINITY));
+    note(std::nextafter(guess, INFINITY));
   }
   std::sort(found.begin(), found.end());
-  return found;
+  return {found.begin() + 1, found.end() - 1};
 }
 
 /// Not turned, or by half a turn: what the cosine says that is 1 or -1, or beyond.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -194,6 +196,7 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   }
   ClockCell& cell = store_->cells[slot];
   if (!store_->holds(slot, key)) {
+    interruption_point();
     if (&cell == last_) last_ = nullptr;
     store_->keys[slot] = key;
     cell.level = level;

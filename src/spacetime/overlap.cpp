@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/placement.hpp"
+#include "numeric/interruption.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 
@@ -81,6 +82,7 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& t
   if (apart(instant, p.node(0).box, q.node(0).box)) return std::nullopt;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
+    interruption_point();
     const auto [i, j] = stack.back();
     stack.pop_back();
     const BoxNode &a = p.node(i), &b = q.node(j);
