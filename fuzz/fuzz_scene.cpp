@@ -30,6 +30,9 @@ bool same(const Scene& a, const Scene& b) {
   return true;
 }
 
+/// For validation, in seconds: under the sanitizers, and beside other work. What has no end takes any time.
+constexpr double patience = 30;
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -46,12 +49,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scene again = parse_scene(written);
     fuzz::require(same(scene, again), "the scene that was written is another one");
     fuzz::require(write_scene(again) == written, "a scene that was read is written differently");
-    const InterruptionScope scope(nullptr, 5);
+    const InterruptionScope scope(nullptr, patience);
     validate(again);
   } catch (const InputError& error) {
     fuzz::require(!error.problem().empty(), "an error that says nothing");
   } catch (const Interrupted&) {
-    fuzz::finding("validation takes more than 5 seconds");
+    fuzz::finding("validation does not end");
   }
   return 0;
 }
