@@ -84,38 +84,13 @@ void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
   rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
 }
 
-/// The difference of two polynomials: its coefficients are exact sums of two doubles, and nothing is left of what is in
-/// both.
-template <class J, class Time>
-J difference(const Coefficients& q, const Coefficients& p, const Time& t) {
-  Coefficients hi(std::max(p.size(), q.size())), low(hi.size());
-  bool rounded = false;
-  for (std::size_t k = 0; k < hi.size(); ++k) {
-    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
-    hi[k] = d.hi;
-    low[k] = d.lo;
-    rounded = rounded || d.lo != 0;
-  }
-  const auto trimmed = [](Coefficients& c) {
-    while (!c.empty() && c.back() == 0) c.pop_back();
-  };
-  trimmed(hi);
-  trimmed(low);
-  const J difference = J::polynomial(hi, t);
-  return rounded ? difference + J::polynomial(low, t) : difference;
-}
-
 /// conj(x_P) x_Q of two bodies that turn. Where both angles are given their difference is formed first, so that what
 /// both have in common is not there to widen ranges.
 template <class J, class Time>
 void relative_turn(const Leg& leg, const Axes<J>& axes, const Time& t, J& c, J& s) {
-  const auto* p = std::get_if<AngleRotation>(&leg.p.rotation);
-  const auto* q = std::get_if<AngleRotation>(&leg.q.rotation);
-  if (p && q) {
-    sin_cos(difference<J>(q->angle, p->angle, t), s, c);
-  } else {
-    conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
-  }
+  if (!leg.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
+  const J turn = J::polynomial(leg.turn, t);
+  sin_cos(leg.turn_low.empty() ? turn : turn + J::polynomial(leg.turn_low, t), s, c);
 }
 
 /// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
@@ -281,6 +256,18 @@ void exact_difference(const std::array<double, 2>& to, const std::array<double, 
   rest = n > 2 ? sum.term(n - 3) : 0;
 }
 
+/// The difference of two polynomials, each coefficient as an exact sum of two doubles; without zeros at the end.
+void exact_difference(const Coefficients& q, const Coefficients& p, Coefficients& hi, Coefficients& low) {
+  for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k) {
+    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
+    hi.push_back(d.hi);
+    low.push_back(d.lo);
+  }
+  for (Coefficients* c : {&hi, &low}) {
+    while (!c->empty() && c->back() == 0) c->pop_back();
+  }
+}
+
 int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
   for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
     if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
@@ -298,6 +285,9 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
   leg.end = end;
   leg.translation = !turns(p) && !turns(q);
   leg.aligned = same_rotation(p.rotation, q.rotation);
+  const auto *p_angle = std::get_if<AngleRotation>(&p.rotation), *q_angle = std::get_if<AngleRotation>(&q.rotation);
+  leg.angles = p_angle && q_angle;
+  if (leg.angles) exact_difference(q_angle->angle, p_angle->angle, leg.turn, leg.turn_low);
   leg.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
   leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
   leg.shift_p = !turns(p);

@@ -54,7 +54,10 @@ struct Leg {
   bool translation = false;  ///< neither body turns
   int degree = 0;            ///< of D on a translation
   bool aligned = false;      ///< both turn alike: c = 1, s = 0
-  bool pivots = false;       ///< a body turns about a point that is not its origin
+  /// Both angles are given: the difference of the two is turn + turn_low, exactly.
+  bool angles = false;
+  Coefficients turn, turn_low;
+  bool pivots = false;  ///< a body turns about a point that is not its origin
   /// A body that does not turn absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
   /// and pivoting contacts then have coefficients that are exactly zero.
   bool shift_p = false, shift_q = false;

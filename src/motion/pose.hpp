@@ -42,13 +42,22 @@ struct SingularCosine {
 /// Nothing if the cosine is not about 1 or -1 there, or always is.
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end);
 
+/// Coefficients that are balls, without memory of their own to allocate.
+template <class Real>
+struct BallCoefficients {
+  BallPolynomial<Real> p;
+  std::size_t size() const { return p.size; }
+  bool empty() const { return p.size == 0; }
+  const Ball<Real>& operator[](std::size_t k) const { return p[k]; }
+};
+
 /// Its rest, rounded to a precision.
 template <class Real>
-std::vector<Ball<Real>> rest_of(const SingularCosine& cosine) {
-  std::vector<Ball<Real>> rest;
+BallCoefficients<Real> rest_of(const SingularCosine& cosine) {
+  BallCoefficients<Real> rest;
   for (const Ball<RealMax>& c : cosine.rest) {
     const double rounding = RealTraits<RealMax>::magnitude(c.mid) * unit_roundoff<Real>();
-    rest.emplace_back(static_cast<Real>(c.mid), detail::inflate(c.rad + rounding));
+    rest.p.push_back(Ball<Real>(static_cast<Real>(c.mid), detail::inflate(c.rad + rounding)));
   }
   return rest;
 }
