@@ -37,10 +37,19 @@ std::string headline(const Scene& scene, const Answer& answer) {
   return pair;
 }
 
+const char* const grazing_means =
+    "  grazing: how deep they are then, or whether they just touch, is below 2^-150 of their size\n";
+
 std::string witness(const Scene& scene, const Contact& contact) {
   return fmt::format("  vertex {} of {} meets {} at ({:.9g}, {:.9g})\n", contact.vertex.index,
                      scene.bodies[static_cast<std::size_t>(contact.vertex.body)].name, edge_text(scene, contact.edge),
                      contact.point.x, contact.point.y);
+}
+
+/// Of bodies that stay free.
+std::string touching(const Scene& scene, const Contact& contact) {
+  return fmt::format("  they touch, first at t = {}, but overlap by less than 2^-150 of their size\n{}",
+                     time_text(contact.time), witness(scene, contact));
 }
 
 /// What it took: events, engines, seconds.
@@ -87,6 +96,10 @@ std::string seconds_text(double seconds) {
 std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   std::string text = headline(scene, answer) + "\n";
   if (answer.contact) text += witness(scene, *answer.contact);
+  if (answer.contact && answer.contact->grazing) text += grazing_means;
+  if (answer.touching) text += touching(scene, *answer.touching);
+  if (!answer.touching_undecided.empty())
+    text += "  whether they touch was not decided: " + answer.touching_undecided + "\n";
   if (answer.outcome == Outcome::overlap_at_start) {
     return text + "  the bodies overlap already when the motion starts\n";
   }

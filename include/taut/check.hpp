@@ -50,11 +50,16 @@ struct TimeInterval {
 
 /// What touches what, where. Point and normal are approximate (a few ulps), in world coordinates at the contact.
 struct Contact {
+  /// Encloses the contact. Nearly always a few ulps wide; wider if `grazing`.
   TimeInterval time;
   Feature vertex;
   Feature edge;
   Point point;
   Point normal;  ///< unit outward normal of the edge's body at the contact
+  /// The features meet so slowly that whether they overlap or just touch is below what taut tells apart (2^-150 of the
+  /// size of the scene) for a while: `time` is that while, from when they may touch to when they certainly have
+  /// overlapped, or have parted again.
+  bool grazing = false;
 };
 
 /// How to check; the defaults are those of `taut check`.
@@ -67,6 +72,9 @@ struct CheckOptions {
   double max_seconds = 1e300;
   /// Stop with `undecided` soon after this becomes true, from a signal handler, say; may be null. Not owned.
   const std::atomic<bool>* stop = nullptr;
+  /// Where open touching gives `free` only by what is below the resolution of doubles, ask for closed touching as well,
+  /// to say whether the bodies touch: see Answer::touching.
+  bool tell_touching = true;
   /// Told of every event of the kinetic engine; may be null. Not owned.
   Tracer* tracer = nullptr;
 };
@@ -78,6 +86,11 @@ struct Answer {
   EngineChoice engine = EngineChoice::kinetic;
   /// Present for `contact`, and for nothing else.
   std::optional<Contact> contact;
+  /// With `free` and open touching: the bodies touch, here for the first time, and overlap by no more than 2^-150 of
+  /// the size of the scene. What CheckOptions::tell_touching found.
+  std::optional<Contact> touching;
+  /// Why it is not known whether there is such a contact; empty if it is.
+  std::string touching_undecided;
   /// The motion is proved free of collisions before this time.
   double free_until = 0;
   /// Of the kinetic engine; the other one has neither events nor certificates.

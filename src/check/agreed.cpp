@@ -21,6 +21,9 @@ const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
   }
   if (!decided(kinetic) || !decided(spacetime)) return nullptr;
   if (kinetic.outcome != spacetime.outcome) return "the outcomes differ";
+  if (kinetic.touching_undecided.empty() && spacetime.touching_undecided.empty() &&
+      kinetic.touching.has_value() != spacetime.touching.has_value())
+    return "one engine finds that bodies which stay free touch, the other one that they do not";
   if (!kinetic.contact) return nullptr;
   const Contact &a = *kinetic.contact, &b = *spacetime.contact;
   if (apart(a.time, b.time)) return "the times of contact differ";

@@ -13,14 +13,15 @@ bool decided(const Run& run) { return run.answer().outcome != Outcome::undecided
 }  // namespace
 
 Answer run_either(const Scene& scene, const CheckOptions& options) {
+  const auto finished = [&](const Run& run) { return with_touching(run, scene, options, run_either); };
   const std::unique_ptr<Run> spacetime = begin_spacetime(scene, options);
-  if (spacetime->work(first_effort * looks_per_event) && decided(*spacetime)) return spacetime->answer();
+  if (spacetime->work(first_effort * looks_per_event) && decided(*spacetime)) return finished(*spacetime);
   const std::unique_ptr<Run> kinetic = begin_kinetic(scene, options);
   for (std::uint64_t effort = first_effort;; effort *= 2) {
     const bool kinetic_done = kinetic->work(effort);
-    if (kinetic_done && decided(*kinetic)) return kinetic->answer();
+    if (kinetic_done && decided(*kinetic)) return finished(*kinetic);
     const bool spacetime_done = spacetime->work(2 * effort * looks_per_event);
-    if (spacetime_done && decided(*spacetime)) return spacetime->answer();
+    if (spacetime_done && decided(*spacetime)) return finished(*spacetime);
     if (!kinetic_done || !spacetime_done) continue;
     // Limits stopped both: what the one has proved free that went further.
     return kinetic->answer().free_until >= spacetime->answer().free_until ? kinetic->answer() : spacetime->answer();

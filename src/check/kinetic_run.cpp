@@ -61,6 +61,7 @@ class KineticRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
+  bool doubles_sufficed() const override { return session_ && session_->engine().doubles_sufficed(); }
 
  private:
   /// To the end, a contact, or a limit, of which the answer tells; or until the effort is spent.
@@ -114,10 +115,20 @@ std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& optio
   return std::make_unique<KineticRun>(scene, options, watcher);
 }
 
-Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
+namespace {
+
+Answer run(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
   KineticRun run(scene, options, watcher);
   run.work(UINT64_MAX);
-  return run.answer();
+  return with_touching(run, scene, options, run_kinetic);
+}
+
+}  // namespace
+
+Answer run_kinetic(const Scene& scene, const CheckOptions& options) { return run(scene, options, nullptr); }
+
+Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& watcher) {
+  return run(scene, options, &watcher);
 }
 
 }  // namespace taut

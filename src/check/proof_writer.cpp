@@ -97,7 +97,7 @@ void ProofWriter::contact_at_start(const Session& session) {
 
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
   ProofWriter writer(scene, options.touch, log);
-  return run_kinetic(scene, options, &writer);
+  return run_kinetic(scene, options, writer);
 }
 
 }  // namespace taut

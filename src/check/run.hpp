@@ -20,20 +20,30 @@ class Run {
   /// What a limit of the options stopped, or precision, is `undecided`.
   virtual bool work(std::uint64_t effort) = 0;
   virtual const Answer& answer() const = 0;
+  /// Has every sign been told by doubles, without regard to the displacement? Then both readings of touching have the
+  /// same answer.
+  virtual bool doubles_sufficed() const = 0;
 };
 
 /// The scene and the options must live as long as the run. Throw InputError.
 std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options);
 
-/// By the kinetic data structure. The watcher may be null. Throws InputError.
-Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
+/// By the kinetic data structure. Throws InputError.
+Answer run_kinetic(const Scene& scene, const CheckOptions& options);
+/// The same, watched.
+Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& watcher);
 
 /// By bounding volumes over time. Throws InputError. It has no events, and no certificates.
 Answer run_spacetime(const Scene& scene, const CheckOptions& options);
 
 /// By whichever is done first, where both work in turn, for longer and longer. Throws InputError.
 Answer run_either(const Scene& scene, const CheckOptions& options);
+
+/// The answer of a run that is done, for open touching. Where it is `free` by the displacement, `again` is asked with
+/// closed touching: see Answer::touching.
+using Question = Answer(const Scene&, const CheckOptions&);
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, Question& again);
 
 /// What both say. Throws EngineDisagreement.
 Answer agreed(const Answer& kinetic, const Answer& spacetime);

@@ -52,8 +52,8 @@ class Question {
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
 
   /// Answers for the start; true if there is more to ask.
-  bool start(Answer& answer) const {
-    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start);
+  bool start(Answer& answer) {
+    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &precise_);
     if (!overlap) return true;
     if (touch_ == Touch::closed && overlap->crossing) {
       const PairGeometry inner = displaced_pair(plan_, true);
@@ -67,15 +67,16 @@ class Question {
     return false;
   }
 
-  void run(Answer& answer) const {
+  void run(Answer& answer) {
     const SpacetimeResult found = spacetime::first_contact(geometry_, trees(), legs_);
+    precise_ += found.precise;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       answer.outcome = Outcome::free;
       answer.free_until = scene_.end;
     } else if (found.outcome == SpacetimeResult::contact) {
       answer.outcome = Outcome::contact;
-      answer.contact = witness().contact(found.vertex, found.edge, legs_[found.leg], found.lo, found.hi);
+      answer.contact = witness().contact({found.vertex, found.edge, found.lo, found.hi}, legs_[found.leg]);
       answer.contact->time.lo = std::max(answer.contact->time.lo, scene_.start);
       answer.free_until = answer.contact->time.lo;
     } else {
@@ -83,9 +84,11 @@ class Question {
     }
   }
 
+  bool doubles_sufficed() const { return precise_ == 0; }
+
  private:
   spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
-  Witness witness() const { return {plan_, geometry_}; }
+  Witness witness() const { return {plan_, geometry_, touch_ == Touch::open}; }
 
   const Scene& scene_;
   Touch touch_;
@@ -93,6 +96,7 @@ class Question {
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
+  std::uint64_t precise_ = 0;  ///< questions to multi-precision
 };
 
 /// A stretch of time that proves too much is begun again: what was found out about it is not kept.
@@ -131,6 +135,7 @@ class SpacetimeRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
+  bool doubles_sufficed() const override { return question_ && question_->doubles_sufficed(); }
 
  private:
   void give_up(const std::string& reason) {
@@ -153,7 +158,7 @@ std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& opt
 Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
   SpacetimeRun run(scene, options);
   run.work(UINT64_MAX);
-  return run.answer();
+  return with_touching(run, scene, options, run_spacetime);
 }
 
 }  // namespace taut

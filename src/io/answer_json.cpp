@@ -27,7 +27,7 @@ std::string scope_text(const Scene& scene, Touch touch) {
 }  // namespace
 
 std::string io::contact_json(const Scene& scene, const Contact& contact) {
-  return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) +
+  return ",\"t\":" + io::array_text({contact.time.lo, contact.time.hi}) + (contact.grazing ? ",\"grazing\":true" : "") +
          ",\"contact\":{\"vertex\":" + feature_text(scene, contact.vertex) +
          ",\"edge\":" + feature_text(scene, contact.edge) + ",\"point\":" + io::point_text(contact.point) +
          ",\"normal\":" + io::point_text(contact.normal) + angle_text(scene, contact) + "}";
@@ -37,6 +37,9 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing) {
   std::string s = std::string("{\"outcome\":\"") + to_string(answer.outcome) + "\"";
   if (answer.contact) s += io::contact_json(scene, *answer.contact);
+  if (answer.touching)
+    s += ",\"grazing\":true,\"touching\":{" + io::contact_json(scene, *answer.touching).substr(1) + "}";
+  if (!answer.touching_undecided.empty()) s += ",\"touching_undecided\":" + io::string_text(answer.touching_undecided);
   if (answer.outcome == Outcome::undecided) {
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }

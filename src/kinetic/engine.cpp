@@ -45,6 +45,7 @@ void Engine::build(const KnownTilings& known) {
   // set before anything is allocated again: few events of few motions do.
   expect_certificates(4 * mixed_edges() + 1024);
   add_certificates(placement);
+  start_in_doubles_ = placement.precise_calls() == 0;
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   expect_legs();

@@ -46,6 +46,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
 }
 
 void Session::build(bool inwards) {
+  inwards_ = inwards;
   engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards),
                                      make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_),
                                      static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
@@ -69,7 +70,7 @@ Point Session::world(VertexId v) const { return witness().world(v, engine_->leg(
 
 void Session::note_contact() {
   const EngineContact& found = *engine_->contact();
-  contact_ = witness().contact(found.vertex, found.edge, engine_->leg(), found.lo, found.hi);
+  contact_ = witness().contact({found.vertex, found.edge, found.lo, found.hi}, engine_->leg());
   // The start is exact: a contact found there cannot be earlier.
   contact_->time.lo = std::max(contact_->time.lo, start_);
 }

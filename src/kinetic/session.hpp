@@ -40,7 +40,7 @@ class Session : private EngineObserver {
   void on_event(const EngineEvent& event) override;
   void build(bool inwards);
   void note_contact();
-  Witness witness() const { return {plan_, engine_->geometry()}; }
+  Witness witness() const { return {plan_, engine_->geometry(), inwards_}; }
 
   double start_, end_;
   PairPlan plan_;
@@ -48,6 +48,7 @@ class Session : private EngineObserver {
   EngineObserver* observer_;
   std::unique_ptr<Engine> engine_;
   std::optional<Contact> contact_;
+  bool inwards_ = true;  ///< the displacement
   bool overlap_at_start_ = false;
 };
 

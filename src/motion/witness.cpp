@@ -51,7 +51,14 @@ Point Witness::outward_normal(VertexId edge, const Leg& leg, double parameter) c
   return {c * x - s * y, s * x + c * y};
 }
 
-Contact Witness::contact(VertexId v, VertexId e, const Leg& leg, double lo, double hi) const {
+Contact Witness::contact(const FoundContact& found, const Leg& leg) const {
+  const ContactBracket bracket = contact_bracket(plan_, geometry_, inwards_, leg, found);
+  Contact result = contact_at(found.vertex, found.edge, leg, bracket.lo, bracket.hi);
+  result.grazing = bracket.grazing;
+  return result;
+}
+
+Contact Witness::contact_at(VertexId v, VertexId e, const Leg& leg, double lo, double hi) const {
   Contact contact;
   contact.time = {leg.time(lo), leg.time(hi)};
   contact.vertex = vertex(v);
@@ -73,7 +80,7 @@ Contact Witness::contact_of_crossing(VertexId e, VertexId f, const Leg& leg, dou
   const auto* best = std::min_element(std::begin(candidates), std::end(candidates), [&](const auto& a, const auto& b) {
     return distance(a.first, a.second) < distance(b.first, b.second);
   });
-  return contact(best->first, best->second, leg, t, t);
+  return contact_at(best->first, best->second, leg, t, t);
 }
 
 }  // namespace taut

@@ -71,7 +71,7 @@ class Verifier {
 
  private:
   const Leg& leg() const { return legs_[current_]; }
-  Witness witness() const { return {plan_, geometry_}; }
+  Witness witness() const { return {plan_, geometry_, header_.shapes == Shapes::inwards}; }
 
   /// One record; false after the last.
   bool record() {
@@ -182,8 +182,8 @@ class Verifier {
     all_hold(now);
     const Instant fine = lifetimes_.tightened(now);
     const VertexId vertex = kind == Record::contact_first ? c.w : c.u;
-    result_.contact = witness().contact(vertex, map_.origin(HalfedgeId(hit.value & ~1u)), leg(), fine.lo,
-                                        std::min(fine.hi, leg().end));
+    result_.contact = witness().contact(
+        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), fine.lo, std::min(fine.hi, leg().end)}, leg());
     result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
     const bool at_start = result_.contact->time.hi <= scene_.start;
     result_.contact_at = leg().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
@@ -218,7 +218,7 @@ class Verifier {
     if (place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
         place.orientation(f, f2, e) == place.orientation(f, f2, e2))
       throw ProofError("the edges do not cross");
-    result_.contact = Witness(plan_, outer).contact_of_crossing(e, f, legs_[0], scene_.start);
+    result_.contact = Witness(plan_, outer, false).contact_of_crossing(e, f, legs_[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;

@@ -43,7 +43,9 @@ struct StartOverlap {
 };
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
-std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t);
+/// Counts how often doubles did not suffice.
+std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
+                                        std::uint64_t* precise = nullptr);
 /// The same with trees of its own.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Leg& leg, double t);
 

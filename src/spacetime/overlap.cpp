@@ -75,8 +75,10 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, d
   return overlapping(g, {p, q}, leg, t);
 }
 
-std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t) {
-  const Placement place(g, leg, t, Positions::on_demand);
+namespace {
+
+std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& trees, const Leg& leg, double t) {
+  const PairGeometry& g = place.geometry();
   const auto& [p, q] = trees;
   const Stretch instant = at_instant(leg, t);
   if (apart(instant, p.node(0).box, q.node(0).box)) return std::nullopt;
@@ -99,6 +101,16 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& t
   if (RayCount(place, VertexId(0u), q, place.pose_q(), g.np).odd()) return StartOverlap{};
   if (RayCount(place, VertexId(g.np), p, place.pose_p(), 0).odd()) return StartOverlap{};
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
+                                        std::uint64_t* precise) {
+  const Placement place(g, leg, t, Positions::on_demand);
+  const auto found = overlap_in(place, trees, leg, t);
+  if (precise) *precise += place.precise_calls();
+  return found;
 }
 
 }  // namespace taut::spacetime

@@ -50,7 +50,7 @@ std::string refutation(const Answer& answer, const Verified& v) {
 std::string prepared_difference(const SoakScene& s, const CheckOptions& options, const Answer& bare) {
   Scene scene = s.scene;
   for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
-  const Answer answer = run_kinetic(scene, options, nullptr);
+  const Answer answer = run_kinetic(scene, options);
   if (answer.outcome != bare.outcome) return "prepared shapes give another outcome";
   if (answer.events != bare.events) return "prepared shapes give another number of events";
   if (!bare.contact) return {};
@@ -84,7 +84,7 @@ std::string examine(const SoakScene& s, bool also_prepared, const Limits& limits
   std::ostringstream log;
   CountingWriter writer(s.scene, s.touch, log);
   try {
-    const Answer kinetic = run_kinetic(s.scene, options, &writer);
+    const Answer kinetic = run_kinetic(s.scene, options, writer);
     const Answer answer = agreed(kinetic, run_spacetime(s.scene, options));
     stages += writer.stages;
     tally.events += kinetic.events;

@@ -27,6 +27,8 @@ export interface Feature {
 export interface Answer {
   outcome: "free" | "contact" | "overlap_at_start" | "undecided";
   t?: [number, number];
+  /** Overlapping and touching cannot be told apart, all over t. */
+  grazing?: boolean;
   contact?: { vertex: Feature; edge: Feature; point: [number, number]; normal: [number, number] };
   free_until?: number;
   reason?: string;

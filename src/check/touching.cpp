@@ -1,0 +1,27 @@
+// Free, but touching? The two readings of one scene.
+#include "check/run.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, Question& again) {
+  Answer answer = run.answer();
+  if (answer.outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return answer;
+  // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.
+  if (run.doubles_sufficed()) return answer;
+  CheckOptions closed = options;
+  closed.touch = Touch::closed;
+  closed.tracer = nullptr;
+  try {
+    const Answer touching = again(scene, closed);
+    answer.touching = touching.contact;
+    answer.touching_undecided = touching.reason;
+    answer.run_seconds += touching.build_seconds + touching.run_seconds;
+  } catch (const InputError& refused) {
+    // Features that are too fine to be displaced outwards.
+    answer.touching_undecided = refused.what();
+  }
+  return answer;
+}
+
+}  // namespace taut
