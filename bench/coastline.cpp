@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gen/shapes.hpp"
+#include "generators/shapes.hpp"
 
 namespace taut::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "coastline.hpp"
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 
 namespace taut::bench {
 namespace {

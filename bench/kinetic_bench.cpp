@@ -4,9 +4,10 @@
 #include <exception>
 #include <memory>
 
+#include "base/errors.hpp"
 #include "bench.hpp"
 #include "families.hpp"
-#include "gen/shapes.hpp"
+#include "generators/shapes.hpp"
 #include "heap.hpp"
 #include "kinetic/session.hpp"
 #include "taut/simulation.hpp"

@@ -6,8 +6,10 @@
 
 #include "bench.hpp"
 #include "families.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/pair_plan.hpp"
+#include "motion/pieces.hpp"
+#include "pair/pair_plan.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "spacetime/first_contact.hpp"
 #include "yardstick.hpp"
 

@@ -2,12 +2,15 @@
 #include <exception>
 #include <string>
 
+#include "base/errors.hpp"
 #include "bench.hpp"
 #include "coastline.hpp"
 #include "heap.hpp"
 #include "kinetic/session.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "motion/pieces.hpp"
+#include "pair/placement.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/static_tiling.hpp"
 

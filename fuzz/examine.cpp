@@ -3,9 +3,10 @@
 #include <cctype>
 #include <sstream>
 
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "io/json_text.hpp"
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "pair/placement.hpp"
 #include "replan.hpp"
 #include "support/audit.hpp"
 #include "taut/error.hpp"

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "base/interruption.hpp"
 #include "bytes.hpp"
-#include "numeric/interruption.hpp"
 #include "proof/log_text.hpp"
 #include "proof/truth.hpp"
 #include "require.hpp"

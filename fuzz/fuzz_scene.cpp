@@ -1,8 +1,8 @@
 // Any bytes are a scene or an InputError, and a scene survives being written and read.
 #include <cmath>
 
+#include "base/interruption.hpp"
 #include "io/terminal_text.hpp"
-#include "numeric/interruption.hpp"
 #include "require.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

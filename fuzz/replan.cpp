@@ -4,11 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "examine.hpp"
 #include "kinetic/session.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "pair/placement.hpp"
 #include "support/audit.hpp"
 #include "taut/error.hpp"
 

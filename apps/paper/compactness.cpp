@@ -6,8 +6,8 @@
 #include <map>
 
 #include "coastline.hpp"
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 #include "runs.hpp"
 #include "study.hpp"
 #include "taut/separator.hpp"

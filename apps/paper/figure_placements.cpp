@@ -9,7 +9,7 @@
 
 #include "figure_tools.hpp"
 #include "kinetic/session.hpp"
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 #include "sheet.hpp"
 #include "tree_picture.hpp"
 

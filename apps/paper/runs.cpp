@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 #include "taut/separator.hpp"
 
 namespace taut::paper {

@@ -8,7 +8,7 @@
 #include "animation.hpp"
 #include "commands.hpp"
 #include "demo_scenes.hpp"
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "io/terminal_text.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "scene_argument.hpp"
 #include "taut/io.hpp"
 

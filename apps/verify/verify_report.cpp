@@ -5,10 +5,10 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/interruption.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/regular_file.hpp"
-#include "numeric/interruption.hpp"
 #include "taut/error.hpp"
 #include "taut/motions.hpp"
 #include "taut/proof.hpp"

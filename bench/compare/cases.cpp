@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "coastline.hpp"
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 #include "gshhg.hpp"
 #include "taut/io.hpp"
 

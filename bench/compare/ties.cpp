@@ -8,8 +8,8 @@
 
 #include "compare/timing.hpp"
 #include "families.hpp"
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 #include "taut/check.hpp"
 #include "taut/shape.hpp"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "coastline.hpp"
-#include "gen/generators.hpp"
-#include "gen/shapes.hpp"
+#include "generators/generators.hpp"
+#include "generators/shapes.hpp"
 #include "geometry/predicates.hpp"
 
 namespace taut::bench {

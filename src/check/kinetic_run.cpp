@@ -3,9 +3,10 @@
 #include <memory>
 #include <string>
 
+#include "base/interruption.hpp"
 #include "check/run_watcher.hpp"
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 namespace {

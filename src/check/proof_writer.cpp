@@ -1,8 +1,9 @@
 #include "check/proof_writer.hpp"
 
-#include "motion/crossing_edges.hpp"
-#include "motion/placement.hpp"
-#include "motion/precise_triple.hpp"
+#include "base/errors.hpp"
+#include "pair/crossing_edges.hpp"
+#include "pair/placement.hpp"
+#include "sign/precise_triple.hpp"
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
 

@@ -3,11 +3,14 @@
 #include <optional>
 #include <string>
 
+#include "base/interruption.hpp"
 #include "check/run.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
-#include "motion/witness.hpp"
-#include "numeric/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/placement.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
+#include "sign/witness.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut {

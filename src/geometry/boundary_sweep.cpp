@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/interruption.hpp"
 #include "geometry/predicates.hpp"
-#include "numeric/interruption.hpp"
 
 namespace taut {
 

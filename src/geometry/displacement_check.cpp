@@ -21,9 +21,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/exact_sum.hpp"
-#include "numeric/interruption.hpp"
 
 namespace taut {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geometry/ids.hpp"
-#include "motion/fast_function.hpp"
+#include "sign/fast_function.hpp"
 
 namespace taut {
 

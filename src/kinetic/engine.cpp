@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 
@@ -43,17 +44,17 @@ void Engine::build(const KnownTilings& known) {
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
   // set before anything is allocated again: few events of few motions do.
-  expect_certificates(4 * mixed_edges() + 1024);
+  reserve_certificates(4 * mixed_edges() + 1024);
   add_certificates(placement);
   start_in_doubles_ = placement.precise_calls() == 0;
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
-  expect_legs();
+  reserve_for_legs();
   enter_leg();
-  solver_.expect(active_);
+  solver_.reserve(active_);
 }
 
-void Engine::expect_certificates(std::size_t room) {
+void Engine::reserve_certificates(std::size_t room) {
   certificates_.reserve(room);
   settled_.reserve(room);
   settled_before_.reserve(room);
@@ -63,8 +64,8 @@ void Engine::expect_certificates(std::size_t room) {
   free_.reserve(room);
 }
 
-void Engine::expect_legs() {
-  if (!std::all_of(legs_.begin(), legs_.end(), LegClock::is_straight)) solver_.expect_cells();
+void Engine::reserve_for_legs() {
+  if (!std::all_of(legs_.begin(), legs_.end(), LegClock::is_straight)) solver_.reserve_cells();
 }
 
 std::size_t Engine::mixed_edges() const {
@@ -247,7 +248,7 @@ void Engine::replan(std::vector<Leg> legs) {
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
-  expect_legs();
+  reserve_for_legs();
   enter_leg();
 }
 

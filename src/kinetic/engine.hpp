@@ -7,7 +7,7 @@
 #include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
-#include "motion/plan_range.hpp"
+#include "sign/plan_range.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut {
@@ -102,7 +102,7 @@ class Engine {
   std::size_t mixed_edges() const;
   void add_certificates(const Placement& placement);
   void add_certificates_beside(HalfedgeId edge, const Placement& placement);
-  void expect_certificates(std::size_t room);
+  void reserve_certificates(std::size_t room);
   bool find_next(double limit);
   bool certainly_first(CertificateId head);
   void process(CertificateId id, double limit);
@@ -116,7 +116,7 @@ class Engine {
   Corner corner(HalfedgeId h) const;
   bool is_mixed(const Corner& c) const;
   CertificateId add_certificate(HalfedgeId h, const Corner& vertices);
-  void expect_legs();
+  void reserve_for_legs();
   void enter_leg();
   void leave_region();
   bool choose_region(double t);

@@ -7,8 +7,8 @@
 // little more than the certificates that are not settled.
 #include <algorithm>
 
+#include "base/interruption.hpp"
 #include "kinetic/engine.hpp"
-#include "numeric/interruption.hpp"
 
 namespace taut {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "kinetic/certificate.hpp"
-#include "motion/precise_time.hpp"
+#include "sign/precise_time.hpp"
 
 namespace taut {
 

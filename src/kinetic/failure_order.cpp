@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "kinetic/failure_solver.hpp"
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 

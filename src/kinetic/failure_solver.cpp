@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/fast_line.hpp"
-#include "motion/placement.hpp"
+#include "base/errors.hpp"
 #include "numeric/quadratic_bound.hpp"
+#include "pair/placement.hpp"
+#include "sign/fast_line.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut {

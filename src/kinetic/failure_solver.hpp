@@ -4,9 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "kinetic/certificate.hpp"
-#include "motion/leg_clock.hpp"
-#include "motion/precise_triple.hpp"
+#include "relative/leg_clock.hpp"
+#include "sign/precise_triple.hpp"
 
 namespace taut {
 
@@ -55,12 +56,12 @@ class FailureSolver {
 
   /// Makes room for the failure times of this many certificates, so that events allocate nothing. The memory is touched
   /// only when events coincide within double precision.
-  void expect(std::size_t certificates) {
+  void reserve(std::size_t certificates) {
     pool_.reserve(64 + certificates);
     pool_free_.reserve(64 + certificates);
   }
   /// For a leg that is not straight.
-  void expect_cells() { clock_.expect_cells(); }
+  void reserve_cells() { clock_.reserve_cells(); }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }

@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "kinetic/repair.hpp"
 #include "tiling/root_faces.hpp"
 

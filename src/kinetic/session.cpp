@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
-#include "motion/crossing_edges.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "base/errors.hpp"
+#include "motion/pieces.hpp"
+#include "pair/crossing_edges.hpp"
+#include "pair/placement.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "taut/error.hpp"
 
 namespace taut {

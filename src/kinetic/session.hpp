@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "kinetic/engine.hpp"
-#include "motion/witness.hpp"
+#include "sign/witness.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "kinetic/session.hpp"
-#include "motion/placement.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/placement.hpp"
 #include "taut/error.hpp"
 #include "tiling/geodesic_faces.hpp"
 

@@ -1,8 +1,9 @@
 // Certificates on straight translations, whose functions are lines: one division encloses the failure.
 #include <algorithm>
 
+#include "base/errors.hpp"
 #include "kinetic/failure_solver.hpp"
-#include "motion/fast_line.hpp"
+#include "sign/fast_line.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 #include "numeric/jet.hpp"
 
 namespace taut {

@@ -1,6 +1,6 @@
 #include "taut/pose.hpp"
 
-#include "motion/motion_plan.hpp"
+#include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 
 namespace taut {

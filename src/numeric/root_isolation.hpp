@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 #include "numeric/jet.hpp"
 
 namespace taut {

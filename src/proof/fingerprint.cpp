@@ -1,7 +1,8 @@
 // What is hashed, byte for byte: docs/proof-format.md.
 #include <variant>
 
-#include "motion/motion_plan.hpp"
+#include "motion/pieces.hpp"
+#include "motion/pose.hpp"
 #include "proof/bytes.hpp"
 #include "proof/sha256.hpp"
 #include "taut/proof.hpp"

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "numeric/quadratic_bound.hpp"
+#include "pair/placement.hpp"
 #include "proof/format.hpp"
 #include "taut/proof.hpp"
 

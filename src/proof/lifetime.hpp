@@ -3,8 +3,10 @@
 
 #include <memory>
 
-#include "motion/leg_clock.hpp"
-#include "motion/precise_triple.hpp"
+#include "base/errors.hpp"
+#include "relative/leg_clock.hpp"
+#include "sign/fast_function.hpp"
+#include "sign/precise_triple.hpp"
 
 namespace taut::proof {
 

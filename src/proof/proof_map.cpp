@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 
 namespace taut::proof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "motion/plan_range.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "sign/plan_range.hpp"
 
 namespace taut::proof {
 

@@ -4,12 +4,15 @@
 #include <cstring>
 #include <string>
 
-#include "motion/motion_plan.hpp"
-#include "motion/witness.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "numeric/undecided.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
 #include "proof/stretch_of_legs.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
+#include "sign/witness.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {

@@ -1,7 +1,9 @@
 #include "separator/arena.hpp"
 
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "motion/pieces.hpp"
+#include "pair/placement.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "tiling/geodesic_faces.hpp"
 
 namespace taut {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "motion/pair_plan.hpp"
+#include "pair/pair_plan.hpp"
 #include "tiling/free_triangulation.hpp"
 
 namespace taut {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
-#include "numeric/interruption.hpp"
 #include "numeric/real.hpp"
 
 namespace taut {

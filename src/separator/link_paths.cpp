@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "numeric/interruption.hpp"
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "separator/window.hpp"
 #include "tiling/root_faces.hpp"
 

@@ -5,9 +5,11 @@
 #include <map>
 #include <optional>
 
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "base/errors.hpp"
+#include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/placement.hpp"
 #include "separator/arena.hpp"
 #include "separator/curve.hpp"
 #include "separator/link_paths.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/errors.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut {

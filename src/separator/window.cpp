@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "motion/placement.hpp"
+#include "base/errors.hpp"
 #include "numeric/root_isolation.hpp"
+#include "pair/placement.hpp"
 
 namespace taut::spacetime {
 namespace {

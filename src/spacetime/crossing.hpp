@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "motion/mixed_function.hpp"
+#include "base/errors.hpp"
+#include "sign/mixed_function.hpp"
 
 namespace taut::spacetime {
 

@@ -5,8 +5,9 @@
 #include <limits>
 #include <optional>
 
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/leaf_test.hpp"
 

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/leg.hpp"
-#include "motion/pair_geometry.hpp"
+#include "base/errors.hpp"
+#include "pair/pair_geometry.hpp"
+#include "relative/leg.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut::spacetime {

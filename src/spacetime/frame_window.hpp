@@ -1,7 +1,7 @@
 // A short stretch of a leg, with bounds of everything that moves in it.
 #pragma once
 
-#include "motion/frame_model.hpp"
+#include "relative/frame_model.hpp"
 
 namespace taut::spacetime {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/pair_geometry.hpp"
+#include "pair/pair_geometry.hpp"
 #include "spacetime/stretch.hpp"
 
 namespace taut::spacetime {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 
 namespace taut::spacetime {
 namespace {

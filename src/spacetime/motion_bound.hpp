@@ -1,7 +1,7 @@
 // Distances along a direction that is fixed to one body, as functions of time, with first and second order bounds.
 #pragma once
 
-#include "motion/pair_geometry.hpp"
+#include "pair/pair_geometry.hpp"
 #include "spacetime/frame_window.hpp"
 
 namespace taut::spacetime {

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "pair/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 namespace {

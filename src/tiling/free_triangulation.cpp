@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 #include "tiling/sweep_status.hpp"
 
 namespace taut {

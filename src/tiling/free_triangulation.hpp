@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
 
 namespace taut {
 namespace {

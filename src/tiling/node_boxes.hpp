@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/displacement.hpp"
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 #include "tiling/chain_tree.hpp"
 
 namespace taut {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "motion/placement.hpp"
-#include "numeric/interruption.hpp"
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "pair/placement.hpp"
 
 namespace taut {
 

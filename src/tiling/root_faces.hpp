@@ -15,11 +15,6 @@ class Placement;
 enum class RootState : unsigned char { disjoint, bridged, mouth, pinched };
 const char* to_string(RootState state);
 
-/// An invariant of the structure does not hold: a bug, or input beyond what the rules cover.
-struct StructureError : std::logic_error {
-  using std::logic_error::logic_error;
-};
-
 /// Merges the edges that the two hulls share, marks pinch edges, adds the root's own edges, and links the two faces.
 /// `apart`: the hulls are known to have nothing in common, and the map has the infinite face around each of them.
 RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,

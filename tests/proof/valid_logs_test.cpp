@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "log_text.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"

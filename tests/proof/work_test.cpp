@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "gen/generators.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "generators/generators.hpp"
 #include "taut/proof.hpp"
 
 namespace taut {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "kinetic/session.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "motion/pieces.hpp"
+#include "pair/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "tiling/geodesic_faces.hpp"

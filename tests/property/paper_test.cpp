@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "kinetic/session.hpp"
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/check.hpp"

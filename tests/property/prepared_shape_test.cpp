@@ -7,9 +7,11 @@
 #include <thread>
 
 #include "check/run.hpp"
-#include "gen/generators.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/pair_plan.hpp"
+#include "generators/generators.hpp"
+#include "motion/pieces.hpp"
+#include "pair/pair_plan.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"

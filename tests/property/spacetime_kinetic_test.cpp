@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "kinetic/session.hpp"
-#include "motion/motion_plan.hpp"
+#include "motion/pieces.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"

@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "support/contact_scene.hpp"
 #include "support/random_scenes.hpp"
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "motion/placement.hpp"
+#include "base/errors.hpp"
+#include "pair/placement.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/prepared_tiling.hpp"
 

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "check/run.hpp"
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "taut/check.hpp"
 
 namespace taut {

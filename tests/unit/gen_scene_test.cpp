@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "unit/sampled_overlap.hpp"

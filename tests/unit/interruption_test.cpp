@@ -6,8 +6,8 @@
 #include <functional>
 #include <sstream>
 
-#include "gen/generators.hpp"
-#include "numeric/interruption.hpp"
+#include "base/interruption.hpp"
+#include "generators/generators.hpp"
 #include "support/effort.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/leg_clock.hpp"
 #include "numeric/quadratic_bound.hpp"
 #include "numeric/real.hpp"
+#include "relative/leg_clock.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 

@@ -1,9 +1,11 @@
 // Triples of vertices on straight ways.
 #pragma once
 
-#include "motion/mixed_function.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/pair_plan.hpp"
+#include "motion/pieces.hpp"
+#include "pair/pair_plan.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
+#include "sign/mixed_function.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {

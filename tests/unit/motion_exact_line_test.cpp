@@ -1,12 +1,12 @@
 // Lines in time, exactly: against the same functions in 960 bits.
-#include "motion/exact_line.hpp"
+#include "sign/exact_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "line_setting.hpp"
-#include "motion/precise_triple.hpp"
+#include "sign/precise_triple.hpp"
 
 namespace taut::testing {
 namespace {

@@ -1,10 +1,10 @@
 // Lines in time, in doubles: their bounds hold for the same functions in 960 bits.
-#include "motion/fast_line.hpp"
+#include "sign/fast_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include "line_setting.hpp"
-#include "motion/leg_clock.hpp"
+#include "relative/leg_clock.hpp"
 
 namespace taut::testing {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "motion/leg.hpp"
 #include "numeric/trig.hpp"
+#include "relative/leg.hpp"
 #include "support/effort.hpp"
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"

@@ -1,8 +1,9 @@
 // Functions that vanish at all times through identities between the motions.
 #include <gtest/gtest.h>
 
-#include "motion/frame_identities.hpp"
-#include "motion/mixed_function.hpp"
+#include "relative/frame_identities.hpp"
+#include "sign/mixed_function.hpp"
+#include "sign/vanishing.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 

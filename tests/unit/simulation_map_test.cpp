@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "gen/generators.hpp"
+#include "generators/generators.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "kinetic/session.hpp"
-#include "motion/motion_plan.hpp"
-#include "motion/placement.hpp"
+#include "motion/pieces.hpp"
+#include "pair/placement.hpp"
+#include "relative/leg.hpp"
+#include "relative/make_legs.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 #include "spacetime/motion_bound.hpp"

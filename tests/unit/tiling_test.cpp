@@ -8,7 +8,7 @@
 #include <set>
 
 #include "geometry/displacement.hpp"
-#include "motion/placement.hpp"
+#include "pair/placement.hpp"
 #include "support/rng.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/shape_tiling.hpp"

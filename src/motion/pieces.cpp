@@ -1,0 +1,116 @@
+#include "motion/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/cosine_pieces.hpp"
+#include "motion/pose.hpp"
+
+namespace taut {
+namespace {
+
+void drop_last_zeros(Coefficients& c) {
+  while (!c.empty() && c.back() == 0) c.pop_back();
+}
+
+struct LastZerosOfRotation {
+  void operator()(NoRotation&) const {}
+  void operator()(AngleRotation& r) const { drop_last_zeros(r.angle); }
+  void operator()(DirectionRotation& r) const {
+    drop_last_zeros(r.a);
+    drop_last_zeros(r.b);
+  }
+  void operator()(HalfAngleRotation& r) const { drop_last_zeros(r.s); }
+  void operator()(CosineRotation& r) const { drop_last_zeros(r.a); }
+};
+
+/// The same piece without zeros at the end of polynomials, so that equal motions look alike.
+MotionPiece without_last_zeros(MotionPiece piece) {
+  drop_last_zeros(piece.x);
+  drop_last_zeros(piece.y);
+  std::visit(LastZerosOfRotation{}, piece.rotation);
+  return piece;
+}
+
+}  // namespace
+
+std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end) {
+  std::vector<MotionPiece> out;
+  for (const MotionPiece& piece : motion.pieces) {
+    if (piece.until <= start && &piece != &motion.pieces.back()) continue;
+    out.push_back(without_last_zeros(piece));
+    if (piece.until >= end) break;
+  }
+  if (out.empty()) out.emplace_back();
+  out.back().until = std::numeric_limits<double>::infinity();
+  return out;
+}
+
+std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
+  std::vector<MotionPiece> out;
+  double from = start;
+  for (const MotionPiece& piece : given_pieces_between(motion, start, end)) {
+    for (MotionPiece& part : cut_at_extremes(piece, from, std::min(piece.until, end))) out.push_back(std::move(part));
+    from = piece.until;
+  }
+  out.back().until = std::numeric_limits<double>::infinity();
+  return out;
+}
+
+const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t) {
+  for (const MotionPiece& piece : pieces) {
+    if (t < piece.until) return piece;
+  }
+  return pieces.back();
+}
+
+MotionPiece scaled(MotionPiece piece, int exponent) {
+  for (double& c : piece.x) c = std::ldexp(c, exponent);
+  for (double& c : piece.y) c = std::ldexp(c, exponent);
+  piece.pivot = {std::ldexp(piece.pivot.x, exponent), std::ldexp(piece.pivot.y, exponent)};
+  return piece;
+}
+
+bool same_motion(const MotionPiece& a, const MotionPiece& b) {
+  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation) && pivot_of(a) == pivot_of(b);
+}
+
+double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
+  const Pose<double> a = pose(before, Ball<double>::exact(t)), b = pose(after, Ball<double>::exact(t));
+  const double ox = b.ox.v.mid - a.ox.v.mid, oy = b.oy.v.mid - a.oy.v.mid;
+  const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
+  double gap = 0;
+  for (const double x : {polygon.lo.x, polygon.hi.x}) {
+    for (const double y : {polygon.lo.y, polygon.hi.y})
+      gap = std::max(gap, length(ox + xx * x - xy * y, oy + xy * x + xx * y));
+  }
+  return gap;
+}
+
+namespace {
+
+/// The sum of the terms' magnitudes: by so many units in the last place does rounding them change the value, at most.
+double magnitude_of(const Coefficients& c, double t) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * std::fabs(t) + std::fabs(c[k]);
+  return sum;
+}
+
+/// Of all that is added up to where a piece puts a corner of the polygon's bounds.
+double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
+  const Point c = pivot_of(piece);
+  const double turned = std::max(std::fabs(polygon.lo.x), std::fabs(polygon.hi.x)) +
+                        std::max(std::fabs(polygon.lo.y), std::fabs(polygon.hi.y)) + std::fabs(c.x) + std::fabs(c.y);
+  const auto* angle = std::get_if<AngleRotation>(&piece.rotation);
+  const double turn = angle ? magnitude_of(angle->angle, t) : 0;
+  return magnitude_of(piece.x, t) + magnitude_of(piece.y, t) + turned * (1 + turn);
+}
+
+}  // namespace
+
+double joint_room(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t, double extent) {
+  return joint_tolerance * extent +
+         joint_rounding * (magnitude_of(before, polygon, t) + magnitude_of(after, polygon, t));
+}
+
+}  // namespace taut

@@ -1,0 +1,134 @@
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "base/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "motion/polynomial_search.hpp"
+#include "motion/pose.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+std::string number(double x) {
+  std::ostringstream s;
+  s.precision(17);
+  s << x;
+  return s.str();
+}
+
+class PieceCheck {
+ public:
+  PieceCheck(const MotionPiece& piece, std::string place, double start, double end)
+      : piece_(piece), place_(std::move(place)), start_(start), end_(end) {}
+
+  void run() const {
+    coefficients("x", piece_.x);
+    coefficients("y", piece_.y);
+    coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
+    if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) coefficients("rotation.angle", r->angle);
+    if (const auto* r = std::get_if<HalfAngleRotation>(&piece_.rotation)) {
+      coefficients("rotation.half_angle_tangent", r->s);
+    }
+    if (const auto* r = std::get_if<DirectionRotation>(&piece_.rotation)) direction(*r);
+    if (const auto* r = std::get_if<CosineRotation>(&piece_.rotation)) cosine(*r);
+  }
+
+ private:
+  void coefficients(const char* what, const Coefficients& c) const {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      if (!std::isfinite(c[i]))
+        throw InputError(place_, std::string(what) + "[" + std::to_string(i) + "] is not a finite number");
+      if (std::fabs(c[i]) > 0x1p400 || (c[i] != 0 && std::fabs(c[i]) < 0x1p-400))
+        throw InputError(place_,
+                         std::string(what) + "[" + std::to_string(i) + "] = " + number(c[i]) +
+                             " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
+                         "choose other units");
+    }
+    if (c.size() > max_degree + 1)
+      throw InputError(place_, std::string(what) + " has degree " + std::to_string(c.size() - 1),
+                       "the highest degree supported is " + std::to_string(max_degree));
+  }
+
+  void direction(const DirectionRotation& r) const {
+    coefficients("rotation.direction.a", r.a);
+    coefficients("rotation.direction.b", r.b);
+    if (const auto t = searched([&] { return common_zero(r.a, r.b, start_, end_); })) {
+      throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
+                       "a direction must have a length at all times of its piece");
+    }
+  }
+
+  void cosine(const CosineRotation& r) const {
+    coefficients("rotation.cosine", r.a);
+    if (const auto t = searched([&] { return beyond_one(r.a, start_, end_); })) {
+      throw InputError(place_,
+                       "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
+                           number(Jet<double>::polynomial(r.a, Ball<double>::exact(*t)).v.mid),
+                       "a cosine must stay within [-1, 1] at all times of its piece");
+    }
+  }
+
+  /// What a search finds. One that did not come to an end has shown nothing, and nothing is accepted on its account.
+  template <class Search>
+  std::optional<double> searched(const Search& search) const {
+    try {
+      return search();
+    } catch (const SearchExhausted&) {
+      throw InputError(place_, "the rotation is too intricate to tell whether it is well defined",
+                       "divide the motion into pieces, or lower the degree");
+    }
+  }
+
+  const MotionPiece& piece_;
+  std::string place_;
+  double start_, end_;
+};
+
+}  // namespace
+
+void validate_motion(const Motion& motion, const std::string& body, const Bounds& polygon, double start, double end,
+                     double extent) {
+  const std::size_t n = motion.pieces.size();
+  const auto place = [&](std::size_t i) {
+    return body + ": motion" + (n > 1 ? " piece " + std::to_string(i) : std::string());
+  };
+  double from = start;
+  for (std::size_t i = 0; i < n; ++i) {
+    interruption_point();
+    const MotionPiece& piece = motion.pieces[i];
+    if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
+    if (i > 0 && piece.until <= motion.pieces[i - 1].until)
+      throw InputError(place(i),
+                       "`until` " + number(piece.until) + " does not come after that of the piece before, " +
+                           number(motion.pieces[i - 1].until),
+                       "pieces are in order of time");
+    const bool last = i + 1 == n;
+    if (last && piece.until < end)
+      throw InputError(place(i),
+                       "the motion ends at " + number(piece.until) + ", before the scene does, at " + number(end),
+                       "leave out `until` in the last piece, or add a piece");
+    if (piece.until <= start && !last) {
+      PieceCheck(piece, place(i), from, from).run();
+      continue;
+    }
+    if (from > end) break;
+    const double to = std::min(piece.until, end);
+    PieceCheck(piece, place(i), from, to).run();
+    if (!last && piece.until < end) {
+      const double gap = joint_gap(piece, motion.pieces[i + 1], polygon, piece.until);
+      const double room = joint_room(piece, motion.pieces[i + 1], polygon, piece.until, extent);
+      if (!(gap <= room))
+        throw InputError(
+            place(i),
+            "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
+                ", where the next piece takes over",
+            "pieces must join up to rounding (" + number(room) +
+                " here): coefficients are in powers of the absolute time t, not of the time since the joint");
+    }
+    from = to;
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,96 @@
+#include "pair/pair_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/pieces.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+BodyMap map_body(const ShapeFacts& facts, int body) { return {body, facts.size, facts.first, facts.reversed}; }
+
+ShapeRole role_of(const PairPlan& plan, int side, bool inwards) { return {side == 0, inwards, plan.exponent}; }
+
+std::array<SharedPolygon, 2> displaced_bodies(const PairPlan& plan, bool inwards) {
+  const auto displaced = [&](int side) {
+    const ShapeInRole* shape = shape_in_role(plan, side, inwards);
+    if (shape) return shape->displaced;
+    return displaced_for(*plan.polygons[static_cast<std::size_t>(side)], role_of(plan, side, inwards));
+  };
+  return {displaced(0), displaced(1)};
+}
+
+std::string edge_text(const BodyMap& map, int edge) {
+  return std::to_string(edge) + "-" + std::to_string((static_cast<std::uint32_t>(edge) + 1) % map.size);
+}
+
+/// Explains to the user why a body cannot be displaced.
+[[noreturn]] void refuse(const std::string& name, const BodyMap& map, const DisplacementFault& fault) {
+  const char* const hint = "features that small can only be rounding noise: remove them";
+  if (fault.kind == DisplacementFault::Kind::sharp_corner) {
+    const int v = map.vertex(fault.first);
+    throw InputError(name,
+                     "the corner at vertex " + std::to_string(v) +
+                         " is sharper than the displacement that taut computes with allows, about 2^-42 radians",
+                     hint, {{v}, {}});
+  }
+  const int e = map.edge(fault.first), f = map.edge(fault.second);
+  throw InputError(name,
+                   "edges " + edge_text(map, e) + " and " + edge_text(map, f) +
+                       " come closer than the displacement that taut computes with, 2^-199 of the largest coordinate",
+                   hint, {{}, {e, f}});
+}
+
+}  // namespace
+
+ShapeFacts facts_of(const Body& body) { return body.prepared ? body.prepared->facts() : facts_of(body.polygon); }
+
+PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
+  PairPlan plan;
+  int exponent = 0;
+  std::frexp(std::max(facts[0].largest, facts[1].largest), &exponent);
+  plan.exponent = -exponent;
+  plan.extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));
+  // The polygon with the larger diameter plays P (section 2.1 of the paper).
+  const int p = facts[1].diameter_squared > facts[0].diameter_squared ? 1 : 0;
+  for (int k = 0; k < 2; ++k) {
+    const int index = k == 0 ? p : 1 - p;
+    const Body& body = scene.bodies[static_cast<std::size_t>(index)];
+    const ShapeFacts& known = facts[static_cast<std::size_t>(index)];
+    const auto side = static_cast<std::size_t>(k);
+    plan.maps[side] = map_body(known, index);
+    plan.names[side] = body.name;
+    plan.bounds[side] = known.bounds;
+    plan.prepared[side] = body.prepared;
+    plan.polygons[side] =
+        body.prepared ? body.prepared->in_role(role_of(plan, k, true)).polygon
+                      : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
+    plan.pieces[side] = pieces_between(body.motion, scene.start, scene.end);
+    for (MotionPiece& piece : plan.pieces[side]) piece = scaled(std::move(piece), plan.exponent);
+  }
+  return plan;
+}
+
+const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards) {
+  const auto& shape = plan.prepared[static_cast<std::size_t>(side)];
+  return shape ? &shape->in_role(role_of(plan, side, inwards)) : nullptr;
+}
+
+PairGeometry displaced_pair(const PairPlan& plan, bool inwards) {
+  const std::array<SharedPolygon, 2> bodies = displaced_bodies(plan, inwards);
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (bodies[side]->fault) refuse(plan.names[side], plan.maps[side], *bodies[side]->fault);
+  }
+  return {bodies[0], bodies[1]};
+}
+
+std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, bool inwards) {
+  const std::array<SharedPolygon, 2> bodies = displaced_bodies(plan, inwards);
+  if (bodies[0]->fault || bodies[1]->fault) return std::nullopt;
+  return PairGeometry(bodies[0], bodies[1]);
+}
+
+}  // namespace taut

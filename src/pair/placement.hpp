@@ -1,0 +1,96 @@
+// The two bodies at one instant: certified predicates for building the tiling from scratch.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "pair/pair_geometry.hpp"
+#include "relative/leg.hpp"
+
+namespace taut {
+
+/// From a body's own coordinates to P's frame, rounded: a turn by (c, s), then a shift.
+struct RoundedPose {
+  double c = 1, s = 0, x = 0, y = 0;
+};
+
+/// Are the positions of all vertices computed at once, or each whenever it is asked for?
+enum class Positions : unsigned char { tabulated, on_demand };
+
+/// Positions in P's frame at parameter t of a leg (not a bridge), and the predicates that the static construction
+/// needs. Four corners of a large box around both bodies are vertices size() .. size()+3, counterclockwise.
+/// Predicates never return 0; they throw Undecidable at the limit of precision.
+class Placement {
+ public:
+  Placement(const PairGeometry& geometry, const Leg& leg, double t, Positions positions = Positions::tabulated);
+
+  /// The same instant for other shapes.
+  Placement with_geometry(const PairGeometry& geometry) const { return {geometry, *leg_, t_}; }
+  /// From now on, positions are looked up: worth it where most are asked for several times.
+  void tabulate();
+
+  const PairGeometry& geometry() const { return *geometry_; }
+  std::uint32_t size() const { return geometry_->size(); }
+  VertexId box_corner(unsigned i) const { return VertexId(size() + i); }
+  /// +1 if a, b, c turn left.
+  int orientation(VertexId a, VertexId b, VertexId c) const;
+  /// The order of the plane sweep: along a direction that no design is aligned with.
+  bool before(VertexId a, VertexId b) const;
+  /// before(a, b) by the difference of their keys, where that is more than key_error().
+  double key(VertexId v) const { return keys_.empty() ? key_at(compute(v)) : keys_[v.value]; }
+  double key_error() const { return key_error_; }
+  /// The key of a point, and the most that it can differ by from that of a point at distance 1.
+  static double key_at(const Point& p);
+  static constexpr double steepest_key = 1.1;
+  /// Rounded positions, for sorting and drawing.
+  Point approximate(VertexId v) const { return positions_.empty() ? compute(v) : positions_[v.value]; }
+  /// The bound of the error of each coordinate of approximate().
+  double position_error() const { return error_; }
+  /// How the positions of P (of Q) come about, up to position_error().
+  const RoundedPose& pose_p() const { return pose_p_; }
+  const RoundedPose& pose_q() const { return pose_q_; }
+  /// How often doubles did not suffice.
+  std::uint64_t precise_calls() const { return precise_calls_; }
+
+ private:
+  void set_poses(const Frame<double>& f);
+  void set_bounds(const Frame<double>& f);
+  Point compute(VertexId v) const {
+    if (v.value >= size()) return corners_[v.value - size()];
+    const DisplacedPoint& p = geometry_->point(v);
+    if (geometry_->in_p(v)) return {p.x + pose_p_.x, p.y + pose_p_.y};
+    const double x = p.x + before_turn_.x, y = p.y + before_turn_.y, c = pose_q_.c, s = pose_q_.s;
+    return {after_turn_.x + (c * x - s * y), after_turn_.y + (s * x + c * y)};
+  }
+  template <class Real>
+  void position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<Real>& y) const;
+  template <class Real>
+  int orientation_at(VertexId a, VertexId b, VertexId c) const;
+  template <class Real>
+  int order_at(VertexId a, VertexId b) const;
+  double orientation_bound(double products, double differences, double coordinate) const;
+  int close_orientation(VertexId a, VertexId b, VertexId c) const;
+  int precise_orientation(VertexId a, VertexId b, VertexId c) const;
+  template <class Real>
+  const Frame<Real>& frame_at() const;
+
+  const PairGeometry* geometry_;
+  const Leg* leg_;
+  double t_;
+  std::vector<Point> positions_;  ///< empty: on demand
+  std::vector<double> keys_;
+  std::array<Point, 4> corners_{};  ///< of the box
+  RoundedPose pose_p_, pose_q_;
+  Point before_turn_, after_turn_;  ///< added to Q's own coordinates
+  double error_ = 0;                ///< of each coordinate of a position
+  double coarse_bound_ = 0;         ///< of any three vertices' determinant
+  double key_error_ = 0;            ///< of each difference of keys_
+  mutable std::optional<Frame<Real320>> frame320_;
+  mutable std::optional<Frame<Real640>> frame640_;
+  mutable std::optional<Frame<Real960>> frame960_;
+  mutable std::uint64_t precise_calls_ = 0;
+};
+
+}  // namespace taut

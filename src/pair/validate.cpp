@@ -1,0 +1,59 @@
+#include "taut/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "motion/pieces.hpp"
+#include "pair/pair_plan.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+void validate_time(const Scene& scene) {
+  if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
+    throw InputError("time", "the time interval is not finite");
+  if (scene.end < scene.start)
+    throw InputError("time", "the time interval ends before it starts", "write [start, end] with start <= end");
+}
+
+/// Exact predicates multiply coordinates of both bodies: their magnitudes must not be too far apart.
+void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
+  const double least = std::min(a.least, b.least), largest = std::max(a.largest, b.largest);
+  if (largest > 0 && least < largest * 0x1p-400)
+    throw InputError("bodies", "the coordinates differ in magnitude by more than 2^400",
+                     "coordinates that small beside the others can only be rounding noise: make them 0");
+}
+
+void validate_shape(const Body& body) {
+  if (!body.prepared) {
+    validate_polygon(body.polygon, body.name);
+  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
+    throw InputError(body.name, "the prepared shape was made of another polygon",
+                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
+                     "which may be left out then");
+  }
+}
+
+}  // namespace
+
+std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
+  validate_time(scene);
+  if (scene.bodies.size() != 2)
+    throw InputError("bodies", "the scene has " + std::to_string(scene.bodies.size()) + " bodies",
+                     "exactly two are supported now");
+  for (const Body& body : scene.bodies) validate_shape(body);
+  const std::array<ShapeFacts, 2> facts{facts_of(scene.bodies[0]), facts_of(scene.bodies[1])};
+  validate_range(facts[0], facts[1]);
+  const double extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Body& body = scene.bodies[i];
+    validate_motion(body.motion, body.name, facts[i].bounds, scene.start, scene.end, extent);
+  }
+  return facts;
+}
+
+void validate(const Scene& scene) { validated_facts(scene); }
+
+}  // namespace taut

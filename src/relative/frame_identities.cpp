@@ -1,0 +1,99 @@
+#include "relative/frame_identities.hpp"
+
+#include <algorithm>
+
+#include "relative/symbolic.hpp"
+
+namespace taut {
+namespace {
+
+using Condition = std::array<Dyadic, 5>;
+
+/// Conditions that are independent, each without the leading entries of those before it: a row echelon form without
+/// divisions.
+class Echelon {
+ public:
+  /// True if the condition does not follow from those before.
+  bool add(Condition c) {
+    for (const auto& [lead, row] : rows_) {
+      if (c[lead].is_zero()) continue;
+      const Dyadic factor = c[lead], pivot = row[lead];
+      for (std::size_t i = 0; i < c.size(); ++i) c[i] = c[i] * pivot - row[i] * factor;
+    }
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      if (c[i].is_zero()) continue;
+      rows_.emplace_back(i, std::move(c));
+      return true;
+    }
+    return false;
+  }
+  bool full() const { return rows_.size() == 5; }
+
+ private:
+  std::vector<std::pair<std::size_t, Condition>> rows_;
+};
+
+}  // namespace
+
+FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 5>& functions, const SymbolicLeg& leg) {
+  Side side;
+  side.known = std::all_of(functions.begin(), functions.end(), [](const Symbolic& f) { return f.known(); });
+  if (!side.known) return side;
+  Symbolic::Exponents denominator{};
+  for (const Symbolic& f : functions) {
+    for (std::size_t i = 0; i < denominator.size(); ++i) {
+      denominator[i] = std::max(denominator[i], f.denominator()[i]);
+    }
+  }
+  struct Terms {
+    Symbolic::Key key;
+    std::vector<Condition> by_power;
+  };
+  std::vector<Terms> all;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const Symbolic function = functions[i].over(denominator, leg);
+    for (const Symbolic::Term& t : function.terms()) {
+      auto found = std::find_if(all.begin(), all.end(), [&](const Terms& x) { return x.key == t.key; });
+      if (found == all.end()) found = all.insert(all.end(), {t.key, {}});
+      if (found->by_power.size() < t.polynomial.size()) found->by_power.resize(t.polynomial.size());
+      for (std::size_t k = 0; k < t.polynomial.size(); ++k) found->by_power[k][i] = t.polynomial[k];
+    }
+  }
+  Echelon echelon;
+  for (const Terms& terms : all) {
+    for (const Condition& c : terms.by_power) {
+      if (!echelon.full() && echelon.add(c)) side.conditions.push_back(c);
+    }
+  }
+  return side;
+}
+
+FrameIdentities::FrameIdentities(const Leg& leg) {
+  SymbolicLeg symbols(leg.start, leg.end);
+  const FrameOf<Symbolic> f = symbolic_frame(leg, symbols);
+  pp_ = conditions_of(f.for_pp, symbols);
+  qq_ = conditions_of(f.for_qq, symbols);
+  const double length = leg.end - leg.start;
+  looks_ = {frame_values(leg, Ball<double>::exact(leg.start + 0.3127 * length)),
+            frame_values(leg, Ball<double>::exact(leg.start + 0.7841 * length))};
+}
+
+bool FrameIdentities::vanishes(bool pp, const std::array<Dyadic, 5>& c) const {
+  const Side& side = pp ? pp_ : qq_;
+  return side.known && std::all_of(side.conditions.begin(), side.conditions.end(), [&](const Condition& condition) {
+           Dyadic sum;
+           for (std::size_t i = 0; i < c.size(); ++i) sum = sum + c[i] * condition[i];
+           return sum.is_zero();
+         });
+}
+
+bool FrameIdentities::differs_from_zero(bool pp, const std::array<Ball<double>, 5>& c) const {
+  return std::any_of(looks_.begin(), looks_.end(), [&](const FrameValues<double>& look) {
+    const std::array<Ball<double>, 5>& f = pp ? look.for_pp : look.for_qq;
+    Ball<double> sum = f[0] * c[0];
+    for (std::size_t i = 1; i < c.size(); ++i) sum = sum + f[i] * c[i];
+    return sum.sign() != 0;
+  });
+}
+
+}  // namespace taut

@@ -1,0 +1,119 @@
+#include "relative/frame_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Slack for underflow, as it adds up in a relative motion that is exactly zero.
+constexpr double negligible = 0x1p-900;
+
+double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
+
+/// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
+void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries& over) {
+  constexpr int n = model_degree;
+  double noise = 0, size = 0, size_d = 0, size_dd = 0, size_ddd = 0;
+  double vague = 0, vague_d = 0, vague_dd = 0, vague_ddd = 0;
+  double power[4] = {1, 0, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2) and so on
+  for (int k = 0; k < n; ++k) m.c[k][i] = at_middle.c[k].mid;
+  m.remainder[i] = 0;
+  const int last = std::max(at_middle.terms, over.terms) - 1;  // what comes after is zero
+  for (int k = 0; k <= last; ++k) {
+    const double known = k < n ? std::fabs(at_middle.c[k].mid) : 0;
+    const double open = k < n ? at_middle.c[k].rad : over.c[n].magnitude();
+    if (k < n && at_middle.c[k].mid != 0) m.terms = std::max(m.terms, k + 1);
+    if (k < n) noise += open * power[0];
+    size += known * power[0];
+    size_d += known * power[1];
+    vague += open * power[0];
+    vague_d += open * power[1];
+    vague_dd += open * power[2];
+    size_ddd += known * power[3];
+    vague_ddd += open * power[3];
+    if (k != 2) size_dd += known * power[2];
+    if (k == n) m.remainder[i] = known_or_infinite(open * power[0]);
+    for (int order = 3; order > 0; --order) power[order] = (k + 1) * power[order - 1];
+    power[0] *= m.radius;
+  }
+  m.size[i] = size;
+  m.noise[i] = known_or_infinite(noise);
+  m.bend[i] = std::isfinite(m.c[2][i]) ? 2 * m.c[2][i] : 0;
+  // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
+  const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
+  const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.bend[i])));
+  const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.bend[i]) + m.radius * size_ddd);
+  m.error[i] = known_or_infinite(error + underflow_slack);
+  m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
+  m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
+  m.error_dd[i] = known_or_infinite(error_dd * (1 + 0x1p-40) + underflow_slack);
+  // The one from the series over the interval is far better where that is long.
+  const double by_middle = known_or_infinite((vague_ddd + size_ddd) * (1 + 0x1p-40) + underflow_slack);
+  const double by_range = over.terms > 3 ? 6 * over.c[3].magnitude() : 0;
+  m.third[i] = by_range < by_middle ? by_range * (1 + 0x1p-40) : by_middle;
+  if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
+}
+
+}  // namespace
+
+FrameModel FrameModel::over(const Leg& leg, double start, double end) {
+  FrameModel m;
+  const Ball<double> whole = Ball<double>::between(start, end);
+  m.start = start;
+  m.end = end;
+  m.middle = whole.mid;
+  m.radius = whole.rad;
+  m.terms = 1;
+  const FrameOf<ModelSeries> point = frame_series(leg, Ball<double>::exact(m.middle));
+  const FrameOf<ModelSeries> range = frame_series(leg, whole);
+  bound(m, 0, point.for_pp[1], range.for_pp[1]);
+  bound(m, 1, point.for_pp[2], range.for_pp[2]);
+  bound(m, 2, point.for_qq[1], range.for_qq[1]);
+  bound(m, 3, point.for_qq[2], range.for_qq[2]);
+  bound(m, 4, point.for_pp[3], range.for_pp[3]);
+  bound(m, 5, point.for_pp[4], range.for_pp[4]);
+  return m;
+}
+
+bool FrameModel::finite() const {
+  for (int i = 0; i < functions; ++i) {
+    if (!(error[i] < INFINITY && error_d[i] < INFINITY && bend_rad[i] < INFINITY && third[i] < INFINITY)) return false;
+  }
+  return true;
+}
+
+bool FrameModel::sharp() const {
+  for (int i = 0; i < functions; ++i) {
+    if (!(remainder[i] <= std::max(0x1p-47 * scale(i), noise[i]) + negligible)) return false;
+  }
+  return finite();
+}
+
+bool FrameModel::barely_sharp() const {
+  // 2^9, with room for functions that are several times as large over the longer interval.
+  constexpr double growth = 0x1p6;
+  for (int i = 0; i < functions; ++i) {
+    if (growth * remainder[i] > std::max(0x1p-47 * scale(i), noise[i]) + negligible) return true;
+  }
+  return false;
+}
+
+bool FrameModel::hopeless() const {
+  for (const double bound : noise) {
+    if (!(bound < INFINITY)) return true;
+  }
+  return false;
+}
+
+bool FrameModel::straight(double slack) const {
+  const double share = 0x1p-4 * slack, least = 0x1p-10 * slack;
+  for (int i = 0; i < functions; ++i) {
+    // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
+    const double way = share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i];
+    if (!(bend_rad[i] * radius * radius <= way + negligible)) return false;
+  }
+  return true;
+}
+
+}  // namespace taut

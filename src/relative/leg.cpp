@@ -1,0 +1,343 @@
+#include "relative/leg.hpp"
+
+#include <cmath>
+
+#include "numeric/exact_sum.hpp"
+#include "relative/frame_identities.hpp"
+
+namespace taut {
+
+bool Leg::singular_at(double t) const {
+  for (const bool of_p : {true, false}) {
+    const SingularCosine* const cosine = singular_cosine(of_p, t);
+    if (cosine && cosine->order % 2 == 1) return true;
+  }
+  return false;
+}
+
+const SingularCosine* Leg::singular_cosine(bool of_p, double t) const {
+  for (const std::size_t i : {of_p ? 0 : 2, of_p ? 1 : 3}) {
+    if (singular_[i] && singular_[i]->end == t) return singular_[i].get();
+  }
+  return nullptr;
+}
+
+namespace {
+
+/// (re, im) of conj(a) b.
+template <class J>
+void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re, J& im) {
+  re = ax * bx + ay * by;
+  im = ax * by - ay * bx;
+}
+
+/// x_P and x_Q; of a body that does not turn they are not set.
+template <class J>
+struct Axes {
+  J px, py, qx, qy;
+};
+
+/// x_P or x_Q.
+template <class J, class Time>
+void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
+  if constexpr (requires { t.direction; }) {
+    if (const SingularCosine* cosine = leg.singular_cosine(of_p, t.end)) return cosine_from_end(*cosine, t, x, y);
+  } else if constexpr (requires { t.mid; }) {
+    // The nearer end of the leg, if the cosine is singular there.
+    const bool first = t.mid - leg.start < leg.end - t.mid;
+    const SingularCosine* cosine = leg.singular_cosine(of_p, first ? leg.start : leg.end);
+    if (cosine) return cosine_near_end(*cosine, t, first ? 1.0 : -1.0, x, y);
+  }
+  rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
+}
+
+/// conj(x_P) x_Q of two bodies that turn. Where both angles are given their difference is formed first, so that what
+/// both have in common is not there to widen ranges.
+template <class J, class Time>
+void relative_turn(const Leg& leg, const Axes<J>& axes, const Time& t, J& c, J& s) {
+  if (!leg.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
+  const J turn = J::polynomial(leg.turn, t);
+  sin_cos(leg.turn_low.empty() ? turn : turn + J::polynomial(leg.turn_low, t), s, c);
+}
+
+/// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
+template <class J, class Time>
+void turning_frame(const Leg& leg, const Axes<J>& axes, const Time& t, const J& dx, const J& dy, FrameOf<J>& f) {
+  const auto& [px, py, qx, qy] = axes;
+  const bool p_turns = turns(leg.p), q_turns = turns(leg.q);
+  if (p_turns) {
+    conjugate_product(px, py, dx, dy, f.for_pp[1], f.for_pp[2]);
+  } else {
+    f.for_pp[1] = dx;
+    f.for_pp[2] = dy;
+  }
+  if (leg.aligned) {
+    f.for_pp[3] = J::constant(1.0);
+    f.for_pp[4] = J::constant(0.0);
+    f.for_qq[1] = f.for_pp[1];
+    f.for_qq[2] = f.for_pp[2];
+    return;
+  }
+  if (!q_turns) {
+    f.for_pp[3] = px;
+    f.for_pp[4] = -py;
+    f.for_qq[1] = dx;
+    f.for_qq[2] = dy;
+    return;
+  }
+  conjugate_product(qx, qy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  if (p_turns) {
+    relative_turn(leg, axes, t, f.for_pp[3], f.for_pp[4]);
+  } else {
+    f.for_pp[3] = qx;
+    f.for_pp[4] = qy;
+  }
+}
+
+/// Bodies that turn about pivots a (P) and b (Q) have a - x_P a and b - x_Q b added to their origins, which adds to
+/// conj(x_P) D and conj(x_Q) D. conj(x_P) x_P is 1, and conj(x_P) x_Q is c + i s, which is known: products would be
+/// wider over an interval.
+template <class J>
+void add_pivots(const Leg& leg, const Axes<J>& axes, FrameOf<J>& f) {
+  const Point a = pivot_of(leg.p), b = pivot_of(leg.q);
+  const J ax = J::constant(a.x), ay = J::constant(a.y), bx = J::constant(b.x), by = J::constant(b.y);
+  const J &c = f.for_pp[3], &s = f.for_pp[4];
+  const J x = bx - ax, y = by - ay;
+  J in_p_x = x, in_p_y = y, in_q_x = x, in_q_y = y;
+  if (turns(leg.p)) conjugate_product(axes.px, axes.py, x, y, in_p_x, in_p_y);
+  if (leg.aligned) {
+    in_q_x = in_p_x;
+    in_q_y = in_p_y;
+  } else if (turns(leg.q)) {
+    conjugate_product(axes.qx, axes.qy, x, y, in_q_x, in_q_y);
+  }
+  f.for_pp[1] = f.for_pp[1] + (in_p_x + ax - (c * bx - s * by));
+  f.for_pp[2] = f.for_pp[2] + (in_p_y + ay - (s * bx + c * by));
+  f.for_qq[1] = f.for_qq[1] + (in_q_x - bx + (c * ax + s * ay));
+  f.for_qq[2] = f.for_qq[2] + (in_q_y - by + (c * ay - s * ax));
+}
+
+/// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
+  FrameOf<J> f;
+  J dx, dy;
+  if (offset && (leg.shift_p || leg.shift_q)) {
+    dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
+    dy = J::polynomial(VaryingPart{leg.q.y}, t) - J::polynomial(VaryingPart{leg.p.y}, t);
+  } else {
+    dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
+    dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);
+  }
+  if (offset && leg.pivots && !leg.shift_p && !leg.shift_q) {
+    const Point a = pivot_of(leg.p), b = pivot_of(leg.q);
+    dx = dx + (J::constant(b.x) - J::constant(a.x));
+    dy = dy + (J::constant(b.y) - J::constant(a.y));
+  }
+  const J one = J::constant(1.0), zero = J::constant(0.0);
+  f.for_pp[0] = f.for_qq[0] = one;
+  if (leg.translation) {
+    f.for_pp = {one, dx, dy, one, zero};
+    f.for_qq = f.for_pp;
+    return f;
+  }
+  Axes<J> axes;
+  if (turns(leg.p)) axis(leg, true, t, axes.px, axes.py);
+  if (turns(leg.q) && !leg.aligned) axis(leg, false, t, axes.qx, axes.qy);
+  turning_frame(leg, axes, t, dx, dy, f);
+  if (leg.pivots && !offset) add_pivots(leg, axes, f);
+  f.for_qq[3] = f.for_pp[3];
+  f.for_qq[4] = f.for_pp[4];
+  return f;
+}
+
+/// The straight line from one pose to the other, s in [0, 1].
+template <class Real>
+Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real>& s) {
+  const auto line = [&s](const Jet<Real>& from, const Jet<Real>& to) {
+    const Ball<Real> slope = to.v - from.v;
+    return Jet<Real>{from.v + slope * s, slope, Ball<Real>::exact(0)};
+  };
+  return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
+}
+
+template <class Real>
+Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
+  const Ball<Real> t = Ball<Real>::exact(leg.joint);
+  const Pose<Real> p = interpolate(pose(leg.p, t), pose(leg.p_next, t), s);
+  const Pose<Real> q = interpolate(pose(leg.q, t), pose(leg.q_next, t), s);
+  const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
+  Frame<Real> f;
+  f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
+  f.for_qq[0] = q.xx * q.xx + q.xy * q.xy;
+  conjugate_product(p.xx, p.xy, dx, dy, f.for_pp[1], f.for_pp[2]);
+  conjugate_product(q.xx, q.xy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  conjugate_product(p.xx, p.xy, q.xx, q.xy, f.for_pp[3], f.for_pp[4]);
+  f.for_qq[3] = f.for_pp[3];
+  f.for_qq[4] = f.for_pp[4];
+  return f;
+}
+
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
+  return motion_frame<J>(leg, t, true);
+}
+
+template <class Real>
+Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<Real>>(leg, t);
+}
+
+/// Without derivatives: a series of one term.
+template <class Real>
+FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
+  FrameValues<Real> values;
+  const auto copy = [&values](const auto& f, const auto& value) {
+    for (std::size_t i = 0; i < 5; ++i) {
+      values.for_pp[i] = value(f.for_pp[i]);
+      values.for_qq[i] = value(f.for_qq[i]);
+    }
+  };
+  if (leg.bridge) {
+    copy(bridge_frame(leg, t), [](const Jet<Real>& j) { return j.v; });
+  } else {
+    copy(motion_frame<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
+  }
+  return values;
+}
+
+/// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
+void exact_difference(const std::array<double, 2>& to, const std::array<double, 2>& from, double& hi, double& low,
+                      double& rest) {
+  if (to[1] == 0 && from[1] == 0) {
+    const TwoDoubles sum = two_sum(to[0], -from[0]);
+    hi = sum.hi;
+    low = sum.lo;
+    return;
+  }
+  ExactSum<4> sum;
+  for (const double x : {to[0], to[1], -from[0], -from[1]}) sum.add(x);
+  const std::size_t n = sum.size();
+  hi = n > 0 ? sum.term(n - 1) : 0;
+  low = n > 1 ? sum.term(n - 2) : 0;
+  rest = n > 2 ? sum.term(n - 3) : 0;
+}
+
+/// The difference of two polynomials, each coefficient as an exact sum of two doubles; without zeros at the end.
+void exact_difference(const Coefficients& q, const Coefficients& p, Coefficients& hi, Coefficients& low) {
+  for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k) {
+    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
+    hi.push_back(d.hi);
+    low.push_back(d.lo);
+  }
+  for (Coefficients* c : {&hi, &low}) {
+    while (!c->empty() && c->back() == 0) c->pop_back();
+  }
+}
+
+int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
+  for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
+    if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.start = start;
+  leg.end = end;
+  leg.translation = !turns(p) && !turns(q);
+  leg.aligned = same_rotation(p.rotation, q.rotation);
+  const auto *p_angle = std::get_if<AngleRotation>(&p.rotation), *q_angle = std::get_if<AngleRotation>(&q.rotation);
+  leg.angles = p_angle && q_angle;
+  if (leg.angles) exact_difference(q_angle->angle, p_angle->angle, leg.turn, leg.turn_low);
+  leg.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
+  leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
+  leg.shift_p = !turns(p);
+  leg.shift_q = turns(p) && !turns(q);
+  const Point a = pivot_of(p), b = pivot_of(q);
+  leg.offset_p = {-a.x, 0, -a.y};
+  leg.offset_q = {-b.x, 0, -b.y};
+  if (leg.shift_p || leg.shift_q) {
+    exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, leg.shift.x, leg.shift.x_low,
+                     leg.shift.x_rest);
+    exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, leg.shift.y, leg.shift.y_low,
+                     leg.shift.y_rest);
+    (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
+  }
+  for (const bool of_p : {true, false}) {
+    const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
+    if (!cosine) continue;
+    for (const bool at_end : {false, true}) {
+      auto singular = taut::singular_at(*cosine, at_end ? end : start);
+      if (!singular) continue;
+      leg.singular_[(of_p ? 0 : 2) + (at_end ? 1 : 0)] = std::make_shared<const SingularCosine>(std::move(*singular));
+    }
+  }
+  return leg;
+}
+
+Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
+                  double joint) {
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.p_next = p_next;
+  leg.q_next = q_next;
+  leg.bridge = true;
+  leg.joint = joint;
+  leg.start = 0;
+  leg.end = 1;
+  return leg;
+}
+
+Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(leg, t); }
+Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
+}
+Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
+Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
+Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
+
+Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t) { return motion_frame<Jet<double>>(leg, t); }
+Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t) { return motion_frame<Jet<Real320>>(leg, t); }
+Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t) { return motion_frame<Jet<Real640>>(leg, t); }
+Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t) { return motion_frame<Jet<Real960>>(leg, t); }
+
+FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t) { return any_values(leg, t); }
+FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t) { return any_values(leg, t); }
+FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { return any_values(leg, t); }
+FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }
+
+FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
+FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
+  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols});
+}
+
+const FrameIdentities& Leg::identities() const {
+  if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
+  return *identities_;
+}
+
+FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
+  return motion_frame<ThirdSeries>(leg, t);
+}
+
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t) {
+  return motion_frame<PreciseSeries<Real320>>(leg, t);
+}
+FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t) {
+  return motion_frame<PreciseSeries<Real640>>(leg, t);
+}
+FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t) {
+  return motion_frame<PreciseSeries<Real960>>(leg, t);
+}
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
+  return motion_frame<PreciseSeries<Real320>>(leg, t);
+}
+
+}  // namespace taut

@@ -1,0 +1,145 @@
+// The relative motion of the two bodies over one interval on which both follow a single piece, or over the bridge
+// between two pieces. Everything downstream sees only this: ten functions of one parameter.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "motion/pose.hpp"
+#include "numeric/series.hpp"
+#include "relative/symbolic.hpp"
+
+namespace taut {
+
+/// The orientation of two vertices of one body and one of the other is a fixed linear combination of five functions
+/// of time. With world frames (o, x) as complex numbers and D = o_Q - o_P:
+///   two vertices of P:  |x_P|^2, conj(x_P) D (two parts), and conj(x_P) x_Q = c + i s;
+///   two vertices of Q:  |x_Q|^2, conj(x_Q) D (two parts), and the same c and s.
+/// On a bridge the frames are similarities, so |x| may differ from 1 by rounding; elsewhere it is exactly 1.
+template <class J>
+struct FrameOf {
+  std::array<J, 5> for_pp, for_qq;
+};
+template <class Real>
+using Frame = FrameOf<Jet<Real>>;
+/// The functions without their derivatives.
+template <class Real>
+using FrameValues = FrameOf<Ball<Real>>;
+
+/// Enough terms that a model of a segment that turns by an eighth of a radian is exact to a few ulps.
+inline constexpr int model_degree = 9;
+using ModelSeries = Series<double, model_degree>;
+
+/// A constant vector known exactly as two doubles per coordinate; three where there are pivots.
+struct ExactVector {
+  double x = 0, x_low = 0, y = 0, y_low = 0;
+  double x_rest = 0, y_rest = 0;
+
+  ExactVector operator-() const { return {-x, -x_low, -y, -y_low, -x_rest, -y_rest}; }
+};
+
+class FrameIdentities;
+
+/// One leg of the relative motion.
+struct Leg {
+  /// The pieces the bodies follow; on a bridge, those before the joint.
+  MotionPiece p, q;
+  /// On a bridge, the pieces after the joint.
+  MotionPiece p_next, q_next;
+  bool bridge = false;
+  double joint = 0;           ///< the time of the bridge
+  double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
+
+  bool translation = false;  ///< neither body turns
+  int degree = 0;            ///< of D on a translation
+  bool aligned = false;      ///< both turn alike: c = 1, s = 0
+  /// Both angles are given: the difference of the two is turn + turn_low, exactly.
+  bool angles = false;
+  Coefficients turn, turn_low;
+  bool pivots = false;  ///< a body turns about a point that is not its origin
+  /// A body that does not turn absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
+  /// and pivoting contacts then have coefficients that are exactly zero.
+  bool shift_p = false, shift_q = false;
+  ExactVector shift;
+  /// Added to the coordinates of P and of Q: the shift, or of a body that turns minus its pivot, so that the frame is
+  /// about the pivot.
+  ExactVector offset_p, offset_q;
+
+  static Leg motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
+  static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
+                      double joint);
+
+  /// Does a body turn with infinite speed at that end of the leg? TimeFromEnd makes it smooth.
+  bool singular_at(double t) const;
+  const SingularCosine* singular_cosine(bool of_p, double t) const;
+  const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
+  /// A bound of what the offsets add to a coordinate's magnitude.
+  double offset_size() const {
+    return (std::fabs(offset_p.x) + std::fabs(offset_q.x)) + (std::fabs(offset_p.y) + std::fabs(offset_q.y));
+  }
+  /// The time of the world at this parameter.
+  double time(double parameter) const { return bridge ? joint : parameter; }
+  /// Made when first asked for, by one thread at a time.
+  const FrameIdentities& identities() const;
+
+ private:
+  /// Of P and of Q, at the leg's start and at its end; none where there is nothing singular.
+  std::array<std::shared_ptr<const SingularCosine>, 4> singular_;
+  mutable std::shared_ptr<const FrameIdentities> identities_;
+};
+
+/// The frame over the ball t of the leg's parameter.
+Frame<double> frame(const Leg& leg, const Ball<double>& t);
+/// For the bodies' own coordinates, without the offsets: comparable between legs.
+Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
+Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
+Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
+Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
+/// The same as functions of s, at an end at which the leg is singular.
+Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t);
+Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t);
+Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t);
+Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t);
+FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t);
+FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t);
+FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
+FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
+/// Its Taylor series about the ball t (not of a bridge).
+FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
+
+/// The first terms of that series.
+using ThirdSeries = Series<double, 3>;
+FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
+
+/// Its Taylor series at high precision (not of a bridge), and in s about a place near a singular end.
+inline constexpr int taylor_degree = 9;
+template <class Real>
+using PreciseSeries = Series<Real, taylor_degree>;
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t);
+FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t);
+FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t);
+FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
+
+/// As exact expressions (not of a bridge).
+FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
+
+/// Turns a vertex of P or Q into what the leg sees of it, in numbers that can be given exactly.
+template <class B>
+void add_offset(const Leg& leg, bool of_p, B& x, B& y) {
+  const ExactVector& s = leg.offset(of_p);
+  if (of_p ? leg.shift_p : leg.shift_q) {
+    x = x + B::exact(s.x) + B::exact(s.x_low);
+    y = y + B::exact(s.y) + B::exact(s.y_low);
+  }
+  if (!leg.pivots) return;
+  if (of_p ? leg.shift_p : leg.shift_q) {
+    x = x + B::exact(s.x_rest);
+    y = y + B::exact(s.y_rest);
+  } else {
+    x = x + B::exact(s.x);
+    y = y + B::exact(s.y);
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,293 @@
+#include "relative/leg_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+/// A sum of five products rounds by no more than this share of each.
+constexpr double rounding = 0x1p-49;
+
+double error_of(const Ball<double>& b) { return b.rad + rounding * std::fabs(b.mid); }
+
+FastSide fast_side(const std::array<Jet<double>, 5>& j) {
+  FastSide s{};
+  for (int i = 0; i < 5; ++i) {
+    s.f[i] = j[i].v.mid;
+    s.d[i] = j[i].d.mid;
+  }
+  s.error_0 = error_of(j[0].v);
+  s.error_a = error_of(j[1].v) + error_of(j[2].v);
+  s.error_b = error_of(j[3].v) + error_of(j[4].v);
+  s.error_0d = error_of(j[0].d);
+  s.error_ad = error_of(j[1].d) + error_of(j[2].d);
+  s.error_bd = error_of(j[3].d) + error_of(j[4].d);
+  return s;
+}
+
+FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
+  FastCurvature c{};
+  double error[5];
+  for (int i = 0; i < 5; ++i) {
+    const bool known = j[i].dd.rad < INFINITY && std::isfinite(j[i].dd.mid);
+    c.mid[i] = known ? j[i].dd.mid : 0;
+    error[i] = known ? error_of(j[i].dd) : INFINITY;
+  }
+  c.error_0 = error[0];
+  c.error_a = error[1] + error[2];
+  c.error_b = error[3] + error[4];
+  return c;
+}
+
+}  // namespace
+
+namespace {
+
+FastSide evaluate_exactly(const Leg& leg, double t, int first) {
+  const Frame<double> f = frame(leg, Ball<double>::exact(t));
+  return fast_side(first == 0 ? f.for_pp : f.for_qq);
+}
+
+/// Shorter cells than this share of the leg lie at a singular instant.
+constexpr int deepest = 40;
+
+/// Steps from values in the middle of a cell go by bounds of the third order, which do not ask for short cells.
+constexpr double slack = 4;
+
+/// The side whose first two functions are the model's functions `first` and `first` + 1.
+void evaluate_model(const FrameModel& m, double t, int first, FastSide& s) {
+  double value[4], slope[4];
+  m.evaluate(t, first, value, slope, s.dd);
+  s.f[0] = 1;
+  s.d[0] = 0;
+  s.error_0 = rounding;
+  s.error_0d = 0;
+  for (int k = 0; k < 4; ++k) {
+    s.f[k + 1] = value[k];
+    s.d[k + 1] = slope[k];
+  }
+  s.error_a = m.error[first] + m.error[first + 1] + rounding * (std::fabs(s.f[1]) + std::fabs(s.f[2]));
+  s.error_b = m.error[4] + m.error[5] + rounding * (std::fabs(s.f[3]) + std::fabs(s.f[4]));
+  s.error_ad = m.error_d[first] + m.error_d[first + 1] + rounding * (std::fabs(s.d[1]) + std::fabs(s.d[2]));
+  s.error_bd = m.error_d[4] + m.error_d[5] + rounding * (std::fabs(s.d[3]) + std::fabs(s.d[4]));
+  s.error_add = m.error_dd[first] + m.error_dd[first + 1] + rounding * (std::fabs(s.dd[0]) + std::fabs(s.dd[1]));
+  s.error_bdd = m.error_dd[4] + m.error_dd[5] + rounding * (std::fabs(s.dd[2]) + std::fabs(s.dd[3]));
+}
+
+FastThird third_of(const std::array<ThirdSeries, 5>& over) {
+  FastThird third{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ThirdSeries& f = over[i + 1];
+    const double most = f.terms > 3 ? 6 * f.c[3].magnitude() * (1 + 0x1p-40) : 0;
+    third.most[i] = most >= 0 ? most : INFINITY;
+  }
+  return third;
+}
+
+FastThird third_of(const FrameModel& m, int first) {
+  return {{m.third[first], m.third[first + 1], m.third[4], m.third[5]}};
+}
+
+FastCurvature curvature_of(const FrameModel& m, int first) {
+  FastCurvature c{};
+  const int source[4] = {first, first + 1, 4, 5};
+  double error[4];
+  for (int k = 0; k < 4; ++k) {
+    c.mid[k + 1] = m.bend[source[k]];
+    error[k] = m.bend_rad[source[k]] + rounding * std::fabs(c.mid[k + 1]);
+  }
+  c.error_a = error[0] + error[1];
+  c.error_b = error[2] + error[3];
+  return c;
+}
+
+}  // namespace
+
+void LegClock::reset(const Leg& leg) {
+  leg_ = &leg;
+  straight_ = is_straight(leg);
+  if (straight_) {
+    straight_middle_ = leg.start + (leg.end - leg.start) / 2;
+    straight_side_ = evaluate_exactly(leg, straight_middle_, 0);
+  }
+  pp_.known = qq_.known = false;
+  level_ = 0;
+  index_ = 0;
+  last_ = nullptr;
+  stored_ = straight_cell_made_ = false;
+}
+
+void LegClock::Store::clear() {
+  pp_marks.first = 0;
+  qq_marks.first = 2;
+  pp_marks.at.fill(NAN);
+  qq_marks.at.fill(NAN);
+  std::fill_n(keys.begin(), own, 0);
+  outlook_known.fill(false);
+  deep = false;
+}
+
+bool LegClock::Store::holds(std::size_t slot, std::uint64_t key) {
+  if (slot >= own && !deep) {
+    std::fill(keys.begin() + own, keys.end(), 0);
+    deep = true;
+  }
+  return keys[slot] == key;
+}
+
+/// The same number for the same instant at every level, and growing with the index.
+double LegClock::boundary(int level, std::uint64_t index) const {
+  if (index == std::uint64_t{1} << level) return leg_->end;
+  return leg_->start + (leg_->end - leg_->start) * std::ldexp(static_cast<double>(index), -level);
+}
+
+std::uint64_t LegClock::index_of(int level, double t) const {
+  const std::uint64_t last = (std::uint64_t{1} << level) - 1;
+  const double share = (t - leg_->start) / (leg_->end - leg_->start);
+  const double guess = std::ldexp(share, level);
+  std::uint64_t i = guess > 0 ? static_cast<std::uint64_t>(std::min(guess, static_cast<double>(last))) : 0;
+  while (i > 0 && t < boundary(level, i)) --i;
+  while (i < last && t >= boundary(level, i + 1)) ++i;
+  return i;
+}
+
+void LegClock::make(ClockCell& cell) {
+  cell.leaf = true;
+  cell.sharp = cell.widest = false;
+  if (leg_->bridge) {
+    const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
+    cell.pp = fast_curvature(f.for_pp);
+    cell.qq = fast_curvature(f.for_qq);
+    return;
+  }
+  cell.model = FrameModel::over(*leg_, cell.start, cell.end);
+  cell.sharp = cell.model.sharp();
+  const bool divisible = cell.level < deepest && boundary(cell.level + 1, 2 * cell.index + 1) > cell.start &&
+                         boundary(cell.level + 1, 2 * cell.index + 1) < cell.end;
+  cell.leaf = !divisible || (cell.sharp && cell.model.straight(slack)) || cell.model.hopeless();
+  cell.widest = cell.leaf && cell.sharp && cell.model.barely_sharp();
+  cell.pp = curvature_of(cell.model, 0);
+  cell.qq = curvature_of(cell.model, 2);
+  cell.pp_third = third_of(cell.model, 0);
+  cell.qq_third = third_of(cell.model, 2);
+}
+
+const ClockCell& LegClock::whole_leg() {
+  if (!straight_cell_made_) {
+    place(straight_cell_, 0, 0);
+    make(straight_cell_);
+    straight_cell_.leaf = true;
+    straight_cell_made_ = true;
+  }
+  return straight_cell_;
+}
+
+const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
+  if (straight_) return whole_leg();
+  const std::uint64_t key = (std::uint64_t{1} << level) + index;
+  const std::size_t slot = slot_of(key);
+  if (!stored_) {
+    reserve_cells();
+    store_->clear();
+    stored_ = true;
+  }
+  ClockCell& cell = store_->cells[slot];
+  if (!store_->holds(slot, key)) {
+    interruption_point();
+    if (&cell == last_) last_ = nullptr;
+    store_->keys[slot] = key;
+    cell.level = level;
+    cell.index = index;
+    cell.start = boundary(level, index);
+    cell.end = boundary(level, index + 1);
+    make(cell);
+  }
+  return cell;
+}
+
+void LegClock::place(ClockCell& cell, int level, std::uint64_t index) const {
+  cell.level = level;
+  cell.index = index;
+  cell.start = boundary(level, index);
+  cell.end = boundary(level, index + 1);
+}
+
+const ClockCell& LegClock::find_cell(double t) {
+  const ClockCell& found = find_leaf(t);
+  level_ = found.level;
+  index_ = found.index;
+  last_ = &found;
+  return found;
+}
+
+/// The largest leaf around t, which is mostly as large as the one last found. If that is not seen at once, the way
+/// starts at the smallest cell around t and that one, which is no leaf (or that very leaf): everything larger is none
+/// either.
+const ClockCell& LegClock::find_leaf(double t) {
+  int level = level_;
+  std::uint64_t index = index_of(level, t), last = index_;
+  if (index != last) {
+    const ClockCell& next = at_level(level, index);
+    if (next.widest) return next;
+  }
+  for (; index != last; index /= 2, last /= 2) --level;
+  const ClockCell* cell = &at_level(level, index);
+  while (!cell->leaf) {
+    ++level;
+    cell = &at_level(level, index_of(level, t));
+  }
+  return *cell;
+}
+
+const ClockCell* LegClock::wider(const ClockPlace& cell) {
+  return cell.level > 0 ? &at_level(cell.level - 1, cell.index / 2) : nullptr;
+}
+
+const ClockCell* LegClock::outlook(const ClockPlace& cell) {
+  if (cell.level == 0) return nullptr;
+  const int level = cell.level - 1;
+  const std::uint64_t index = cell.index / 2, key = (std::uint64_t{1} << level) + index;
+  const std::size_t slot = slot_of(key);
+  if (key >= own || store_->keys[slot] == key) return &at_level(level, index);
+  ClockCell& wide = store_->cells[slot];
+  if (!store_->outlook_known[slot]) {
+    store_->outlook_known[slot] = true;
+    place(wide, level, index);
+    wide.leaf = wide.sharp = wide.widest = false;
+    const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
+    wide.pp_third = third_of(over.for_pp);
+    wide.qq_third = third_of(over.for_qq);
+  }
+  return &wide;
+}
+
+void LegClock::evaluate(double t, Side& side) {
+  side.t = t;
+  side.known = true;
+  const ClockCell& here = cell(t);
+  if (here.sharp) {
+    evaluate_model(here.model, t, side.first, side.functions);
+  } else {
+    side.functions = evaluate_exactly(*leg_, t, side.first);
+  }
+}
+
+const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
+  const ClockCell& here = cell(t);
+  if (!here.sharp || straight_) return this->at(at = t, pp);
+  Marks& known = pp || leg_->translation ? store_->pp_marks : store_->qq_marks;
+  const double step = (here.end - here.start) * (1.0 / marks);
+  const int k = std::min(static_cast<int>((t - here.start) / step), marks - 1);
+  const auto slot = static_cast<std::size_t>(k);
+  at = std::min(here.start + k * step, t);
+  if (known.at[slot] != at) {
+    known.at[slot] = at;
+    evaluate_model(here.model, at, known.first, known.functions[slot]);
+  }
+  return known.functions[slot];
+}
+
+}  // namespace taut

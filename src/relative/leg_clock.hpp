@@ -1,0 +1,127 @@
+// A leg's frame functions at any instant, in doubles with error bounds, from models made once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "relative/frame_model.hpp"
+#include "relative/frame_sample.hpp"
+
+namespace taut {
+
+/// A dyadic part of a leg's interval.
+struct ClockPlace {
+  int level;            ///< the leg is cut into 2^level parts,
+  std::uint64_t index;  ///< and this is one of them
+  double start, end;
+  bool leaf;    ///< fine enough: values come from this cell
+  bool sharp;   ///< the model's values are good; if not, the frame itself is evaluated
+  bool widest;  ///< a leaf, and the next larger cell is as good as certainly none
+};
+
+/// The same with a model of the frame over it.
+struct ClockCell : ClockPlace {
+  FrameModel model;
+  FastCurvature pp, qq;
+  FastThird pp_third, qq_third;  ///< not on a bridge
+
+  /// Bounds of the second derivatives over the cell.
+  const FastCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
+  const FastThird& third(bool of_pp) const { return of_pp ? pp_third : qq_third; }
+};
+
+/// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
+/// asks for: cells shrink towards an instant at which the motion is singular. Cells are made when first used, and the
+/// last ones are kept, so that memory does not depend on the leg.
+class LegClock {
+ public:
+  /// Do all functions of mixed triples change evenly with time?
+  static bool is_straight(const Leg& leg) { return leg.translation && leg.degree <= 1 && !leg.bridge; }
+  /// Makes room for a leg that is not straight, so that nothing is allocated when it comes.
+  void reserve_cells() {
+    if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
+  }
+  /// Prepares a leg; the reference must stay valid.
+  void reset(const Leg& leg);
+  const Leg& leg() const { return *leg_; }
+  /// On a straight leg, the functions at its middle tell everything.
+  bool straight() const { return straight_; }
+  const FastSide& straight_side() const { return straight_side_; }
+  double straight_middle() const { return straight_middle_; }
+  /// Functions at parameter t (remembers the last instants).
+  const FastSide& at(double t, bool pp) {
+    Side& side = pp || leg_->translation ? pp_ : qq_;
+    if (t != side.t || !side.known) evaluate(t, side);
+    return side.functions;
+  }
+  /// The same at an instant a little before t, or at t: `at`. Cells have few of these instants, so that many ask for
+  /// the same one.
+  const FastSide& shortly_before(double t, bool pp, double& at);
+  /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
+  const ClockCell& cell(double t) { return last_ && t >= last_->start && t < last_->end ? *last_ : find_cell(t); }
+  /// The next larger cell around this one; none around the whole leg.
+  const ClockCell* wider(const ClockPlace& cell);
+  /// The same, with nothing but its place and third derivatives: far cheaper to make.
+  const ClockCell* outlook(const ClockPlace& cell);
+
+ private:
+  /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
+  /// hundreds around a singular instant) scattered over the others.
+  static constexpr std::size_t own = 512, scattered = 4096;
+  static std::size_t slot_of(std::uint64_t key) {
+    return key < own ? static_cast<std::size_t>(key)
+                     : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 52);
+  }
+
+  const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& whole_leg();
+  void place(ClockCell& cell, int level, std::uint64_t index) const;
+  const ClockCell& find_cell(double t);
+  const ClockCell& find_leaf(double t);
+  double boundary(int level, std::uint64_t index) const;
+  std::uint64_t index_of(int level, double t) const;
+  void make(ClockCell& cell);
+  /// The functions of one kind of triple at an instant.
+  struct Side {
+    int first;  ///< of the model's functions
+    bool known = false;
+    double t = 0;
+    FastSide functions{};
+  };
+  void evaluate(double t, Side& side);
+  static constexpr int marks = 32;  ///< instants a cell that are evaluated once
+  struct Marks {
+    int first;
+    std::array<double, marks> at;  ///< which instants are known: not numbers at the beginning
+    std::array<FastSide, marks> functions;
+  };
+
+  const Leg* leg_ = nullptr;
+  bool straight_ = false;
+  double straight_middle_ = 0;
+  FastSide straight_side_{};
+  ClockCell straight_cell_;  ///< the whole of a straight leg
+  bool straight_cell_made_ = false;
+  int level_ = 0;  ///< of the leaf last used
+  std::uint64_t index_ = 0;
+  const ClockCell* last_ = nullptr;       ///< that leaf, while it is kept
+  Side pp_{.first = 0}, qq_{.first = 2};  ///< the first one serves both on a translation
+  /// What straight legs do not need: the memory is not there before one cell is used, nor touched beyond the cells that
+  /// are.
+  struct Store {
+    Marks pp_marks, qq_marks;
+    /// Which cell lies in which slot; the scattered ones count once one of them is used.
+    std::array<std::uint64_t, own + scattered> keys;
+    bool deep;
+    std::array<bool, own> outlook_known;
+    std::array<ClockCell, own + scattered> cells;
+
+    void clear();
+    bool holds(std::size_t slot, std::uint64_t key);
+  };
+  std::unique_ptr<Store> store_;
+  bool stored_ = false;  ///< the store is this leg's
+};
+
+}  // namespace taut

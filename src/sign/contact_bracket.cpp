@@ -1,0 +1,102 @@
+#include "sign/contact_bracket.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sign/fast_function.hpp"
+#include "sign/precise_triple.hpp"
+
+namespace taut {
+namespace {
+
+/// The edge from its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
+MixedTriple triple_of(const PairGeometry& g, const FoundContact& found) {
+  return {found.edge, g.next(found.edge), found.vertex, g.in_p(found.edge)};
+}
+
+/// The slope of the vertex's side of the edge, all over the ball; the displacement is too small to matter.
+Ball<double> slope_over(const Leg& leg, const FastFunction& f, const Ball<double>& t) {
+  // Coefficients are rounded by less than this share of their magnitudes' bounds.
+  constexpr double rounding = 0x1p-45;
+  const Frame<double> frame = taut::frame(leg, t);
+  const std::array<Jet<double>, 5>& side = f.pp ? frame.for_pp : frame.for_qq;
+  const double bounds[5] = {f.m0, f.w, f.w, f.m34, f.m34};
+  Ball<double> sum = Ball<double>::exact(0);
+  for (std::size_t i = 0; i < 5; ++i) sum = sum + Ball<double>(f.a[i], rounding * bounds[i]) * side[i].d;
+  return sum;
+}
+
+/// Does the displacement move the contact by far less than a unit in the last place? By the mean value theorem it moves
+/// it by no more than what it adds to the function over the least slope around.
+bool is_steep(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
+  if (leg.bridge) return true;
+  const double unit = std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53;
+  const FastFunction f = FastFunction::level_zero(leg, geometry, triple_of(geometry, found));
+  const Ball<double> slope = slope_over(leg, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
+  const double least = std::fabs(slope.mid) - slope.rad;
+  return least * unit > 0x1p12 * f.floor_error;
+}
+
+/// The side of the vertex at one instant: negative outside, 0 if even the highest precision does not tell.
+class Side {
+ public:
+  Side(const Leg& leg, const PairGeometry& geometry, const FoundContact& found)
+      : function_(leg, geometry, triple_of(geometry, found)) {}
+
+  int operator()(double t) const {
+    const PreciseTime now = PreciseTime::between(t, t);
+    for (int stage = 0; stage < precise_stages; ++stage) {
+      if (const int sign = function_.sign_at(now, stage)) return sign;
+    }
+    return 0;
+  }
+
+ private:
+  PreciseTriple function_;
+};
+
+/// Goes from `from` to `end` by steps that grow, until `reached` holds, and then back to where it begins to hold. The
+/// result is a place at which it does, or `end`.
+template <class Reached>
+double first_place(double from, double end, const Reached& reached) {
+  const double span = std::fabs(end - from), towards = end < from ? -1 : 1;
+  double near = from, far = end;
+  for (double step = std::max(std::fabs(from) * 0x1p-53, span * 0x1p-240); step < span; step *= 4) {
+    const double t = from + towards * step;
+    if (t == near) continue;
+    if (reached(t)) {
+      far = t;
+      break;
+    }
+    near = t;
+  }
+  if (far == end && !reached(end)) return end;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = near + (far - near) / 2;
+    if (middle == near || middle == far) break;
+    (reached(middle) ? far : near) = middle;
+  }
+  return far;
+}
+
+}  // namespace
+
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
+                               const FoundContact& found) {
+  ContactBracket bracket{found.lo, found.hi, false};
+  if (is_steep(geometry, leg, found)) return bracket;
+  const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, !inwards);
+  if (!other) return {inwards ? leg.start : found.lo, inwards ? found.hi : leg.end, true};
+  const Side side_here(leg, geometry, found), side_there(leg, *other, found);
+  if (inwards) {
+    bracket.lo = first_place(found.lo, leg.start, [&](double t) { return side_there(t) < 0; });
+  } else {
+    const auto over = [&](double t) { return side_there(t) > 0 || side_here(t) < 0; };
+    bracket.hi = first_place(found.hi, leg.end, over);
+  }
+  const double scale = std::max({std::fabs(leg.start), std::fabs(leg.end), leg.end - leg.start});
+  bracket.grazing = (bracket.hi - bracket.lo) - (found.hi - found.lo) > 0x1p-50 * scale;
+  return bracket;
+}
+
+}  // namespace taut

@@ -1,0 +1,37 @@
+// The time of a contact, said so that it is true of the bodies as they were given.
+#pragma once
+
+#include "pair/pair_plan.hpp"
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// Where and when an engine found a vertex on an edge: the edge by its first vertex, and an enclosure of the leg's
+/// parameter.
+struct FoundContact {
+  VertexId vertex, edge;
+  double lo = 0, hi = 0;
+};
+
+/// An enclosure of the leg's parameter, for displaced bodies or for those given.
+struct ContactBracket {
+  double lo = 0, hi = 0;
+  bool grazing = false;
+};
+
+/// Engines answer for displaced bodies. Where the vertex meets the edge with some speed, the displacement moves the
+/// contact by far less than a unit in the last place, and the enclosure found is the bracket. Where it does not (a root
+/// of order m moves by about delta^(1/m)), the other displacement gives the other end:
+///
+///   found for bodies displaced inwards: from when the vertex was last outside of the edge's line, for bodies
+///   displaced outwards;
+///   found for bodies displaced outwards: to when the vertex is first inside, for bodies displaced inwards, or outside
+///   again, for those displaced outwards.
+///
+/// The given vertex is on its side of the given edge's line between the two, so it reaches the line within the bracket,
+/// or stays closer to it than the displacement. Ends are sought on the leg of the contact alone. `geometry` is
+/// displaced as `inwards` says.
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
+                               const FoundContact& found);
+
+}  // namespace taut

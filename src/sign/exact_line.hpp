@@ -1,0 +1,52 @@
+// On a straight translation the function of a mixed triple is a line in time, whose coefficients are sums of products
+// of input numbers: signs at any instant and the instant of its root need no rounding at all. Parts and mechanisms
+// drawn on a grid have many events at one instant, which only their displacements tell apart; here that costs little
+// more than events far from each other.
+#pragma once
+
+#include <optional>
+
+#include "pair/pair_geometry.hpp"
+#include "relative/leg.hpp"
+#include "sign/mixed_triple.hpp"
+#include "sign/precise_time.hpp"
+
+namespace taut {
+
+class ExactLine {
+ public:
+  /// Is the leg one on which these functions are lines?
+  static bool fits(const Leg& leg) { return leg.translation && leg.degree <= 1; }
+  /// The displacement is included. Requires fits(leg).
+  ExactLine(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure = Measure::orientation);
+  /// Was every product exact? Numbers of extremely different sizes underflow; then nothing else may be asked.
+  bool exact() const { return exact_; }
+
+  /// Of the change in time.
+  int slope_sign() const { return slope_.sign(); }
+  /// At every instant of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not known.
+  int sign_over(const PreciseTime& t) const;
+  /// The instant at which it is zero, to about 2^-265 of its size, or to `enough`; nothing if that is not known.
+  /// Requires a slope.
+  std::optional<PreciseTime> root(int stage, double enough = 0) const;
+
+ private:
+  static constexpr std::size_t slope_terms = 32, start_terms = 96;
+
+  /// A sum of products, exact but for those that are negligible.
+  template <std::size_t Terms>
+  struct NearlyExact {
+    ExactSum<Terms> sum;
+    double negligible = 0, error = 0;
+  };
+  template <std::size_t Terms>
+  void begin(NearlyExact<Terms>& value, double sign) const;
+  template <std::size_t Terms>
+  bool add_change(NearlyExact<Terms>& value, double time) const;
+
+  bool exact_ = true;
+  ExactSum<start_terms> start_;  ///< the value at time 0
+  ExactSum<slope_terms> slope_;
+};
+
+}  // namespace taut

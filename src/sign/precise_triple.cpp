@@ -1,0 +1,204 @@
+#include "sign/precise_triple.hpp"
+
+#include "base/errors.hpp"
+#include "numeric/root_isolation.hpp"
+#include "pair/placement.hpp"
+
+namespace taut {
+namespace {
+
+template <class Real>
+Ball<Real> as_ball(const PreciseTime& t) {
+  const RealMax lo = t.lo(), hi = t.hi(), middle = (lo + hi) / 2;
+  Ball<Real> b(Real(middle), 0.0);
+  const double half = RealTraits<RealMax>::magnitude(RealMax(hi - lo));
+  b.rad = detail::inflate(half + RealTraits<RealMax>::magnitude(middle) * (4 * unit_roundoff<Real>()));
+  return b;
+}
+
+/// A search in s, the root of the distance from a singular end of the leg (see TimeFromEnd).
+template <class Real>
+class SearchFromEnd {
+ public:
+  SearchFromEnd(const PreciseFunction<Real>& f, double end, double direction)
+      : f_(f), end_(end), direction_(direction) {}
+
+  Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
+
+  /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
+  std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, int stage) const {
+    const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
+    const Real a = first.lower(), b = last.upper();
+    auto root = search(sign, a, b);
+    if (!root) return std::nullopt;
+    // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
+    // interval with `from` in it, the root comes after; an interval before it says nothing.
+    if (first.rad > 0 && !(root->hi > first.upper())) throw PrecisionExhausted{};
+    taut::refine(*this, sign, *root);
+    const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
+    // What the search found within the rounding of `to` may be beyond.
+    if (hi.upper() > RealMax(to)) throw PrecisionExhausted{};
+    return PreciseTime{lo.lower(), hi.upper(), stage};
+  }
+
+ private:
+  /// A polynomial in s.
+  struct Expanded {
+    BallPolynomial<Real> p;
+    Jet<Real> operator()(const Ball<Real>& s) const { return polynomial_range(p, s); }
+    Ball<Real> value(const Ball<Real>& s) const { return polynomial_value(p, s); }
+  };
+
+  /// By the Taylor polynomial about the end, whose first terms are what ties are decided by; its ranges over orders of
+  /// magnitude are far better than the function's own. That one is asked where the polynomial leaves out too much.
+  std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
+    if constexpr (std::is_same_v<Real, Real320>) {
+      try {
+        const Expanded near_end{f_.from_end(end_, direction_, Ball<Real>(direction_ > 0 ? b : a, 0.0))};
+        return first_sign_change<Real>(near_end, sign, a, b, Magnitudes{});
+      } catch (const PrecisionExhausted&) {
+      }
+    }
+    return first_sign_change<Real>(*this, sign, a, b, Magnitudes{});
+  }
+  Ball<Real> root_of_distance(const RealMax& t) const {
+    const RealMax distance = (t - RealMax(end_)) * RealMax(direction_);
+    if (distance == 0) return Ball<Real>::exact(0);
+    Ball<RealMax> root = sqrt(Ball<RealMax>(distance, 0.0));
+    Ball<Real> s(Real(root.mid * RealMax(direction_)), 0.0);
+    s.rad = detail::inflate(root.rad + RealTraits<RealMax>::magnitude(root.mid) * (4 * unit_roundoff<Real>()));
+    return s;
+  }
+  Ball<RealMax> time_at(const Real& s) const {
+    const Ball<RealMax> exact(RealMax(s), 0.0);
+    return Ball<RealMax>::exact(end_) + exact * exact * direction_;
+  }
+
+  const PreciseFunction<Real>& f_;
+  double end_, direction_;
+};
+
+/// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
+/// motion is smooth enough over [from, to].
+int singular_end(const Leg& leg, const PreciseTime& from, double to) {
+  const double near = (leg.end - leg.start) / 16;
+  if (to - leg.start <= near && leg.singular_at(leg.start)) return 1;
+  if (leg.end - from.floor() <= near && leg.singular_at(leg.end)) return -1;
+  return 0;
+}
+
+/// Nothing if this precision does not tell.
+template <class Real>
+std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
+                                                          int sign, const PreciseTime& from, double to, int stage) {
+  try {
+    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end).first_failure(sign, from.hi(), to, stage);
+  } catch (const PrecisionExhausted&) {
+    return std::nullopt;
+  }
+}
+
+/// The slope over an enclosure in doubles, if it is known well enough for Newton's steps to gain many bits each.
+std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const RealMax& lo, const RealMax& hi) {
+  const Ball<double> slope = f(Ball<double>::between(double_floor(lo), double_above(hi))).d;
+  if (slope.rad <= 0x1p-24 * std::fabs(slope.mid)) return slope;
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// The function as a line, if it is one and nothing underflows.
+const ExactLine* PreciseTriple::line() const {
+  if (!ExactLine::fits(leg_)) return nullptr;
+  if (!line_) line_.emplace(leg_, geometry_, triple_, measure_);
+  return line_->exact() ? &*line_ : nullptr;
+}
+
+template <class Real>
+void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
+                                double enough) const {
+  const PreciseFunction<double> rough(leg_, geometry_, triple_, measure_);
+  if (const auto slope = steady_slope(rough, RealMax(root.lo), RealMax(root.hi))) {
+    refine_with_slope(f, *slope, sign, root, enough);
+  } else {
+    taut::refine(f, sign, root, enough);
+  }
+}
+
+int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
+  if (t.fine()) {
+    const ExactLine* const exact = line();
+    if (const int sign = exact ? exact->sign_over(t) : 0) return sign;
+  }
+  return with_stage(stage, [&](auto zero) {
+    using Real = decltype(zero);
+    return PreciseFunction<Real>(leg_, geometry_, triple_, measure_).value(as_ball<Real>(t)).sign();
+  });
+}
+
+/// Of a function that is a line: when it changes its sign.
+PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTime& from, double to) const {
+  if (from.stage > 0) return {};
+  const ExactLine* const exact = line();
+  if (!exact) return {};
+  // The sign holds just after `from`.
+  if (exact->slope_sign() != -sign) return {true, std::nullopt};
+  const std::optional<PreciseTime> root = exact->root(0);
+  if (!root) return {};
+  const FineNumber end(to);
+  if (root->fine_lo().compare(end) > 0) return {true, std::nullopt};
+  return {root->fine_hi().compare(end) <= 0, root};
+}
+
+std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
+  if (const LineFailure line = line_failure(sign, from, to); line.known) return line.time;
+  const int end = singular_end(leg_, from, to);
+  if (end != 0 && from.stage <= 0) {
+    // In the distance's root the motion is so smooth that doubles nearly always do.
+    const PreciseFunction<double> f(leg_, geometry_, triple_, measure_);
+    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) return *answer;
+  }
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (stage < from.stage) continue;
+    try {
+      return with_stage(stage, [&](auto zero) -> std::optional<PreciseTime> {
+        using Real = decltype(zero);
+        const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
+        if (end != 0) {
+          if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
+        }
+        auto root = first_sign_change<Real>(f, sign, Real(from.hi()), Real(to));
+        if (!root) return std::nullopt;
+        refine_root(f, sign, *root, 0);
+        return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
+      });
+    } catch (const PrecisionExhausted&) {
+    }
+  }
+  throw Undecidable{"the failure time of a certificate"};
+}
+
+bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {
+  if (t.stage >= stage) return true;
+  if (stage == 0) {
+    const ExactLine* const exact = line();
+    if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
+      t = *root;
+      return true;
+    }
+  }
+  return with_stage(stage, [&](auto zero) {
+    using Real = decltype(zero);
+    const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
+    RootEnclosure<Real> root{Real(t.lo()), Real(t.hi())};
+    try {
+      refine_root(f, sign, root, enough);
+    } catch (const PrecisionExhausted&) {
+      return false;
+    }
+    t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
+    return true;
+  });
+}
+
+}  // namespace taut

@@ -1,0 +1,49 @@
+// The multi-precision stages of failure times: for degenerate input, tangencies, and events that doubles cannot order.
+#pragma once
+
+#include <optional>
+
+#include "base/errors.hpp"
+#include "numeric/root_isolation.hpp"
+#include "sign/exact_line.hpp"
+#include "sign/mixed_function.hpp"
+#include "sign/precise_time.hpp"
+
+namespace taut {
+
+inline constexpr int precise_stages = 3;
+
+/// A function of a mixed triple on a leg, at any precision.
+class PreciseTriple {
+ public:
+  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const MixedTriple& triple,
+                Measure measure = Measure::orientation)
+      : leg_(leg), geometry_(geometry), triple_(triple), measure_(measure) {}
+
+  /// The sign at an instant, at one stage; 0 if undecided there.
+  int sign_at(const PreciseTime& t, int stage) const;
+  /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
+  /// tell. Throws Undecidable.
+  std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
+  /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
+  /// the root. False if the stage cannot.
+  bool refine(int sign, PreciseTime& t, int stage, double enough = 0) const;
+
+ private:
+  struct LineFailure {
+    bool known = false;
+    std::optional<PreciseTime> time;
+  };
+  LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
+  const ExactLine* line() const;
+  template <class Real>
+  void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
+
+  const Leg& leg_;
+  const PairGeometry& geometry_;
+  MixedTriple triple_;
+  Measure measure_;
+  mutable std::optional<ExactLine> line_;  ///< made when first asked for
+};
+
+}  // namespace taut

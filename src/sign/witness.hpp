@@ -1,0 +1,37 @@
+// From what an engine finds back to the user's terms: input indices, input units, world coordinates.
+#pragma once
+
+#include "pair/pair_plan.hpp"
+#include "sign/contact_bracket.hpp"
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// Internal vertices and edges of one pair in the terms of the scene. The geometry is displaced as `inwards` says; it
+/// and the plan must outlive it.
+class Witness {
+ public:
+  Witness(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
+      : plan_(plan), geometry_(geometry), inwards_(inwards) {}
+
+  Feature vertex(VertexId v) const;
+  /// The edge from v to the next vertex, counterclockwise.
+  Feature edge(VertexId v) const;
+  /// World position at a parameter of a leg, in the input's units (rounded).
+  Point world(VertexId v, const Leg& leg, double parameter) const;
+  /// What an engine found on that leg, as it is true of the bodies given: see contact_bracket().
+  Contact contact(const FoundContact& found, const Leg& leg) const;
+  /// The contact at time t of two shapes that touch there, given two edges of the outward shapes that cross: the end of
+  /// one of them that is nearest to the other is the vertex.
+  Contact contact_of_crossing(VertexId e, VertexId f, const Leg& leg, double t) const;
+
+ private:
+  Contact contact_at(VertexId vertex, VertexId edge, const Leg& leg, double lo, double hi) const;
+  Point outward_normal(VertexId edge, const Leg& leg, double parameter) const;
+
+  const PairPlan& plan_;
+  const PairGeometry& geometry_;
+  bool inwards_;
+};
+
+}  // namespace taut
