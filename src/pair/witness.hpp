@@ -11,9 +11,9 @@ class Witness {
  public:
   Witness(const PairPlan& plan, const PairGeometry& geometry) : plan_(plan), geometry_(geometry) {}
 
-  Feature vertex(VertexId v) const;
+  VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
-  Feature edge(VertexId v) const;
+  EdgeRef edge(VertexId v) const;
   /// World position at a parameter of a leg, in the input's units (rounded).
   Point world(VertexId v, const Leg& leg, double parameter) const;
   /// The contact of a vertex with the edge that starts at `edge`, at [lo, hi] of the leg's parameter.
