@@ -8,5 +8,9 @@ int main() {
   scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
                   {"hammer", {{1, 5}, {3, 5}, {2, 6}}, taut::from_velocity({0, -0.5})}};
   const taut::Answer answer = taut::check(scene);
-  std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
+  if (answer.outcome == taut::Outcome::contact) {
+    std::cout << "contact at " << answer.contact->time.lo << '\n';  // contact at 8
+  } else {
+    std::cout << to_string(answer.outcome) << '\n';
+  }
 }

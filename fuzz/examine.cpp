@@ -148,6 +148,7 @@ std::string audit_queries(const Scene& scene, const Answer& answer, const CheckO
       scope.check();
       s.step();
     }
+    if (s.state() == SimulationState::undecided) return {};
     Answer found;
     found.free_until = scene.start;
     found.contact = s.contact();
@@ -197,7 +198,7 @@ Finding examine(const Scene& scene, const Looks& looks, std::string* report) {
   } catch (const InputError& e) {
     found = {FindingKind::rejected, e.what()};
   } catch (const EngineDisagreement& e) {
-    if (report) *report += line("both", e.kinetic) + '\n' + line("both", e.spacetime) + '\n';
+    if (report) *report += line("both", e.kinetic()) + '\n' + line("both", e.spacetime()) + '\n';
     found = {FindingKind::disagreement, e.what()};
   } catch (const StructureError& e) {
     found = {FindingKind::structure, e.what()};

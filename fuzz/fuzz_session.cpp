@@ -22,7 +22,9 @@ std::optional<Scene> read(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   if (text.find("wkt") != std::string::npos || text.find("geojson") != std::string::npos) return std::nullopt;
   try {
-    return parse_scene(text);
+    Scene scene = parse_scene(text);
+    if (scene.bodies.size() != 2) return std::nullopt;
+    return scene;
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -87,10 +87,17 @@ expect 1 '^CONTACT  anvil x hammer   t = \[?(8|7\.99999)' '' check hit.json
 expect 1 'proved free on \[0, ' '' check hit.json
 expect 0 '^FREE  anvil x hammer' '' check free.json
 expect 1 '^OVERLAP AT START  anvil x hammer' '' check overlap.json
+expect 1 'the motion starts: \(2, 0\.53125\) is inside both' '' check overlap.json
 expect 1 '"outcome":"contact","t":\[.*"engine":"kinetic".*"touch":"open"' '' check --json hit.json
 is_json_lines
 expect 0 '"outcome":"free"' '' check --json free.json
-expect 1 '"outcome":"overlap_at_start"' '' check --json overlap.json
+expect 1 '"outcome":"overlap_at_start","overlap":\{"point":\[2,0\.53125\]\}' '' check --json overlap.json
+sed 's/"time"/"id": {"job": [1, 2.50]}, "time"/' hit.json >with_id.json
+expect 1 '^\{"id":\{"job":\[1,2\.50\]\},"outcome":"contact"' '' check --json with_id.json
+tr -d '\n' <with_id.json >with_id.jsonl
+expect 1 '^\{"scene":"with_id.jsonl:1","id":\{"job":\[1,2\.50\]\},"outcome":"contact"' '' check --json --lines with_id.jsonl
+sed 's/"bodies":\[/&{"name":"third","polygon":[[9,9],[10,9],[9,10]]},/' hit.json >three.json
+expect 2 '' 'three.json: bodies: the scene has 3 bodies' check three.json
 expect 0 '"outcome":"free"' '' check --json --touch open touch.json
 expect 1 '"outcome":"contact".*"touch":"closed"' '' check --json --touch closed touch.json
 expect 1 '"timing":\{"read":' '' check --json --timing hit.json

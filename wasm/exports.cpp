@@ -18,9 +18,10 @@ namespace {
 std::unique_ptr<Recording> recording;
 std::string result;
 
-std::string indices_text(const std::vector<int>& indices) {
+template <class Ref>
+std::string indices_text(const std::vector<Ref>& features) {
   std::string s;
-  for (const int i : indices) s += (s.empty() ? "" : ",") + std::to_string(i);
+  for (const Ref& f : features) s += (s.empty() ? "" : ",") + std::to_string(f.index);
   return "[" + s + "]";
 }
 
@@ -64,7 +65,6 @@ Recording& current() {
 }
 
 const char* state_text(const Recording& r) {
-  if (!r.undecided().empty()) return "undecided";
   switch (r.simulation().state()) {
     case SimulationState::running:
       return "running";
@@ -74,6 +74,8 @@ const char* state_text(const Recording& r) {
       return "contact";
     case SimulationState::overlap_at_start:
       return "overlap_at_start";
+    case SimulationState::undecided:
+      return "undecided";
   }
   return "";
 }

@@ -20,27 +20,25 @@ double now_milliseconds() {
 }  // namespace
 
 Recording::Recording(const Scene& scene, Touch touch) : scene_(scene), touch_(touch), simulation_(scene, touch, this) {
+  if (simulation_.state() == SimulationState::undecided) throw UndecidedError(simulation_.reason());
   if (simulation_.state() == SimulationState::overlap_at_start) return;
   initial_ = simulation_.certificates();
   map_ = simulation_.halfedges();
   for (const TilingHalfedge& h : map_) append(start_, h);
-  for (const TilingVertex& v : simulation_.tiling().vertices) vertices_.insert(vertices_.end(), {v.body, v.index});
+  for (const TilingVertex& v : simulation_.tiling().vertices)
+    vertices_.insert(vertices_.end(), {v.vertex.body, v.vertex.index});
 }
 
 bool Recording::advance(double until, double milliseconds) {
   const double stop = now_milliseconds() + milliseconds;
-  try {
-    while (simulation_.state() == SimulationState::running) {
-      const auto next = simulation_.next_event();
-      if (!next || next->lo > until) {
-        simulation_.advance_to(until);
-        return true;
-      }
-      simulation_.step();
-      if (now_milliseconds() > stop) return simulation_.state() != SimulationState::running;
+  while (simulation_.state() == SimulationState::running) {
+    const auto next = simulation_.next_event();
+    if (!next || next->lo > until) {
+      simulation_.advance_to(until);
+      return true;
     }
-  } catch (const UndecidedError& error) {
-    undecided_ = error.what();
+    simulation_.step();
+    if (now_milliseconds() > stop) return simulation_.state() != SimulationState::running;
   }
   return true;
 }
@@ -52,18 +50,19 @@ void Recording::change_plan(const Scene& edited, int body) {
 
 Answer Recording::answer() const {
   Answer answer;
-  answer.engine = EngineChoice::kinetic;
+  answer.engine = EngineName::kinetic;
   answer.contact = simulation_.contact();
   answer.events = simulation_.events();
   answer.free_until = simulation_.time();
   if (answer.contact) {
     answer.outcome = Outcome::contact;
     answer.free_until = answer.contact->time.lo;
-  } else if (!undecided_.empty()) {
-    answer.reason = undecided_;
+  } else if (simulation_.state() == SimulationState::undecided) {
+    answer.reason = simulation_.reason();
     return answer;
   } else if (simulation_.state() == SimulationState::overlap_at_start) {
     answer.outcome = Outcome::overlap_at_start;
+    answer.overlap_point = simulation_.overlap_point();
     return answer;
   } else if (simulation_.state() == SimulationState::finished) {
     answer.outcome = Outcome::free;

@@ -34,7 +34,6 @@ class Recording : private Tracer {
   /// As check() would answer, as far as the simulation has come.
   Answer answer() const;
   Touch touch() const { return touch_; }
-  const std::string& undecided() const { return undecided_; }
 
   const std::vector<std::int32_t>& vertices() const { return vertices_; }  ///< body, index of the input
   const std::vector<std::int32_t>& start() const { return start_; }        ///< the half-edges before all events
@@ -48,7 +47,6 @@ class Recording : private Tracer {
   Scene scene_;
   Touch touch_;
   Simulation simulation_;
-  std::string undecided_;
   std::uint64_t initial_ = 0;
   std::vector<TilingHalfedge> map_;
   std::vector<std::int32_t> vertices_, start_, changes_, events_;

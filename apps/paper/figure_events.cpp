@@ -130,7 +130,7 @@ std::string figure_8(const Scene& inner, const Scene& outer) {
         for (std::size_t j = 0; j < v.size(); ++j) edges[k].insert(std::minmax(v[j], v[(j + 1) % v.size()]));
       }
       for (const Segment& s : edges[1]) {
-        const auto body = [&](int v) { return tilings[1].vertices[static_cast<std::size_t>(v)].body; };
+        const auto body = [&](int v) { return tilings[1].vertices[static_cast<std::size_t>(v)].vertex.body; };
         const bool on_boundary =
             std::any_of(tilings[1].edges.begin(), tilings[1].edges.end(),
                         [&](const TilingEdge& e) { return e.polygon && Segment(std::minmax(e.from, e.to)) == s; });

@@ -55,7 +55,7 @@ namespace {
 /// The lasso, for hulls apart: from the pin clockwise along P's hull to the outer tangent, around Q, back by the inner
 /// tangent, along the root pseudo-triangle's side of P's hull, and to the pin the way it came.
 DrawnPath lasso(const Tiling& tiling, int pin) {
-  const auto of_p = [&tiling](int v) { return tiling.vertices[static_cast<std::size_t>(v)].body == 0; };
+  const auto of_p = [&tiling](int v) { return tiling.vertices[static_cast<std::size_t>(v)].vertex.body == 0; };
   // Either face's boundary, begun where it comes back to P.
   const auto from_p = [&](FaceKind kind) {
     for (const TilingFace& face : tiling.faces) {
@@ -90,7 +90,7 @@ std::array<int, 2> diametral_pair(const Tiling& tiling, int body) {
   for (std::size_t i = 0; i < tiling.vertices.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const TilingVertex &a = tiling.vertices[i], &b = tiling.vertices[j];
-      if (a.body != body || b.body != body) continue;
+      if (a.vertex.body != body || b.vertex.body != body) continue;
       const double d = std::hypot(a.position.x - b.position.x, a.position.y - b.position.y);
       if (d > longest) longest = d, best = {static_cast<int>(j), static_cast<int>(i)};
     }
@@ -101,7 +101,7 @@ std::array<int, 2> diametral_pair(const Tiling& tiling, int body) {
 bool beyond(const Tiling& tiling, int pin, int other, int body) {
   const Point a = position(tiling, pin), b = position(tiling, other);
   return std::any_of(tiling.vertices.begin(), tiling.vertices.end(), [&](const TilingVertex& v) {
-    return v.body != body && (v.position.x - a.x) * (b.x - a.x) + (v.position.y - a.y) * (b.y - a.y) < 0;
+    return v.vertex.body != body && (v.position.x - a.x) * (b.x - a.x) + (v.position.y - a.y) * (b.y - a.y) < 0;
   });
 }
 

@@ -20,7 +20,7 @@ std::string separators(const std::vector<std::pair<Scene, double>>& placements) 
     for (int body : {0, 1}) {
       const Polygon& polygon = bodies[static_cast<std::size_t>(body)];
       for (std::size_t i = 0; i < polygon.size(); ++i)
-        tiling.vertices.push_back({body, static_cast<int>(i), polygon[i]});
+        tiling.vertices.push_back({{body, static_cast<int>(i)}, polygon[i]});
     }
     const MinimumLinkSeparator& m = found.minimum_link;
     DrawOptions o = panel_options();

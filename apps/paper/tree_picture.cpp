@@ -49,7 +49,7 @@ Point place_in(const Tiling& tiling, const TilingFace& face) {
 SubtreePicture::SubtreePicture(const Scene&, const Tiling& tiling, int body, int depth, int place) {
   int first = 0, size = 0;
   for (std::size_t i = 0; i < tiling.vertices.size(); ++i) {
-    if (tiling.vertices[i].body != body) continue;
+    if (tiling.vertices[i].vertex.body != body) continue;
     if (size++ == 0) first = static_cast<int>(i);
   }
   // The numbering of the nodes does not matter here: any root will do.

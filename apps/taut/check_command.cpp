@@ -33,7 +33,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// All that is needed to see a disagreement again. On standard error, and whole: the scene may have come from a pipe.
 void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreement& error) {
   fmt::print(stderr, "taut: {}\nkinetic:   {}\nspacetime: {}\nscene:\n{}\n", error.what(),
-             answer_json(scene, error.kinetic, touch), answer_json(scene, error.spacetime, touch), write_scene(scene));
+             answer_json(scene, error.kinetic(), touch), answer_json(scene, error.spacetime(), touch),
+             write_scene(scene));
 }
 
 int run_check(const CheckArguments& arguments) {

@@ -10,7 +10,7 @@ namespace taut::cli {
 
 namespace {
 
-std::string edge_text(const Scene& scene, const Feature& edge) {
+std::string edge_text(const Scene& scene, const EdgeRef& edge) {
   const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
   const std::size_t next = (static_cast<std::size_t>(edge.index) + 1) % body.polygon.size();
   return fmt::format("edge {}-{} of {}", edge.index, next, body.name);
@@ -55,9 +55,9 @@ std::string touching(const Scene& scene, const Contact& contact) {
 /// What it took: events, engines, seconds.
 std::string work(const Answer& answer) {
   const std::string seconds = seconds_text(answer.build_seconds + answer.run_seconds);
-  if (answer.engine == EngineChoice::spacetime) return fmt::format("spacetime engine, {}\n", seconds);
+  if (!answer.compared && answer.engine == EngineName::spacetime) return fmt::format("spacetime engine, {}\n", seconds);
   return fmt::format("{} event{}, {}{}\n", answer.events, answer.events == 1 ? "" : "s",
-                     answer.engine == EngineChoice::both ? "two engines agree, " : "", seconds);
+                     answer.compared ? "two engines agree, " : "", seconds);
 }
 
 std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
@@ -101,7 +101,10 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   if (!answer.touching_undecided.empty())
     text += "  whether they touch was not decided: " + answer.touching_undecided + "\n";
   if (answer.outcome == Outcome::overlap_at_start) {
-    return text + "  the bodies overlap already when the motion starts\n";
+    const auto& inside = answer.overlap_point;
+    const std::string where = inside ? fmt::format("({}, {}) is inside both", inside->x, inside->y)
+                                     : "by too little for a point to be named that is inside both";
+    return text + "  the bodies overlap already when the motion starts: " + where + "\n";
   }
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
   return text + proved(scene, answer, touch);

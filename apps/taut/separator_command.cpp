@@ -24,9 +24,9 @@ struct SeparatorArguments {
   bool json = false;
 };
 
-std::string vertices_json(const Scene& scene, const std::vector<SeparatorVertex>& vertices) {
+std::string vertices_json(const Scene& scene, const std::vector<VertexRef>& vertices) {
   std::string s = "[";
-  for (const SeparatorVertex& v : vertices) {
+  for (const VertexRef& v : vertices) {
     s += fmt::format("{}{{\"body\":{},\"index\":{}}}", s.size() > 1 ? "," : "",
                      io::string_text(scene.bodies[static_cast<std::size_t>(v.body)].name), v.index);
   }
@@ -81,11 +81,12 @@ std::string picture(const Scene& scene, double t, const Separator& found) {
   options.certificates = false;
   for (int body : {0, 1}) {
     const Polygon& polygon = bodies[static_cast<std::size_t>(body)];
-    for (std::size_t i = 0; i < polygon.size(); ++i) tiling.vertices.push_back({body, static_cast<int>(i), polygon[i]});
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      tiling.vertices.push_back({{body, static_cast<int>(i)}, polygon[i]});
     DrawnPath hull;
     hull.kind = body == 0 ? DrawnPath::Kind::geodesic_0 : DrawnPath::Kind::geodesic_1;
     hull.closed = true;
-    for (const SeparatorVertex& v : found.moving.hulls[static_cast<std::size_t>(body)])
+    for (const VertexRef& v : found.moving.hulls[static_cast<std::size_t>(body)])
       hull.points.push_back(bodies[static_cast<std::size_t>(v.body)][static_cast<std::size_t>(v.index)]);
     options.paths.push_back(hull);
   }

@@ -19,11 +19,11 @@ namespace {
 
 enum : int { exit_proved = 0, exit_not_proved = 1, exit_time_is_up = 3 };
 
-std::string vertex_text(const Scene& scene, const Feature& f) {
+std::string vertex_text(const Scene& scene, const VertexRef& f) {
   return fmt::format("vertex {} of {}", f.index, scene.bodies[static_cast<std::size_t>(f.body)].name);
 }
 
-std::string edge_text(const Scene& scene, const Feature& f) {
+std::string edge_text(const Scene& scene, const EdgeRef& f) {
   const Body& body = scene.bodies[static_cast<std::size_t>(f.body)];
   return fmt::format("edge {}-{} of {}", f.index, (static_cast<std::size_t>(f.index) + 1) % body.polygon.size(),
                      body.name);

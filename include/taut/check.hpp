@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 
+#include "taut/error.hpp"
+#include "taut/feature.hpp"
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
 
@@ -25,22 +25,25 @@ const char* to_string(Outcome outcome);
 /// "open" or "closed".
 const char* to_string(Touch touch);
 
-/// Who answers. The engines share the arithmetic and the description of motion, and no idea beyond these.
-enum class EngineChoice {
+/// An engine, in an answer. The engines share the arithmetic and the description of motion, and no idea beyond these.
+enum class EngineName {
   kinetic,    ///< the kinetic data structure: a tiling of the free space, kept valid from event to event
   spacetime,  ///< bounding volumes over the edges, followed through time
+};
+
+/// "kinetic" or "spacetime".
+const char* to_string(EngineName engine);
+
+/// Whom to ask.
+enum class EngineChoice {
+  kinetic,    ///< this engine
+  spacetime,  ///< this engine
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
   either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
 };
 
 /// "kinetic", "spacetime", "both" or "either".
 const char* to_string(EngineChoice engine);
-
-/// A vertex or an edge of a body, with the index of the input.
-struct Feature {
-  int body = 0;   ///< 0 or 1: position in Scene::bodies
-  int index = 0;  ///< vertex `index`, or the edge from vertex `index` to the next one
-};
 
 /// An interval of time that certainly contains the instant meant.
 struct TimeInterval {
@@ -52,8 +55,8 @@ struct TimeInterval {
 struct Contact {
   /// Encloses the contact. Nearly always a few ulps wide; wider if `grazing`.
   TimeInterval time;
-  Feature vertex;
-  Feature edge;
+  VertexRef vertex;
+  EdgeRef edge;
   Point point;
   Point normal;  ///< unit outward normal of the edge's body at the contact
   /// The features meet so slowly that whether they overlap or just touch is below what taut tells apart (2^-150 of the
@@ -82,8 +85,10 @@ struct CheckOptions {
 /// What check() and prove() found out.
 struct Answer {
   Outcome outcome = Outcome::undecided;
-  /// Who answered; never `either`.
-  EngineChoice engine = EngineChoice::kinetic;
+  /// Who answered.
+  EngineName engine = EngineName::kinetic;
+  /// The other engine was asked too, and contradicts nothing of this (EngineChoice::both).
+  bool compared = false;
   /// Present for `contact`, and for nothing else.
   std::optional<Contact> contact;
   /// With `free` and open touching: the bodies touch, here for the first time, and overlap by no more than 2^-150 of
@@ -91,6 +96,10 @@ struct Answer {
   std::optional<Contact> touching;
   /// Why it is not known whether there is such a contact; empty if it is.
   std::string touching_undecided;
+  /// For `overlap_at_start`: a point that certainly lies inside both bodies at the start, in world coordinates. The two
+  /// doubles are exact, and so are the bodies: as they are written, where their motions put them, without the
+  /// displacement. Absent where none was found, since an overlap may be too thin for any pair of doubles to lie in it.
+  std::optional<Point> overlap_point;
   /// The motion is proved free of collisions before this time.
   double free_until = 0;
   /// Of the kinetic engine; the other one has neither events nor certificates.
@@ -104,15 +113,7 @@ struct Answer {
   std::string reason;
 };
 
-/// The two engines contradict each other: one of them is wrong, and taut has a defect.
-struct EngineDisagreement : std::logic_error {
-  /// What they disagree about, and the answers of the kinetic and of the spacetime engine.
-  EngineDisagreement(const std::string& what, Answer first, Answer second)
-      : std::logic_error(what), kinetic(std::move(first)), spacetime(std::move(second)) {}
-  Answer kinetic, spacetime;
-};
-
-/// Decides whether and when the two bodies of `scene` first collide.
+/// Decides whether and when bodies of `scene` first collide.
 /// `free` and `contact` are proofs: every sign and every order of events behind them is certified.
 /// Throws InputError if the scene is not valid; EngineDisagreement with EngineChoice::both.
 Answer check(const Scene& scene, const CheckOptions& options = {});

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
-#include <stdexcept>
 #include <string>
 
 #include "taut/check.hpp"
@@ -38,11 +37,6 @@ struct Verified {
   std::uint64_t events = 0;
   /// Identifies what was proved about: see scene_fingerprint().
   Fingerprint fingerprint{};
-};
-
-/// The log does not prove what it claims, or belongs to another scene.
-struct ProofError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Checks a log: that the tiling at the start is one of pseudo-triangles around both bodies, that every corner of it

@@ -1,4 +1,4 @@
-// A scene: two bodies, their motions, and the time interval in question.
+// A scene: bodies, their motions, and the time interval in question.
 #pragma once
 
 #include <memory>
@@ -21,13 +21,18 @@ struct Body {
   /// then best left empty. If it is not, each check compares it with the prepared one, and anything but the same
   /// polygon is an InputError.
   std::shared_ptr<const PreparedShape> prepared = nullptr;
+  /// What the user calls it by: a JSON value, as text, which is handed through to answers; may be empty.
+  std::string id = {};
 };
 
-/// Two bodies and a closed time interval [start, end] (start <= end).
+/// Bodies and a closed time interval [start, end] (start <= end). How many bodies can be decided at present, validate()
+/// knows (taut/validate.hpp).
 struct Scene {
   double start = 0;
   double end = 0;
   std::vector<Body> bodies;
+  /// What the user calls it by: a JSON value, as text, which is handed through to the answer; may be empty.
+  std::string id = {};
 };
 
 /// What counts as a collision.

@@ -4,25 +4,19 @@
 #include <array>
 #include <vector>
 
+#include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
 namespace taut {
-
-/// A vertex of a body, by position in Scene::bodies and index of the input.
-struct SeparatorVertex {
-  int body = 0;
-  int index = 0;
-  friend bool operator==(const SeparatorVertex&, const SeparatorVertex&) = default;
-};
 
 /// The separator that the tiling maintains: the boundary between the two relative convex hulls.
 struct MovingSeparator {
   /// The relative convex hull of either body (by position in Scene::bodies), counterclockwise: the shortest loop around
   /// it that does not cross the other body. A vertex may come twice, where the loop touches itself.
-  std::array<std::vector<SeparatorVertex>, 2> hulls;
+  std::array<std::vector<VertexRef>, 2> hulls;
   /// The path that the two hulls share, in the order of the larger body's; empty if they are apart. It may be one
   /// vertex.
-  std::vector<SeparatorVertex> contact;
+  std::vector<VertexRef> contact;
   /// Edges between the bodies (PQ edges) on either hull, and on the path that they share. By Lemma 2.4 of the paper the
   /// first two are at most twice the number of edges of any separator.
   std::array<int, 2> bichromatic_edges{};

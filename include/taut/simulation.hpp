@@ -2,13 +2,16 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "taut/check.hpp"
+#include "taut/error.hpp"
+#include "taut/feature.hpp"
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
 
@@ -25,8 +28,8 @@ enum class FaceKind : std::uint8_t {
 /// One face of the tiling, for drawing and study.
 struct TilingFace {
   FaceKind kind = FaceKind::node;
-  int body = 0;   ///< for node and polygon_interior: whose tree (position in Scene::bodies)
-  int depth = 0;  ///< depth of the node in its tree, 0 at the root
+  BodyId body = 0;  ///< for node and polygon_interior: whose tree
+  int depth = 0;    ///< depth of the node in its tree, 0 at the root
   /// The boundary, face on the left: indices into Tiling::vertices. Empty for polygon interiors.
   std::vector<int> boundary;
   /// For node: the ends of its chain, counterclockwise around the body, as indices into Tiling::vertices.
@@ -35,8 +38,7 @@ struct TilingFace {
 
 /// A vertex of a body, where it is now.
 struct TilingVertex {
-  int body = 0;
-  int index = 0;   ///< of the input
+  VertexRef vertex;
   Point position;  ///< world coordinates, rounded
 };
 
@@ -61,7 +63,8 @@ struct TilingHalfedge {
   int origin = -1;                 ///< index into Tiling::vertices; -1: not in use at present
   int next = -1;                   ///< the half-edge after this one along the boundary of the face on its left
   FaceKind kind = FaceKind::node;  ///< of the face on its left
-  int body = 0, depth = 0;         ///< of that face, as in TilingFace
+  BodyId body = 0;                 ///< of that face, as in TilingFace
+  int depth = 0;                   ///< of that face, as in TilingFace
   friend bool operator==(const TilingHalfedge& a, const TilingHalfedge& b) {
     return a.origin == b.origin && a.next == b.next && a.kind == b.kind && a.body == b.body && a.depth == b.depth;
   }
@@ -70,7 +73,7 @@ struct TilingHalfedge {
 /// A pinned geodesic cycle (section 2 of the paper): the shortest paths between the ends of the chains of one level of
 /// a body's tree, each homotopic to its chain.
 struct GeodesicCycle {
-  int body = 0;
+  BodyId body = 0;
   int level = 0;
   /// In order, counterclockwise around the body: indices into Tiling::vertices. Where the cycle touches itself,
   /// vertices come twice.
@@ -81,38 +84,50 @@ struct GeodesicCycle {
 
 /// A corner u -> v -> w of a face whose certificate is active.
 struct ActiveCertificate {
-  TraceVertex u, v, w;
+  VertexRef u, v, w;
   bool convex = false;
   double not_before = 0;  ///< the certificate certainly holds until this time
 };
 
 /// Where a simulation stands.
-enum class SimulationState : std::uint8_t { running, finished, contact, overlap_at_start };
-
-/// A sign that even the highest precision does not settle; check() and prove() answer Outcome::undecided instead.
-struct UndecidedError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+enum class SimulationState : std::uint8_t {
+  running,           ///< free of collisions up to time(), and there may be more events
+  finished,          ///< free of collisions to the end of the scene
+  contact,           ///< the first collision, see contact()
+  overlap_at_start,  ///< the bodies overlap already at the start
+  undecided,         ///< a limit was reached; reason() says which, and nothing is claimed beyond time()
 };
 
-/// A simulation was asked after an exception came out of the middle of an event; see Simulation.
-struct UnusableError : std::logic_error {
-  UnusableError()
-      : std::logic_error(
-            "the simulation was left in the middle of an event by an exception, from a Tracer, say: "
-            "make a new one") {}
+/// How to simulate. Limits mean what they mean in CheckOptions.
+struct SimulationOptions {
+  Touch touch = Touch::open;
+  /// Become `undecided` where there may be an event after this many.
+  std::uint64_t max_events = UINT64_MAX;
+  /// Become `undecided` where one call, the constructor's among them, takes more wall time than this, in seconds.
+  double max_seconds = 1e300;
+  /// Become `undecided` soon after this becomes true; may be null. Not owned.
+  const std::atomic<bool>* stop = nullptr;
+  /// Told of every event; may be null. Not owned.
+  Tracer* tracer = nullptr;
 };
 
 /// The external relative geodesic triangulation of two moving polygons, kept up to date event by event.
 /// The current time only grows. Not thread-safe; distinct simulations are independent.
-/// Where the highest precision does not decide, the constructor, next_event(), step(), advance_to() and set_motion()
-/// throw UndecidedError; after that only time(), events() and contact() may be asked.
-/// Where another exception leaves one of these (one that a Tracer threw, whatever the event, or a lack of memory), an
-/// event is half done: after that every call throws UnusableError, and the simulation may only be destroyed or assigned
-/// to. An InputError of taut's own changes nothing.
+///
+/// Where the highest precision does not decide, or a limit of the options is reached, state() is `undecided` from then
+/// on, as an answer of check() would be: an event may be half done. state(), reason(), time(), contact(),
+/// overlap_point() and the counters events(), certificates() and certificates_max() still tell what is known;
+/// next_event() and step() have nothing more to give; everything else throws UndecidedError with the reason.
+///
+/// Where an exception leaves the constructor, next_event(), step(), advance_to() or set_motion() (one that a Tracer
+/// threw, whatever the event, or a lack of memory), an event is half done: after that every call throws UnusableError,
+/// and the simulation may only be destroyed or assigned to. An InputError of taut's own changes nothing.
 class Simulation {
  public:
   /// Validates the scene, builds the tiling at its start. Throws InputError.
-  explicit Simulation(const Scene& scene, Touch touch = Touch::open, Tracer* tracer = nullptr);
+  explicit Simulation(const Scene& scene, const SimulationOptions& options = {});
+  /// The same without limits.
+  Simulation(const Scene& scene, Touch touch, Tracer* tracer = nullptr);
   ~Simulation();
   /// The one moved from may only be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
@@ -121,13 +136,15 @@ class Simulation {
 
   /// Whether it can go on, and if not, why.
   SimulationState state() const;
+  /// Why state() is `undecided`, in words; empty otherwise.
+  const std::string& reason() const;
   /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
   /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
   double time() const;
-  /// Enclosure of the time of the next event; empty if none is left before the end. Looks as far as it must: where a
-  /// motion's next piece begins before the event, time() moves on to that joint.
+  /// Enclosure of the time of the next event; empty if none is left before the end, or it is undecided. Looks as far as
+  /// it must: where a motion's next piece begins before the event, time() moves on to that joint.
   std::optional<TimeInterval> next_event();
-  /// Processes one event. False if there is none before the end, or after a contact.
+  /// Processes one event. False if there is none before the end, after a contact, or if it is undecided.
   bool step();
   /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
   /// A time before time() changes nothing; one that is not a number is an InputError.
@@ -136,10 +153,12 @@ class Simulation {
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
   /// larger jump is an InputError and changes nothing. Events that nearly coincide with the last one are processed
   /// first; if one of them is the contact, it stays the answer.
-  void set_motion(int body, const Motion& motion);
+  void set_motion(BodyId body, const Motion& motion);
 
   /// The first contact, once state() is `contact`.
   const std::optional<Contact>& contact() const;
+  /// As Answer::overlap_point, if state() is `overlap_at_start`.
+  const std::optional<Point>& overlap_point() const;
   /// Events processed so far.
   std::uint64_t events() const;
   /// Size of the active set.
@@ -150,8 +169,7 @@ class Simulation {
   Tiling tiling() const;
   /// The same map as half-edges. Their number may grow with an event, and never shrinks.
   std::vector<TilingHalfedge> halfedges() const;
-  /// One of them, by its position in halfedges().
-  /// One of them; its origin is -1 if there is no such half-edge, or it is not in use.
+  /// One of them, by its position in halfedges(); its origin is -1 if there is no such half-edge, or it is not in use.
   TilingHalfedge halfedge(int index) const;
   /// The half-edges that the last event may have changed: a constant number, all others are as before. Between events
   /// the map does not change. A Tracer may ask from on_event(), where events are seen one by one. Empty before the
@@ -160,11 +178,11 @@ class Simulation {
   /// The certificates that can fail: corners with vertices of both bodies.
   std::vector<ActiveCertificate> active_set() const;
   /// Number of levels of a body's tree, the edges of the body being the last.
-  int levels(int body) const;
+  int levels(BodyId body) const;
   /// The pinned geodesic cycle of one level at time(), built from scratch in O(n log n). Level 0 is the relative convex
   /// hull, the last level (and what lies beyond) the body's own boundary. Throws InputError if there is no such body,
   /// if the bodies overlap, or while the jump between two pieces of a motion is being bridged.
-  GeodesicCycle geodesic_cycle(int body, int level) const;
+  GeodesicCycle geodesic_cycle(BodyId body, int level) const;
 
   struct Impl;
 

@@ -9,8 +9,12 @@
 //     scene.end = 10;
 //     scene.bodies = {{"anvil", {{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {}},
 //                     {"hammer", {{1, 5}, {3, 5}, {2, 6}}, taut::from_velocity({0, -0.5})}};
-//     taut::Answer answer = taut::check(scene);
-//     std::cout << to_string(answer.outcome) << " at " << answer.contact->time.lo << '\n';  // contact at 8
+//     const taut::Answer answer = taut::check(scene);
+//     if (answer.outcome == taut::Outcome::contact) {
+//       std::cout << "contact at " << answer.contact->time.lo << '\n';  // contact at 8
+//     } else {
+//       std::cout << to_string(answer.outcome) << '\n';
+//     }
 //   }
 //
 // taut/check.hpp       the question and its answer
@@ -23,10 +27,13 @@
 // taut/shape.hpp       shapes that come again, prepared once
 // taut/validate.hpp    is the input valid?
 // taut/io.hpp          scene files, outlines, pictures
+// taut/feature.hpp     how bodies, vertices and edges are named
+// taut/error.hpp       everything that is thrown
 #pragma once
 
 #include "taut/check.hpp"
 #include "taut/error.hpp"
+#include "taut/feature.hpp"
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 #include "taut/motion.hpp"

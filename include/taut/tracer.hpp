@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "taut/feature.hpp"
+
 namespace taut {
 
 /// How a failed certificate was repaired (Fig. 7 of the paper, and the degenerate forms around it).
@@ -18,19 +20,13 @@ enum class Repair : std::uint8_t {
 /// "convex_flip", "convex_triangle", "reflex_a", "reflex_b", "reflex_c" or "collision".
 const char* to_string(Repair repair);
 
-/// A vertex by body and by index of the input.
-struct TraceVertex {
-  int body = 0;
-  int index = 0;
-};
-
 /// One certificate failure: the corner u -> v -> w of a face degenerated within [lo, hi].
 struct TraceEvent {
   std::uint64_t number = 0;  ///< 1 for the first event
   double lo = 0, hi = 0;     ///< enclosure of the failure time
   bool bridging = false;     ///< at a joint of two motion pieces, while the jump was bridged
   Repair repair = Repair::collision;
-  TraceVertex u, v, w;
+  VertexRef u, v, w;
   bool pinch_rule = false;         ///< a pinch edge decided the case
   bool three_corners = false;      ///< all three corners of a triangle failed at once
   int corners_touched = 0;         ///< corners that the repair may have changed: a small constant

@@ -9,7 +9,8 @@ namespace taut {
 /// Exactly collinear consecutive vertices are fine. O(n log n). `name` is used in messages.
 void validate_polygon(const Polygon& polygon, const std::string& name);
 
-/// Everything that check() would refuse: number of bodies, polygons, time interval, motions and their joints.
+/// Throws InputError for everything that check() would refuse: number of bodies (exactly two, at present), polygons,
+/// time interval, motions and their joints.
 void validate(const Scene& scene);
 
 }  // namespace taut

@@ -1,18 +1,14 @@
-// Errors of the inside: none of them is ever turned into an answer.
+// What the inside throws, besides the errors of taut/error.hpp.
 #pragma once
 
-#include <stdexcept>
+#include "taut/error.hpp"
 
 namespace taut {
 
-/// The sign of a predicate could not be decided at the highest precision.
+/// The sign of a predicate could not be decided at the highest precision. Never turned into an answer, and never seen
+/// outside: there it is an outcome, a state, or an UndecidedError.
 struct Undecidable {
   const char* what;
-};
-
-/// An invariant of the structure does not hold: a bug, or input beyond what the rules cover.
-struct StructureError : std::logic_error {
-  using std::logic_error::logic_error;
 };
 
 }  // namespace taut

@@ -9,8 +9,6 @@ namespace {
 
 bool decided(const Answer& a) { return a.outcome != Outcome::undecided; }
 
-bool same(const Feature& a, const Feature& b) { return a.body == b.body && a.index == b.index; }
-
 bool apart(const TimeInterval& a, const TimeInterval& b) { return a.hi < b.lo || b.hi < a.lo; }
 
 /// What contradicts what; null if nothing does.
@@ -29,16 +27,21 @@ const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
   if (apart(a.time, b.time)) return "the times of contact differ";
   // Bodies that touch at the start may do so in many places; later, the displacement lets only one be the first.
   if (a.time.lo == a.time.hi) return nullptr;
-  if (!same(a.vertex, b.vertex) || !same(a.edge, b.edge)) return "the features in contact differ";
+  if (a.vertex != b.vertex || a.edge != b.edge) return "the features in contact differ";
   return nullptr;
 }
 
 }  // namespace
 
+EngineDisagreement::EngineDisagreement(const std::string& what, const Answer& kinetic, const Answer& spacetime)
+    : InternalError(what),
+      kinetic_(std::make_shared<const Answer>(kinetic)),
+      spacetime_(std::make_shared<const Answer>(spacetime)) {}
+
 Answer agreed(const Answer& kinetic, const Answer& spacetime) {
   if (const char* what = contradiction(kinetic, spacetime)) throw EngineDisagreement(what, kinetic, spacetime);
   Answer answer = decided(kinetic) || !decided(spacetime) ? kinetic : spacetime;
-  answer.engine = EngineChoice::both;
+  answer.compared = true;
   answer.events = kinetic.events;
   answer.certificates_initial = kinetic.certificates_initial;
   answer.certificates_max = kinetic.certificates_max;

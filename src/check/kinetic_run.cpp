@@ -21,6 +21,7 @@ void conclude(const Session& session, Answer& answer) {
   answer.free_until = std::clamp(answer.free_until, session.start(), session.end());
   if (session.overlap_at_start()) {
     answer.outcome = Outcome::overlap_at_start;
+    answer.overlap_point = session.overlap_point();
     answer.free_until = session.start();
   } else if (session.contact()) {
     answer.outcome = Outcome::contact;
@@ -36,7 +37,7 @@ class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
       : options_(options), watcher_(watcher), scope_(options.stop, options.max_seconds) {
-    answer_.engine = EngineChoice::kinetic;
+    answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
     try {

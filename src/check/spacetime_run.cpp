@@ -7,6 +7,7 @@
 #include "check/run.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
@@ -67,6 +68,7 @@ class Question {
       }
     }
     answer.outcome = Outcome::overlap_at_start;
+    answer.overlap_point = common_point(plan_, scene_.start);
     return false;
   }
 
@@ -106,7 +108,7 @@ class Question {
 class SpacetimeRun final : public Run {
  public:
   SpacetimeRun(const Scene& scene, const CheckOptions& options) : scope_(options.stop, options.max_seconds) {
-    answer_.engine = EngineChoice::spacetime;
+    answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
     try {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "base/interruption.hpp"
 #include "geometry/predicates.hpp"
+#include "taut/error.hpp"
 
 namespace taut {
 
@@ -124,7 +124,7 @@ class Sweep {
     Place low = place_[e], high = place_[f];
     if (std::next(low) != high) std::swap(low, high);
     // Whatever lay between them would pass through their common vertex and have been found.
-    if (std::next(low) != high) throw std::logic_error("taut: plane sweep out of order");
+    if (std::next(low) != high) throw StructureError("plane sweep out of order");
     const bool between = low != status_.begin() && std::next(high) != status_.end();
     status_.erase(low);
     const Place after = status_.erase(high);

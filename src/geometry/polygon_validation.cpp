@@ -52,14 +52,14 @@ void require_sound_coordinates(const Polygon& polygon, const std::string& name) 
     const Point& p = polygon[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y))
       throw InputError(name, "vertex " + std::to_string(i) + " has a coordinate that is not finite: " + text(p),
-                       "coordinates must be ordinary numbers", {{static_cast<int>(i)}, {}});
+                       "coordinates must be ordinary numbers", {{{0, static_cast<int>(i)}}, {}});
     if (!in_range(p.x) || !in_range(p.y))
       throw InputError(name,
                        "vertex " + std::to_string(i) + " has a coordinate out of range: " + text(p) +
                            "; a coordinate must be zero or of magnitude between 2^-400 (about 3.9e-121) and 2^400 "
                            "(about 2.6e+120)",
                        "choose other units, or write 0 for a coordinate that is meant to be zero",
-                       {{static_cast<int>(i)}, {}});
+                       {{{0, static_cast<int>(i)}}, {}});
   }
 }
 
@@ -96,13 +96,13 @@ void require_distinct_vertices(const Polygon& polygon, const std::vector<int>& o
   throw InputError(name,
                    "vertices " + std::to_string(first) + " and " + std::to_string(second) + " are the same point " +
                        text(polygon[first]),
-                   hint, {{first, second}, {}});
+                   hint, {{{0, first}, {0, second}}, {}});
 }
 
 [[noreturn]] void report(const Polygon& polygon, const SelfMeeting& m, const std::string& name) {
   const std::string both = "edges " + edge_text(polygon, m.first) + " and " + edge_text(polygon, m.second);
-  const Culprits edges{{}, {m.first, m.second}};
-  const Culprits edges_at_vertex{{m.vertex}, {m.first, m.second}};
+  const Culprits edges{{}, {{0, m.first}, {0, m.second}}};
+  const Culprits edges_at_vertex{{{0, m.vertex}}, edges.edges};
   const std::string not_simple = "the boundary is not simple: ";
   switch (m.kind) {
     case Meeting::touch:

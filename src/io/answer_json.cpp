@@ -7,9 +7,13 @@ namespace taut {
 
 namespace {
 
-std::string feature_text(const Scene& scene, const Feature& feature) {
-  return "{\"body\":" + io::string_text(scene.bodies[static_cast<std::size_t>(feature.body)].name) +
-         ",\"index\":" + std::to_string(feature.index) + "}";
+/// A vertex or an edge. Part and ring are left out where the body has but one of each.
+template <class Ref>
+std::string feature_text(const Scene& scene, const Ref& feature) {
+  const Body& body = scene.bodies[static_cast<std::size_t>(feature.body)];
+  std::string s = "{\"body\":" + io::string_text(body.name);
+  if (!body.id.empty()) s += ",\"id\":" + body.id;
+  return s + ",\"index\":" + std::to_string(feature.index) + "}";
 }
 
 /// Of a sweep.
@@ -35,15 +39,18 @@ std::string io::contact_json(const Scene& scene, const Contact& contact) {
 
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing) {
-  std::string s = std::string("{\"outcome\":\"") + to_string(answer.outcome) + "\"";
+  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
+  s += std::string("\"outcome\":\"") + to_string(answer.outcome) + "\"";
   if (answer.contact) s += io::contact_json(scene, *answer.contact);
   if (answer.touching)
     s += ",\"grazing\":true,\"touching\":{" + io::contact_json(scene, *answer.touching).substr(1) + "}";
   if (!answer.touching_undecided.empty()) s += ",\"touching_undecided\":" + io::string_text(answer.touching_undecided);
+  if (answer.overlap_point) s += ",\"overlap\":{\"point\":" + io::point_text(*answer.overlap_point) + "}";
   if (answer.outcome == Outcome::undecided) {
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }
-  s += std::string(",\"engine\":\"") + to_string(answer.engine) + "\",\"events\":" + std::to_string(answer.events) +
+  s += std::string(",\"engine\":\"") + (answer.compared ? "both" : to_string(answer.engine)) +
+       "\",\"events\":" + std::to_string(answer.events) +
        ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +
        ",\"max\":" + std::to_string(answer.certificates_max) + "},\"scope\":" + scope_text(scene, touch);
   if (timing) {

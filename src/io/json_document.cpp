@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "io/json_text.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::io {
@@ -186,6 +187,25 @@ void JsonDocument::require(std::size_t token, JsonKind kind, const std::string& 
   if (at(token).kind() == kind) return;
   throw error(token, path, std::string("expected ") + to_string(kind) + ", found " + to_string(at(token).kind()),
               "write " + shape);
+}
+
+std::string value_text(const JsonDocument& document, std::size_t token) {
+  const JsonToken& value = document.at(token);
+  const auto until = [&](const char* ends) {
+    const std::size_t from = value.offset();
+    return document.text.substr(from, document.text.find_first_of(ends, from) - from);
+  };
+  if (value.kind() == JsonKind::string) return string_text(document.string_at(token));
+  if (value.kind() != JsonKind::array && value.kind() != JsonKind::object) return until(" \t\r\n,]}");
+  const bool object = value.kind() == JsonKind::object;
+  std::string s;
+  const std::size_t end = document.after(token);
+  for (std::size_t i = token + 1; i < end; i = document.after(i)) {
+    if (!s.empty()) s += ',';
+    if (object) s += string_text(document.string_at(i++)) + ':';
+    s += value_text(document, i);
+  }
+  return object ? "{" + s + "}" : "[" + s + "]";
 }
 
 JsonDocument parse_json(std::string text, const std::string& name, const std::string& example, Quoting quoting) {

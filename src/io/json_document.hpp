@@ -51,6 +51,10 @@ struct JsonDocument {
   void require(std::size_t token, JsonKind kind, const std::string& path, const std::string& shape) const;
 };
 
+/// The value that starts at `token` as JSON on one line: numbers as they were written, strings with escapes of what a
+/// terminal would not show.
+std::string value_text(const JsonDocument& document, std::size_t token);
+
 /// May errors quote the text? Not that of a file which a scene names: the scene would be a way to read any file.
 enum class Quoting : std::uint8_t { allowed, never };
 

@@ -18,6 +18,8 @@ const char* to_string(Outcome outcome) {
 
 const char* to_string(Touch touch) { return touch == Touch::open ? "open" : "closed"; }
 
+const char* to_string(EngineName engine) { return engine == EngineName::kinetic ? "kinetic" : "spacetime"; }
+
 const char* to_string(EngineChoice engine) {
   switch (engine) {
     case EngineChoice::kinetic:

@@ -1,4 +1,6 @@
 // The format taut-scene/1.
+#include <set>
+
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
@@ -28,11 +30,12 @@ class SceneReader {
 
   Scene read() const {
     // "$schema" is for editors.
-    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "$schema"}, scene_shape);
+    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "id", "$schema"}, scene_shape);
     read_format(root.get("format"));
     Scene scene;
     read_time(root.get("time"), scene);
     read_bodies(root.get("bodies"), scene);
+    if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
     return scene;
   }
 
@@ -59,28 +62,24 @@ class SceneReader {
   void read_bodies(std::size_t token, Scene& scene) const {
     document_.require(token, JsonKind::array, "bodies", R"("bodies": [{...}, {...}])");
     const std::size_t end = document_.after(token);
-    std::size_t count = 0;
-    for (std::size_t i = token + 1; i < end; i = document_.after(i)) ++count;
-    if (count != 2) {
-      throw document_.error(
-          token, "bodies", "found " + std::to_string(count) + (count == 1 ? " body" : " bodies"),
-          count < 2 ? "a scene needs two bodies" : "two bodies are supported now: write one scene for each pair");
-    }
+    std::set<std::string> names;
     for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
       scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size()), scene));
-    }
-    if (scene.bodies[0].name == scene.bodies[1].name) {
-      throw document_.error(token, "bodies", "both bodies are called \"" + io::excerpt(scene.bodies[0].name) + "\"",
-                            "give the bodies different names: answers call them by name");
+      const std::string& name = scene.bodies.back().name;
+      if (!names.insert(name).second) {
+        throw document_.error(token, "bodies", "two bodies are called \"" + io::excerpt(name) + "\"",
+                              "give the bodies different names: answers call them by name");
+      }
     }
   }
 
   Body read_body(std::size_t token, const std::string& path, const Scene& scene) const {
-    const JsonObject object(document_, token, path, {"name", "polygon", "motion"},
+    const JsonObject object(document_, token, path, {"name", "polygon", "motion", "id"},
                             R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
     Body body;
     body.name = read_name(object.get("name"), object.path("name"));
     body.polygon = read_polygon(object.get("polygon"), object.path("polygon"));
+    if (const auto id = object.find("id")) body.id = io::value_text(document_, *id);
     if (const auto motion = object.find("motion")) {
       const io::MotionContext context{scene.start, scene.end, folder_, limits_};
       body.motion = io::read_motion(document_, *motion, object.path("motion"), context);

@@ -49,7 +49,9 @@ std::string body_text(const Body& body) {
     s += separator + io::point_text(p);
     separator = ",";
   }
-  return s + "],\n   \"motion\":" + motion_text(body.motion) + "}";
+  s += "],\n   \"motion\":" + motion_text(body.motion);
+  if (!body.id.empty()) s += ",\n   \"id\":" + body.id;
+  return s + "}";
 }
 
 }  // namespace
@@ -58,7 +60,9 @@ std::string write_scene(const Scene& scene) {
   std::string s =
       "{\"format\":\"taut-scene/1\",\n \"time\":" + io::array_text({scene.start, scene.end}) + ",\n \"bodies\":[\n";
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene.bodies[i]);
-  return s + "\n ]}\n";
+  s += "\n ]";
+  if (!scene.id.empty()) s += ",\n \"id\":" + scene.id;
+  return s + "}\n";
 }
 
 }  // namespace taut

@@ -65,7 +65,7 @@ class TilingPicture {
     return points;
   }
 
-  int body_of(int vertex) const { return tiling_.vertices[static_cast<std::size_t>(vertex)].body == 0 ? 0 : 1; }
+  int body_of(int vertex) const { return tiling_.vertices[static_cast<std::size_t>(vertex)].vertex.body == 0 ? 0 : 1; }
   const Point& pixel_of(int vertex) const { return pixels_[static_cast<std::size_t>(vertex)]; }
 
   std::string names() const {
@@ -110,8 +110,9 @@ class TilingPicture {
       outlines[b].resize(polygon_of(scene_.bodies[b]).size());
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       const TilingVertex& v = tiling_.vertices[i];
-      std::vector<Point>& outline = outlines[v.body == 0 ? 0 : 1];
-      if (static_cast<std::size_t>(v.index) < outline.size()) outline[static_cast<std::size_t>(v.index)] = pixels_[i];
+      std::vector<Point>& outline = outlines[v.vertex.body == 0 ? 0 : 1];
+      if (static_cast<std::size_t>(v.vertex.index) < outline.size())
+        outline[static_cast<std::size_t>(v.vertex.index)] = pixels_[i];
     }
     for (std::size_t b = 0; b < 2; ++b) {
       if (outlines[b].empty()) continue;

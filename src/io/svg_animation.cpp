@@ -106,7 +106,7 @@ class Animation {
   std::vector<Point> outline(const Tiling& frame, int body) const {
     std::vector<Point> pixels(polygon_of(scene_.bodies[index(body)]).size());
     for (const TilingVertex& v : frame.vertices) {
-      if (v.body == body) pixels[index(v.index)] = canvas_.pixel(v.position);
+      if (v.vertex.body == body) pixels[index(v.vertex.index)] = canvas_.pixel(v.position);
     }
     return pixels;
   }

@@ -29,7 +29,7 @@ std::string TraceWriter::line(const TraceEvent& e) const {
          "],\"flags\":" + flags_text(e) + ",\"certificates\":" + std::to_string(e.certificates) + "}";
 }
 
-std::string TraceWriter::vertex_text(const TraceVertex& v) const {
+std::string TraceWriter::vertex_text(const VertexRef& v) const {
   return "{\"body\":" + names_[static_cast<std::size_t>(v.body)] + ",\"index\":" + std::to_string(v.index) + "}";
 }
 

@@ -17,7 +17,7 @@ class TraceWriter {
   std::string line(const TraceEvent& event) const;
 
  private:
-  std::string vertex_text(const TraceVertex& vertex) const;
+  std::string vertex_text(const VertexRef& vertex) const;
 
   std::vector<std::string> names_;  ///< of the bodies, quoted
 };

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "motion/pieces.hpp"
 #include "pair/crossing_edges.hpp"
+#include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
@@ -46,6 +47,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
     }
   }
   overlap_at_start_ = true;
+  overlap_point_ = common_point(plan_, start_);
 }
 
 void Session::build(bool inwards) {
@@ -64,10 +66,7 @@ bool Session::step(double t) {
   return more;
 }
 
-TraceVertex Session::input_vertex(VertexId v) const {
-  const Feature f = witness().vertex(v);
-  return {f.body, f.index};
-}
+VertexRef Session::input_vertex(VertexId v) const { return witness().vertex(v); }
 
 Point Session::world(VertexId v) const { return witness().world(v, engine_->leg(), engine_->parameter()); }
 
@@ -78,7 +77,7 @@ void Session::note_contact() {
   contact_->time.lo = std::max(contact_->time.lo, start_);
 }
 
-void Session::set_motion(int body, const Motion& motion) {
+void Session::set_motion(BodyId body, const Motion& motion) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
   // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old plan.
   while (step(engine_->time())) {

@@ -24,14 +24,16 @@ class Session : private EngineObserver {
   double end() const { return end_; }
   const std::optional<Contact>& contact() const { return contact_; }
   bool overlap_at_start() const { return overlap_at_start_; }
+  /// Inside both bodies, if they overlap at the start and such a point was found.
+  const std::optional<Point>& overlap_point() const { return overlap_point_; }
   /// Nothing left to do: contact, overlap, or the end.
   bool finished() const;
   /// As Engine::step, and notes a contact.
   bool step(double t);
   /// Changes a body's plan from the present on. Throws InputError and changes nothing.
-  void set_motion(int body, const Motion& motion);
+  void set_motion(BodyId body, const Motion& motion);
   /// An internal vertex in the user's terms.
-  TraceVertex input_vertex(VertexId v) const;
+  VertexRef input_vertex(VertexId v) const;
   /// World position of a vertex at the engine's present, in the input's units (rounded).
   Point world(VertexId v) const;
   const PairPlan& plan() const { return plan_; }
@@ -50,6 +52,7 @@ class Session : private EngineObserver {
   std::optional<Contact> contact_;
   bool inwards_ = true;  ///< the displacement
   bool overlap_at_start_ = false;
+  std::optional<Point> overlap_point_;
 };
 
 }  // namespace taut

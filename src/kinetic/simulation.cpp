@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "base/interruption.hpp"
 #include "kinetic/session.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
@@ -11,24 +13,14 @@
 #include "tiling/geodesic_faces.hpp"
 
 namespace taut {
-namespace {
-
-/// What is undecidable inside is an error to the outside.
-template <class Question>
-auto decided(const Question& question) {
-  try {
-    return question();
-  } catch (const Undecidable& limit) {
-    throw UndecidedError(not_decided(limit));
-  }
-}
-
-}  // namespace
 
 struct Simulation::Impl : private EngineObserver, private Tracer {
-  Impl(const Scene& scene, Touch touch, Tracer* tracer)
-      : users_tracer(tracer),
-        session(scene, touch, tracer ? static_cast<Tracer*>(this) : nullptr, static_cast<EngineObserver*>(this)) {}
+  Impl(const Scene& scene, const SimulationOptions& given) : options(given), free_until(scene.start) {
+    changing([&] {
+      Tracer* const tracer = options.tracer ? static_cast<Tracer*>(this) : nullptr;
+      session.emplace(scene, options.touch, tracer, static_cast<EngineObserver*>(this));
+    });
+  }
 
   // The repair changes records of the corners it names, of the half-edges after them, and of the edge it removes
   // (src/kinetic/repair_*.cpp).
@@ -36,37 +28,79 @@ struct Simulation::Impl : private EngineObserver, private Tracer {
   /// An event whose tracer throws has changed the map and is not finished.
   void on_event(const TraceEvent& event) override {
     try {
-      users_tracer->on_event(event);
+      options.tracer->on_event(event);
     } catch (...) {
       broken = true;
       throw;
     }
   }
 
-  /// What changes the simulation. Refused input changes nothing, and where nothing was decided, the past is still
-  /// known; any other exception leaves an event half done.
+  /// What changes the simulation, within its limits: where one of them ends it, or precision, it is undecided from then
+  /// on. Refused input changes nothing; any other exception leaves an event half done.
   template <class Work>
-  auto changing(const Work& work) {
+  void changing(const Work& work) {
     try {
-      return decided(work);
+      const InterruptionScope scope(options.stop, options.max_seconds);
+      scope.check();
+      work();
+    } catch (const Undecidable& limit) {
+      give_up(not_decided(limit));
+    } catch (const Interrupted& limit) {
+      give_up(limit.reason);
     } catch (const InputError&) {
       throw;
-    } catch (const UndecidedError&) {
-      throw;
     } catch (...) {
       broken = true;
       throw;
     }
   }
 
+  /// The next event before t, or nothing where that many are not allowed.
+  bool step(double t) {
+    if (session->finished() || session->engine().events() < options.max_events) return session->step(t);
+    give_up("the limit of " + std::to_string(options.max_events) + " events was reached",
+            session->engine().proved_until());
+    return false;
+  }
+
+  /// In the middle of an event, perhaps.
+  void give_up(const std::string& why) { give_up(why, session ? session->engine().reached() : free_until); }
+  void give_up(const std::string& why, double proved_until) {
+    if (session && session->contact()) return;
+    reason = why;
+    if (session) free_until = std::clamp(proved_until, session->start(), session->end());
+  }
+  bool undecided() const { return !reason.empty(); }
+  bool ended() const { return undecided() || session->finished(); }
+  /// For questions that an event half done cannot answer.
+  const Session& decided_session() const {
+    if (undecided()) throw UndecidedError(reason);
+    return *session;
+  }
+
+  SimulationOptions options;
   bool broken = false;
-  Tracer* users_tracer;
-  RepairReport last;  ///< before the session, which may report to it from its constructor
-  Session session;
+  std::string reason;  ///< why it is undecided, or empty
+  double free_until;   ///< if it is
+  RepairReport last;   ///< before the session, which may report to it from its constructor
+  std::optional<Session> session;
 };
 
+namespace {
+
+SimulationOptions without_limits(Touch touch, Tracer* tracer) {
+  SimulationOptions options;
+  options.touch = touch;
+  options.tracer = tracer;
+  return options;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
 Simulation::Simulation(const Scene& scene, Touch touch, Tracer* tracer)
-    : impl_(decided([&] { return std::make_unique<Impl>(scene, touch, tracer); })) {}
+    : Simulation(scene, without_limits(touch, tracer)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -77,53 +111,83 @@ Simulation::Impl& Simulation::usable() const {
 }
 
 SimulationState Simulation::state() const {
-  const Session& s = usable().session;
+  const Impl& impl = usable();
+  if (impl.undecided()) return SimulationState::undecided;
+  const Session& s = *impl.session;
   if (s.overlap_at_start()) return SimulationState::overlap_at_start;
   if (s.contact()) return SimulationState::contact;
   return s.finished() ? SimulationState::finished : SimulationState::running;
 }
 
-double Simulation::time() const { return usable().session.engine().time(); }
+const std::string& Simulation::reason() const { return usable().reason; }
+
+double Simulation::time() const {
+  const Impl& impl = usable();
+  return impl.undecided() ? impl.free_until : impl.session->engine().time();
+}
 
 std::optional<TimeInterval> Simulation::next_event() {
   Impl& impl = usable();
-  Session& s = impl.session;
-  if (s.finished()) return std::nullopt;
-  const auto found = impl.changing([&s] { return s.engine().next_event(s.end()); });
-  if (!found) return std::nullopt;
+  if (impl.ended()) return std::nullopt;
+  std::optional<std::pair<double, double>> found;
+  impl.changing([&] { found = impl.session->engine().next_event(impl.session->end()); });
+  if (!found || impl.undecided()) return std::nullopt;
   return TimeInterval{found->first, found->second};
 }
 
 bool Simulation::step() {
   Impl& impl = usable();
-  Session& s = impl.session;
-  if (s.finished()) return false;
-  const std::uint64_t before = s.engine().events();
-  impl.changing([&s] { return s.step(s.end()); });
-  return s.engine().events() > before;
+  if (impl.ended()) return false;
+  const std::uint64_t before = events();
+  impl.changing([&] { impl.step(impl.session->end()); });
+  return events() > before;
 }
 
 SimulationState Simulation::advance_to(double t) {
   Impl& impl = usable();
   if (std::isnan(t))
     throw InputError("", "the time to advance to is not a number", "choose one within the scene's time");
-  Session& s = impl.session;
-  const double limit = std::min(t, s.end());
-  impl.changing([&s, limit] {
-    while (s.step(limit)) {
+  if (impl.ended()) return state();
+  const double limit = std::min(t, impl.session->end());
+  impl.changing([&impl, limit] {
+    while (impl.step(limit)) {
     }
   });
   return state();
 }
 
-void Simulation::set_motion(int body, const Motion& motion) {
+void Simulation::set_motion(BodyId body, const Motion& motion) {
   Impl& impl = usable();
-  impl.changing([&] { impl.session.set_motion(body, motion); });
+  impl.decided_session();
+  impl.changing([&] { impl.session->set_motion(body, motion); });
 }
-const std::optional<Contact>& Simulation::contact() const { return usable().session.contact(); }
-std::uint64_t Simulation::events() const { return usable().session.engine().events(); }
-std::uint64_t Simulation::certificates() const { return usable().session.engine().active_certificates(); }
-std::uint64_t Simulation::certificates_max() const { return usable().session.engine().max_certificates(); }
+
+const std::optional<Contact>& Simulation::contact() const {
+  static const std::optional<Contact> none;
+  const Impl& impl = usable();
+  return impl.session ? impl.session->contact() : none;
+}
+
+const std::optional<Point>& Simulation::overlap_point() const {
+  static const std::optional<Point> none;
+  const Impl& impl = usable();
+  return impl.session ? impl.session->overlap_point() : none;
+}
+
+std::uint64_t Simulation::events() const {
+  const Impl& impl = usable();
+  return impl.session ? impl.session->engine().events() : 0;
+}
+
+std::uint64_t Simulation::certificates() const {
+  const Impl& impl = usable();
+  return impl.session ? impl.session->engine().active_certificates() : 0;
+}
+
+std::uint64_t Simulation::certificates_max() const {
+  const Impl& impl = usable();
+  return impl.session ? impl.session->engine().max_certificates() : 0;
+}
 
 namespace {
 
@@ -163,14 +227,13 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
 }  // namespace
 
 Tiling Simulation::tiling() const {
-  const Session& session = usable().session;
+  const Session& session = usable().decided_session();
   const PlanarMap& map = session.engine().map();
   const PairGeometry& g = session.engine().geometry();
   Tiling out;
   out.time = time();
   for (std::uint32_t i = 0; i < g.size(); ++i) {
-    const TraceVertex v = session.input_vertex(VertexId(i));
-    out.vertices.push_back({v.body, v.index, session.world(VertexId(i))});
+    out.vertices.push_back({session.input_vertex(VertexId(i)), session.world(VertexId(i))});
   }
   std::vector<bool> visited(map.halfedge_count(), false);
   for (std::uint32_t i = 0; i < map.halfedge_count(); ++i) {
@@ -187,7 +250,7 @@ Tiling Simulation::tiling() const {
 }
 
 TilingHalfedge Simulation::halfedge(int index) const {
-  const Session& session = usable().session;
+  const Session& session = usable().decided_session();
   const PlanarMap& map = session.engine().map();
   const HalfedgeId h(index);
   TilingHalfedge out;
@@ -204,14 +267,14 @@ TilingHalfedge Simulation::halfedge(int index) const {
 }
 
 std::vector<TilingHalfedge> Simulation::halfedges() const {
-  std::vector<TilingHalfedge> out(usable().session.engine().map().halfedge_count());
+  std::vector<TilingHalfedge> out(usable().decided_session().engine().map().halfedge_count());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = halfedge(static_cast<int>(i));
   return out;
 }
 
 std::vector<int> Simulation::changed_halfedges() const {
+  const PlanarMap& map = usable().decided_session().engine().map();
   const RepairReport& report = usable().last;
-  const PlanarMap& map = usable().session.engine().map();
   std::vector<int> out;
   const auto add = [&out](HalfedgeId h) { out.push_back(static_cast<int>(h.value)); };
   for (std::uint32_t i = 0; i < report.corner_count; ++i) {
@@ -228,7 +291,7 @@ std::vector<int> Simulation::changed_halfedges() const {
 }
 
 std::vector<ActiveCertificate> Simulation::active_set() const {
-  const Session& session = usable().session;
+  const Session& session = usable().decided_session();
   std::vector<ActiveCertificate> out;
   session.engine().for_each_certificate([&](const Certificate& c) {
     out.push_back({session.input_vertex(c.u), session.input_vertex(c.v), session.input_vertex(c.w), c.sign > 0,
@@ -240,7 +303,7 @@ std::vector<ActiveCertificate> Simulation::active_set() const {
 namespace {
 
 /// 0 if the body plays P, 1 if it plays Q.
-std::size_t side_of(const Session& session, int body) {
+std::size_t side_of(const Session& session, BodyId body) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
   return session.plan().maps[0].body == body ? 0 : 1;
 }
@@ -251,14 +314,14 @@ ChainTree tree_of(const PairGeometry& g, std::size_t side) {
 
 }  // namespace
 
-int Simulation::levels(int body) const {
-  const Session& s = usable().session;
+int Simulation::levels(BodyId body) const {
+  const Session& s = usable().decided_session();
   const ChainTree tree = tree_of(s.engine().geometry(), side_of(s, body));
   return node::depth(tree.leaf(0)) + 1;
 }
 
-GeodesicCycle Simulation::geodesic_cycle(int body, int level) const {
-  const Session& session = usable().session;
+GeodesicCycle Simulation::geodesic_cycle(BodyId body, int level) const {
+  const Session& session = usable().decided_session();
   const std::size_t side = side_of(session, body);
   const Engine& engine = session.engine();
   const PairGeometry& g = engine.geometry();
@@ -266,14 +329,17 @@ GeodesicCycle Simulation::geodesic_cycle(int body, int level) const {
     throw InputError("", "a jump between two pieces of a motion is being bridged", "advance a little");
   const ChainTree tree = tree_of(g, side);
   const int last = node::depth(tree.leaf(0));
-  const auto paths = decided([&] {
-    const Placement placement(g, engine.leg(), engine.parameter());
-    FreeTriangulation triangulation;
-    if (triangulate_free_space(placement, triangulation)) {
-      throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
+  const auto paths = [&] {
+    try {
+      const Placement placement(g, engine.leg(), engine.parameter());
+      FreeTriangulation triangulation;
+      if (triangulate_free_space(placement, triangulation))
+        throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");
+      return geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last));
+    } catch (const Undecidable& limit) {
+      throw UndecidedError(not_decided(limit));
     }
-    return geodesics_of_level(placement, triangulation, tree, side == 0 ? 0 : g.np, std::clamp(level, 0, last));
-  });
+  }();
   GeodesicCycle cycle;
   cycle.body = body;
   cycle.level = level;

@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-BodyMap map_body(const ShapeFacts& facts, int body) { return {body, facts.size, facts.first, facts.reversed}; }
+BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.size, facts.first, facts.reversed}; }
 
 ShapeRole role_of(const PairPlan& plan, int side, bool inwards) { return {side == 0, inwards, plan.exponent}; }
 
@@ -35,13 +35,13 @@ std::string edge_text(const BodyMap& map, int edge) {
     throw InputError(name,
                      "the corner at vertex " + std::to_string(v) +
                          " is sharper than the displacement that taut computes with allows, about 2^-42 radians",
-                     hint, {{v}, {}});
+                     hint, {{{map.body, v}}, {}});
   }
   const int e = map.edge(fault.first), f = map.edge(fault.second);
   throw InputError(name,
                    "edges " + edge_text(map, e) + " and " + edge_text(map, f) +
                        " come closer than the displacement that taut computes with, 2^-199 of the largest coordinate",
-                   hint, {{}, {e, f}});
+                   hint, {{}, {{map.body, e}, {map.body, f}}});
 }
 
 }  // namespace

@@ -9,13 +9,14 @@
 #include "geometry/prepared_shape.hpp"
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
+#include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
 namespace taut {
 
 /// Which body plays P or Q, and how its internal vertices are numbered in the input.
 struct BodyMap {
-  int body = 0;             ///< position in Scene::bodies
+  BodyId body = 0;
   std::uint32_t size = 0;   ///< number of vertices
   std::uint32_t first = 0;  ///< index of the input that became vertex 0
   bool reversed = false;    ///< the input runs clockwise

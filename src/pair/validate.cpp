@@ -42,8 +42,14 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   validate_time(scene);
   if (scene.bodies.size() != 2)
     throw InputError("bodies", "the scene has " + std::to_string(scene.bodies.size()) + " bodies",
-                     "exactly two are supported now");
-  for (const Body& body : scene.bodies) validate_shape(body);
+                     "exactly two are supported now: write one scene for each pair");
+  for (BodyId k = 0; k < 2; ++k) {
+    try {
+      validate_shape(scene.bodies[static_cast<std::size_t>(k)]);
+    } catch (const InputError& error) {
+      throw error.about(k);
+    }
+  }
   const std::array<ShapeFacts, 2> facts{facts_of(scene.bodies[0]), facts_of(scene.bodies[1])};
   validate_range(facts[0], facts[1]);
   const double extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));

@@ -26,7 +26,7 @@ namespace {
 /// look better.
 constexpr double margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0x1p-30, 0x1p-38, 0x1p-44};
 
-SeparatorVertex input_vertex(const Arena& arena, VertexId v) {
+VertexRef input_vertex(const Arena& arena, VertexId v) {
   const int side = arena.owner(v);
   const BodyMap& map = arena.plan.maps[static_cast<std::size_t>(side)];
   return {map.body, map.vertex(side == 0 ? v.value : v.value - arena.geometry.np)};

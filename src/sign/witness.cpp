@@ -23,12 +23,12 @@ Pose<double> pose_on(const Leg& leg, bool of_p, double parameter) {
 
 }  // namespace
 
-Feature Witness::vertex(VertexId v) const {
+VertexRef Witness::vertex(VertexId v) const {
   const BodyMap& m = plan_.maps[geometry_.in_p(v) ? 0 : 1];
   return {m.body, m.vertex(geometry_.in_p(v) ? v.value : v.value - geometry_.np)};
 }
 
-Feature Witness::edge(VertexId v) const {
+EdgeRef Witness::edge(VertexId v) const {
   const BodyMap& m = plan_.maps[geometry_.in_p(v) ? 0 : 1];
   return {m.body, m.edge(geometry_.in_p(v) ? v.value : v.value - geometry_.np)};
 }

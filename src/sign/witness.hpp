@@ -14,9 +14,9 @@ class Witness {
   Witness(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
       : plan_(plan), geometry_(geometry), inwards_(inwards) {}
 
-  Feature vertex(VertexId v) const;
+  VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
-  Feature edge(VertexId v) const;
+  EdgeRef edge(VertexId v) const;
   /// World position at a parameter of a leg, in the input's units (rounded).
   Point world(VertexId v, const Leg& leg, double parameter) const;
   /// What an engine found on that leg, as it is true of the bodies given: see contact_bracket().

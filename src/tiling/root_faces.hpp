@@ -1,10 +1,10 @@
 // The region outside both relative convex hulls: the root pseudo-triangle and the infinite face.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "taut/error.hpp"
 #include "tiling/planar_map.hpp"
 
 namespace taut {

@@ -86,7 +86,10 @@ std::string hex(const std::string& bytes) {
   return text;
 }
 
-std::string feature(const Feature& f) { return fmt::format("[{},{}]", f.body, f.index); }
+template <class Ref>
+std::string feature(const Ref& f) {
+  return fmt::format("[{},{}]", f.body, f.index);
+}
 
 std::string verdict(const Scene& scene, const std::string& log) {
   std::istringstream in(log);

@@ -32,8 +32,8 @@ struct Truth {
     if (v.outcome == Outcome::free) return {};
     if (v.contact->time.hi < a.contact->time.lo || a.contact->time.hi < v.contact->time.lo) return "another time";
     if (a.contact->time.lo == a.contact->time.hi) return {};
-    const Feature &x = v.contact->vertex, &y = a.contact->vertex, &e = v.contact->edge, &f = a.contact->edge;
-    return x.body == y.body && x.index == y.index && e.index == f.index ? "" : "other features";
+    const bool same = v.contact->vertex == a.contact->vertex && v.contact->edge == a.contact->edge;
+    return same ? "" : "other features";
   }
 };
 

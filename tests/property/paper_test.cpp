@@ -55,7 +55,7 @@ std::set<std::pair<int, int>> cycle_edges(const GeodesicCycle& cycle) {
 }
 
 int mixed_edges(const Tiling& tiling, const GeodesicCycle& cycle) {
-  const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].body; };
+  const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].vertex.body; };
   int count = 0;
   const std::size_t n = cycle.vertices.size();
   for (std::size_t i = 0; i < n; ++i) count += body(cycle.vertices[i]) != body(cycle.vertices[(i + 1) % n]);
@@ -107,7 +107,7 @@ TEST(Paper, Lemma42ForeignEdgesAreOnBothHulls) {
       const Simulation simulation(random_scene(7500 + seed, family));
       if (simulation.state() != SimulationState::running) continue;
       const Tiling tiling = simulation.tiling();
-      const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].body; };
+      const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].vertex.body; };
       const std::set<std::pair<int, int>> hulls[] = {cycle_edges(simulation.geodesic_cycle(0, 0)),
                                                      cycle_edges(simulation.geodesic_cycle(1, 0))};
       for (const int own : {0, 1}) {
@@ -135,7 +135,7 @@ TEST(Paper, Lemma33ChangesShowInEdgesWithinABody) {
   const auto cycles_of = [](const Simulation& simulation) {
     Cycles out;
     const Tiling tiling = simulation.tiling();
-    const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].body; };
+    const auto body = [&](int v) { return tiling.vertices[static_cast<std::size_t>(v)].vertex.body; };
     for (const int b : {0, 1}) {
       for (int level = 0; level < simulation.levels(b); ++level) {
         out.sequences.push_back(simulation.geodesic_cycle(b, level).vertices);
@@ -180,7 +180,7 @@ struct Compactness {
     const Tiling tiling = simulation.tiling();
     Polygon polygons[2];
     const auto n = static_cast<double>(tiling.vertices.size());
-    for (const TilingVertex& v : tiling.vertices) polygons[v.body].push_back(v.position);
+    for (const TilingVertex& v : tiling.vertices) polygons[v.vertex.body].push_back(v.position);
     const Separator found = separator(polygons[0], polygons[1]);
     if (found.overlap) return;  // rounding
     const double kappa = found.minimum_link.lower;

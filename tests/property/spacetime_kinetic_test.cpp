@@ -23,7 +23,10 @@ struct Counts {
   int free = 0, contact = 0, overlap = 0, other_pair = 0;
 };
 
-bool same(const Feature& f, int body, int index) { return f.body == body && f.index == index; }
+template <class Ref>
+bool same(const Ref& f, int body, int index) {
+  return f.body == body && f.index == index;
+}
 
 /// The enclosures overlap, or nearly; and where they are those of one pair, it is the same pair.
 void compare_contacts(const PairPlan& plan, const PairGeometry& g, const Leg& leg, const SpacetimeResult& second,

@@ -25,7 +25,7 @@ json read_json(const fs::path& path) {
 
 bool has_feature(const json& want, const Scene& scene, const Contact& contact) {
   json features = want.contains("features") ? want["features"] : json::array({want["feature"]});
-  const auto name = [&](const Feature& f) { return scene.bodies[static_cast<std::size_t>(f.body)].name; };
+  const auto name = [&](const auto& f) { return scene.bodies[static_cast<std::size_t>(f.body)].name; };
   return std::any_of(features.begin(), features.end(), [&](const json& f) {
     return f["vertex"][0] == name(contact.vertex) && f["vertex"][1] == contact.vertex.index &&
            f["edge"][0] == name(contact.edge) && f["edge"][1] == contact.edge.index;

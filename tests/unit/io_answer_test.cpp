@@ -62,6 +62,32 @@ TEST(AnswerJson, OfNoContactHasNeitherTimeNorContact) {
   }
 }
 
+TEST(AnswerJson, OfAnOverlapNamesAPoint) {
+  Answer answer;
+  answer.outcome = Outcome::overlap_at_start;
+  answer.overlap_point = Point{0.5, -2};
+  const std::string text = answer_json(two_bodies(), answer, Touch::open);
+  EXPECT_EQ(text.find(R"({"outcome":"overlap_at_start","overlap":{"point":[0.5,-2]},"engine":"kinetic")"), 0u) << text;
+}
+
+TEST(AnswerJson, HandsIdsThrough) {
+  Scene scene = two_bodies();
+  scene.id = R"({"job":[1,"x"]})";
+  scene.bodies[1].id = "17";
+  const std::string text = answer_json(scene, contact_answer(), Touch::open);
+  EXPECT_EQ(text.find(R"({"id":{"job":[1,"x"]},"outcome":"contact",)"), 0u) << text;
+  EXPECT_NE(text.find(R"("edge":{"body":"the \"bin\"","id":17,"index":1})"), text.npos) << text;
+  EXPECT_NE(text.find(R"("vertex":{"body":"lid","index":2})"), text.npos) << text;
+}
+
+TEST(AnswerJson, NamesTheEngineThatAnsweredOrBoth) {
+  Answer answer = contact_answer();
+  answer.engine = EngineName::spacetime;
+  EXPECT_NE(answer_json(two_bodies(), answer, Touch::open).find(R"("engine":"spacetime")"), std::string::npos);
+  answer.compared = true;
+  EXPECT_NE(answer_json(two_bodies(), answer, Touch::open).find(R"("engine":"both")"), std::string::npos);
+}
+
 TEST(AnswerJson, HasTimingOnlyWhenAsked) {
   const std::string text = answer_json(two_bodies(), contact_answer(), Touch::open, AnswerTiming{0.5, 0.25, 1e-6});
   EXPECT_EQ(text.find('\n'), std::string::npos);

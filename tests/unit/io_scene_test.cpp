@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -61,6 +62,38 @@ Scene every_feature() {
 TEST(SceneText, RoundTripIsExact) {
   const Scene scene = every_feature();
   expect_same(parse_scene(write_scene(scene)), scene);
+}
+
+TEST(SceneText, IdsOfAnyKindAreHandedThrough) {
+  const std::string id = R"({"job":[1.0,12345678901234567890,-0e0,true,null,"a \"b\" é"],"e":{},"f":[]})";
+  const std::string spaced = R"({ "job" : [1.0, 12345678901234567890,
+      -0e0,true ,null, "a \"b\" \u00e9" ], "e" : { }, "f":[ ] })";
+  const std::string body = R"({"name":"P","polygon":[[0,0],[1,0],[0,1]],"id":)";
+  for (const std::string& given : {id, spaced, std::string("7"), std::string("\"x\""), std::string("null")}) {
+    const Scene scene =
+        parse_scene(R"({"format":"taut-scene/1","id":)" + given + R"(,"time":[0,1],"bodies":[)" + body + "[ 1.50 ]}]}");
+    EXPECT_EQ(scene.id, given.size() > 10 ? id : given);
+    EXPECT_EQ(scene.bodies[0].id, "[1.50]");
+    const Scene again = parse_scene(write_scene(scene));
+    EXPECT_EQ(again.id, scene.id);
+    EXPECT_EQ(again.bodies[0].id, scene.bodies[0].id);
+  }
+  EXPECT_EQ(every_feature().id, "");
+}
+
+/// How many can be decided is no matter of the format.
+TEST(SceneText, HasAnyNumberOfBodies) {
+  const std::string head = R"({"format":"taut-scene/1","time":[0,1],"bodies":[)";
+  std::string bodies;
+  for (std::size_t n = 0; n < 4; ++n) {
+    const Scene scene = parse_scene(head + bodies + "]}");
+    EXPECT_EQ(scene.bodies.size(), n);
+    if (n != 2) {
+      EXPECT_THROW(check(scene), InputError);
+    }
+    bodies +=
+        (n == 0 ? "" : ",") + std::string(R"({"name":")") + std::to_string(n) + R"(","polygon":[[0,0],[1,0],[0,1]]})";
+  }
 }
 
 TEST(SceneText, KeepsTheSignOfZero) {

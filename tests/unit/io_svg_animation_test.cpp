@@ -51,11 +51,11 @@ std::vector<Tiling> frames(int count) {
     const double t = static_cast<double>(k) / (count - 1), a = radians(720 * t);
     Tiling tiling;
     tiling.time = t;
-    for (int i = 0; i < 4; ++i) tiling.vertices.push_back({0, i, centred_square[static_cast<std::size_t>(i)]});
+    for (int i = 0; i < 4; ++i) tiling.vertices.push_back({{0, i}, centred_square[static_cast<std::size_t>(i)]});
     for (int i = 0; i < 4; ++i) {
       const Point& v = centred_square[static_cast<std::size_t>(i)];
       tiling.vertices.push_back(
-          {1, i, {3 + 4 * t + std::cos(a) * v.x - std::sin(a) * v.y, std::sin(a) * v.x + std::cos(a) * v.y}});
+          {{1, i}, {3 + 4 * t + std::cos(a) * v.x - std::sin(a) * v.y, std::sin(a) * v.x + std::cos(a) * v.y}});
     }
     tiling.edges = {{0, 1, true, false}, {1, t < 0.5 ? 4 : 5, false, true}};
     all.push_back(tiling);

@@ -58,7 +58,7 @@ Picture two_triangles(double scale = 1, double offset = 0) {
   for (int b = 0; b < 2; ++b) {
     for (int i = 0; i < 3; ++i) {
       const Point p = picture.scene.bodies[static_cast<std::size_t>(b)].polygon[static_cast<std::size_t>(i)];
-      picture.tiling.vertices.push_back({b, i, {p.x * scale + offset, p.y * scale + offset}});
+      picture.tiling.vertices.push_back({{b, i}, {p.x * scale + offset, p.y * scale + offset}});
       picture.tiling.edges.push_back({3 * b + i, 3 * b + (i + 1) % 3, true, false});
     }
   }
@@ -137,7 +137,7 @@ TEST(Svg, StaysSmallForManyVertices) {
   Picture picture;
   picture.scene.bodies = {{"P", Polygon(10000), {}}, {"Q", {{5, 0}, {5, 2}, {3, 2}}, {}}};
   for (int i = 0; i < 10000; ++i) {
-    picture.tiling.vertices.push_back({0, i, {std::cos(i * 1e-3), std::sin(i * 1e-3)}});
+    picture.tiling.vertices.push_back({{0, i}, {std::cos(i * 1e-3), std::sin(i * 1e-3)}});
     picture.tiling.edges.push_back({i, (i + 1) % 10000, i % 2 == 0, i % 3 == 0});
     if (i % 3 == 0) picture.tiling.faces.push_back({FaceKind::node, 0, i % 14, {i, (i + 1) % 10000, (i + 2) % 10000}});
   }

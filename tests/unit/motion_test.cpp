@@ -492,7 +492,7 @@ TEST(FineFeatures, CornersTooSharpAreRefused) {
     } catch (const InputError& e) {
       EXPECT_EQ(e.place(), "a");
       EXPECT_NE(e.problem().find("the corner at vertex 5"), std::string::npos) << e.what();
-      EXPECT_EQ(e.culprits().vertices, std::vector<int>{5});
+      EXPECT_EQ(e.culprits().vertices, (std::vector<VertexRef>{{0, 5}}));
     }
   }
   std::ostringstream log;

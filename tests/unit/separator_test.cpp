@@ -48,7 +48,7 @@ TEST(Separator, ANotchTakesAWedge) {
   const MovingSeparator moving = separator(notched, wedge).moving;
   EXPECT_EQ(moving.bichromatic_edges[0], 2);
   EXPECT_EQ(moving.bichromatic_edges[1], 0);
-  EXPECT_EQ(moving.contact, (std::vector<SeparatorVertex>{{1, 0}}));
+  EXPECT_EQ(moving.contact, (std::vector<VertexRef>{{1, 0}}));
 }
 
 TEST(Separator, ABodyInAPocketIsSurrounded) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "generators/generators.hpp"
 #include "support/random_scenes.hpp"
@@ -106,8 +107,8 @@ TEST(PoseAt, IsWhereTheTilingHasItsVertices) {
       simulation.advance_to(scene.start + share * (scene.end - scene.start));
       const Tiling tiling = simulation.tiling();
       for (const TilingVertex& v : tiling.vertices) {
-        const Body& body = scene.bodies[static_cast<std::size_t>(v.body)];
-        const Point local = body.polygon[static_cast<std::size_t>(v.index)];
+        const Body& body = scene.bodies[static_cast<std::size_t>(v.vertex.body)];
+        const Point local = body.polygon[static_cast<std::size_t>(v.vertex.index)];
         const BodyPose pose = pose_at(body.motion, tiling.time);
         const double x = pose.origin.x + pose.axis.x * local.x - pose.axis.y * local.y;
         const double y = pose.origin.y + pose.axis.y * local.x + pose.axis.x * local.y;
@@ -136,14 +137,34 @@ Culprits culprits_of(const Polygon& polygon) {
   return {};
 }
 
+/// A vertex is no edge, and one base tells all errors from those of others.
+static_assert(!std::is_convertible_v<VertexRef, EdgeRef> && !std::is_convertible_v<EdgeRef, VertexRef>);
+static_assert(!std::is_constructible_v<VertexRef, EdgeRef> && !std::is_constructible_v<EdgeRef, VertexRef>);
+static_assert(std::is_base_of_v<std::exception, Error> && std::is_base_of_v<Error, InternalError>);
+static_assert(std::is_base_of_v<Error, InputError> && std::is_base_of_v<Error, UndecidedError>);
+static_assert(std::is_base_of_v<Error, UnusableError> && std::is_base_of_v<Error, ProofError>);
+static_assert(std::is_base_of_v<InternalError, StructureError> && std::is_base_of_v<InternalError, EngineDisagreement>);
+
+TEST(Culprits, KnowTheirBody) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"a", {{0, 0}, {1, 0}, {0, 1}}, {}}, {"b", {{5, 0}, {7, 0}, {5, 0}, {6, 1}}, {}}};
+  try {
+    validate(scene);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.culprits().vertices, (std::vector<VertexRef>{{1, 0}, {1, 2}}));
+  }
+}
+
 TEST(Culprits, NameWhatIsAtFault) {
   const Culprits bow = culprits_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
-  EXPECT_EQ(bow.edges, (std::vector<int>{0, 2}));
+  EXPECT_EQ(bow.edges, (std::vector<EdgeRef>{{0, 0}, {0, 2}}));
   EXPECT_TRUE(bow.vertices.empty());
   const Culprits twice = culprits_of({{0, 0}, {2, 0}, {2, 2}, {0, 0}});
-  EXPECT_EQ(twice.vertices, (std::vector<int>{0, 3}));
+  EXPECT_EQ(twice.vertices, (std::vector<VertexRef>{{0, 0}, {0, 3}}));
   const Culprits touch = culprits_of({{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}});
-  EXPECT_EQ(touch.vertices, (std::vector<int>{3}));
+  EXPECT_EQ(touch.vertices, (std::vector<VertexRef>{{0, 3}}));
   const Culprits spike = culprits_of({{0, 0}, {4, 0}, {6, 0}, {5, 0}, {4, 3}});
   EXPECT_EQ(spike.vertices.size(), 1u);
   EXPECT_EQ(spike.edges.size(), 2u);

@@ -1,0 +1,16 @@
+// Bodies that overlap already: a point that shows it.
+#pragma once
+
+#include <optional>
+
+#include "pair/pair_plan.hpp"
+
+namespace taut {
+
+/// A point that certainly lies inside both bodies at time t (not within a jump between two pieces), in world
+/// coordinates and in the input's units. The bodies are those that were written, without the displacement. Nothing if
+/// none was found: an overlap can be too thin for two doubles. Linear in the number of vertices, but where the overlap
+/// is small beside the bodies.
+std::optional<Point> common_point(const PairPlan& plan, double t);
+
+}  // namespace taut

@@ -1,0 +1,112 @@
+// A simulation under the limits that check() knows.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "generators/generators.hpp"
+#include "taut/error.hpp"
+#include "taut/simulation.hpp"
+
+namespace taut {
+namespace {
+
+const Scene& gears() {
+  static const Scene scene = gen::make_gears({});
+  return scene;
+}
+
+/// What is still told, and what is not.
+void expect_undecided(Simulation& simulation, const std::string& reason) {
+  EXPECT_EQ(simulation.state(), SimulationState::undecided);
+  EXPECT_NE(simulation.reason().find(reason), std::string::npos) << simulation.reason();
+  const double time = simulation.time();
+  const std::uint64_t events = simulation.events();
+  EXPECT_GE(time, gears().start);
+  EXPECT_LT(time, gears().end);
+  EXPECT_FALSE(simulation.contact());
+  EXPECT_FALSE(simulation.next_event());
+  EXPECT_FALSE(simulation.step());
+  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::undecided);
+  EXPECT_EQ(simulation.time(), time);
+  EXPECT_EQ(simulation.events(), events);
+  EXPECT_THROW(simulation.tiling(), UndecidedError);
+  EXPECT_THROW(simulation.active_set(), UndecidedError);
+  EXPECT_THROW(simulation.set_motion(0, {}), UndecidedError);
+}
+
+TEST(SimulationLimits, StopsAfterSoManyEventsAsCheckDoes) {
+  SimulationOptions options;
+  options.max_events = 5;
+  Simulation simulation(gears(), options);
+  EXPECT_EQ(simulation.reason(), "");
+  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::undecided);
+  EXPECT_EQ(simulation.events(), 5u);
+  expect_undecided(simulation, "the limit of 5 events was reached");
+  CheckOptions same;
+  same.max_events = 5;
+  const Answer answer = check(gears(), same);
+  EXPECT_EQ(simulation.time(), answer.free_until);
+  EXPECT_EQ(simulation.reason(), answer.reason);
+}
+
+TEST(SimulationLimits, EnoughEventsChangeNothing) {
+  SimulationOptions options;
+  options.max_events = 1000000;
+  options.max_seconds = 1000;
+  std::atomic<bool> stop{false};
+  options.stop = &stop;
+  Simulation simulation(gears(), options);
+  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::finished);
+  EXPECT_EQ(simulation.events(), check(gears()).events);
+}
+
+TEST(SimulationLimits, StopsWhenTold) {
+  std::atomic<bool> stop{false};
+  SimulationOptions options;
+  options.stop = &stop;
+  Simulation simulation(gears(), options);
+  ASSERT_TRUE(simulation.step());
+  stop = true;
+  EXPECT_FALSE(simulation.step());
+  expect_undecided(simulation, "interrupted");
+}
+
+/// Not even the tiling at the start may be there.
+TEST(SimulationLimits, StopsWhileItIsMade) {
+  std::atomic<bool> stop{true};
+  SimulationOptions options;
+  options.stop = &stop;
+  Simulation told(gears(), options);
+  expect_undecided(told, "interrupted");
+  EXPECT_EQ(told.time(), gears().start);
+  options.stop = nullptr;
+  options.max_seconds = -1;
+  Simulation late(gears(), options);
+  expect_undecided(late, "the time limit was reached");
+  EXPECT_EQ(late.certificates(), 0u);
+}
+
+/// A contact that was found stays the answer.
+TEST(SimulationLimits, DoNotTakeBackAContact) {
+  gen::GearOptions hit;
+  hit.hit = true;
+  const Scene scene = gen::make_gears(hit);
+  std::atomic<bool> stop{false};
+  SimulationOptions options;
+  options.stop = &stop;
+  Simulation simulation(scene, options);
+  ASSERT_EQ(simulation.advance_to(scene.end), SimulationState::contact);
+  stop = true;
+  EXPECT_EQ(simulation.advance_to(scene.end), SimulationState::contact);
+  EXPECT_FALSE(simulation.step());
+  EXPECT_EQ(simulation.state(), SimulationState::contact);
+}
+
+TEST(SimulationLimits, RefusedInputIsNoMatterOfLimits) {
+  Scene scene = gears();
+  scene.bodies.pop_back();
+  EXPECT_THROW(Simulation{scene}, InputError);
+}
+
+}  // namespace
+}  // namespace taut
