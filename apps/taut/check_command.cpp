@@ -79,6 +79,12 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
       ->option_text("N")
       ->check(CLI::Range(1, 1024));
+  command
+      ->add_option_function<std::string>(
+          "--pairs", [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; },
+          "first: up to the first contact of any pair; all: each pair's own first contact")
+      ->check(CLI::IsMember({"first", "all"}))
+      ->option_text("first|all");
   add_engine(*command, arguments->options.engine);
   command->footer(
       "Example:\n"

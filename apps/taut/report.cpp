@@ -5,15 +5,31 @@
 #include <algorithm>
 
 #include "taut/motions.hpp"
+#include "taut/shape.hpp"
 
 namespace taut::cli {
 
 namespace {
 
+/// Which ring of a body of several; empty for others.
+template <class Ref>
+std::string ring_text(const Body& body, const Ref& feature) {
+  std::string text;
+  if (feature.ring > 0) text += fmt::format("hole {} of ", feature.ring);
+  if (body.parts.size() > 1) text += fmt::format("part {} of ", feature.part);
+  return text + body.name;
+}
+
+std::size_t ring_size(const Body& body, const EdgeRef& edge) {
+  if (body.parts.empty()) return polygon_of(body).size();
+  const Part& part = body.parts[static_cast<std::size_t>(edge.part)];
+  return edge.ring == 0 ? part.outline.size() : part.holes[static_cast<std::size_t>(edge.ring - 1)].size();
+}
+
 std::string edge_text(const Scene& scene, const EdgeRef& edge) {
   const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
-  const std::size_t next = (static_cast<std::size_t>(edge.index) + 1) % body.polygon.size();
-  return fmt::format("edge {}-{} of {}", edge.index, next, body.name);
+  const std::size_t next = (static_cast<std::size_t>(edge.index) + 1) % ring_size(body, edge);
+  return fmt::format("edge {}-{} of {}", edge.index, next, ring_text(body, edge));
 }
 
 /// Of a sweep.
@@ -22,8 +38,26 @@ std::string angle_text(const Scene& scene, const Contact& contact) {
   return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
 }
 
+/// The pair that the outcome is about, or how many there are.
+std::string subject(const Scene& scene, const Answer& answer) {
+  const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
+  if (answer.pair) return name((*answer.pair)[0]) + " x " + name((*answer.pair)[1]);
+  if (scene.bodies.size() == 2) return name(0) + " x " + name(1);
+  if (scene.bodies.size() == 1) return name(0);
+  return fmt::format("{} bodies", scene.bodies.size());
+}
+
+/// Of a world: what was asked, and what was not.
+std::string coverage_text(const Coverage& c) {
+  std::string text =
+      fmt::format("  {} pair{}: {} checked, {} apart", c.pairs, c.pairs == 1 ? "" : "s", c.checked, c.apart);
+  if (c.at_rest > 0) text += fmt::format(", {} not asked (they move together)", c.at_rest);
+  if (c.ignored > 0) text += fmt::format(", {} ignored", c.ignored);
+  return text + "\n";
+}
+
 std::string headline(const Scene& scene, const Answer& answer) {
-  const std::string pair = scene.bodies[0].name + " x " + scene.bodies[1].name;
+  const std::string pair = subject(scene, answer);
   switch (answer.outcome) {
     case Outcome::free:
       return "FREE  " + pair;
@@ -41,15 +75,29 @@ const char* const grazing_means =
     "  grazing: how deep they are then, or whether they just touch, is below 2^-150 of their size\n";
 
 std::string witness(const Scene& scene, const Contact& contact) {
+  const Body& body = scene.bodies[static_cast<std::size_t>(contact.vertex.body)];
   return fmt::format("  vertex {} of {} meets {} at ({:.9g}, {:.9g})\n", contact.vertex.index,
-                     scene.bodies[static_cast<std::size_t>(contact.vertex.body)].name, edge_text(scene, contact.edge),
-                     contact.point.x, contact.point.y);
+                     ring_text(body, contact.vertex), edge_text(scene, contact.edge), contact.point.x, contact.point.y);
 }
 
 /// Of bodies that stay free.
 std::string touching(const Scene& scene, const Contact& contact) {
   return fmt::format("  they touch, first at t = {}, but overlap by less than 2^-150 of their size\n{}",
                      time_text(contact.time), witness(scene, contact));
+}
+
+std::string pair_name(const Scene& scene, const PairAnswer& pair) {
+  return scene.bodies[static_cast<std::size_t>(pair.bodies[0])].name + " x " +
+         scene.bodies[static_cast<std::size_t>(pair.bodies[1])].name;
+}
+
+/// Another pair whose contact comes at the same time, as far as is known.
+std::string also(const Scene& scene, const PairAnswer& pair) { return "  also " + pair_name(scene, pair) + "\n"; }
+
+/// One pair of all.
+std::string pair_line(const Scene& scene, const PairAnswer& pair) {
+  const std::string at = pair.contact ? "   t = " + time_text(pair.contact->time) : "";
+  return fmt::format("    {:<16}  {}{}\n", to_string(pair.outcome), pair_name(scene, pair), at);
 }
 
 /// What it took: events, engines, seconds.
@@ -100,6 +148,11 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   if (answer.touching) text += touching(scene, *answer.touching);
   if (!answer.touching_undecided.empty())
     text += "  whether they touch was not decided: " + answer.touching_undecided + "\n";
+  for (const PairAnswer& pair : answer.also) text += also(scene, pair);
+  if (answer.coverage) text += coverage_text(*answer.coverage);
+  if (answer.pairs) {
+    for (const PairAnswer& pair : *answer.pairs) text += pair_line(scene, pair);
+  }
   if (answer.outcome == Outcome::overlap_at_start) {
     const auto& inside = answer.overlap_point;
     const std::string where = inside ? fmt::format("({}, {}) is inside both", inside->x, inside->y)

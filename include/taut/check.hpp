@@ -1,10 +1,12 @@
 // The question taut answers: when do two moving polygons first touch?
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
@@ -78,8 +80,28 @@ struct CheckOptions {
   /// Where open touching gives `free` only by what is below the resolution of doubles, ask for closed touching as well,
   /// to say whether the bodies touch: see Answer::touching.
   bool tell_touching = true;
+  /// Go on to each pair's own first contact, as if the other pairs did not collide.
+  bool all_pairs = false;
   /// Told of every event of the kinetic engine; may be null. Not owned.
   Tracer* tracer = nullptr;
+};
+
+/// Of how many pairs an answer speaks. `pairs` counts all, and is the sum of the others.
+struct Coverage {
+  std::uint64_t pairs = 0;
+  std::uint64_t ignored = 0;  ///< as the scene says
+  std::uint64_t at_rest = 0;  ///< of one group: they do not move against each other, and are not asked about
+  std::uint64_t apart = 0;    ///< told apart by boxes alone, or not reached before the first contact
+  std::uint64_t checked = 0;  ///< looked at by an engine
+};
+
+/// What is known of one pair of bodies.
+struct PairAnswer {
+  std::array<BodyId, 2> bodies{};  ///< in the order of the scene
+  Outcome outcome = Outcome::free;
+  std::optional<Contact> contact;  ///< present for `contact`
+  double free_until = 0;           ///< proved free of collisions before this time
+  std::string reason;              ///< why it is `undecided`
 };
 
 /// What check() and prove() found out.
@@ -111,6 +133,15 @@ struct Answer {
   double run_seconds = 0;
   /// Why the answer is `undecided`; empty otherwise.
   std::string reason;
+  /// The pair that the outcome is about, unless it is `free`.
+  std::optional<std::array<BodyId, 2>> pair;
+  /// Other pairs whose first contacts come so close to that one that their order is not told: in the order of the
+  /// scene.
+  std::vector<PairAnswer> also;
+  /// Of a scene that is not two bodies.
+  std::optional<Coverage> coverage;
+  /// With CheckOptions::all_pairs: of every pair that was asked about, in the order of the scene.
+  std::optional<std::vector<PairAnswer>> pairs;
 };
 
 /// Decides whether and when bodies of `scene` first collide.

@@ -1,4 +1,4 @@
-// Points and polygons as a user writes them.
+// Points, polygons and parts as a user writes them.
 #pragma once
 
 #include <cstdint>
@@ -17,5 +17,12 @@ struct Point {
 /// The vertices of a simple polygon in either orientation, the first one not repeated at the end.
 /// Edge j joins vertices j and j+1 (modulo the number of vertices).
 using Polygon = std::vector<Point>;
+
+/// A connected piece of material: a polygon minus holes. The closed insides of the holes lie in the inside of the
+/// outline, and no two of them touch. Each ring may be given in either orientation.
+struct Part {
+  Polygon outline;
+  std::vector<Polygon> holes;
+};
 
 }  // namespace taut

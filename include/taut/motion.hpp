@@ -35,6 +35,12 @@ struct CosineRotation {
 /// How a piece turns: one of the forms above.
 using Rotation = std::variant<NoRotation, AngleRotation, DirectionRotation, HalfAngleRotation, CosineRotation>;
 
+/// A turn of the place at which a body is: what it would be without is turned about `centre`, by an angle in radians.
+struct Orbit {
+  Point centre;
+  Coefficients angle;
+};
+
 /// One piece of a motion: the body's point (u, v) is at o(t) + c + (u - c.x) x(t) + (v - c.y) y(t), where o = (x, y)
 /// below, c is the pivot, x(t) is given by `rotation`, and y(t) is x(t) turned by +90 degrees.
 struct MotionPiece {
@@ -45,6 +51,9 @@ struct MotionPiece {
   /// What the body turns about, in its own coordinates. No difference u - c.x is ever rounded. Without a rotation it
   /// means nothing.
   Point pivot = {};
+  /// Empty angle: none. Else the pivot is at centre + e (o(t) + c - centre), where e is the unit vector of that angle;
+  /// the body's own rotation stays what `rotation` says. The centre is in the coordinates in which the motion is seen.
+  Orbit orbit = {};
 };
 
 /// Pieces in order of time; piece k holds on [until of k-1, until of k). No piece at all: the body rests at its

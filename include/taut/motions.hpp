@@ -17,11 +17,24 @@
 
 namespace taut {
 
+/// How a body comes to a keyframe from the one before.
+enum class Way {
+  straight,  ///< on a straight line, turning evenly
+  turn,      ///< around a centre, turning with it, like a car: an arc driven
+  arc,       ///< around a centre without turning, like a tool on a circular path
+};
+
 /// Where a body is at an instant: moved by (x, y), and turned counterclockwise about the motion's pivot.
 struct Keyframe {
   double t = 0;
   double x = 0, y = 0;
   double angle_deg = 0;
+  /// Around `centre`, in the coordinates in which the motion is seen, the pivot goes by `by_deg` degrees. Then x, y and
+  /// angle_deg say nothing: the place is what follows from the keyframe before, as computed there, each number rounded
+  /// once. The circle is exact, no polygon.
+  Way way = Way::straight;
+  Point centre = {};
+  double by_deg = 0;
 };
 
 /// An angle in degrees, enclosed.
@@ -32,9 +45,9 @@ struct AngleInterval {
 /// The double nearest to degrees * pi / 180 (one of the two, should it lie within 2^-900 of their middle).
 double radians(double degrees);
 
-/// Linear from each keyframe to the next, angles as written: from 350 to 370 is 20 degrees, from 350 to 10 is -340.
-/// Before the first keyframe and after the last one the body rests. Throws InputError if there is none, if times do not
-/// ascend, or if a number is not finite.
+/// From each keyframe to the next, linear where the way is straight, angles as written: from 350 to 370 is 20 degrees,
+/// from 350 to 10 is -340. Before the first keyframe and after the last one the body rests. Throws InputError if there
+/// is none, if times do not ascend, or if a number is not finite.
 Motion from_keyframes(const std::vector<Keyframe>& keyframes, const Point& pivot = {});
 
 /// Moved by velocity * t and turned by spin_deg * t degrees about a pivot that moves along: at t = 0 the body is at its

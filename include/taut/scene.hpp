@@ -1,6 +1,7 @@
 // A scene: bodies, their motions, and the time interval in question.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,9 +13,11 @@ namespace taut {
 
 class PreparedShape;
 
-/// A rigid body: the interior of a simple polygon, moving.
+/// A rigid body, moving: the interior of a simple polygon, or of the union of parts that move together. The parts of a
+/// body may touch and overlap each other.
 struct Body {
   std::string name;
+  /// The boundary of a body that is one polygon; empty where `parts` say what the body is.
   Polygon polygon;
   Motion motion;
   /// What prepare(polygon) returned (taut/shape.hpp), for scenes of shapes that come again; may be null. `polygon` is
@@ -23,14 +26,25 @@ struct Body {
   std::shared_ptr<const PreparedShape> prepared = nullptr;
   /// What the user calls it by: a JSON value, as text, which is handed through to answers; may be empty.
   std::string id = {};
+  /// The parts of a body that is not one polygon.
+  std::vector<Part> parts = {};
+  /// The name of another body of the scene, in whose frame the motion is seen; empty: the world's. Chains of parents
+  /// have at most max_depth bodies, and no cycles.
+  std::string relative_to = {};
 };
 
-/// Bodies and a closed time interval [start, end] (start <= end). How many bodies can be decided at present, validate()
-/// knows (taut/validate.hpp).
+/// The most bodies that a chain of `relative_to` may have.
+inline constexpr int max_depth = 16;
+
+/// Bodies and a closed time interval [start, end] (start <= end). The question is about every two bodies of different
+/// groups that are not ignored; bodies that move alike at all times, parents included, are one group. In a scene of two
+/// bodies it is about these two, whatever moves.
 struct Scene {
   double start = 0;
   double end = 0;
   std::vector<Body> bodies;
+  /// Pairs of bodies that are not asked about, by name; "*" is every other body.
+  std::vector<std::array<std::string, 2>> ignore = {};
   /// What the user calls it by: a JSON value, as text, which is handed through to the answer; may be empty.
   std::string id = {};
 };

@@ -1,10 +1,12 @@
 #include "taut/check.hpp"
 
 #include "check/run.hpp"
+#include "pair/validate_world.hpp"
 
 namespace taut {
 
 Answer check(const Scene& scene, const CheckOptions& options) {
+  if (options.all_pairs || is_world(scene)) return run_world(scene, options);
   switch (options.engine) {
     case EngineChoice::kinetic:
       return run_kinetic(scene, options);

@@ -45,6 +45,9 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 using Question = Answer(const Scene&, const CheckOptions&);
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, Question& again);
 
+/// Of a scene that is not two bodies of one polygon each. Throws InputError.
+Answer run_world(const Scene& scene, const CheckOptions& options);
+
 /// What both say. Throws EngineDisagreement.
 Answer agreed(const Answer& kinetic, const Answer& spacetime);
 

@@ -102,6 +102,21 @@ DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::op
   largest = std::max(std::max(-bounds.lo.x, bounds.hi.x), std::max(-bounds.lo.y, bounds.hi.y));
 }
 
+DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::vector<RingSpan> spans)
+    : DisplacedPolygon(std::move(vertices)) {
+  if (spans.size() == 1) return;
+  rings = std::move(spans);
+  next.resize(points.size());
+  previous.resize(points.size());
+  for (const RingSpan& ring : rings) {
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      const std::uint32_t after = ring.first + (k + 1) % ring.count;
+      next[ring.first + k] = after;
+      previous[after] = ring.first + k;
+    }
+  }
+}
+
 Displacement displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed) {
   const std::size_t n = polygon.size();
   const double side = inwards ? 1.0 : -1.0;

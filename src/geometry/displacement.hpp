@@ -27,11 +27,23 @@ struct DisplacementFault {
   std::uint32_t first = 0, second = 0;
 };
 
-/// A polygon of such vertices, never changed: pairs and threads share it.
+/// One of several rings of a body: a run of its vertices, with the material to the left.
+struct RingSpan {
+  std::uint32_t first = 0, count = 0;
+  bool hole = false;
+};
+
+/// A polygon of such vertices, or the rings of a body, never changed: pairs and threads share it.
 struct DisplacedPolygon {
   explicit DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::optional<DisplacementFault> found = {});
+  /// Holes come after the outline of their part.
+  DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::vector<RingSpan> spans);
 
   std::vector<DisplacedPoint> points;
+  /// Empty if all vertices are one ring.
+  std::vector<RingSpan> rings;
+  /// Of each vertex, along its ring; empty like `rings`.
+  std::vector<std::uint32_t> next, previous;
   Bounds bounds;       ///< of the points before the displacement
   double largest = 0;  ///< magnitude of their coordinates
   /// The laws below do not hold: nothing may be asked of this polygon.

@@ -13,7 +13,42 @@ std::string feature_text(const Scene& scene, const Ref& feature) {
   const Body& body = scene.bodies[static_cast<std::size_t>(feature.body)];
   std::string s = "{\"body\":" + io::string_text(body.name);
   if (!body.id.empty()) s += ",\"id\":" + body.id;
+  if (!body.parts.empty())
+    s += ",\"part\":" + std::to_string(feature.part) + ",\"ring\":" + std::to_string(feature.ring);
   return s + ",\"index\":" + std::to_string(feature.index) + "}";
+}
+
+std::string names_text(const Scene& scene, const std::array<BodyId, 2>& pair) {
+  return "[" + io::string_text(scene.bodies[static_cast<std::size_t>(pair[0])].name) + "," +
+         io::string_text(scene.bodies[static_cast<std::size_t>(pair[1])].name) + "]";
+}
+
+std::string pair_text(const Scene& scene, const PairAnswer& pair) {
+  std::string s = "{\"bodies\":" + names_text(scene, pair.bodies) + ",\"outcome\":\"" + to_string(pair.outcome) + "\"";
+  if (pair.contact) s += io::contact_json(scene, *pair.contact);
+  if (pair.outcome == Outcome::undecided)
+    s += ",\"free_until\":" + io::number_text(pair.free_until) + ",\"reason\":" + io::string_text(pair.reason);
+  return s + "}";
+}
+
+std::string pairs_text(const Scene& scene, const char* key, const std::vector<PairAnswer>& pairs) {
+  std::string s = std::string(",\"") + key + "\":[";
+  for (std::size_t i = 0; i < pairs.size(); ++i) s += (i ? "," : "") + pair_text(scene, pairs[i]);
+  return s + "]";
+}
+
+/// What a world's answer says besides that of two bodies.
+std::string world_text(const Scene& scene, const Answer& answer) {
+  std::string s;
+  if (answer.pair) s += ",\"pair\":" + names_text(scene, *answer.pair);
+  if (!answer.also.empty()) s += pairs_text(scene, "also", answer.also);
+  if (const auto& c = answer.coverage) {
+    s += ",\"coverage\":{\"pairs\":" + std::to_string(c->pairs) + ",\"ignored\":" + std::to_string(c->ignored) +
+         ",\"at_rest\":" + std::to_string(c->at_rest) + ",\"apart\":" + std::to_string(c->apart) +
+         ",\"checked\":" + std::to_string(c->checked) + "}";
+  }
+  if (answer.pairs) s += pairs_text(scene, "pairs", *answer.pairs);
+  return s;
 }
 
 /// Of a sweep.
@@ -49,6 +84,7 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
   if (answer.outcome == Outcome::undecided) {
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }
+  s += world_text(scene, answer);
   s += std::string(",\"engine\":\"") + (answer.compared ? "both" : to_string(answer.engine)) +
        "\",\"events\":" + std::to_string(answer.events) +
        ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +

@@ -30,11 +30,12 @@ class SceneReader {
 
   Scene read() const {
     // "$schema" is for editors.
-    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "id", "$schema"}, scene_shape);
+    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "ignore", "id", "$schema"}, scene_shape);
     read_format(root.get("format"));
     Scene scene;
     read_time(root.get("time"), scene);
     read_bodies(root.get("bodies"), scene);
+    if (const auto ignore = root.find("ignore")) read_ignored(*ignore, scene);
     if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
     return scene;
   }
@@ -74,11 +75,13 @@ class SceneReader {
   }
 
   Body read_body(std::size_t token, const std::string& path, const Scene& scene) const {
-    const JsonObject object(document_, token, path, {"name", "polygon", "motion", "id"},
+    const JsonObject object(document_, token, path, {"name", "polygon", "parts", "motion", "relative_to", "id"},
                             R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
     Body body;
     body.name = read_name(object.get("name"), object.path("name"));
-    body.polygon = read_polygon(object.get("polygon"), object.path("polygon"));
+    read_shape(object, token, path, body);
+    if (const auto parent = object.find("relative_to"))
+      body.relative_to = read_name(*parent, object.path("relative_to"));
     if (const auto id = object.find("id")) body.id = io::value_text(document_, *id);
     if (const auto motion = object.find("motion")) {
       const io::MotionContext context{scene.start, scene.end, folder_, limits_};
@@ -100,11 +103,84 @@ class SceneReader {
     return name;
   }
 
+  /// Pairs of names.
+  void read_ignored(std::size_t token, Scene& scene) const {
+    const std::string shape = R"("ignore": [["door", "pin"], ["chassis", "*"]])";
+    document_.require(token, JsonKind::array, "ignore", shape);
+    const std::size_t end = document_.after(token);
+    for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
+      const std::string path = element_path("ignore", scene.ignore.size());
+      document_.require(i, JsonKind::array, path, shape);
+      std::vector<std::string> names;
+      for (std::size_t k = i + 1; k < document_.after(i); k = document_.after(k)) {
+        document_.require(k, JsonKind::string, path, shape);
+        names.push_back(document_.string_at(k));
+      }
+      if (names.size() != 2)
+        throw document_.error(i, path, "expected two names, found " + std::to_string(names.size()), "write " + shape);
+      scene.ignore.push_back({names[0], names[1]});
+    }
+  }
+
+  /// One polygon, or parts.
+  void read_shape(const JsonObject& object, std::size_t token, const std::string& path, Body& body) const {
+    const auto polygon = object.find("polygon"), parts = object.find("parts");
+    if (polygon && parts)
+      throw document_.error(token, path, "both \"polygon\" and \"parts\" are given", "write one of the two");
+    if (!parts) {
+      const std::size_t given = object.get("polygon");
+      std::vector<Part> read = read_parts(given, object.path("polygon"));
+      if (read.size() == 1 && read[0].holes.empty()) {
+        body.polygon = std::move(read[0].outline);
+      } else {
+        body.parts = std::move(read);
+      }
+      return;
+    }
+    const std::string shape = R"("parts": [polygon, polygon, ...], each as "polygon" is written)";
+    document_.require(*parts, JsonKind::array, object.path("parts"), shape);
+    const std::size_t end = document_.after(*parts);
+    for (std::size_t i = *parts + 1; i < end; i = document_.after(i)) {
+      for (Part& part : read_parts(i, element_path(object.path("parts"), body.parts.size())))
+        body.parts.push_back(std::move(part));
+    }
+    if (body.parts.empty()) throw document_.error(*parts, object.path("parts"), "there are no parts", "write " + shape);
+  }
+
+  /// What stands for a polygon: points, an outline with holes, or a file, which may have several.
+  std::vector<Part> read_parts(std::size_t token, const std::string& path) const {
+    if (document_.at(token).kind() == JsonKind::object) {
+      const JsonObject object(document_, token, path, {"outline", "holes", "wkt", "geojson"},
+                              R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file})");
+      if (object.find("outline") || object.find("holes")) return {read_part(token, path)};
+    }
+    return {{read_polygon(token, path), {}}};
+  }
+
+  Part read_part(std::size_t token, const std::string& path) const {
+    const std::string shape = R"({"outline": [[x, y], ...], "holes": [[[x, y], ...], ...]})";
+    const JsonObject object(document_, token, path, {"outline", "holes"}, shape);
+    Part part;
+    part.outline = read_points(object.get("outline"), object.path("outline"));
+    const auto holes = object.find("holes");
+    if (!holes) return part;
+    document_.require(*holes, JsonKind::array, object.path("holes"), shape);
+    const std::size_t end = document_.after(*holes);
+    for (std::size_t i = *holes + 1; i < end; i = document_.after(i))
+      part.holes.push_back(read_points(i, element_path(object.path("holes"), part.holes.size())));
+    return part;
+  }
+
+  Polygon read_points(std::size_t token, const std::string& path) const {
+    return io::read_points(document_, token, path, limits_.max_vertices, false);
+  }
+
   Polygon read_polygon(std::size_t token, const std::string& path) const {
     if (document_.at(token).kind() != JsonKind::object) {
-      return io::read_points(document_, token, path, limits_.max_vertices, false);
+      return read_points(token, path);
     }
-    const std::string shape = R"("polygon": [[x, y], ...], or {"wkt": file}, or {"geojson": file})";
+    const std::string shape =
+        R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file}, or {"geojson": file})";
     const JsonObject object(document_, token, path, {"wkt", "geojson"}, shape);
     const auto wkt = object.find("wkt"), geojson = object.find("geojson");
     if (wkt.has_value() == geojson.has_value()) {

@@ -6,7 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "numeric/ball.hpp"
 #include "numeric/real.hpp"
+#include "numeric/trig.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -57,7 +59,18 @@ MotionPiece rest_at(const Keyframe& k, const Point& pivot) {
   return piece;
 }
 
+/// Around the keyframe's centre, evenly.
+MotionPiece around(const Keyframe& a, const Keyframe& b, const Point& pivot) {
+  MotionPiece piece = rest_at(a, pivot);
+  piece.orbit = {b.centre, line(a.t, 0, b.t, b.by_deg, radians_per_degree())};
+  if (b.way == Way::turn && a.angle_deg != b.angle_deg)
+    piece.rotation = AngleRotation{line(a.t, a.angle_deg, b.t, b.angle_deg, radians_per_degree())};
+  piece.until = b.t;
+  return piece;
+}
+
 MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
+  if (b.way != Way::straight && b.by_deg != 0) return around(a, b, pivot);
   MotionPiece piece;
   piece.x = line(a.t, a.x, b.t, b.x);
   piece.y = line(a.t, a.y, b.t, b.y);
@@ -69,12 +82,36 @@ MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
   return piece;
 }
 
+/// Sine and cosine of an angle in degrees; exact at quarter turns.
+std::pair<Wide, Wide> sine_and_cosine(double degrees) {
+  const double rest = std::fmod(degrees, 360);
+  if (std::fmod(rest, 90) == 0) {
+    constexpr double cosines[] = {1, 0, -1, 0}, sines[] = {0, 1, 0, -1};
+    const int quarters = (static_cast<int>(rest / 90) + 4) % 4;
+    return {sines[quarters], cosines[quarters]};
+  }
+  const SinCos<Wide> both = sin_cos(Ball<Wide>(rest * radians_per_degree(), 0.0));
+  return {both.sin.mid, both.cos.mid};
+}
+
+/// Where the way around a centre leads to.
+void take_the_way(const Keyframe& before, Keyframe& k, const Point& pivot) {
+  if (k.way == Way::straight) return;
+  const auto [sine, cosine] = sine_and_cosine(k.by_deg);
+  const Wide x = Wide(pivot.x) + before.x - k.centre.x, y = Wide(pivot.y) + before.y - k.centre.y;
+  k.x = rounded(cosine * x - sine * y + k.centre.x - pivot.x);
+  k.y = rounded(sine * x + cosine * y + k.centre.y - pivot.y);
+  k.angle_deg = k.way == Way::turn ? before.angle_deg + k.by_deg : before.angle_deg;
+}
+
 void require_keyframes(const std::vector<Keyframe>& keyframes) {
   if (keyframes.empty()) throw InputError("keyframes", "there are none", "write at least one keyframe");
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     const Keyframe& k = keyframes[i];
     const std::string place = "keyframe " + std::to_string(i);
-    require_finite({k.t, k.x, k.y, k.angle_deg}, place);
+    require_finite({k.t, k.x, k.y, k.angle_deg, k.centre.x, k.centre.y, k.by_deg}, place);
+    if (i == 0 && k.way != Way::straight)
+      throw InputError(place, "it goes around a centre, and there is no keyframe before", "begin with x, y and angle");
     if (i > 0 && !(keyframes[i - 1].t < k.t))
       throw InputError(place, "its time does not come after that of the keyframe before", "order keyframes by time");
   }
@@ -84,9 +121,11 @@ void require_keyframes(const std::vector<Keyframe>& keyframes) {
 
 double radians(double degrees) { return rounded(degrees * radians_per_degree()); }
 
-Motion from_keyframes(const std::vector<Keyframe>& keyframes, const Point& pivot) {
-  require_keyframes(keyframes);
+Motion from_keyframes(const std::vector<Keyframe>& given, const Point& pivot) {
+  require_keyframes(given);
   require_finite({pivot.x, pivot.y}, "pivot");
+  std::vector<Keyframe> keyframes = given;
+  for (std::size_t i = 1; i < keyframes.size(); ++i) take_the_way(keyframes[i - 1], keyframes[i], pivot);
   Motion motion;
   motion.pieces.push_back(rest_at(keyframes.front(), pivot));
   for (std::size_t i = 0; i + 1 < keyframes.size(); ++i) {
@@ -132,7 +171,9 @@ std::optional<AngleInterval> angle_at(const Motion& motion, const TimeInterval& 
 }
 
 std::optional<AngleInterval> contact_angle(const Scene& scene, const Contact& contact) {
-  for (const Body& body : scene.bodies) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    if (static_cast<BodyId>(i) != contact.vertex.body && static_cast<BodyId>(i) != contact.edge.body) continue;
     if (const auto angle = angle_at(body.motion, contact.time)) return angle;
   }
   return std::nullopt;

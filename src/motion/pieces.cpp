@@ -28,6 +28,7 @@ struct LastZerosOfRotation {
 MotionPiece without_last_zeros(MotionPiece piece) {
   drop_last_zeros(piece.x);
   drop_last_zeros(piece.y);
+  drop_last_zeros(piece.orbit.angle);
   std::visit(LastZerosOfRotation{}, piece.rotation);
   return piece;
 }
@@ -67,12 +68,13 @@ const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t) {
 MotionPiece scaled(MotionPiece piece, int exponent) {
   for (double& c : piece.x) c = std::ldexp(c, exponent);
   for (double& c : piece.y) c = std::ldexp(c, exponent);
-  piece.pivot = {std::ldexp(piece.pivot.x, exponent), std::ldexp(piece.pivot.y, exponent)};
+  for (Point* p : {&piece.pivot, &piece.orbit.centre}) *p = {std::ldexp(p->x, exponent), std::ldexp(p->y, exponent)};
   return piece;
 }
 
 bool same_motion(const MotionPiece& a, const MotionPiece& b) {
-  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation) && pivot_of(a) == pivot_of(b);
+  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation) && pivot_of(a) == pivot_of(b) &&
+         a.orbit.angle == b.orbit.angle && (!orbits(a) || a.orbit.centre == b.orbit.centre);
 }
 
 double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
@@ -103,7 +105,11 @@ double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
                         std::max(std::fabs(polygon.lo.y), std::fabs(polygon.hi.y)) + std::fabs(c.x) + std::fabs(c.y);
   const auto* angle = std::get_if<AngleRotation>(&piece.rotation);
   const double turn = angle ? magnitude_of(angle->angle, t) : 0;
-  return magnitude_of(piece.x, t) + magnitude_of(piece.y, t) + turned * (1 + turn);
+  const double moved = magnitude_of(piece.x, t) + magnitude_of(piece.y, t);
+  if (!orbits(piece)) return moved + turned * (1 + turn);
+  const Point& centre = piece.orbit.centre;
+  const double radius = moved + turned + std::fabs(centre.x) + std::fabs(centre.y);
+  return turned * (1 + turn) + radius * (2 + magnitude_of(piece.orbit.angle, t));
 }
 
 }  // namespace

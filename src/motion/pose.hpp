@@ -1,6 +1,7 @@
 // Where a body is: its moving frame as functions of time (section 3 of the paper).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -11,11 +12,13 @@
 namespace taut {
 
 /// The body's point (u, v) is at o + u x + v y, y = x turned by +90 degrees.
-template <class Real>
-struct Pose {
-  Jet<Real> ox, oy;
-  Jet<Real> xx, xy;
+template <class J>
+struct PoseOf {
+  J ox, oy;
+  J xx, xy;
 };
+template <class Real>
+using Pose = PoseOf<Jet<Real>>;
 
 /// A polynomial's k-th coefficient; 0 beyond the last.
 inline double coefficient(const Coefficients& c, std::size_t k) { return k < c.size() ? c[k] : 0.0; }
@@ -134,23 +137,63 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
 }
 
 inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
+inline bool orbits(const MotionPiece& piece) { return !piece.orbit.angle.empty(); }
 
-/// What the body turns about; (0, 0) if it does not turn.
-inline Point pivot_of(const MotionPiece& piece) { return turns(piece) ? piece.pivot : Point{}; }
+/// What the body turns about, or what of it orbits; (0, 0) if it does neither.
+inline Point pivot_of(const MotionPiece& piece) { return turns(piece) || orbits(piece) ? piece.pivot : Point{}; }
 
-template <class Real>
-Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
-  using J = Jet<Real>;
-  Pose<Real> p;
+/// Turns the place (x, y) of the pivot c about the orbit's centre: what is added to the origin for it.
+template <class J, class Time>
+void add_orbit(const MotionPiece& piece, const Time& t, J& x, J& y) {
+  J e, s;
+  sin_cos(J::polynomial(piece.orbit.angle, t), s, e);
+  const Point c = pivot_of(piece), &m = piece.orbit.centre;
+  const J rx = x + (J::constant(c.x) - J::constant(m.x)), ry = y + (J::constant(c.y) - J::constant(m.y));
+  x = (e * rx - s * ry) + (J::constant(m.x) - J::constant(c.x));
+  y = (s * rx + e * ry) + (J::constant(m.y) - J::constant(c.y));
+}
+
+/// J is a Jet, a Series or a Symbolic, and the time what goes with it.
+template <class J, class Time>
+PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
+  PoseOf<J> p;
   p.ox = J::polynomial(piece.x, t);
   p.oy = J::polynomial(piece.y, t);
   rotation_jet(piece.rotation, t, p.xx, p.xy);
-  const Point c = pivot_of(piece);
+  if (orbits(piece)) add_orbit(piece, t, p.ox, p.oy);
+  const Point c = turns(piece) ? piece.pivot : Point{};
   if (c == Point{}) return p;
   // c - R c, exactly zero where the body is not turned.
   const J x = J::constant(c.x), y = J::constant(c.y), versine = J::constant(1.0) - p.xx;
   p.ox = p.ox + (x * versine + y * p.xy);
   p.oy = p.oy + (y * versine - x * p.xy);
+  return p;
+}
+
+template <class Real>
+Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
+  return pose_of<Jet<Real>>(piece, t);
+}
+
+/// A frame that is seen from another one: the poses as complex numbers are multiplied.
+template <class J>
+PoseOf<J> compose(const PoseOf<J>& parent, const PoseOf<J>& child) {
+  return {parent.ox + (parent.xx * child.ox - parent.xy * child.oy),
+          parent.oy + (parent.xx * child.oy + parent.xy * child.ox), parent.xx * child.xx - parent.xy * child.xy,
+          parent.xx * child.xy + parent.xy * child.xx};
+}
+
+/// What a body follows: its parents' pieces, the outermost first, and its own last. Never empty.
+using PieceChain = std::vector<MotionPiece>;
+
+inline bool turns(const PieceChain& chain) {
+  return std::any_of(chain.begin(), chain.end(), [](const MotionPiece& p) { return turns(p); });
+}
+
+template <class J, class Time>
+PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
+  PoseOf<J> p = pose_of<J>(chain.back(), t);
+  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
   return p;
 }
 

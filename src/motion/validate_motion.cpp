@@ -27,6 +27,8 @@ class PieceCheck {
     coefficients("x", piece_.x);
     coefficients("y", piece_.y);
     coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
+    coefficients("orbit.angle", piece_.orbit.angle);
+    coefficients("orbit.centre", {piece_.orbit.centre.x, piece_.orbit.centre.y});
     if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) coefficients("rotation.angle", r->angle);
     if (const auto* r = std::get_if<HalfAngleRotation>(&piece_.rotation)) {
       coefficients("rotation.half_angle_tangent", r->s);

@@ -15,6 +15,7 @@ BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.siz
 ShapeRole role_of(const PairPlan& plan, int side, bool inwards) { return {side == 0, inwards, plan.exponent}; }
 
 std::array<SharedPolygon, 2> displaced_bodies(const PairPlan& plan, bool inwards) {
+  if (plan.rings[0]) return {plan.rings[0]->displaced(inwards), plan.rings[1]->displaced(inwards)};
   const auto displaced = [&](int side) {
     const ShapeInRole* shape = shape_in_role(plan, side, inwards);
     if (shape) return shape->displaced;

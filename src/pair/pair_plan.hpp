@@ -8,6 +8,7 @@
 
 #include "geometry/prepared_shape.hpp"
 #include "pair/pair_geometry.hpp"
+#include "pair/ring_set.hpp"
 #include "relative/leg.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
@@ -38,6 +39,8 @@ struct PairPlan {
   std::array<std::vector<MotionPiece>, 2> pieces;                ///< scaled
   std::array<Bounds, 2> bounds;                                  ///< in the input's units
   std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are
+  /// In a world: what P and Q are. Then the maps, the polygons and the pieces above are empty.
+  std::array<std::shared_ptr<const RingSet>, 2> rings;
   int exponent = 0;   ///< internal coordinates are the input's times 2^exponent
   double extent = 0;  ///< of the scene, in the input's units
 };

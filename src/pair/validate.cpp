@@ -6,25 +6,12 @@
 
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
+#include "pair/validate_time.hpp"
+#include "pair/validate_world.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
 namespace {
-
-void validate_time(const Scene& scene) {
-  if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
-    throw InputError("time", "the time interval is not finite");
-  if (scene.end < scene.start)
-    throw InputError("time", "the time interval ends before it starts", "write [start, end] with start <= end");
-}
-
-/// Exact predicates multiply coordinates of both bodies: their magnitudes must not be too far apart.
-void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
-  const double least = std::min(a.least, b.least), largest = std::max(a.largest, b.largest);
-  if (largest > 0 && least < largest * 0x1p-400)
-    throw InputError("bodies", "the coordinates differ in magnitude by more than 2^400",
-                     "coordinates that small beside the others can only be rounding noise: make them 0");
-}
 
 void validate_shape(const Body& body) {
   if (!body.prepared) {
@@ -37,6 +24,20 @@ void validate_shape(const Body& body) {
 }
 
 }  // namespace
+
+void validate_time(const Scene& scene) {
+  if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
+    throw InputError("time", "the time interval is not finite");
+  if (scene.end < scene.start)
+    throw InputError("time", "the time interval ends before it starts", "write [start, end] with start <= end");
+}
+
+void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
+  const double least = std::min(a.least, b.least), largest = std::max(a.largest, b.largest);
+  if (largest > 0 && least < largest * 0x1p-400)
+    throw InputError("bodies", "the coordinates differ in magnitude by more than 2^400",
+                     "coordinates that small beside the others can only be rounding noise: make them 0");
+}
 
 std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   validate_time(scene);
@@ -60,6 +61,9 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   return facts;
 }
 
-void validate(const Scene& scene) { validated_facts(scene); }
+void validate(const Scene& scene) {
+  if (is_world(scene)) return validate_world(scene);
+  validated_facts(scene);
+}
 
 }  // namespace taut

@@ -117,9 +117,30 @@ void add_pivots(const Leg& leg, const Axes<J>& axes, FrameOf<J>& f) {
   f.for_qq[2] = f.for_qq[2] + (in_q_y - by + (c * ay - s * ax));
 }
 
+/// Of two bodies of which one, or both, have parents or orbits.
+template <class J, class Time>
+FrameOf<J> composed_frame(const Leg& leg, const Time& t) {
+  const PoseOf<J> p = pose_of<J>(leg.p_chain, t), q = pose_of<J>(leg.q_chain, t);
+  const bool p_turns = turns(leg.p_chain), q_turns = turns(leg.q_chain);
+  const J dx = q.ox - p.ox, dy = q.oy - p.oy;
+  FrameOf<J> f;
+  f.for_pp[0] = f.for_qq[0] = J::constant(1.0);
+  f.for_pp[1] = f.for_qq[1] = dx;
+  f.for_pp[2] = f.for_qq[2] = dy;
+  if (p_turns) conjugate_product(p.xx, p.xy, dx, dy, f.for_pp[1], f.for_pp[2]);
+  if (q_turns) conjugate_product(q.xx, q.xy, dx, dy, f.for_qq[1], f.for_qq[2]);
+  f.for_pp[3] = q.xx;
+  f.for_pp[4] = q.xy;
+  if (p_turns) conjugate_product(p.xx, p.xy, q.xx, q.xy, f.for_pp[3], f.for_pp[4]);
+  f.for_qq[3] = f.for_pp[3];
+  f.for_qq[4] = f.for_pp[4];
+  return f;
+}
+
 /// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
 FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
+  if (leg.composed) return composed_frame<J>(leg, t);
   FrameOf<J> f;
   J dx, dy;
   if (offset && (leg.shift_p || leg.shift_q)) {
@@ -164,8 +185,11 @@ Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real
 template <class Real>
 Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const Pose<Real> p = interpolate(pose(leg.p, t), pose(leg.p_next, t), s);
-  const Pose<Real> q = interpolate(pose(leg.q, t), pose(leg.q_next, t), s);
+  const auto placed = [&](const PieceChain& chain, const MotionPiece& piece) {
+    return leg.composed ? pose_of<Jet<Real>>(chain, t) : pose(piece, t);
+  };
+  const Pose<Real> p = interpolate(placed(leg.p_chain, leg.p), placed(leg.p_chain_next, leg.p_next), s);
+  const Pose<Real> q = interpolate(placed(leg.q_chain, leg.q), placed(leg.q_chain_next, leg.q_next), s);
   const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
   Frame<Real> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
@@ -244,7 +268,22 @@ int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
 
 }  // namespace
 
+Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end) {
+  const auto plain = [](const PieceChain& chain) { return chain.size() == 1 && !orbits(chain.back()); };
+  if (plain(p) && plain(q)) return motion(p.back(), q.back(), start, end);
+  Leg leg;
+  leg.p = p.back();
+  leg.q = q.back();
+  leg.composed = true;
+  leg.p_chain = p;
+  leg.q_chain = q;
+  leg.start = start;
+  leg.end = end;
+  return leg;
+}
+
 Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
+  if (orbits(p) || orbits(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
   Leg leg;
   leg.p = p;
   leg.q = q;
@@ -283,6 +322,8 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
 
 Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
                   double joint) {
+  if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
+    return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint);
   Leg leg;
   leg.p = p;
   leg.q = q;
@@ -293,6 +334,32 @@ Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece&
   leg.start = 0;
   leg.end = 1;
   return leg;
+}
+
+Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next, const PieceChain& q_next,
+                         double joint) {
+  Leg leg;
+  leg.p = p.back();
+  leg.q = q.back();
+  leg.p_next = p_next.back();
+  leg.q_next = q_next.back();
+  leg.bridge = true;
+  leg.joint = joint;
+  leg.start = 0;
+  leg.end = 1;
+  leg.composed = true;
+  leg.p_chain = p;
+  leg.q_chain = q;
+  leg.p_chain_next = p_next;
+  leg.q_chain_next = q_next;
+  return leg;
+}
+
+Pose<double> Leg::pose_of_body(bool of_p, double parameter) const {
+  const Ball<double> t = Ball<double>::exact(time(parameter));
+  if (composed)
+    return pose_of<Jet<double>>(bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain), t);
+  return pose(bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), t);
 }
 
 Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(leg, t); }

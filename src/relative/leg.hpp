@@ -47,6 +47,10 @@ struct Leg {
   MotionPiece p, q;
   /// On a bridge, the pieces after the joint.
   MotionPiece p_next, q_next;
+  /// Where a body has parents or an orbit, the frame is not one of polynomials and a turn: it is composed of the poses
+  /// of these chains, whose last pieces are the ones above, and there are no offsets.
+  bool composed = false;
+  PieceChain p_chain, q_chain, p_chain_next, q_chain_next;
   bool bridge = false;
   double joint = 0;           ///< the time of the bridge
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
@@ -67,8 +71,13 @@ struct Leg {
   ExactVector offset_p, offset_q;
 
   static Leg motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
+  static Leg motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end);
   static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
                       double joint);
+  static Leg bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
+                             const PieceChain& q_next, double joint);
+  /// Where a body is at a parameter of the leg, rounded; on a bridge after it, which differs by rounding only.
+  Pose<double> pose_of_body(bool of_p, double parameter) const;
 
   /// Does a body turn with infinite speed at that end of the leg? TimeFromEnd makes it smooth.
   bool singular_at(double t) const;

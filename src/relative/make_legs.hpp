@@ -12,4 +12,9 @@ namespace taut {
 std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
                            double end);
 
+/// The pieces of a body's motion after those of its parents, the outermost first.
+using MotionChain = std::vector<std::vector<MotionPiece>>;
+/// The same for bodies with parents.
+std::vector<Leg> make_legs(const MotionChain& p, const MotionChain& q, double start, double end);
+
 }  // namespace taut

@@ -30,7 +30,7 @@ class PreciseFunction {
       coefficients_[0] = p.ex * (p.cy - p.ay) - p.ey * (p.cx - p.ax);
       coefficients_[3] = Ball<Real>::exact(0);
       expand();
-    } else if (part_of(leg, g, triple, measure) == Part::displacement) {
+    } else if (portion_of(leg, g, triple, measure) == Portion::displacement) {
       coefficients_ = displacement_part(g, triple, measure, p);
     } else {
       coefficients_ = form_coefficients(triple.pp, p);

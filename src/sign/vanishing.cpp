@@ -34,9 +34,9 @@ bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const M
          identities.vanishes(triple.pp, coefficients<Dyadic>(leg, g, triple, measure));
 }
 
-Part part_of(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure) {
-  if (leg.translation || leg.bridge) return Part::whole;
-  return vanishes_before_displacement(leg, g, triple, measure) ? Part::displacement : Part::whole;
+Portion portion_of(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure) {
+  if (leg.translation || leg.bridge) return Portion::whole;
+  return vanishes_before_displacement(leg, g, triple, measure) ? Portion::displacement : Portion::whole;
 }
 
 }  // namespace taut

@@ -13,7 +13,7 @@ bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const M
 
 /// What is to be looked at of a function: all of it, or, where it is zero at all times before the displacement, what
 /// the displacement makes of it.
-enum class Part : unsigned char { whole, displacement };
-Part part_of(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure);
+enum class Portion : unsigned char { whole, displacement };
+Portion portion_of(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure);
 
 }  // namespace taut

@@ -15,33 +15,31 @@ Point place(const Pose<double>& pose, double x, double y) {
   return {pose.ox.v.mid + (c * x - s * y), pose.oy.v.mid + (s * x + c * y)};
 }
 
-/// The pose of P or Q on a leg; on a bridge that after it, which differs by rounding only.
-Pose<double> pose_on(const Leg& leg, bool of_p, double parameter) {
-  if (leg.bridge) return pose(of_p ? leg.p_next : leg.q_next, Ball<double>::exact(leg.joint));
-  return pose(of_p ? leg.p : leg.q, Ball<double>::exact(parameter));
-}
-
 }  // namespace
 
 VertexRef Witness::vertex(VertexId v) const {
-  const BodyMap& m = plan_.maps[geometry_.in_p(v) ? 0 : 1];
-  return {m.body, m.vertex(geometry_.in_p(v) ? v.value : v.value - geometry_.np)};
+  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
+  if (plan_.rings[side]) return plan_.rings[side]->vertex(k);
+  return {plan_.maps[side].body, plan_.maps[side].vertex(k)};
 }
 
 EdgeRef Witness::edge(VertexId v) const {
-  const BodyMap& m = plan_.maps[geometry_.in_p(v) ? 0 : 1];
-  return {m.body, m.edge(geometry_.in_p(v) ? v.value : v.value - geometry_.np)};
+  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
+  if (plan_.rings[side]) return plan_.rings[side]->edge(k);
+  return {plan_.maps[side].body, plan_.maps[side].edge(k)};
 }
 
 Point Witness::world(VertexId v, const Leg& leg, double parameter) const {
   const DisplacedPoint& p = geometry_.point(v);
-  const Point at = place(pose_on(leg, geometry_.in_p(v), parameter), p.x, p.y);
+  const Point at = place(leg.pose_of_body(geometry_.in_p(v), parameter), p.x, p.y);
   return {std::ldexp(at.x, -plan_.exponent), std::ldexp(at.y, -plan_.exponent)};
 }
 
 Point Witness::outward_normal(VertexId edge, const Leg& leg, double parameter) const {
   const DisplacedPoint &a = geometry_.point(edge), &b = geometry_.point(geometry_.next(edge));
-  const Pose<double> pose = pose_on(leg, geometry_.in_p(edge), parameter);
+  const Pose<double> pose = leg.pose_of_body(geometry_.in_p(edge), parameter);
   // The polygon lies to the left of its edges: outside is to the right.
   double x = b.y - a.y, y = -(b.x - a.x);
   const double c = pose.xx.v.mid, s = pose.xy.v.mid;
@@ -69,16 +67,31 @@ Contact Witness::contact_at(VertexId v, VertexId e, const Leg& leg, double lo, d
   return contact;
 }
 
+double Witness::distance(VertexId v, VertexId edge, const Leg& leg, double t) const {
+  const Point p = world(v, leg, t), a = world(edge, leg, t), b = world(geometry_.next(edge), leg, t);
+  const double ex = b.x - a.x, ey = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
+  const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
+  return length(px - share * ex, py - share * ey);
+}
+
+Contact Witness::contact_of_vertex(VertexId v, const Leg& leg, double t) const {
+  const std::uint32_t first = geometry_.in_p(v) ? geometry_.np : 0,
+                      last = geometry_.in_p(v) ? geometry_.size() : geometry_.np;
+  VertexId nearest(first);
+  double least = distance(v, nearest, leg, t);
+  for (std::uint32_t k = first + 1; k < last; ++k) {
+    const double d = distance(v, VertexId(k), leg, t);
+    if (!(d < least)) continue;
+    least = d;
+    nearest = VertexId(k);
+  }
+  return contact_at(v, nearest, leg, t, t);
+}
+
 Contact Witness::contact_of_crossing(VertexId e, VertexId f, const Leg& leg, double t) const {
-  const auto distance = [&](VertexId v, VertexId edge) {
-    const Point p = world(v, leg, t), a = world(edge, leg, t), b = world(geometry_.next(edge), leg, t);
-    const double ex = b.x - a.x, ey = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-    const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-    return length(px - share * ex, py - share * ey);
-  };
   const std::pair<VertexId, VertexId> candidates[] = {{e, f}, {geometry_.next(e), f}, {f, e}, {geometry_.next(f), e}};
   const auto* best = std::min_element(std::begin(candidates), std::end(candidates), [&](const auto& a, const auto& b) {
-    return distance(a.first, a.second) < distance(b.first, b.second);
+    return distance(a.first, a.second, leg, t) < distance(b.first, b.second, leg, t);
   });
   return contact_at(best->first, best->second, leg, t, t);
 }

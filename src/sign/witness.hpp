@@ -24,9 +24,13 @@ class Witness {
   /// The contact at time t of two shapes that touch there, given two edges of the outward shapes that cross: the end of
   /// one of them that is nearest to the other is the vertex.
   Contact contact_of_crossing(VertexId e, VertexId f, const Leg& leg, double t) const;
+  /// The same where no edges cross, given a vertex of an outward shape that is inside the other one: the body fits into
+  /// a hole so closely that all of it touches.
+  Contact contact_of_vertex(VertexId v, const Leg& leg, double t) const;
 
  private:
   Contact contact_at(VertexId vertex, VertexId edge, const Leg& leg, double lo, double hi) const;
+  double distance(VertexId v, VertexId edge, const Leg& leg, double t) const;
   Point outward_normal(VertexId edge, const Leg& leg, double parameter) const;
 
   const PairPlan& plan_;

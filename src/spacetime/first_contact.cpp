@@ -10,6 +10,7 @@
 #include "pair/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/leaf_test.hpp"
+#include "taut/check.hpp"
 
 namespace taut::spacetime {
 namespace {
@@ -32,22 +33,26 @@ constexpr int windows_before_growing = 8;
 /// it, and worked on in their order: the motion is evaluated once for all pairs of a stretch.
 class LegSearch {
  public:
-  LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg)
+  /// On [from, to] of the leg's parameter.
+  LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg, double from,
+            double to)
       : geometry_(geometry),
         p_(p),
         q_(q),
         leg_(leg),
         leaves_(geometry, leg),
         polynomial_(leg),
+        from_(from),
+        to_(to),
         shortest_(shortest_stretch * (leg.end - leg.start)),
-        proved_(leg.start) {}
+        proved_(from) {}
 
-  /// The first contact on the leg.
+  /// The first contact.
   std::optional<Crossing> run() {
     if (leg_.translation) {
-      start(leg_.start, leg_.end);
+      start(from_, to_);
     } else {
-      for (double t = leg_.start; t < leg_.end && !best_; t = window_->end()) {
+      for (double t = from_; t < to_ && !best_; t = window_->end()) {
         next_window(t);
         start(t, window_->end());
       }
@@ -55,7 +60,7 @@ class LegSearch {
     if (best_) leaves_.precise().tighten(*best_);
     return best_;
   }
-  /// Up to when there is certainly no contact on the leg.
+  /// Up to when there is certainly no contact.
   double proved() const { return proved_; }
   void count(SpacetimeResult& result) {
     result.pairs += looks_;
@@ -66,10 +71,10 @@ class LegSearch {
  private:
   /// The next window of a leg that turns. Motions seldom change their character: the last length will do.
   void next_window(double start) {
-    const double whole = leg_.end - leg_.start;
+    const double whole = to_ - from_;
     double wanted = whole;
     if (window_) wanted = std::min(whole, window_->length() * (window_->smooth() && resting_ > 0 ? 1 : 2));
-    window_.emplace(leg_, start, leg_.end, wanted);
+    window_.emplace(leg_, start, to_, wanted);
     resting_ = window_->length() < 0.75 * wanted ? windows_before_growing : std::max(0, resting_ - 1);
   }
   /// The window around t for the leaves of the stretch that ends at `end`.
@@ -164,7 +169,7 @@ class LegSearch {
   int resting_ = 0;
   std::vector<BoxPair> pairs_, todo_;
   std::optional<Crossing> best_;
-  double shortest_, proved_;
+  double from_, to_, shortest_, proved_;
   std::uint64_t looks_ = 0;
 };
 
@@ -179,10 +184,33 @@ void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& r
 
 }  // namespace
 
+namespace {
+
+/// What of a leg lies in the window, as an interval of its parameter.
+std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
+  if (leg.bridge) {
+    if (leg.joint > window.from && leg.joint <= window.to) return TimeInterval{leg.start, leg.end};
+    return std::nullopt;
+  }
+  const double from = std::max(leg.start, window.from), to = std::min(leg.end, window.to);
+  if (from < to || (from == to && window.first)) return TimeInterval{from, to};
+  return std::nullopt;
+}
+
+}  // namespace
+
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  return first_contact(geometry, trees, legs, {-everywhere, everywhere, true});
+}
+
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                              const TimeWindow& window) {
   SpacetimeResult result;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    LegSearch search(geometry, trees.p, trees.q, legs[i]);
+    const std::optional<TimeInterval> part = clipped(legs[i], window);
+    if (!part) continue;
+    LegSearch search(geometry, trees.p, trees.q, legs[i], part->lo, part->hi);
     try {
       const std::optional<Crossing> found = search.run();
       search.count(result);

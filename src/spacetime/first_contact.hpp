@@ -37,10 +37,20 @@ struct SpacetimeResult {
 /// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
 
-/// How two polygons overlap: two of their edges cross, or one lies inside the other.
+/// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
+struct TimeWindow {
+  double from = 0, to = 0;
+  bool first = true;  ///< it begins with the scene, and has its beginning
+};
+/// The same within a window.
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                              const TimeWindow& window);
+
+/// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
 struct StartOverlap {
   bool crossing = false;
   VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
+  VertexId inside;          ///< else a vertex of that outline
 };
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.

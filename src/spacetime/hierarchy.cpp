@@ -56,23 +56,84 @@ Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std
   return box;
 }
 
-Hierarchy::Hierarchy(std::span<const DisplacedPoint> polygon) {
-  nodes_.reserve(2 * polygon.size());
-  build(polygon, 0, static_cast<std::uint32_t>(polygon.size()));
+namespace {
+
+Bounds bounds_of(const DisplacedPolygon& body, const RingSpan& ring) {
+  Bounds b{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (std::uint32_t i = ring.first; i < ring.first + ring.count; ++i) {
+    const DisplacedPoint& p = body.points[i];
+    b.lo = {std::min(b.lo.x, p.x), std::min(b.lo.y, p.y)};
+    b.hi = {std::max(b.hi.x, p.x), std::max(b.hi.y, p.y)};
+  }
+  return b;
 }
 
-Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(g.p()->points); }
-Hierarchy hierarchy_of_q(const PairGeometry& g) { return Hierarchy(g.q()->points); }
+/// Along the axes, around several rings.
+Box box_of_rings(const DisplacedPolygon& body, std::span<const RingSpan> rings) {
+  std::vector<DisplacedPoint> corners;
+  for (const RingSpan& ring : rings) {
+    const Bounds b = bounds_of(body, ring);
+    corners.push_back({b.lo.x, b.lo.y, 0, 0});
+    corners.push_back({b.hi.x, b.hi.y, 0, 0});
+  }
+  // A run that comes back to where it began has the axes for its directions.
+  return box_of_run(corners, 0, static_cast<std::uint32_t>(corners.size()));
+}
 
-std::uint32_t Hierarchy::build(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count) {
+}  // namespace
+
+Hierarchy::Hierarchy(std::span<const DisplacedPoint> polygon) {
+  nodes_.reserve(2 * polygon.size());
+  build(polygon, 0, 0, static_cast<std::uint32_t>(polygon.size()));
+}
+
+Hierarchy::Hierarchy(const DisplacedPolygon& body) {
+  nodes_.reserve(2 * body.points.size());
+  std::vector<RingSpan> rings = body.rings;
+  if (rings.empty()) rings.push_back({0, static_cast<std::uint32_t>(body.points.size()), false});
+  build(body, rings);
+}
+
+Hierarchy hierarchy_of_p(const PairGeometry& g) { return Hierarchy(*g.p()); }
+Hierarchy hierarchy_of_q(const PairGeometry& g) { return Hierarchy(*g.q()); }
+
+std::uint32_t Hierarchy::build(std::span<const DisplacedPoint> ring, std::uint32_t offset, std::uint32_t first,
+                               std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({box_of_run(polygon, first, count), first, count, 0, 0});
+  nodes_.push_back({box_of_run(ring, first, count), offset + first, count, 0, 0});
   if (count > 1) {
-    const std::uint32_t left = build(polygon, first, count / 2);
-    const std::uint32_t right = build(polygon, first + count / 2, count - count / 2);
+    const std::uint32_t left = build(ring, offset, first, count / 2);
+    const std::uint32_t right = build(ring, offset, first + count / 2, count - count / 2);
     nodes_[index].left = left;
     nodes_[index].right = right;
   }
+  return index;
+}
+
+/// Rings are divided at the median of their middles, along the longer side.
+std::uint32_t Hierarchy::build(const DisplacedPolygon& body, std::span<RingSpan> rings) {
+  if (rings.size() == 1) {
+    const RingSpan& ring = rings[0];
+    return build(std::span(body.points).subspan(ring.first, ring.count), ring.first, 0, ring.count);
+  }
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  std::uint32_t count = 0;
+  for (const RingSpan& ring : rings) count += ring.count;
+  nodes_.push_back({box_of_rings(body, rings), 0, count, 0, 0});
+  const bool along_x = nodes_[index].box.half_length >= nodes_[index].box.half_width;
+  const auto key = [&](const RingSpan& ring) {
+    const Bounds b = bounds_of(body, ring);
+    return along_x ? b.lo.x + b.hi.x : b.lo.y + b.hi.y;
+  };
+  const auto half = static_cast<std::ptrdiff_t>(rings.size() / 2);
+  std::nth_element(rings.begin(), rings.begin() + half, rings.end(), [&](const RingSpan& a, const RingSpan& b) {
+    const double ka = key(a), kb = key(b);
+    return ka != kb ? ka < kb : a.first < b.first;
+  });
+  const std::uint32_t left = build(body, rings.first(static_cast<std::size_t>(half)));
+  const std::uint32_t right = build(body, rings.subspan(static_cast<std::size_t>(half)));
+  nodes_[index].left = left;
+  nodes_[index].right = right;
   return index;
 }
 

@@ -1,4 +1,4 @@
-// A tree of oriented boxes over the edges of one polygon, in its own frame.
+// A tree of oriented boxes over the edges of one body, in its own frame.
 #pragma once
 
 #include <span>
@@ -16,10 +16,10 @@ struct Box {
   double radius = 0;  ///< of a disc around the centre that contains the box
 };
 
-/// A run of consecutive edges. The box certainly contains all of them, as displaced.
+/// A run of consecutive edges, or several rings. The box certainly contains all of them, as displaced.
 struct BoxNode {
   Box box;
-  std::uint32_t first = 0, count = 0;  ///< edges of the polygon, by their first vertices
+  std::uint32_t first = 0, count = 0;  ///< edges by their first vertices; of rings, `first` means nothing
   std::uint32_t left = 0, right = 0;   ///< children; unused where count is 1
 };
 
@@ -28,11 +28,15 @@ class Hierarchy {
  public:
   /// Over the edges of a polygon of displaced points.
   explicit Hierarchy(std::span<const DisplacedPoint> polygon);
+  /// Over all rings of a body.
+  explicit Hierarchy(const DisplacedPolygon& body);
   const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
   std::size_t size() const { return nodes_.size(); }
 
  private:
-  std::uint32_t build(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count);
+  std::uint32_t build(std::span<const DisplacedPoint> ring, std::uint32_t offset, std::uint32_t first,
+                      std::uint32_t count);
+  std::uint32_t build(const DisplacedPolygon& body, std::span<RingSpan> rings);
 
   std::vector<BoxNode> nodes_;
 };

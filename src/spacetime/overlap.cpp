@@ -18,16 +18,18 @@ bool edges_cross(const Placement& place, VertexId a, VertexId b) {
          place.orientation(b, b2, a) != place.orientation(b, b2, a2);
 }
 
-/// Is a vertex of one body inside the other? A ray along the sweep's "up" crosses its boundary an odd number of times.
-class RayCount {
+/// How often the other body's rings wind around a vertex of one body: it is inside if that is not 0, or more where
+/// parts overlap. A ray along the sweep's "up" crosses rings, which have their material to the left, one way or the
+/// other.
+class Winding {
  public:
   /// `first`: the first vertex of the tree's body, whose pose this is.
-  RayCount(const Placement& place, VertexId v, const Hierarchy& tree, const RoundedPose& pose, std::uint32_t first)
+  Winding(const Placement& place, VertexId v, const Hierarchy& tree, const RoundedPose& pose, std::uint32_t first)
       : place_(place), v_(v), tree_(tree), pose_(pose), first_(first) {}
 
-  bool odd() {
+  bool inside() {
     visit(0);
-    return odd_;
+    return winds_ > 0;
   }
 
  private:
@@ -51,7 +53,7 @@ class RayCount {
     const VertexId b = place_.geometry().next(a);
     const bool forwards = place_.before(a, v_);
     if (forwards == place_.before(b, v_)) return;
-    if (place_.orientation(forwards ? a : b, forwards ? b : a, v_) < 0) odd_ = !odd_;
+    if (place_.orientation(forwards ? a : b, forwards ? b : a, v_) < 0) winds_ += forwards ? -1 : 1;
   }
 
   const Placement& place_;
@@ -59,8 +61,18 @@ class RayCount {
   const Hierarchy& tree_;
   RoundedPose pose_;
   std::uint32_t first_;
-  bool odd_ = false;
+  int winds_ = 0;
 };
+
+/// A vertex of each part's outline.
+std::vector<std::uint32_t> outlines(const DisplacedPolygon& body) {
+  if (body.rings.empty()) return {0};
+  std::vector<std::uint32_t> first;
+  for (const RingSpan& ring : body.rings) {
+    if (!ring.hole) first.push_back(ring.first);
+  }
+  return first;
+}
 
 Stretch at_instant(const Leg& leg, double t) {
   if (leg.translation) return Stretch::of_translation(leg, TranslationPolynomial(leg), t, t);
@@ -91,15 +103,23 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
     if (apart(instant, a.box, b.box)) continue;
     if (a.count == 1 && b.count == 1) {
       const VertexId e(a.first), f(g.np + b.first);
-      if (edges_cross(place, e, f)) return StartOverlap{true, e, f};
+      if (edges_cross(place, e, f)) return StartOverlap{true, e, f, {}};
     } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
       stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
     } else {
       stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
     }
   }
-  if (RayCount(place, VertexId(0u), q, place.pose_q(), g.np).odd()) return StartOverlap{};
-  if (RayCount(place, VertexId(g.np), p, place.pose_p(), 0).odd()) return StartOverlap{};
+  // Boundaries that do not cross: then one part has another one's outline inside, or they are apart.
+  for (const std::uint32_t v : outlines(*g.p())) {
+    interruption_point();
+    if (Winding(place, VertexId(v), q, place.pose_q(), g.np).inside()) return StartOverlap{false, {}, {}, VertexId(v)};
+  }
+  for (const std::uint32_t v : outlines(*g.q())) {
+    interruption_point();
+    const VertexId of_q(g.np + v);
+    if (Winding(place, of_q, p, place.pose_p(), 0).inside()) return StartOverlap{false, {}, {}, of_q};
+  }
   return std::nullopt;
 }
 

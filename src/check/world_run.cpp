@@ -1,0 +1,150 @@
+// Many bodies, one answer.
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "check/run.hpp"
+#include "pair/validate_world.hpp"
+#include "world/world_search.hpp"
+
+namespace taut {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+PairAnswer answer_of(const PairResult& result) {
+  return {{result.a, result.b}, result.outcome, result.contact, result.free_until, result.reason};
+}
+
+/// When something is known to have happened to the pair, or no more to be known.
+double time_of(const PairAnswer& pair) {
+  return pair.outcome == Outcome::contact ? pair.contact->time.lo : pair.free_until;
+}
+
+/// An overlap at the start comes before everything else; then what is first in time.
+bool before(const PairAnswer& a, const PairAnswer& b) {
+  const bool overlap_a = a.outcome == Outcome::overlap_at_start, overlap_b = b.outcome == Outcome::overlap_at_start;
+  if (overlap_a != overlap_b) return overlap_a;
+  return time_of(a) < time_of(b);
+}
+
+/// Contacts that enclosures do not tell apart are simultaneous, as far as is known.
+bool together(const PairAnswer& a, const PairAnswer& b) {
+  if (a.outcome != b.outcome) return false;
+  return a.outcome == Outcome::overlap_at_start ||
+         (a.outcome == Outcome::contact && a.contact->time.lo <= b.contact->time.hi &&
+          b.contact->time.lo <= a.contact->time.hi);
+}
+
+/// The world's outcome is that of its first pair.
+void take_headline(const std::vector<PairAnswer>& events, Answer& answer) {
+  if (events.empty()) return;
+  const PairAnswer& first = *std::min_element(events.begin(), events.end(), before);
+  std::vector<PairAnswer> ties;
+  for (const PairAnswer& pair : events) {
+    if (&pair == &first || together(pair, first)) ties.push_back(pair);
+  }
+  const PairAnswer& named = ties.front();
+  answer.outcome = named.outcome;
+  answer.pair = named.bodies;
+  answer.contact = named.contact;
+  answer.reason = named.reason;
+  answer.free_until = time_of(first);
+  // The first of all is in it, whichever that is.
+  if (answer.contact) answer.contact->time.lo = std::min(answer.contact->time.lo, first.contact->time.lo);
+  answer.also.assign(ties.begin() + 1, ties.end());
+}
+
+/// Every pair that was asked about, also those that boxes alone have told apart.
+std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairResult>& results) {
+  std::vector<PairAnswer> all;
+  auto known = results.begin();
+  const int n = static_cast<int>(plan.bodies().size());
+  for (int a = 0; a < n; ++a) {
+    for (int b = a + 1; b < n; ++b) {
+      if (!plan.asked(a, b)) continue;
+      while (known != results.end() && std::pair(known->a, known->b) < std::pair(a, b)) ++known;
+      const bool is_known = known != results.end() && known->a == a && known->b == b;
+      all.push_back(is_known ? answer_of(*known) : PairAnswer{{a, b}, Outcome::free, {}, plan.end(), {}});
+    }
+  }
+  return all;
+}
+
+class WorldRun final : public Run {
+ public:
+  WorldRun(const Scene& scene, const CheckOptions& options)
+      : scene_(scene), options_(options), scope_(options.stop, options.max_seconds) {
+    answer_.engine = EngineName::spacetime;
+    answer_.free_until = scene.start;
+  }
+
+  bool work(std::uint64_t) override {
+    const Clock::time_point start = Clock::now();
+    try {
+      validate_world(scene_);
+      plan_.emplace(scene_);
+      search_.emplace(*plan_, options_.touch, options_.all_pairs);
+      answer_.build_seconds = seconds_since(start);
+      if (search_->start()) search_->run();
+      answer_.outcome = Outcome::free;
+      answer_.free_until = scene_.end;
+    } catch (const Interrupted& limit) {
+      stopped_ = limit.reason;
+    }
+    conclude();
+    answer_.run_seconds = seconds_since(start) - answer_.build_seconds;
+    return true;
+  }
+  const Answer& answer() const override { return answer_; }
+  bool doubles_sufficed() const override { return search_ && search_->precise() == 0; }
+
+ private:
+  void conclude() {
+    std::vector<PairAnswer> events;
+    std::vector<PairResult> results;
+    if (search_) results = search_->results();
+    for (const PairResult& r : results) {
+      if (r.outcome != Outcome::free) events.push_back(answer_of(r));
+    }
+    if (plan_) {
+      if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, results);
+      if (scene_.bodies.size() != 2) answer_.coverage = coverage();
+    }
+    if (!stopped_.empty()) {
+      // What was found so far may not be the first.
+      const double proved = search_ ? search_->proved() : scene_.start;
+      std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < proved); });
+      answer_.outcome = Outcome::undecided;
+      answer_.free_until = proved;
+      answer_.reason = stopped_;
+    }
+    take_headline(events, answer_);
+    if (scene_.bodies.size() == 2) answer_.pair.reset();
+  }
+  Coverage coverage() const {
+    Coverage c = plan_->coverage();
+    c.checked = search_ ? search_->checked() : 0;
+    c.apart = c.pairs - c.ignored - c.at_rest - c.checked;
+    return c;
+  }
+
+  const Scene& scene_;
+  const CheckOptions& options_;
+  InterruptionScope scope_;
+  std::optional<WorldPlan> plan_;
+  std::optional<WorldSearch> search_;
+  Answer answer_;
+  std::string stopped_;
+};
+
+}  // namespace
+
+Answer run_world(const Scene& scene, const CheckOptions& options) {
+  WorldRun run(scene, options);
+  run.work(UINT64_MAX);
+  return with_touching(run, scene, options, run_world);
+}
+
+}  // namespace taut

@@ -1,0 +1,109 @@
+#include "geometry/part_validation.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/interruption.hpp"
+#include "geometry/hull.hpp"
+#include "geometry/predicates.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+/// An edge of one of the rings.
+struct RingEdge {
+  Point a, b;
+  int ring = 0, index = 0;
+  double lo_x() const { return std::min(a.x, b.x); }
+  double hi_x() const { return std::max(a.x, b.x); }
+  double lo_y() const { return std::min(a.y, b.y); }
+  double hi_y() const { return std::max(a.y, b.y); }
+};
+
+bool meet(const RingEdge& e, const RingEdge& f) {
+  if (e.hi_x() < f.lo_x() || f.hi_x() < e.lo_x() || e.hi_y() < f.lo_y() || f.hi_y() < e.lo_y()) return false;
+  const int a = orientation(e.a, e.b, f.a), b = orientation(e.a, e.b, f.b);
+  const int c = orientation(f.a, f.b, e.a), d = orientation(f.a, f.b, e.b);
+  // With boxes that meet, edges on one line do, and others unless one of them is on one side of the other.
+  return a * b <= 0 && c * d <= 0;
+}
+
+/// Strictly inside? No edge passes through the point. A ray to the right crosses the ring an odd number of times.
+bool inside(const Polygon& ring, const Point& p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    const int side = a.y < b.y ? orientation(a, b, p) : orientation(b, a, p);
+    if (side > 0) odd = !odd;
+  }
+  return odd;
+}
+
+std::string ring_text(int ring) { return ring == 0 ? "the outline" : "hole " + std::to_string(ring); }
+
+const Polygon& ring_of(const Part& part, int ring) {
+  return ring == 0 ? part.outline : part.holes[static_cast<std::size_t>(ring - 1)];
+}
+
+[[noreturn]] void refuse(const Part& part, const RingEdge& e, const RingEdge& f, const std::string& name) {
+  const auto text = [&](const RingEdge& edge) {
+    const int n = static_cast<int>(ring_of(part, edge.ring).size());
+    return "edge " + std::to_string(edge.index) + "-" + std::to_string((edge.index + 1) % n) + " of " +
+           ring_text(edge.ring);
+  };
+  throw InputError(
+      name, text(e) + " meets " + text(f),
+      "holes must touch neither the outline nor each other: leave a gap, or cut the hole out of the outline",
+      {{}, {{0, e.index, 0, e.ring}, {0, f.index, 0, f.ring}}});
+}
+
+/// A sweep along x over the edges' boxes.
+void require_rings_apart(const Part& part, const std::string& name) {
+  std::vector<RingEdge> edges;
+  for (int ring = 0; ring <= static_cast<int>(part.holes.size()); ++ring) {
+    const Polygon& polygon = ring_of(part, ring);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()], ring, static_cast<int>(i)});
+  }
+  std::sort(edges.begin(), edges.end(), [](const RingEdge& e, const RingEdge& f) { return e.lo_x() < f.lo_x(); });
+  std::vector<const RingEdge*> active;
+  for (const RingEdge& e : edges) {
+    interruption_point();
+    std::erase_if(active, [&](const RingEdge* f) { return f->hi_x() < e.lo_x(); });
+    for (const RingEdge* f : active) {
+      if (f->ring != e.ring && meet(e, *f)) {
+        if (f->ring < e.ring) refuse(part, *f, e, name);
+        refuse(part, e, *f, name);
+      }
+    }
+    active.push_back(&e);
+  }
+}
+
+bool within(const Bounds& inner, const Bounds& outer) {
+  return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y && inner.hi.y <= outer.hi.y;
+}
+
+}  // namespace
+
+void validate_holes(const Part& part, const std::string& name) {
+  if (part.holes.empty()) return;
+  require_rings_apart(part, name);
+  std::vector<Bounds> boxes;
+  for (const Polygon& hole : part.holes) boxes.push_back(bounds(hole));
+  for (std::size_t i = 0; i < part.holes.size(); ++i) {
+    if (!inside(part.outline, part.holes[i][0]))
+      throw InputError(name + ": hole " + std::to_string(i + 1), "the hole lies outside of the outline",
+                       "remove it, or make it a part of its own");
+    for (std::size_t j = 0; j < part.holes.size(); ++j) {
+      interruption_point();
+      if (i != j && within(boxes[j], boxes[i]) && inside(part.holes[i], part.holes[j][0]))
+        throw InputError(name + ": hole " + std::to_string(j + 1), "the hole lies inside hole " + std::to_string(i + 1),
+                         "remove it; what stands in a hole is a part of its own");
+    }
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,116 @@
+#include "pair/ring_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "taut/error.hpp"
+#include "taut/shape.hpp"
+
+namespace taut {
+namespace {
+
+/// Different for any two rings of a scene, so that no two are displaced alike.
+std::uint64_t seed_of(int body, std::size_t ring) {
+  return 0x9e3779b97f4a7c15u * (static_cast<std::uint64_t>(body) + 1) + 0xbf58476d1ce4e5b9u * (ring + 1);
+}
+
+void reverse_order(std::vector<DisplacedPoint>& ring) { std::reverse(ring.begin() + 1, ring.end()); }
+
+}  // namespace
+
+std::vector<Part> parts_of(const Body& body) {
+  if (!body.parts.empty()) return body.parts;
+  return {{polygon_of(body), {}}};
+}
+
+std::string ring_name(const Body& body, std::size_t part, std::size_t ring) {
+  std::string name = body.name;
+  if (body.parts.size() > 1) name += ": part " + std::to_string(part);
+  if (ring > 0) name += ": hole " + std::to_string(ring);
+  return name;
+}
+
+RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), name_(body.name) {
+  bounds_ = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  const std::vector<Part> parts = parts_of(body);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add(parts[i].outline, static_cast<int>(i), 0, exponent);
+    for (std::size_t j = 0; j < parts[i].holes.size(); ++j)
+      add(parts[i].holes[j], static_cast<int>(i), static_cast<int>(j + 1), exponent);
+  }
+}
+
+void RingSet::add(const Polygon& ring, int part, int number, int exponent) {
+  const ShapeFacts facts = facts_of(ring);
+  rings_.push_back(normalised(ring, facts, exponent));
+  const bool hole = number > 0;
+  maps_.push_back({part, number, static_cast<std::uint32_t>(size_), facts.size, facts.first, facts.reversed != hole});
+  size_ += ring.size();
+  for (const Point& p : rings_.back()) {
+    bounds_.lo = {std::min(bounds_.lo.x, p.x), std::min(bounds_.lo.y, p.y)};
+    bounds_.hi = {std::max(bounds_.hi.x, p.x), std::max(bounds_.hi.y, p.y)};
+  }
+}
+
+const RingMap& RingSet::ring_of(std::uint32_t k) const {
+  const auto after =
+      std::upper_bound(maps_.begin(), maps_.end(), k, [](std::uint32_t v, const RingMap& m) { return v < m.offset; });
+  return *std::prev(after);
+}
+
+VertexRef RingSet::vertex(std::uint32_t k) const {
+  const RingMap& m = ring_of(k);
+  return {index_, m.vertex(k - m.offset), m.part, m.ring};
+}
+
+EdgeRef RingSet::edge(std::uint32_t k) const {
+  const RingMap& m = ring_of(k);
+  return {index_, m.edge(k - m.offset), m.part, m.ring};
+}
+
+const SharedPolygon& RingSet::displaced(bool inwards) const {
+  const std::lock_guard lock(mutex_);
+  SharedPolygon& place = displaced_[inwards ? 0 : 1];
+  if (!place) place = displace_rings(inwards);
+  return place;
+}
+
+SharedPolygon RingSet::displace_rings(bool inwards) const {
+  std::vector<DisplacedPoint> points;
+  points.reserve(size_);
+  std::vector<RingSpan> spans;
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const RingMap& map = maps_[i];
+    const bool hole = map.ring > 0;
+    // Less material is a larger hole.
+    const SharedPolygon ring = displaced_polygon(rings_[i], inwards != hole, seed_of(index_, i));
+    if (ring->fault) refuse(map, *ring->fault);
+    std::vector<DisplacedPoint> vertices = ring->points;
+    if (hole) reverse_order(vertices);
+    spans.push_back({map.offset, map.size, hole});
+    points.insert(points.end(), vertices.begin(), vertices.end());
+  }
+  return std::make_shared<const DisplacedPolygon>(std::move(points), std::move(spans));
+}
+
+void RingSet::refuse(const RingMap& ring, const DisplacementFault& fault) const {
+  const std::string place =
+      name_ + ": part " + std::to_string(ring.part) + (ring.ring > 0 ? ": hole " + std::to_string(ring.ring) : "");
+  const char* const hint = "features that small can only be rounding noise: remove them";
+  // The fault counts counterclockwise, also in a hole.
+  const RingMap around{ring.part, ring.ring, ring.offset, ring.size, ring.first, ring.reversed != (ring.ring > 0)};
+  if (fault.kind == DisplacementFault::Kind::sharp_corner) {
+    const int v = around.vertex(fault.first);
+    throw InputError(place,
+                     "the corner at vertex " + std::to_string(v) +
+                         " is sharper than the displacement that taut computes with allows, about 2^-42 radians",
+                     hint, {{{index_, v, ring.part, ring.ring}}, {}});
+  }
+  const int e = around.edge(fault.first), f = around.edge(fault.second);
+  throw InputError(place,
+                   "edges " + std::to_string(e) + " and " + std::to_string(f) +
+                       " come closer than the displacement that taut computes with, 2^-199 of the largest coordinate",
+                   hint, {{}, {{index_, e, ring.part, ring.ring}, {index_, f, ring.part, ring.ring}}});
+}
+
+}  // namespace taut

@@ -1,0 +1,83 @@
+// A body of several rings as the engines see it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "geometry/displacement.hpp"
+#include "geometry/shape_facts.hpp"
+#include "taut/feature.hpp"
+#include "taut/scene.hpp"
+
+namespace taut {
+
+/// One ring of a body: how its internal vertices are numbered in the input.
+struct RingMap {
+  int part = 0, ring = 0;
+  std::uint32_t offset = 0;  ///< of its first vertex among those of the body
+  std::uint32_t size = 0;
+  std::uint32_t first = 0;  ///< index of the input that became its first vertex
+  bool reversed = false;    ///< the input runs against the internal order
+
+  int vertex(std::uint32_t k) const {
+    return static_cast<int>(reversed ? (first + size - k) % size : (first + k) % size);
+  }
+  int edge(std::uint32_t k) const {
+    return static_cast<int>(reversed ? (first + 2 * size - k - 1) % size : (first + k) % size);
+  }
+};
+
+/// All rings of a body, one after the other: of each part the outline counterclockwise, then its holes clockwise, so
+/// that the material is to the left. Displaced for both readings of touching when first asked for; safe to share
+/// between threads.
+class RingSet {
+ public:
+  /// The body must be valid. Coordinates are the input's times 2^exponent; `index` is its position in the scene.
+  RingSet(const Body& body, int index, int exponent);
+
+  /// The k-th vertex, and the edge from it to the next one along its ring, in the input's terms.
+  VertexRef vertex(std::uint32_t k) const;
+  EdgeRef edge(std::uint32_t k) const;
+  /// Scaled.
+  const Bounds& bounds() const { return bounds_; }
+  std::size_t size() const { return size_; }
+  int body() const { return index_; }
+  const std::string& name() const { return name_; }
+
+  /// Displaced towards the material, or away from it. Throws InputError where a feature is finer than the displacement.
+  const SharedPolygon& displaced(bool inwards) const;
+  /// What an engine makes of the displaced rings, once, and keeps here.
+  template <class T, class Make>
+  const T& kept(bool inwards, const Make& make) const {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const void>& place = kept_[inwards ? 0 : 1];
+    if (!place) place = make();
+    return *static_cast<const T*>(place.get());
+  }
+
+ private:
+  void add(const Polygon& ring, int part, int number, int exponent);
+  const RingMap& ring_of(std::uint32_t k) const;
+  SharedPolygon displace_rings(bool inwards) const;
+  [[noreturn]] void refuse(const RingMap& ring, const DisplacementFault& fault) const;
+
+  int index_;
+  std::string name_;
+  std::vector<RingMap> maps_;
+  std::vector<std::vector<Point>> rings_;  ///< scaled, each counterclockwise
+  Bounds bounds_;
+  std::size_t size_ = 0;
+  mutable std::mutex mutex_;
+  mutable std::array<SharedPolygon, 2> displaced_;
+  mutable std::array<std::shared_ptr<const void>, 2> kept_;
+};
+
+/// The parts of a body, of which a polygon is one.
+std::vector<Part> parts_of(const Body& body);
+/// The name of a ring in messages: the body's, with part and hole where there are several.
+std::string ring_name(const Body& body, std::size_t part, std::size_t ring);
+
+}  // namespace taut

@@ -1,0 +1,115 @@
+#include "pair/validate_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/part_validation.hpp"
+#include "geometry/shape_facts.hpp"
+#include "motion/pieces.hpp"
+#include "pair/ring_set.hpp"
+#include "pair/validate_time.hpp"
+#include "taut/error.hpp"
+#include "taut/validate.hpp"
+
+namespace taut {
+namespace {
+
+using Names = std::map<std::string, BodyId>;
+
+Names names_of(const Scene& scene) {
+  Names names;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::string& name = scene.bodies[i].name;
+    if (name == "*") throw InputError("bodies", "a body is called \"*\"", "in \"ignore\" that is every other body");
+    if (!names.emplace(name, static_cast<BodyId>(i)).second)
+      throw InputError("bodies", "two bodies are called \"" + name + "\"",
+                       "give the bodies different names: answers call them by name");
+  }
+  return names;
+}
+
+/// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
+void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box) {
+  if (!body.parts.empty() && !body.polygon.empty())
+    throw InputError(body.name, "the body has a polygon and parts", "a body is one polygon, or parts");
+  const std::vector<Part> parts = parts_of(body);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto validate = [&](const Polygon& ring, std::size_t number) {
+      validate_polygon(ring, ring_name(body, i, number));
+      const ShapeFacts facts = facts_of(ring);
+      range.least = std::min(range.least, facts.least);
+      range.largest = std::max(range.largest, facts.largest);
+      box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
+      box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
+    };
+    try {
+      validate(parts[i].outline, 0);
+      for (std::size_t j = 0; j < parts[i].holes.size(); ++j) validate(parts[i].holes[j], j + 1);
+      validate_holes(parts[i], ring_name(body, i, 0));
+    } catch (const InputError& error) {
+      throw error.about(id);
+    }
+  }
+}
+
+void validate_parents(const Scene& scene, const Names& names) {
+  for (const Body& body : scene.bodies) {
+    const Body* link = &body;
+    for (int depth = 0; !link->relative_to.empty(); ++depth) {
+      const auto parent = names.find(link->relative_to);
+      if (parent == names.end())
+        throw InputError(link->name, "there is no body \"" + link->relative_to + "\" for it to be relative to",
+                         "`relative_to` is the name of another body of the scene");
+      link = &scene.bodies[static_cast<std::size_t>(parent->second)];
+      if (link == &body)
+        throw InputError(body.name, "it is relative to itself, through its parents", "chains must end");
+      if (depth >= max_depth)
+        throw InputError(body.name, "its chain of parents has more than " + std::to_string(max_depth) + " bodies",
+                         "shorten it, or look for a cycle among its parents");
+    }
+  }
+}
+
+void validate_ignored(const Scene& scene, const Names& names) {
+  for (std::size_t i = 0; i < scene.ignore.size(); ++i) {
+    for (const std::string& name : scene.ignore[i]) {
+      if (name != "*" && names.count(name) == 0)
+        throw InputError("ignore[" + std::to_string(i) + "]", "there is no body \"" + name + "\"",
+                         "write names of bodies of the scene, or \"*\" for every other one");
+    }
+  }
+}
+
+}  // namespace
+
+bool is_world(const Scene& scene) {
+  const auto plain = [](const Body& body) { return body.parts.empty() && body.relative_to.empty(); };
+  return scene.bodies.size() != 2 || !scene.ignore.empty() ||
+         !std::all_of(scene.bodies.begin(), scene.bodies.end(), plain);
+}
+
+void validate_world(const Scene& scene) {
+  validate_time(scene);
+  if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
+  const Names names = names_of(scene);
+  ShapeFacts range;
+  range.least = INFINITY;
+  std::vector<Bounds> boxes;
+  double extent = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    Bounds box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    validate_shape(scene.bodies[i], static_cast<BodyId>(i), range, box);
+    boxes.push_back(box);
+    extent = std::max(extent, diagonal(box));
+  }
+  validate_range(range, range);
+  validate_parents(scene, names);
+  validate_ignored(scene, names);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    validate_motion(body.motion, body.name, boxes[i], scene.start, scene.end, extent);
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,65 @@
+#include "world/swept_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace taut {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr SweptBox everywhere{-infinite, -infinite, infinite, infinite};
+
+SweptBox around(const SweptBox& a, const SweptBox& b) {
+  return {std::min(a.lo_x, b.lo_x), std::min(a.lo_y, b.lo_y), std::max(a.hi_x, b.hi_x), std::max(a.hi_y, b.hi_y)};
+}
+
+/// A point's coordinate over the window: the mean value theorem about the middle, or the range itself if that is less.
+Ball<double> range_of(const Jet<double>& middle, const Jet<double>& over, double half) {
+  const Ball<double> by_slope = middle.v + over.d * Ball<double>(0, half);
+  return by_slope.rad <= over.v.rad ? by_slope : over.v;
+}
+
+/// While every motion of the chain follows one piece.
+SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double from, double to) {
+  const double half = (to - from) / 2 * (1 + 0x1p-50);
+  const Ball<double> middle = Ball<double>::exact(from + (to - from) / 2), over = Ball<double>::between(from, to);
+  const Point c{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2};
+  const Pose<double> own{Jet<double>::constant(c.x), Jet<double>::constant(c.y), Jet<double>::constant(1.0),
+                         Jet<double>::constant(0.0)};
+  const Pose<double> at = compose(pose_of<Jet<double>>(chain, middle), own);
+  const Pose<double> range = compose(pose_of<Jet<double>>(chain, over), own);
+  const Ball<double> x = range_of(at.ox, range.ox, half), y = range_of(at.oy, range.oy, half);
+  double wide = (bounds.hi.x - bounds.lo.x) / 2, high = (bounds.hi.y - bounds.lo.y) / 2;
+  if (turns(chain)) wide = high = length(wide, high);
+  const double slack = 0x1p-45 * (x.magnitude() + y.magnitude() + wide + high) + displacement_room;
+  wide += x.rad + slack;
+  high += y.rad + slack;
+  if (!(std::isfinite(wide) && std::isfinite(high) && std::isfinite(x.mid) && std::isfinite(y.mid))) return everywhere;
+  return {x.mid - wide, y.mid - high, x.mid + wide, y.mid + high};
+}
+
+}  // namespace
+
+SweptBox swept_box(const WorldBody& body, double from, double to) {
+  const Bounds& bounds = body.rings->bounds();
+  if (body.motions.empty()) return box_of_pieces({MotionPiece{}}, bounds, from, to);
+  SweptBox whole{infinite, infinite, -infinite, -infinite};
+  // From joint to joint of any of the motions. Bridges lie between the two boxes that they join.
+  for (double t = from;;) {
+    PieceChain chain;
+    double until = infinite;
+    for (const std::vector<MotionPiece>& motion : body.motions) {
+      const auto piece = std::find_if(motion.begin(), motion.end(), [t](const MotionPiece& p) { return t < p.until; });
+      chain.push_back(*piece);
+      until = std::min(until, piece->until);
+    }
+    whole = around(whole, box_of_pieces(chain, bounds, t, std::min(until, to)));
+    // A joint at the very end belongs to this window, bridge and all.
+    if (until > to || t >= to) break;
+    t = until;
+  }
+  return whole;
+}
+
+}  // namespace taut

@@ -1,0 +1,19 @@
+// Where a body may be during a window of time: a box along the axes that certainly holds it.
+#pragma once
+
+#include "world/world_plan.hpp"
+
+namespace taut {
+
+/// In internal coordinates. Infinite where the motion is singular.
+struct SweptBox {
+  double lo_x = 0, lo_y = 0, hi_x = 0, hi_y = 0;
+
+  bool meets(const SweptBox& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
+  double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
+};
+
+/// The box of the body, displaced either way, all over [from, to], in the world's frame.
+SweptBox swept_box(const WorldBody& body, double from, double to);
+
+}  // namespace taut

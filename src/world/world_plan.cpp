@@ -1,0 +1,180 @@
+#include "world/world_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "motion/pieces.hpp"
+#include "taut/shape.hpp"
+
+namespace taut {
+namespace {
+
+int index_of(const Scene& scene, const std::map<std::string, int>& by_name, const std::string& name) {
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? static_cast<int>(scene.bodies.size()) : found->second;
+}
+
+std::map<std::string, int> bodies_by_name(const Scene& scene) {
+  std::map<std::string, int> by_name;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) by_name.emplace(scene.bodies[i].name, static_cast<int>(i));
+  return by_name;
+}
+
+bool rests(const std::vector<MotionPiece>& pieces) {
+  return std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); });
+}
+
+bool same_pieces(const std::vector<MotionPiece>& a, const std::vector<MotionPiece>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const MotionPiece& x, const MotionPiece& y) { return x.until == y.until && same_motion(x, y); });
+}
+
+bool same_chain(const MotionChain& a, const MotionChain& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
+}
+
+double largest_coordinate(const Body& body) {
+  double largest = 0;
+  for (const Part& part : parts_of(body)) {
+    for (const Point& p : part.outline) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return largest;
+}
+
+std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
+
+}  // namespace
+
+WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end) {
+  add_bodies(scene);
+  find_groups();
+  find_ignored(scene);
+  count_pairs();
+}
+
+void WorldPlan::add_bodies(const Scene& scene) {
+  double largest = 0;
+  for (const Body& body : scene.bodies) largest = std::max(largest, largest_coordinate(body));
+  std::frexp(largest, &exponent_);
+  exponent_ = -exponent_;
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    WorldBody body;
+    body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
+    extent_ = std::max(extent_, std::ldexp(diagonal(body.rings->bounds()), -exponent_));
+    for (int k = static_cast<int>(i);;) {
+      const Body& link = scene.bodies[static_cast<std::size_t>(k)];
+      std::vector<MotionPiece> pieces = pieces_between(link.motion, start_, end_);
+      for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), exponent_);
+      if (!rests(pieces)) body.motions.insert(body.motions.begin(), std::move(pieces));
+      if (link.relative_to.empty()) break;
+      k = index_of(scene, by_name, link.relative_to);
+    }
+    bodies_.push_back(std::move(body));
+  }
+}
+
+void WorldPlan::find_groups() {
+  std::vector<int> order(bodies_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<int> representatives;
+  // Bodies at rest are many; those that move are compared one by one.
+  int resting = -1;
+  for (WorldBody& body : bodies_) {
+    if (body.motions.empty()) {
+      if (resting < 0) resting = groups_++;
+      body.group = resting;
+      continue;
+    }
+    const int index = static_cast<int>(&body - bodies_.data());
+    const auto same = std::find_if(representatives.begin(), representatives.end(), [&](int r) {
+      return same_chain(bodies_[static_cast<std::size_t>(r)].motions, body.motions);
+    });
+    if (same != representatives.end()) {
+      body.group = bodies_[static_cast<std::size_t>(*same)].group;
+    } else {
+      body.group = groups_++;
+      representatives.push_back(index);
+    }
+  }
+}
+
+void WorldPlan::find_ignored(const Scene& scene) {
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  ignores_all_.assign(bodies_.size(), false);
+  for (const auto& [first, second] : scene.ignore) {
+    if (first == "*" && second == "*") {
+      ignores_all_.assign(bodies_.size(), true);
+    } else if (first == "*" || second == "*") {
+      ignores_all_[static_cast<std::size_t>(by_name.at(first == "*" ? second : first))] = true;
+    } else {
+      const int a = by_name.at(first), b = by_name.at(second);
+      if (a != b) ignored_.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(ignored_.begin(), ignored_.end());
+  ignored_.erase(std::unique(ignored_.begin(), ignored_.end()), ignored_.end());
+}
+
+bool WorldPlan::ignored(int a, int b) const {
+  if (ignores_all_[static_cast<std::size_t>(a)] || ignores_all_[static_cast<std::size_t>(b)]) return true;
+  return !ignored_.empty() &&
+         std::binary_search(ignored_.begin(), ignored_.end(), std::pair(std::min(a, b), std::max(a, b)));
+}
+
+bool WorldPlan::asked(int a, int b) const {
+  const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
+  return (!together || bodies_.size() == 2) && !ignored(a, b);
+}
+
+void WorldPlan::count_pairs() {
+  const std::uint64_t n = bodies_.size();
+  std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
+  std::uint64_t listening = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (ignores_all_[i]) continue;
+    ++listening;
+    ++size[static_cast<std::size_t>(bodies_[i].group)];
+  }
+  coverage_.pairs = pairs_of(n);
+  coverage_.ignored = pairs_of(n) - pairs_of(listening);
+  for (const std::uint64_t s : size) coverage_.at_rest += pairs_of(s);
+  for (const auto& [a, b] : ignored_) {
+    if (ignores_all_[static_cast<std::size_t>(a)] || ignores_all_[static_cast<std::size_t>(b)]) continue;
+    ++coverage_.ignored;
+    if (bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group) --coverage_.at_rest;
+  }
+  if (n == 2) coverage_.at_rest = 0;
+}
+
+PairPlan WorldPlan::pair(int a, int b) const {
+  const auto& first = bodies_[static_cast<std::size_t>(a)].rings;
+  const auto& second = bodies_[static_cast<std::size_t>(b)].rings;
+  const bool swap = diagonal(second->bounds()) > diagonal(first->bounds());
+  PairPlan plan;
+  plan.rings = {swap ? second : first, swap ? first : second};
+  plan.exponent = exponent_;
+  plan.extent = extent_;
+  for (std::size_t side = 0; side < 2; ++side) {
+    plan.names[side] = plan.rings[side]->name();
+    plan.maps[side].body = plan.rings[side]->body();
+  }
+  return plan;
+}
+
+std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
+  const MotionChain& p = bodies_[static_cast<std::size_t>(pair.rings[0]->body())].motions;
+  const MotionChain& q = bodies_[static_cast<std::size_t>(pair.rings[1]->body())].motions;
+  std::size_t common = 0;
+  while (common < p.size() && common < q.size() && same_pieces(p[common], q[common])) ++common;
+  const auto rest = [&](const MotionChain& chain) {
+    MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
+    if (own.empty()) own.push_back(pieces_between({}, start_, end_));
+    return own;
+  };
+  return make_legs(rest(p), rest(q), start_, end_);
+}
+
+}  // namespace taut

@@ -1,0 +1,62 @@
+// A scene of any number of bodies in the terms of the engines.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pair/pair_plan.hpp"
+#include "relative/make_legs.hpp"
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// One body: its rings, and how it moves.
+struct WorldBody {
+  std::shared_ptr<const RingSet> rings;
+  /// Of its parents, the outermost first, and its own; those that rest are left out, unless all do. Scaled.
+  MotionChain motions;
+  int group = 0;
+};
+
+/// All bodies in one scale, their groups, and which pairs are asked about.
+class WorldPlan {
+ public:
+  /// The scene must be valid.
+  explicit WorldPlan(const Scene& scene);
+
+  const std::vector<WorldBody>& bodies() const { return bodies_; }
+  double start() const { return start_; }
+  double end() const { return end_; }
+  /// Internal coordinates are the input's times 2^exponent.
+  int exponent() const { return exponent_; }
+
+  /// Are the two bodies asked about? a != b.
+  bool asked(int a, int b) const;
+  /// Of all pairs: how many are ignored, how many of the others are of one group. `apart` and `checked` are 0.
+  const Coverage& coverage() const { return coverage_; }
+
+  /// P is the larger one, by its bounds.
+  PairPlan pair(int a, int b) const;
+  /// Of that pair, from start to end, in a frame that parents which both have are not in.
+  std::vector<Leg> legs(const PairPlan& pair) const;
+
+ private:
+  void add_bodies(const Scene& scene);
+  void find_groups();
+  void find_ignored(const Scene& scene);
+  void count_pairs();
+  bool ignored(int a, int b) const;
+
+  double start_, end_;
+  int exponent_ = 0;
+  double extent_ = 0;
+  std::vector<WorldBody> bodies_;
+  int groups_ = 0;
+  std::vector<bool> ignores_all_;
+  std::vector<std::pair<int, int>> ignored_;  ///< in order, each with the smaller index first
+  Coverage coverage_;
+};
+
+}  // namespace taut

@@ -1,0 +1,70 @@
+// The first contact of any of many pairs: which of them can meet at all, and when, is told by boxes; the rest is asked
+// pair by pair.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spacetime/first_contact.hpp"
+#include "world/swept_box.hpp"
+
+namespace taut {
+
+/// What is known of one pair.
+struct PairResult {
+  int a = 0, b = 0;  ///< a < b
+  Outcome outcome = Outcome::free;
+  std::optional<Contact> contact;
+  double free_until = 0;
+  std::string reason;
+};
+
+/// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window
+/// boxes are swept and pruned: a pair whose boxes meet, and that would not be told apart by shorter windows, is settled
+/// by the spacetime engine for all of the window. Windows come in the order of time, so that a world with an early
+/// contact costs little.
+class WorldSearch {
+ public:
+  /// `all`: every pair goes on to its own first contact; else what happens after the first contact does not matter.
+  WorldSearch(const WorldPlan& plan, Touch touch, bool all);
+  ~WorldSearch();
+
+  /// Overlaps, and contacts, at the start. False if nothing is left to ask.
+  bool start();
+  /// From there to the end.
+  void run();
+
+  /// Of the pairs that do not stay free, or all that met in boxes, in the order of the file.
+  std::vector<PairResult> results() const;
+  /// Up to when nothing happens, as far as the search went.
+  double proved() const { return proved_; }
+  /// Pairs that went to an engine.
+  std::uint64_t checked() const { return pairs_.size(); }
+  /// Questions to multi-precision.
+  std::uint64_t precise() const { return precise_; }
+
+ private:
+  struct Pair;
+  struct Settled;
+  Pair& pair(int a, int b);
+  void start_of(Pair& pair);
+  void cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth);
+  void settle(Pair& pair, double from, double to);
+  bool wants_halves(int a, int b, const SweptBox& box_a, const SweptBox& box_b, int depth) const;
+  void each_meeting(const std::vector<int>& bodies, const std::vector<SweptBox>& boxes,
+                    const std::function<void(std::size_t, std::size_t)>& visit) const;
+  bool over(double t) const { return !all_ && t > stop_; }
+
+  const WorldPlan& plan_;
+  bool inwards_, all_;
+  std::map<std::pair<int, int>, std::unique_ptr<Pair>> pairs_;
+  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
+  double stop_, proved_;
+  std::uint64_t precise_ = 0;
+};
+
+}  // namespace taut
