@@ -55,7 +55,7 @@ namespace {
 std::string line(const char* touch, const Answer& a) {
   std::ostringstream s;
   s.precision(17);
-  s << touch << ' ' << to_string(a.engine) << ": " << to_string(a.outcome);
+  s << touch << ' ' << (a.compared ? "both" : to_string(a.engine)) << ": " << to_string(a.outcome);
   if (a.contact) {
     s << " t = [" << a.contact->time.lo << ", " << a.contact->time.hi << "] vertex " << a.contact->vertex.index
       << " of " << a.contact->vertex.body << " edge " << a.contact->edge.index;

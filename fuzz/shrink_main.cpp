@@ -1,8 +1,7 @@
 // taut_shrink SCENE -o OUT: a short scene that fails as SCENE does.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
+#include "command_line/command_line.hpp"
 #include "examine.hpp"
 #include "shrink.hpp"
 #include "taut/error.hpp"
@@ -50,23 +49,18 @@ int run(const Arguments& arguments) {
 }  // namespace taut::fuzz
 
 int main(int argc, char** argv) {
-  CLI::App app("Turns a scene that fails into a short one with the same failure.", "taut_shrink");
+  taut::cli::Program program("Turns a scene that fails into a short one with the same failure.", "taut_shrink");
+  const taut::cli::Command app = program.command();
   taut::fuzz::Arguments arguments;
-  app.add_option("SCENE", arguments.scene, "scene file on which the engines, the proof or the audit fail")->required();
-  auto* output = app.add_option("-o,--output", arguments.output, "the short scene");
-  app.add_option("--seconds", arguments.seconds, "a scene that takes longer hangs (20)")->check(CLI::PositiveNumber);
-  app.add_option("--tries", arguments.tries, "give up after so many scenes (5000)")->check(CLI::PositiveNumber);
+  app.add_option("SCENE", arguments.scene, "scene file on which the engines, the proof or the audit fail").required();
+  const taut::cli::Option output = app.add_option("-o,--output", arguments.output, "the short scene");
+  app.add_option("--seconds", arguments.seconds, "a scene that takes longer hangs (20)").positive();
+  app.add_option("--tries", arguments.tries, "give up after so many scenes (5000)").positive();
   app.add_flag("--undecided", arguments.undecided, "count what the precision does not decide as a failure");
-  app.add_flag("--look", arguments.look_only, "only tell what is wrong")->excludes(output);
-  CLI11_PARSE(app, argc, argv);
-  if (!arguments.look_only && arguments.output.empty()) {
-    fmt::print(stderr, "taut_shrink: say where to write the short scene: -o FILE\n");
-    return 2;
-  }
-  try {
+  app.add_flag("--look", arguments.look_only, "only tell what is wrong").excludes(output);
+  return taut::cli::run_program(program, argc, argv, [&] {
+    if (!arguments.look_only && arguments.output.empty())
+      throw taut::cli::UsageError("say where to write the short scene: -o FILE");
     return taut::fuzz::run(arguments);
-  } catch (const taut::InputError& error) {
-    fmt::print(stderr, "taut_shrink: {}\n", error.what());
-    return 2;
-  }
+  });
 }

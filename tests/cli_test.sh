@@ -423,11 +423,21 @@ expect 2 '' '--animate excludes --at|--at excludes --animate' draw free.json --a
 expect 0 'lid .*bin' '' demo
 mkdir demos
 for name in $("$taut" demo | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
-  expect 0 "next:  taut check demos/$name.json" '' demo "$name" -d demos
+  expect 0 "next:  $taut check demos/$name.json" '' demo "$name" -d demos
   "$taut" check "demos/$name.json" >out || [ $? = 1 ] || { echo "FAILED: demo $name"; failures=$((failures + 1)); }
   grep -q '</svg>' "demos/$name.svg" || { echo "FAILED: demo $name has no picture"; failures=$((failures + 1)); }
 done
 [ "$(ls demos | wc -l)" -ge 12 ] || { echo "FAILED: few demos"; failures=$((failures + 1)); }
+# What it says to type next works as it stands: whatever the folder is called, and however the program was found.
+mkdir "it's a folder" found
+ln -s "$taut" found/taut
+for call in "$taut" found/taut; do
+  "$call" demo lid -d "it's a folder" --force | sed -n 's/^next:  //p' >next
+  bash ./next >said || [ $? = 1 ]
+  grep -q '^CONTACT  bin x lid' said || { echo "FAILED: $(cat next)"; failures=$((failures + 1)); }
+done
+PATH="$PWD/found:$PATH" taut demo lid -d demos --force | grep -qx 'next:  taut check demos/lid.json' ||
+  { echo "FAILED: demo from the path"; failures=$((failures + 1)); }
 expect 2 '' 'demos/lid.json: the file is there already' demo lid -d demos
 expect 0 'next' '' demo lid -d demos --force
 expect 2 '' 'no demo "ldi"' demo ldi

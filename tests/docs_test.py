@@ -121,7 +121,7 @@ class Runner:
         dev = os.path.join(self.folder, "dev")
         with open(dev, "w") as file:
             file.write('#!/bin/sh\n[ "$1" = run ] || { echo "docs_test: skip this block" >&2; exit 99; }\n'
-                       'shift\nexec taut "$@"\n')
+                       'shift\nexec build/release/taut "$@"\n')
         os.chmod(dev, 0o755)
 
     def fail(self, block, what):

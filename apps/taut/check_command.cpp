@@ -64,29 +64,26 @@ int run_check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("check", "Say whether and when the two bodies of a scene first collide");
+void add_check(const Command& app, Action& action) {
+  const Command command = app.add_command("check", "Say whether and when bodies of a scene first collide");
   const auto arguments = std::make_shared<CheckBatch>();
-  command->add_option("SCENE", arguments->paths, "scene files (taut-scene/1), or - for standard input")
-      ->required()
-      ->option_text(" ");
-  add_allow_outside(*command, arguments->allow_outside);
-  add_touch(*command, arguments->options.touch);
-  add_limits(*command, arguments->options);
-  command->add_flag("--json", arguments->json, "print one JSON object for each scene");
-  command->add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
-  command->add_flag("--lines", arguments->lines, "SCENE holds a scene on every line (JSON Lines)");
-  command->add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
-      ->option_text("N")
-      ->check(CLI::Range(1, 1024));
-  command
-      ->add_option_function<std::string>(
-          "--pairs", [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; },
-          "first: up to the first contact of any pair; all: each pair's own first contact")
-      ->check(CLI::IsMember({"first", "all"}))
-      ->option_text("first|all");
-  add_engine(*command, arguments->options.engine);
-  command->footer(
+  command.add_option("SCENE", arguments->paths, "scene files (taut-scene/1), or - for standard input")
+      .required()
+      .value(" ");
+  add_allow_outside(command, arguments->allow_outside);
+  add_touch(command, arguments->options.touch);
+  add_limits(command, arguments->options);
+  command.add_flag("--json", arguments->json, "print one JSON object for each scene");
+  command.add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
+  command.add_flag("--lines", arguments->lines, "SCENE holds a scene on every line (JSON Lines)");
+  command.add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
+      .value("N")
+      .within(1, 1024);
+  const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
+  command.add_choice("--pairs", {"first", "all"}, pairs,
+                     "first: up to the first contact of any pair; all: each pair's own first contact");
+  add_engine(command, arguments->options.engine);
+  command.footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"
       "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
@@ -98,7 +95,7 @@ void add_check(CLI::App& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command->callback([&action, arguments] {
+  command.on_chosen([&action, arguments] {
     action = [arguments] {
       const bool one = arguments->paths.size() == 1 && !arguments->lines;
       return one ? run_check(single(*arguments)) : check_batch(*arguments);

@@ -1,5 +1,7 @@
 #include "command_model.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace taut::cli {
 
 namespace {
@@ -38,6 +40,6 @@ CommandModel model_of(const CLI::App& app, const std::string& name) {
 
 }  // namespace
 
-CommandModel command_model(const CLI::App& app) { return model_of(app, "taut"); }
+CommandModel command_model(const Command& taut) { return model_of(taut.app(), "taut"); }
 
 }  // namespace taut::cli

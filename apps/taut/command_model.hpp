@@ -2,9 +2,10 @@
 // from it, so that they cannot differ from what the program accepts.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "command_line/command_line.hpp"
 
 namespace taut::cli {
 
@@ -29,7 +30,7 @@ struct CommandModel {
   std::string word() const { return name.substr(name.rfind(' ') + 1); }
 };
 
-CommandModel command_model(const CLI::App& app);
+CommandModel command_model(const Command& taut);
 
 /// The text of `taut completion SHELL`, for "bash", "zsh" or "fish".
 std::string completion(const CommandModel& taut, const std::string& shell);

@@ -1,8 +1,9 @@
 // The subcommands of taut, one file each.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include "command_line/command_line.hpp"
 
 namespace taut::cli {
 
@@ -18,17 +19,18 @@ enum ExitCode : int {
 /// Set to the chosen subcommand's work while the command line is parsed, run afterwards.
 using Action = std::function<int()>;
 
-void add_check(CLI::App& app, Action& action);
-void add_trace(CLI::App& app, Action& action);
-void add_prove(CLI::App& app, Action& action);
-void add_verify(CLI::App& app, Action& action);
-void add_draw(CLI::App& app, Action& action);
-void add_view(CLI::App& app, Action& action);
-void add_separator(CLI::App& app, Action& action);
-void add_schema(CLI::App& app, Action& action);
-void add_demo(CLI::App& app, Action& action);
-void add_completion(CLI::App& app, Action& action);
-void add_man(CLI::App& app, Action& action);
-void add_gen(CLI::App& app, Action& action);
+void add_check(const Command& app, Action& action);
+void add_trace(const Command& app, Action& action);
+void add_prove(const Command& app, Action& action);
+void add_verify(const Command& app, Action& action);
+void add_draw(const Command& app, Action& action);
+void add_view(const Command& app, Action& action);
+void add_separator(const Command& app, Action& action);
+void add_schema(const Command& app, Action& action);
+/// `program`: how it was called, argv[0].
+void add_demo(const Command& app, Action& action, const std::string& program);
+void add_completion(const Command& app, Action& action);
+void add_man(const Command& app, Action& action);
+void add_gen(const Command& app, Action& action);
 
 }  // namespace taut::cli

@@ -1,6 +1,8 @@
 // taut demo NAME: something to look at, and what to type next.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -88,7 +90,19 @@ bool viewer_is_there() {
   }
 }
 
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  const auto plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || std::strchr("_./+,:=@%-", c);
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string s = "'";
+  for (const char c : text) s += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return s + "'";
+}
+
 struct DemoArguments {
+  std::string program;  ///< as it was called: what is said to type next must work as it stands
   std::string name, folder = ".";
   bool force = false;
 };
@@ -112,21 +126,22 @@ int run_demo(const DemoArguments& arguments) {
     write_viewer(scene, {}, stem + ".html");
     fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", shown);
   }
-  fmt::print("next:  taut check {}.json\n", shown);
+  const std::string next = shell_word(arguments.program) + " check " + shell_word(stem + ".json");
+  fmt::print("next:  {}\n", io::line_for_terminal(next));
   return exit_free;
 }
 
 }  // namespace
 
-void add_demo(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("demo", "Write a scene to try, a page to look at, and say what to type next");
+void add_demo(const Command& app, Action& action, const std::string& program) {
+  const Command command = app.add_command("demo", "Write a scene to try, a page to look at, and say what to type next");
   const auto arguments = std::make_shared<DemoArguments>();
-  command->add_option("NAME", arguments->name, "which one; without it, they are listed")->option_text(" ");
-  command->add_option("-d,--directory", arguments->folder, "write to FOLDER instead of this one")
-      ->option_text("FOLDER");
-  command->add_flag("--force", arguments->force, "write over files that are there");
-  command->footer("Example:\n  taut demo lid\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_demo(*arguments); }; });
+  arguments->program = program;
+  command.add_option("NAME", arguments->name, "which one; without it, they are listed").value(" ");
+  command.add_option("-d,--directory", arguments->folder, "write to FOLDER instead of this one").value("FOLDER");
+  command.add_flag("--force", arguments->force, "write over files that are there");
+  command.footer("Example:\n  taut demo lid\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_demo(*arguments); }; });
 }
 
 }  // namespace taut::cli

@@ -66,37 +66,35 @@ int run_draw(DrawArguments arguments) {
 
 }  // namespace
 
-void add_draw(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("draw", "Draw bodies and tiling at one instant as SVG");
+void add_draw(const Command& app, Action& action) {
+  const Command command = app.add_command("draw", "Draw bodies and tiling at one instant as SVG");
   const auto arguments = std::make_shared<DrawArguments>();
-  add_scene(*command, arguments->scene);
-  CLI::Option* at = command->add_option("--at", arguments->at, "the instant; without it, the first contact, or the end")
-                        ->option_text("T");
-  command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
-      ->option_text("FILE");
-  command->add_option("--width", arguments->options.width, "width in pixels (default 800)")
-      ->check(CLI::Range(200, 20000))
-      ->option_text("N");
-  CLI::Option* level = command
-                           ->add_option("--level", arguments->level,
-                                        "also draw both bodies' pinned geodesic cycles of level K of their\n"
-                                        "trees: 0 is the relative convex hull")
-                           ->check(CLI::Range(0, 40))
-                           ->option_text("K");
-  command
-      ->add_flag("--animate", arguments->animate, "a picture that moves from the start to the contact, or to the end")
-      ->excludes(at)
-      ->excludes(level);
-  command->add_flag("--plain", arguments->plain, "do not colour the faces; with --animate, bodies only");
-  command->add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
-  add_touch(*command, arguments->touch);
-  command->footer(
+  add_scene(command, arguments->scene);
+  const Option at =
+      command.add_option("--at", arguments->at, "the instant; without it, the first contact, or the end").value("T");
+  command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
+  command.add_option("--width", arguments->options.width, "width in pixels (default 800)")
+      .within(200, 20000)
+      .value("N");
+  const Option level = command
+                           .add_option("--level", arguments->level,
+                                       "also draw both bodies' pinned geodesic cycles of level K of their\n"
+                                       "trees: 0 is the relative convex hull")
+                           .within(0, 40)
+                           .value("K");
+  command.add_flag("--animate", arguments->animate, "a picture that moves from the start to the contact, or to the end")
+      .excludes(at)
+      .excludes(level);
+  command.add_flag("--plain", arguments->plain, "do not colour the faces; with --animate, bodies only");
+  command.add_flag("--no-corners", arguments->no_corners, "do not mark the active corners");
+  add_touch(command, arguments->touch);
+  command.footer(
       "Example:\n"
       "  taut draw scene.json --at 0.5 -o scene.svg\n"
       "  taut draw scene.json --animate -o moving.svg\n"
       "\n"
       "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });
 }
 
 }  // namespace taut::cli

@@ -20,17 +20,10 @@ const char* const examples =
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
     "`taut COMMAND --help` tells more. `taut completion bash|zsh|fish` and `taut man` are for installations.\n";
 
-int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  taut::cli::print_error("taut", std::string(error.what()) + "\nhint: see `taut --help` or `taut COMMAND --help`");
-  return taut::cli::exit_bad_input;
-}
-
 /// CLI11 would only say that a subcommand is required.
-void require_known_command(const CLI::App& app, int argc, char** argv) {
+void require_known_command(const taut::cli::Command& taut, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const std::vector<std::string> known = taut.command_names();
   const std::string word = argv[1];
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   const std::string near = taut::io::nearest_word(word, known);
@@ -41,12 +34,14 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("taut: exactly when two moving polygons first touch, or a proof that they never do", "taut");
-  app.set_version_flag("--version", "taut " TAUT_VERSION);
-  app.require_subcommand(1);
+  taut::cli::Program program("taut: exactly when two moving polygons first touch, or a proof that they never do",
+                             "taut");
+  program.version("taut " TAUT_VERSION);
+  const taut::cli::Command app = program.command();
+  app.require_command();
   app.footer(examples);
   taut::cli::Action action;
-  taut::cli::add_demo(app, action);
+  taut::cli::add_demo(app, action, argc > 0 ? argv[0] : "taut");
   taut::cli::add_check(app, action);
   taut::cli::add_prove(app, action);
   taut::cli::add_verify(app, action);
@@ -61,10 +56,11 @@ int main(int argc, char** argv) {
   taut::cli::clean_up_on_signals();
   try {
     require_known_command(app, argc, argv);
-    app.parse(argc, argv);
+    if (!program.parse(argc, argv)) return taut::cli::exit_free;
     return taut::cli::flushed("taut", action());
-  } catch (const CLI::ParseError& error) {
-    return report_usage(app, error);
+  } catch (const taut::cli::UsageError& error) {
+    taut::cli::print_error("taut", std::string(error.what()) + "\nhint: see `taut --help` or `taut COMMAND --help`");
+    return taut::cli::exit_bad_input;
   } catch (const taut::InputError& error) {
     taut::cli::print_error("taut", error);
     return taut::cli::exit_bad_input;

@@ -44,18 +44,18 @@ int run_prove(const ProveArguments& arguments) {
 
 }  // namespace
 
-void add_prove(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("prove", "Check a scene and write a proof of the answer");
+void add_prove(const Command& app, Action& action) {
+  const Command command = app.add_command("prove", "Check a scene and write a proof of the answer");
   const auto arguments = std::make_shared<ProveArguments>();
-  add_run(*command, arguments->scene, arguments->options);
-  command->add_option("-o,--output", arguments->output, "the proof log to write")->required()->option_text("FILE");
-  command->add_flag("--json", arguments->json, "print the answer as one JSON object");
-  command->footer(
+  add_run(command, arguments->scene, arguments->options);
+  command.add_option("-o,--output", arguments->output, "the proof log to write").required().value("FILE");
+  command.add_flag("--json", arguments->json, "print the answer as one JSON object");
+  command.footer(
       "Example:\n"
       "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_prove(*arguments); }; });
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_prove(*arguments); }; });
 }
 
 }  // namespace taut::cli

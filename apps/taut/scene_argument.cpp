@@ -8,37 +8,31 @@
 
 namespace taut::cli {
 
-void add_touch(CLI::App& command, Touch& touch) {
+void add_touch(const Command& command, Touch& touch) {
   const auto set = [&touch](const std::string& mode) { touch = mode == "closed" ? Touch::closed : Touch::open; };
-  command
-      .add_option_function<std::string>("--touch", set,
-                                        "open: contact is overlap, touching is allowed (default)\n"
-                                        "closed: touching counts")
-      ->check(CLI::IsMember({"open", "closed"}))
-      ->option_text("open|closed");
+  command.add_choice("--touch", {"open", "closed"}, set,
+                     "open: contact is overlap, touching is allowed (default)\n"
+                     "closed: touching counts");
 }
 
-void add_engine(CLI::App& command, EngineChoice& engine) {
+void add_engine(const Command& command, EngineChoice& engine) {
   static const std::map<std::string, EngineChoice> names = {{"kinetic", EngineChoice::kinetic},
                                                             {"spacetime", EngineChoice::spacetime},
                                                             {"both", EngineChoice::both},
                                                             {"either", EngineChoice::either}};
   const auto set = [&engine](const std::string& name) { engine = names.at(name); };
-  command
-      .add_option_function<std::string>("--engine", set,
-                                        "kinetic: a tiling of the free space, event by event (default)\n"
-                                        "spacetime: bounding volumes over time, for a second opinion\n"
-                                        "both: ask both, and compare\n"
-                                        "either: ask both in turn, for longer and longer; the first answer counts")
-      ->check(CLI::IsMember({"kinetic", "spacetime", "both", "either"}))
-      ->option_text("kinetic|spacetime|both|either");
+  command.add_choice("--engine", {"kinetic", "spacetime", "both", "either"}, set,
+                     "kinetic: a tiling of the free space, event by event (default)\n"
+                     "spacetime: bounding volumes over time, for a second opinion\n"
+                     "both: ask both, and compare\n"
+                     "either: ask both in turn, for longer and longer; the first answer counts");
 }
 
-void add_limits(CLI::App& command, CheckOptions& options) {
-  command.add_option("--max-events", options.max_events, "give up (undecided) after N events")->option_text("N");
+void add_limits(const Command& command, CheckOptions& options) {
+  command.add_option("--max-events", options.max_events, "give up (undecided) after N events").value("N");
   command.add_option("--max-seconds", options.max_seconds, "give up (undecided) after S seconds")
-      ->option_text("S")
-      ->check(CLI::NonNegativeNumber);
+      .value("S")
+      .not_negative();
 }
 
 void write_output(const std::string& path, const std::string& text) {

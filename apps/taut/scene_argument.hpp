@@ -1,9 +1,9 @@
 // What several subcommands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include "command_line/command_line.hpp"
 
 #include "scene_source.hpp"
 #include "taut/check.hpp"
@@ -12,11 +12,11 @@
 namespace taut::cli {
 
 /// Adds --touch open|closed.
-void add_touch(CLI::App& command, Touch& touch);
+void add_touch(const Command& command, Touch& touch);
 /// Adds --engine kinetic|spacetime|both|either.
-void add_engine(CLI::App& command, EngineChoice& engine);
+void add_engine(const Command& command, EngineChoice& engine);
 /// Adds --max-events and --max-seconds.
-void add_limits(CLI::App& command, CheckOptions& options);
+void add_limits(const Command& command, CheckOptions& options);
 
 /// Writes to a file, or to standard output if `path` is empty or "-".
 void write_output(const std::string& path, const std::string& text);

@@ -9,11 +9,11 @@
 
 namespace taut::cli {
 
-void add_schema(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of the scene format");
+void add_schema(const Command& app, Action& action) {
+  const Command command = app.add_command("schema", "Print the JSON Schema of the scene format");
   const auto output = std::make_shared<std::string>();
-  command->add_option("-o,--output", *output, "write to FILE instead of standard output")->option_text("FILE");
-  command->footer(
+  command.add_option("-o,--output", *output, "write to FILE instead of standard output").value("FILE");
+  command.footer(
       "Example:\n"
       "  taut schema -o taut-scene-1.schema.json\n"
       "\n"
@@ -21,7 +21,7 @@ void add_schema(CLI::App& app, Action& action) {
       "keys\n"
       "and mark what is wrong. The schema knows the shape of a scene, not its geometry: `taut check` tells the "
       "rest.\n");
-  command->callback([&action, output] {
+  command.on_chosen([&action, output] {
     action = [output] {
       write_output(*output, scene_schema);
       return static_cast<int>(exit_free);

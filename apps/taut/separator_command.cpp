@@ -109,14 +109,14 @@ int run_separator(const SeparatorArguments& arguments) {
 
 }  // namespace
 
-void add_separator(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("separator", "Curves that keep the bodies apart at one instant");
+void add_separator(const Command& app, Action& action) {
+  const Command command = app.add_command("separator", "Curves that keep the bodies apart at one instant");
   const auto arguments = std::make_shared<SeparatorArguments>();
-  add_scene(*command, arguments->scene);
-  command->add_option("--at", arguments->at, "the instant; without it, the start")->option_text("T");
-  command->add_flag("--json", arguments->json, "one JSON object, with all vertices");
-  command->add_option("-o,--output", arguments->picture, "also write a picture (SVG) to FILE")->option_text("FILE");
-  command->footer(
+  add_scene(command, arguments->scene);
+  command.add_option("--at", arguments->at, "the instant; without it, the start").value("T");
+  command.add_flag("--json", arguments->json, "one JSON object, with all vertices");
+  command.add_option("-o,--output", arguments->picture, "also write a picture (SVG) to FILE").value("FILE");
+  command.footer(
       "Example:\n"
       "  taut separator scene.json --at 0.5 -o curve.svg\n"
       "\n"
@@ -125,7 +125,7 @@ void add_separator(CLI::App& app, Action& action) {
       "that differ by one, and how many edges between the bodies are on their relative convex hulls. The curve is "
       "checked\n"
       "in exact arithmetic. Exit codes: 0, or 1 if the bodies overlap.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_separator(*arguments); }; });
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_separator(*arguments); }; });
 }
 
 }  // namespace taut::cli

@@ -38,19 +38,19 @@ int run_trace(TraceArguments arguments) {
 
 }  // namespace
 
-void add_trace(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("trace", "Print one JSON line per event, then the answer");
+void add_trace(const Command& app, Action& action) {
+  const Command command = app.add_command("trace", "Print one JSON line per event, then the answer");
   const auto arguments = std::make_shared<TraceArguments>();
-  add_run(*command, arguments->scene, arguments->options);
-  command->add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
-  command->footer(
+  add_run(command, arguments->scene, arguments->options);
+  command.add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
+  command.footer(
       "Example:\n"
       "  taut trace scene.json | head\n"
       "\n"
       "A line has `event` (number), `t` (enclosure of the failure time), `repair` (convex_flip, convex_triangle,\n"
       "reflex_a, reflex_b, reflex_c, collision), `corner` (the three vertices), `flags`, `certificates` (active after\n"
       "the repair). The last line is the answer of `taut check --json`. Exit codes as for `taut check`.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_trace(*arguments); }; });
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_trace(*arguments); }; });
 }
 
 }  // namespace taut::cli

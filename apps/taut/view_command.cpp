@@ -36,26 +36,25 @@ int run_view(const ViewArguments& arguments) {
 
 }  // namespace
 
-void add_view(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("view", "Write a page that shows the motion and the tiling in a browser");
+void add_view(const Command& app, Action& action) {
+  const Command command = app.add_command("view", "Write a page that shows the motion and the tiling in a browser");
   const auto arguments = std::make_shared<ViewArguments>();
-  add_scene(*command, arguments->scene);
-  command->add_option("-o,--output", arguments->output, "write to FILE instead of standard output")
-      ->option_text("FILE");
-  add_touch(*command, arguments->options.touch);
-  command->add_option("--at", arguments->options.at, "the instant to show first (the start)")->option_text("T");
-  command->add_option("--title", arguments->options.title, "of the page (the bodies' names)")->option_text("TEXT");
+  add_scene(command, arguments->scene);
+  command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
+  add_touch(command, arguments->options.touch);
+  command.add_option("--at", arguments->options.at, "the instant to show first (the start)").value("T");
+  command.add_option("--title", arguments->options.title, "of the page (the bodies' names)").value("TEXT");
   command
-      ->add_option("--template", arguments->options.template_path,
-                   "the page to put the scene into, instead of the one that\n`./dev web` builds")
-      ->option_text("FILE");
-  command->footer(
+      .add_option("--template", arguments->options.template_path,
+                  "the page to put the scene into, instead of the one that\n`./dev web` builds")
+      .value("FILE");
+  command.footer(
       "Example:\n"
       "  taut view scene.json -o scene.html\n"
       "\n"
       "The page is one file, with the scene and the program inside; it opens without a network. The browser computes\n"
       "the answer anew, by the same code. docs/viewer.md tells what is seen, and the keys.\n");
-  command->callback([&action, arguments] { action = [arguments] { return run_view(*arguments); }; });
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_view(*arguments); }; });
 }
 
 }  // namespace taut::cli

@@ -5,7 +5,7 @@
 
 namespace taut::cli {
 
-void add_run(CLI::App& command, SceneSource& scene, CheckOptions& options) {
+void add_run(const Command& command, SceneSource& scene, CheckOptions& options) {
   add_scene(command, scene);
   add_touch(command, options.touch);
   add_limits(command, options);

@@ -1,9 +1,9 @@
 // What check, prove and trace share: they run a scene, watched.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include "command_line/command_line.hpp"
 
 #include "scene_argument.hpp"
 #include "taut/check.hpp"
@@ -12,7 +12,7 @@
 namespace taut::cli {
 
 /// Adds SCENE, --allow-outside, --touch, --max-events and --max-seconds.
-void add_run(CLI::App& command, SceneSource& scene, CheckOptions& options);
+void add_run(const Command& command, SceneSource& scene, CheckOptions& options);
 
 /// What `work` returns; an error in the scene is said to be in its file.
 template <class Work>

@@ -7,14 +7,13 @@
 
 int main(int argc, char** argv) {
   const char* const program = "taut-verify";
-  CLI::App app("taut-verify: check a proof, and say what it proves", program);
+  taut::cli::Program app("taut-verify: check a proof, and say what it proves", program);
   taut::cli::VerifyArguments arguments;
-  taut::cli::add_verify_options(app, arguments, "taut-verify scene.json scene.proof");
+  taut::cli::add_verify_options(app.command(), arguments, "taut-verify scene.json scene.proof");
   try {
-    app.parse(argc, argv);
+    if (!app.parse(argc, argv)) return 0;
     return taut::cli::flushed(program, taut::cli::verify_and_report(arguments));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+  } catch (const taut::cli::UsageError& error) {
     taut::cli::print_error(program, std::string(error.what()) + "\nhint: see `taut-verify --help`");
     return 2;
   } catch (const taut::InputError& error) {

@@ -6,14 +6,12 @@
 
 namespace taut::cli {
 
-void add_allow_outside(CLI::App& command, bool& allow_outside) {
+void add_allow_outside(const Command& command, bool& allow_outside) {
   command.add_flag("--allow-outside", allow_outside, "files that a scene names may lie outside of its folder");
 }
 
-void add_scene(CLI::App& command, SceneSource& scene) {
-  command.add_option("SCENE", scene.path, "scene file (taut-scene/1), or - for standard input")
-      ->required()
-      ->option_text(" ");
+void add_scene(const Command& command, SceneSource& scene) {
+  command.add_option("SCENE", scene.path, "scene file (taut-scene/1), or - for standard input").required().value(" ");
   add_allow_outside(command, scene.allow_outside);
 }
 

@@ -1,8 +1,8 @@
 // Where a command reads its scene from.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include "command_line/command_line.hpp"
 
 #include "taut/scene.hpp"
 
@@ -14,9 +14,9 @@ struct SceneSource {
 };
 
 /// Adds --allow-outside.
-void add_allow_outside(CLI::App& command, bool& allow_outside);
+void add_allow_outside(const Command& command, bool& allow_outside);
 /// Adds the positional SCENE, and --allow-outside.
-void add_scene(CLI::App& command, SceneSource& scene);
+void add_scene(const Command& command, SceneSource& scene);
 
 /// Throws InputError.
 Scene load_scene(const SceneSource& source);

@@ -128,29 +128,23 @@ const char* const exit_codes =
 
 }  // namespace
 
-void add_verify_options(CLI::App& command, VerifyArguments& arguments, const std::string& example) {
+void add_verify_options(const Command& command, VerifyArguments& arguments, const std::string& example) {
   add_scene(command, arguments.scene);
-  command.add_option("PROOF", arguments.proof, "proof log, or - for standard input")->required()->option_text(" ");
+  command.add_option("PROOF", arguments.proof, "proof log, or - for standard input").required().value(" ");
   command.add_flag("--json", arguments.json, "print one JSON object");
   const auto expect = [&arguments](const std::string& outcome) {
     arguments.expected.outcome = outcome == "free" ? Outcome::free : Outcome::contact;
   };
-  CLI::Option* outcome =
-      command.add_option_function<std::string>("--expect", expect, "fail unless this is what the log proves")
-          ->check(CLI::IsMember({"free", "contact"}))
-          ->option_text("free|contact");
+  const Option outcome =
+      command.add_choice("--expect", {"free", "contact"}, expect, "fail unless this is what the log proves");
   const auto touch = [&arguments](const std::string& mode) {
     arguments.expected.touch = mode == "closed" ? Touch::closed : Touch::open;
   };
-  command.add_option_function<std::string>("--touch", touch, "fail unless the log was made with this --touch")
-      ->check(CLI::IsMember({"open", "closed"}))
-      ->option_text("open|closed");
+  command.add_choice("--touch", {"open", "closed"}, touch, "fail unless the log was made with this --touch");
   command.add_option("--until", arguments.expected.until, "with --expect: free before T suffices; or, a contact by T")
-      ->option_text("T")
-      ->needs(outcome);
-  command.add_option("--max-seconds", arguments.max_seconds, "give up after S seconds")
-      ->option_text("S")
-      ->check(CLI::NonNegativeNumber);
+      .value("T")
+      .needs(outcome);
+  command.add_option("--max-seconds", arguments.max_seconds, "give up after S seconds").value("S").not_negative();
   command.footer("Example:\n  " + example + "\n  " + example + " --expect free --touch closed\n" + exit_codes);
 }
 

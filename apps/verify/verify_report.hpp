@@ -1,8 +1,8 @@
 // What `taut verify` and `taut-verify` do.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include "command_line/command_line.hpp"
 
 #include "expectation.hpp"
 #include "scene_source.hpp"
@@ -18,7 +18,7 @@ struct VerifyArguments {
 };
 
 /// Adds all that the two programs take, and what `--help` tells.
-void add_verify_options(CLI::App& command, VerifyArguments& arguments, const std::string& example);
+void add_verify_options(const Command& command, VerifyArguments& arguments, const std::string& example);
 
 /// Checks the log and prints what it proves. Returns 0 if it is valid and proves what was expected, 1 if not, 3 if the
 /// time was up; throws InputError.

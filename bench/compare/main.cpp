@@ -2,13 +2,13 @@
 // processor time, ratios. A wrong answer fails.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "command_line/command_line.hpp"
 #include "compare/engines.hpp"
 #include "compare/ties.hpp"
 #include "compare/timing.hpp"
@@ -100,19 +100,16 @@ int compare(const Options& options) {
 }  // namespace taut::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares taut's engines on the same scenes in one run");
+  taut::cli::Program program("Compares taut's engines on the same scenes in one run", "taut_compare");
+  const taut::cli::Command app = program.command();
   taut::bench::Options options;
   app.add_option("--seconds", options.seconds, "Processor time for each row");
   app.add_option("--largest", options.largest, "Leave out larger polygons");
   app.add_option("--only", options.only, "Families");
   app.add_flag("--ties", options.ties, "Compare scenes drawn on a grid with nudged ones instead");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return taut::cli::run_program(program, argc, argv, [&] {
     if (!options.ties) return taut::bench::compare(options);
     taut::bench::pin_to_this_core();
     return taut::bench::compare_ties(options.seconds) ? 0 : 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  });
 }

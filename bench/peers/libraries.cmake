@@ -6,6 +6,7 @@ function(taut_peer_missing library package)
                       "apt-get install ${package}, or configure with -DTAUT_BENCH_PEERS=OFF")
 endfunction()
 
+find_package(CLI11 REQUIRED)
 find_package(box2d 2.4 QUIET)
 if(NOT TARGET box2d::box2d)
   taut_peer_missing("Box2D 2.4" libbox2d-dev)

@@ -3,8 +3,6 @@
 // it.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -15,6 +13,7 @@
 #include <thread>
 
 #include "check/proof_writer.hpp"
+#include "command_line/command_line.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
 #include "support/exact_comparison.hpp"
@@ -183,31 +182,32 @@ void print_scenes(std::uint64_t first, std::uint64_t count, bool contacts) {
 }  // namespace taut::testing
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares both engines and verified proofs on random scenes.", "taut_soak");
+  taut::cli::Program program("Compares both engines and verified proofs on random scenes.", "taut_soak");
+  const taut::cli::Command app = program.command();
   taut::testing::Limits limits;
   std::uint64_t first = 0, print = 0;
   std::string folder = ".", totals;
-  app.add_option("--minutes", limits.minutes, "How long")->check(CLI::PositiveNumber);
-  app.add_option("--jobs", limits.jobs, "Threads")->check(CLI::Range(1, 1024));
-  const CLI::Option* from = app.add_option("--first", first, "Number of the first scene; default: after the totals'");
-  app.add_option("--oracle", limits.oracle_size, "Judge scenes of up to so many vertices by definition")
-      ->expected(0, 1)
-      ->default_str("24");
+  app.add_option("--minutes", limits.minutes, "How long").positive();
+  app.add_option("--jobs", limits.jobs, "Threads").within(1, 1024);
+  const taut::cli::Option from =
+      app.add_option("--first", first, "Number of the first scene; default: after the totals'");
+  app.add_option("--oracle", limits.oracle_size, "Judge scenes of up to so many vertices by definition").or_alone("24");
   app.add_flag("--contacts", limits.contacts,
                "Small scenes made of contacts, judged by definition, in place of others");
-  app.add_option("--seconds", limits.seconds, "Limit for each engine and scene")->check(CLI::PositiveNumber);
-  app.add_option("--findings", folder, "Folder for the scenes with findings")->check(CLI::ExistingDirectory);
+  app.add_option("--seconds", limits.seconds, "Limit for each engine and scene").positive();
+  app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
   app.add_option("--print", print, "Only print so many scenes, one a line");
-  CLI11_PARSE(app, argc, argv);
-  if (print > 0) {
-    taut::testing::print_scenes(first, print, limits.contacts);
-    return 0;
-  }
-  if (limits.contacts) limits.oracle_size = std::max<std::size_t>(limits.oracle_size, 24);
-  taut::testing::Soak soak(limits, totals, folder);
-  if (*from) soak.skip_to(first);
-  soak.run();
-  fmt::print("{}", soak.totals().report());
-  return soak.totals().findings.empty() ? 0 : 1;
+  return taut::cli::run_program(program, argc, argv, [&] {
+    if (print > 0) {
+      taut::testing::print_scenes(first, print, limits.contacts);
+      return 0;
+    }
+    if (limits.contacts) limits.oracle_size = std::max<std::size_t>(limits.oracle_size, 24);
+    taut::testing::Soak soak(limits, totals, folder);
+    if (from.given()) soak.skip_to(first);
+    soak.run();
+    fmt::print("{}", soak.totals().report());
+    return soak.totals().findings.empty() ? 0 : 1;
+  });
 }

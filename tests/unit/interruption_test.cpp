@@ -8,6 +8,7 @@
 
 #include "base/interruption.hpp"
 #include "generators/generators.hpp"
+#include "kinetic/session.hpp"
 #include "support/effort.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -110,7 +111,7 @@ Scene cavity() { return cavity_of(100000); }
 TEST(InterruptionOfTheBridge, IsPossibleWhileItIsLookedFor) {
   const Scene scene = cavity_of(4000);
   const InterruptionScope scope(std::uint64_t{200000});
-  EXPECT_EQ(Simulation{scene}.state(), SimulationState::undecided);
+  EXPECT_THROW(Session(scene, Touch::open, nullptr), Interrupted);
 }
 
 struct Hostile {
