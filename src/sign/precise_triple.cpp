@@ -16,6 +16,24 @@ Ball<Real> as_ball(const PreciseTime& t) {
   return b;
 }
 
+/// The number at this precision; where that would round it, a search from there on might start beyond a root.
+template <class Real>
+Real exactly(const RealMax& x) {
+  const Real rounded(x);
+  if (RealMax(rounded) != x) throw PrecisionExhausted{};
+  return rounded;
+}
+
+/// An enclosure at this precision, rounded outwards.
+template <class Real>
+RootEnclosure<Real> enclosure(const PreciseTime& t) {
+  const auto around = [](const RealMax& x) {
+    const Real rounded(x);
+    return Ball<Real>(rounded, RealMax(rounded) == x ? 0 : detail::inflate(2 * detail::rounding(rounded)));
+  };
+  return {around(t.lo()).lower(), around(t.hi()).upper()};
+}
+
 /// A search in s, the root of the distance from a singular end of the leg (see TimeFromEnd).
 template <class Real>
 class SearchFromEnd {
@@ -62,9 +80,8 @@ class SearchFromEnd {
     return first_sign_change<Real>(*this, sign, a, b, Magnitudes{});
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
-    const RealMax distance = (t - RealMax(end_)) * RealMax(direction_);
-    if (distance == 0) return Ball<Real>::exact(0);
-    Ball<RealMax> root = sqrt(Ball<RealMax>(distance, 0.0));
+    if (t == RealMax(end_)) return Ball<Real>::exact(0);
+    const Ball<RealMax> root = sqrt((Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_);
     Ball<Real> s(Real(root.mid * RealMax(direction_)), 0.0);
     s.rad = detail::inflate(root.rad + RealTraits<RealMax>::magnitude(root.mid) * (4 * unit_roundoff<Real>()));
     return s;
@@ -167,7 +184,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
         if (end != 0) {
           if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
         }
-        auto root = first_sign_change<Real>(f, sign, Real(from.hi()), Real(to));
+        auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to));
         if (!root) return std::nullopt;
         refine_root(f, sign, *root, 0);
         return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
@@ -190,7 +207,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
-    RootEnclosure<Real> root{Real(t.lo()), Real(t.hi())};
+    RootEnclosure<Real> root = enclosure<Real>(t);
     try {
       refine_root(f, sign, root, enough);
     } catch (const PrecisionExhausted&) {
