@@ -177,7 +177,7 @@ bool Engine::accept(const PlanRange& region, double share) {
 
 bool Engine::settles(const PlanRange& region, std::size_t i) const {
   const Certificate& c = certificates_[i];
-  return region.keeps_sign(geometry_, MixedTriple::of(geometry_, c.u, c.v, c.w), c.sign);
+  return region.keeps_sign(geometry_, Form::of(geometry_, c.u, c.v, c.w), c.sign);
 }
 
 }  // namespace taut

@@ -75,11 +75,11 @@ FailureSolver::Course FailureSolver::course(const FastFunction& f, double t) {
 
 FailureSolver::Course FailureSolver::course_near(const FastFunction& f, double t) {
   double at;
-  const FastSide& side = clock_.shortly_before(t, f.pp, at);
+  const FrameSample& side = clock_.shortly_before(t, f.pp, at);
   return course_with(f, side, at);
 }
 
-FailureSolver::Course FailureSolver::course_with(const FastFunction& f, const FastSide& side, double t) {
+FailureSolver::Course FailureSolver::course_with(const FastFunction& f, const FrameSample& side, double t) {
   Course now;
   now.t = t;
   now.value = f.value(side);
@@ -104,7 +104,7 @@ void FailureSolver::take_bounds(const FastFunction& f, Course& course, const Clo
 
 void FailureSolver::start(Certificate& c, double t) {
   release(c);
-  c.function = FastFunction::level_zero(leg(), geometry_, triple_of(c));
+  c.function = FastFunction::level_zero(leg(), geometry_, form_of(c));
   c.kind = FailureKind::not_before;
   c.lo = t;
   if (c.lo >= leg().end) return set_not_before(c, c.lo);
@@ -291,7 +291,7 @@ bool FailureSolver::newton_step(Certificate& c, const Course& here) {
 void FailureSolver::advance_hard(Certificate& c, double t) {
   if (!c.function.level1) {
     FastFunction next;
-    if (FastFunction::level_one(leg(), geometry_, triple_of(c), next)) {
+    if (FastFunction::level_one(leg(), geometry_, form_of(c), next)) {
       ++counts_.level1;
       const FastFunction before = c.function;
       c.function = next;
@@ -340,33 +340,27 @@ int FailureSolver::sign_during(const FastFunction& f, const Course& course, cons
   return sign_of(course.value, reach * steepest * (1 + 0x1p-40));
 }
 
-int FailureSolver::sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now) {
+int FailureSolver::sign_now(const Form& form, Now& now) {
+  const FastFunction fast = FastFunction::level_zero(leg(), geometry_, form);
   if (const int s =
           clock_.straight() ? line_of(fast).sign_over(now.lo, now.hi) : sign_during(fast, course(fast, now.at), now))
     return s;
-  return precise_sign(precise, now);
+  return precise_sign(form, now);
 }
 
-int FailureSolver::precise_sign(const PreciseTriple& precise, Now& now) {
+int FailureSolver::precise_sign(const Form& form, Now& now) {
   ++counts_.precise;
-  const PreciseTriple event(
-      leg(), geometry_,
-      MixedTriple::of(geometry_, now.u.valid() ? now.u : VertexId(0u), now.u.valid() ? now.v : VertexId(0u),
-                      now.u.valid() ? now.w : VertexId(geometry_.np)));
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (now.event && !event.refine(now.sign_before, precise_now(now), stage)) continue;
-    if (const int s = precise.sign_at(precise_now(now), stage)) return s;
-  }
+  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now))) return s;
   throw Undecidable{"two events at the same instant"};
 }
 
 void FailureSolver::start_at(Certificate& c, Now& now) {
   release(c);
-  const MixedTriple triple = triple_of(c);
-  c.function = FastFunction::level_zero(leg(), geometry_, triple);
+  const Form form = form_of(c);
+  c.function = FastFunction::level_zero(leg(), geometry_, form);
   c.kind = FailureKind::not_before;
   if (now.concerns(c.u, c.v, c.w)) {
-    c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign_before : now.sign_before);
+    c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign : now.sign);
     if (now.monotone_until > now.hi) return set_not_before(c, now.monotone_until);
     if (advance_from_zero(c, now)) return;
     advance_precise(c, precise_of(c), precise_now(now).last());
@@ -374,15 +368,14 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
   }
   if (start_in_doubles(c, now)) return;
   FastFunction next;
-  if (FastFunction::level_one(leg(), geometry_, triple, next)) {
+  if (FastFunction::level_one(leg(), geometry_, form, next)) {
     ++counts_.level1;
     std::swap(c.function, next);
     if (start_in_doubles(c, now)) return;
     std::swap(c.function, next);
   }
-  const PreciseTriple precise = precise_of(c);
-  c.sign = static_cast<std::int8_t>(precise_sign(precise, now));
-  if (!advance_from_zero(c, now)) advance_precise(c, precise, precise_now(now));
+  c.sign = static_cast<std::int8_t>(precise_sign(form, now));
+  if (!advance_from_zero(c, now)) advance_precise(c, precise_of(c), precise_now(now));
 }
 
 /// By the certificate's function as it stands, if that shows a sign at the present.

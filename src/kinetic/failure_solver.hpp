@@ -7,30 +7,19 @@
 #include "base/errors.hpp"
 #include "kinetic/certificate.hpp"
 #include "relative/leg_clock.hpp"
-#include "sign/precise_triple.hpp"
+#include "sign/instant.hpp"
 
 namespace taut {
 
 struct FastLine;
 
 /// The present: a double, or the failure time of a certificate.
-struct Now {
-  double lo = 0, hi = 0;
-  double at = 0;  ///< an instant in [lo, hi] at which the motion is known already, if there is one
-  bool event = false;
-  /// For an event: its corner, its sign before, and how to find the instant at any precision.
-  VertexId u, v, w;
-  int sign_before = 0;
-  double monotone_until = 0;
+struct Now : Instant {
+  double at = 0;              ///< in [lo, hi], where the motion is known already, if there is such an instant
+  double monotone_until = 0;  ///< of an event: its function is monotone until then
   /// Filled when first needed; `pool` is where the solver keeps the enclosure it has found, or -1.
   std::optional<PreciseTime> precise;
   std::int32_t pool = -1;
-
-  /// Are these the three vertices that are collinear now?
-  bool concerns(VertexId a, VertexId b, VertexId c) const {
-    const auto in = [this](VertexId x) { return x == u || x == v || x == w; };
-    return event && in(a) && in(b) && in(c);
-  }
 };
 
 /// How often each stage of the arithmetic answered.
@@ -101,8 +90,8 @@ class FailureSolver {
   void tighten(Certificate& c);
 
  private:
-  MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
-  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
+  Form form_of(const Certificate& c) const { return Form::of(geometry_, c.u, c.v, c.w); }
+  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, form_of(c)}; }
   /// A function at one instant, and how it may bend within the cell around it.
   struct Course {
     double t;
@@ -120,7 +109,7 @@ class FailureSolver {
   Course course(const FastFunction& f, double t);
   /// At an instant shortly before t, or at t, that costs less.
   Course course_near(const FastFunction& f, double t);
-  Course course_with(const FastFunction& f, const FastSide& side, double t);
+  Course course_with(const FastFunction& f, const FrameSample& side, double t);
   void advance_from(Certificate& c, double t);
   static constexpr int all_cells = 1000;  ///< more than there are around one
   bool advance_along(Certificate& c, const Course& now, double t, int cells = all_cells);
@@ -148,8 +137,8 @@ class FailureSolver {
   PreciseTime& precise_slot(Certificate& c);
   PreciseTime& precise_now(Now& now) const;
   /// The sign of a function at `now`: fast if possible, else precise.
-  int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
-  int precise_sign(const PreciseTriple& precise, Now& now);
+  int sign_now(const Form& form, Now& now);
+  int precise_sign(const Form& form, Now& now);
   bool widen(const FastFunction& f, Course& course, double start, double end);
   int sign_during(const FastFunction& f, const Course& course, const Now& now);
 

@@ -13,8 +13,8 @@
 #include "motion/polynomial_search.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
-#include "sign/mixed_function.hpp"
 #include "sign/plan_range.hpp"
+#include "sign/precise_function.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -87,7 +87,7 @@ PairGeometry random_pair(Rng& rng) {
   return {polygons[0], polygons[1]};
 }
 
-TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
+TEST(Form, IsTheOrientationInTheWorldForEveryFormOfMotion) {
   Rng rng(5);
   for (int i = 0; i < 2000; ++i) {
     const PairGeometry g = random_pair(rng);
@@ -99,7 +99,7 @@ TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
     long double x[3], y[3];
     for (int k = 0; k < 3; ++k) world(g.in_p(v[k]) ? p : q, t, g.point(v[k]), x[k], y[k]);
     const long double want = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-    const MixedTriple triple = MixedTriple::of(g, v[0], v[1], v[2]);
+    const Form triple = Form::of(g, v[0], v[1], v[2]);
     const Jet<Real320> precise = PreciseFunction<Real320>(leg, g, triple)(Ball<Real320>::exact(t));
     EXPECT_NEAR(RealTraits<Real320>::to_double(precise.v.mid), static_cast<double>(want), 1e-13);
     EXPECT_LT(precise.v.rad, 1e-80);
@@ -113,7 +113,7 @@ TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
     const Bounded bend = fast.curvature(clock.cell(t).curvature(fast.pp));
     EXPECT_LE(std::fabs(bend.value - RealTraits<Real320>::to_double(precise.dd.mid)), bend.error);
     // The projection is the dot product.
-    const Jet<Real320> dot = PreciseFunction<Real320>(leg, g, triple, Measure::projection)(Ball<Real320>::exact(t));
+    const Jet<Real320> dot = PreciseFunction<Real320>(leg, g, triple.along())(Ball<Real320>::exact(t));
     long double px[3], py[3];
     const VertexId w[3] = {triple.a, triple.b, triple.c};
     for (int k = 0; k < 3; ++k) world(g.in_p(w[k]) ? p : q, t, g.point(w[k]), px[k], py[k]);
@@ -123,7 +123,7 @@ TEST(MixedFunction, IsTheOrientationInTheWorldForEveryFormOfMotion) {
 }
 
 /// Both ways to the same function: g(s) = f(end + direction s^2), so g' = 2 direction s f'.
-TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
+TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
   Rng rng(7);
   for (int i = 0; i < 400; ++i) {
     const PairGeometry g = random_pair(rng);
@@ -146,7 +146,7 @@ TEST(MixedFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
         at_start ? Leg::motion(p, random_piece(rng), end, end + 1) : Leg::motion(p, random_piece(rng), end - 1, end);
     ASSERT_TRUE(leg.singular_cosine(true, end));
     EXPECT_EQ(leg.singular_at(end), order % 2 == 1);
-    const PreciseFunction<Real320> f(leg, g, MixedTriple::of(g, VertexId(0), VertexId(1), VertexId(6)));
+    const PreciseFunction<Real320> f(leg, g, Form::of(g, VertexId(0), VertexId(1), VertexId(6)));
     const double s = direction * rng.real(0.01, 0.9);
     const Ball<Real320> exact = Ball<Real320>::exact(s), square = exact * exact;
     const Jet<Real320> in_t = f(square * direction + Ball<Real320>::exact(end));
@@ -190,7 +190,7 @@ TEST(PlanRange, SaysTheSignOverTheWholePlanOrNothing) {
     const double left = half.left_at(legs[0], 0);
     EXPECT_TRUE(left >= length * 0.4 && half.contains(PlanRange::over(legs[0], left * 0.3, left * 0.7)));
     for (int k = 0; k < 10; ++k) {
-      const MixedTriple triple = MixedTriple::of(g, VertexId(rng.below(4)), VertexId(4 + rng.below(2)), VertexId(6));
+      const Form triple = Form::of(g, VertexId(rng.below(4)), VertexId(4 + rng.below(2)), VertexId(6));
       for (const int sign : {1, -1}) {
         if (!range.keeps_sign(g, triple, sign)) continue;
         ++kept;
@@ -210,7 +210,7 @@ TEST(Bridge, RunsFromTheOldPoseToTheNew) {
     const PairGeometry g = random_pair(rng);
     const MotionPiece p = random_piece(rng), q = random_piece(rng), p2 = random_piece(rng), q2 = random_piece(rng);
     const double t = rng.real(-1, 1);
-    const MixedTriple triple = MixedTriple::of(g, VertexId(0), VertexId(1), VertexId(5));
+    const Form triple = Form::of(g, VertexId(0), VertexId(1), VertexId(5));
     const auto sign = [&](const Leg& leg, double at) {
       return PreciseFunction<Real320>(leg, g, triple)(Ball<Real320>::exact(at)).v.sign();
     };
@@ -283,7 +283,7 @@ TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
   const Scene scene = sliding_square(1);
   const Leg leg = Leg::motion({}, scene.bodies[1].motion.pieces[0], 0, 10);
   // P's upper edge (2 -> 3) and Q's lower left corner: on one line at all times.
-  const MixedTriple triple{VertexId(2), VertexId(3), VertexId(4), true};
+  const Form triple{VertexId(2), VertexId(3), VertexId(4), true};
   FastFunction level1;
   ASSERT_TRUE(FastFunction::level_one(leg, g, triple, level1));
   LegClock clock;
@@ -313,7 +313,7 @@ TEST(Placement, SignsAgreeWithMultiPrecisionAndCountIt) {
         EXPECT_EQ(placement.orientation(u, v, w), placement.orientation(v, w, u));
         EXPECT_EQ(placement.orientation(u, v, w), -placement.orientation(v, u, w));
         if (g.same_body(u, v) && g.same_body(v, w)) continue;
-        const auto f = PreciseFunction<Real320>(leg, g, MixedTriple::of(g, u, v, w))(Ball<Real320>::exact(0.5));
+        const auto f = PreciseFunction<Real320>(leg, g, Form::of(g, u, v, w))(Ball<Real320>::exact(0.5));
         EXPECT_EQ(placement.orientation(u, v, w), f.v.sign());
       }
     }
@@ -515,7 +515,7 @@ TEST(FastFunction, BoundsCoverTheDisplacementOfShortEdges) {
   clock.reset(leg);
   for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
     for (int c = 3; c < 7; ++c) {
-      const MixedTriple triple = MixedTriple::of(g, VertexId(a), VertexId(b), VertexId(c));
+      const Form triple = Form::of(g, VertexId(a), VertexId(b), VertexId(c));
       const Ball<Real960> exact = PreciseFunction<Real960>(leg, g, triple).value(Ball<Real960>::exact(0.5));
       const Bounded fast = FastFunction::level_zero(leg, g, triple).value(clock.at(0.5, triple.pp));
       EXPECT_LE(std::fabs(static_cast<double>(exact.mid - Real960(fast.value))), fast.error);
