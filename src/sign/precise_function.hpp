@@ -28,7 +28,7 @@ class PreciseFunction {
     const Frame<Real> f = frame(leg_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0 || leg_.bridge) return range;
-    return range_of_model(t);
+    return range_of_model(t, range);
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
@@ -70,10 +70,10 @@ class PreciseFunction {
   /// The range by a polynomial of high degree. Near a root of order m ranges have to shrink like h^m, but those of the
   /// five terms, which cancel there, shrink like h; the coefficients of the polynomial have cancelled already. A search
   /// asks for many intervals close to each other: the polynomial serves them until they are far smaller than what it
-  /// was made for.
-  Jet<Real> range_of_model(const Ball<Real>& t) const {
+  /// was made for. In doubles, `range`, which is known already, has to do.
+  Jet<Real> range_of_model(const Ball<Real>& t, const Jet<Real>& range) const {
     if constexpr (std::is_same_v<Real, double>) {
-      return {Ball<Real>(0, INFINITY), Ball<Real>(0, INFINITY), Ball<Real>(0, INFINITY)};
+      return range;
     } else {
       if (!model_ || t.lower() < model_->lo || t.upper() > model_->hi || t.rad < 0x1p-8 * model_->reach) make_model(t);
       return polynomial_range(model_->about_middle, t - Ball<Real>(model_->middle, 0.0));
