@@ -158,7 +158,7 @@ bool Engine::find_next(double limit) {
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;
-    if (c.kind != FailureKind::isolated) {
+    if (c.kind != RootKind::isolated) {
       solver_.advance(c);
       queue_.update(top);
       continue;
@@ -182,13 +182,13 @@ bool Engine::certainly_first(CertificateId head) {
     if (solver_.known_before(first, c)) return EventQueue::Visit::past;
     const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
     const bool same = in(c.u) && in(c.v) && in(c.w);  // the same failure, seen at another corner
-    if (c.kind == FailureKind::isolated && same) return EventQueue::Visit::on;
+    if (c.kind == RootKind::isolated && same) return EventQueue::Visit::on;
     rival = id;
     return EventQueue::Visit::stop;
   });
   if (!rival.valid()) return true;
   Certificate& c = certificates_[rival.value];
-  if (c.kind != FailureKind::isolated) {
+  if (c.kind != RootKind::isolated) {
     solver_.advance(c);
   } else {
     solver_.separate(first, c);

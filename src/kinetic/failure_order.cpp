@@ -61,10 +61,11 @@ VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {
 }
 
 Now FailureSolver::event(const Certificate& c) const {
+  const double about = fast_.enclosed_about();
   Now now;
   now.lo = c.lo;
   now.hi = c.hi;
-  now.at = enclosed_about_ >= c.lo && enclosed_about_ <= c.hi ? enclosed_about_ : c.hi;
+  now.at = about >= c.lo && about <= c.hi ? about : c.hi;
   now.event = true;
   now.u = c.u;
   now.v = c.v;
