@@ -37,8 +37,10 @@ PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
     const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
                                    const std::array<Jet<double>, 5>& o) {
       const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
-      side.lo[i] = known_or(v.lower(), -INFINITY);
-      side.hi[i] = known_or(v.upper(), INFINITY);
+      // More than the radius by what the ends round.
+      const double reach = v.rad * (1 + 0x1p-50) + std::fabs(v.mid) * 0x1p-52;
+      side.lo[i] = known_or(v.mid - reach, -INFINITY);
+      side.hi[i] = known_or(v.mid + reach, INFINITY);
     };
     bound(range.pp_, middle.for_pp, over.for_pp);
     bound(range.qq_, middle.for_qq, over.for_qq);
