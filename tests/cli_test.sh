@@ -97,7 +97,8 @@ expect 1 '^\{"id":\{"job":\[1,2\.50\]\},"outcome":"contact"' '' check --json wit
 tr -d '\n' <with_id.json >with_id.jsonl
 expect 1 '^\{"scene":"with_id.jsonl:1","id":\{"job":\[1,2\.50\]\},"outcome":"contact"' '' check --json --lines with_id.jsonl
 sed 's/"bodies":\[/&{"name":"third","polygon":[[9,9],[10,9],[9,10]]},/' hit.json >three.json
-expect 2 '' 'three.json: bodies: the scene has 3 bodies' check three.json
+expect 1 'CONTACT  anvil x hammer' '' check three.json
+expect 2 '' 'three.json: bodies: this takes scenes of two bodies' prove three.json -o three.proof
 expect 0 '"outcome":"free"' '' check --json --touch open touch.json
 expect 1 '"outcome":"contact".*"touch":"closed"' '' check --json --touch closed touch.json
 expect 1 '"timing":\{"read":' '' check --json --timing hit.json

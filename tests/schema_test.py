@@ -90,7 +90,16 @@ def changed(change):
 
 
 good = [(json.dumps(m), with_motion(m)) for m in good_motions]
-good += [("$schema", changed(lambda s: s.update({"$schema": "x"})))]
+good += [
+    ("$schema", changed(lambda s: s.update({"$schema": "x"}))),
+    ("one body", changed(lambda s: s["bodies"].pop())),
+    ("ignored", changed(lambda s: s.update({"ignore": [[s["bodies"][0]["name"], "*"]]}))),
+    ("parts", changed(lambda s: s["bodies"][0].update({"parts": [s["bodies"][0].pop("polygon")]}))),
+    ("holes", changed(lambda s: s["bodies"][0].update({"polygon": {"outline": s["bodies"][0]["polygon"], "holes": []}}))),
+    ("parent", changed(lambda s: s["bodies"][0].update({"relative_to": s["bodies"][1]["name"]}))),
+    ("around a centre", with_motion({"keyframes": [{"t": 0, "x": 1, "y": 2}, {"t": 1, "turn": {"center": [0, 0], "deg": 90}},
+                                                   {"t": 2, "arc": {"center": [0, 0], "deg": -90}}]})),
+]
 bad = [(json.dumps(m), with_motion(m)) for m in bad_motions]
 bad += [("no " + key, changed(lambda s, key=key: s.pop(key))) for key in ("format", "time", "bodies")]
 bad += [
@@ -98,8 +107,11 @@ bad += [
     ("format 2", changed(lambda s: s.update({"format": "taut-scene/2"}))),
     ("time of one", changed(lambda s: s.update({"time": [0]}))),
     ("time of three", changed(lambda s: s.update({"time": [0, 1, 2]}))),
-    ("one body", changed(lambda s: s["bodies"].pop())),
-    ("three bodies", changed(lambda s: s["bodies"].append(s["bodies"][0]))),
+    ("no polygon", changed(lambda s: s["bodies"][0].pop("polygon"))),
+    ("polygon and parts", changed(lambda s: s["bodies"][0].update({"parts": [s["bodies"][0]["polygon"]]}))),
+    ("no parts", changed(lambda s: s["bodies"][0].update({"parts": s["bodies"][0].pop("polygon") and []}))),
+    ("ignored one", changed(lambda s: s.update({"ignore": [["P"]]}))),
+    ("parent without a name", changed(lambda s: s["bodies"][0].update({"relative_to": 1}))),
     ("no name", changed(lambda s: s["bodies"][0].pop("name"))),
     ("empty name", changed(lambda s: s["bodies"][0].update({"name": ""}))),
     ("line break in a name", changed(lambda s: s["bodies"][0].update({"name": "a\nb"}))),

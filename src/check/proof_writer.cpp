@@ -44,7 +44,7 @@ double ProofWriter::about(const EngineEvent& event) const {
   const Leg& leg = *event.leg;
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
   if (event.hi - event.lo > proof::nearness(leg.start, leg.end)) {
-    const PreciseTriple f(leg, *geometry_, MixedTriple::of(*geometry_, event.u, event.v, event.w));
+    const PreciseTriple f(leg, *geometry_, Form::of(*geometry_, event.u, event.v, event.w));
     if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), 0)) f.refine(before, t, 0);
   }
   const double lo = t.floor(), hi = t.ceiling();

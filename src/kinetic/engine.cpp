@@ -13,7 +13,8 @@ Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* obs
       legs_(std::move(legs)),
       observer_(observer),
       solver_(geometry_),
-      queue_(certificates_, solver_.pool()) {
+      queue_(certificates_, solver_.pool()),
+      settled_(geometry_, certificates_) {
   parameter_ = reached_ = legs_.front().start;
   build(known);
 }
@@ -57,10 +58,6 @@ void Engine::build(const KnownTilings& known) {
 void Engine::reserve_certificates(std::size_t room) {
   certificates_.reserve(room);
   settled_.reserve(room);
-  settled_before_.reserve(room);
-  open_.reserve(room);
-  listed_.reserve(room);
-  trial_.reserve(room);
   free_.reserve(room);
 }
 
@@ -106,8 +103,7 @@ CertificateId Engine::add_certificate(HalfedgeId h, const Corner& vertices) {
   if (free_.empty()) {
     id = CertificateId(certificates_.size());
     certificates_.emplace_back();
-    settled_.push_back(false);
-    listed_.push_back(false);
+    settled_.add();
   } else {
     id = free_.back();
     free_.pop_back();
@@ -152,7 +148,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
     id = add_certificate(h, at);
   }
   solver_.start_at(certificates_[id.value], now);
-  leave_open(id);
+  settled_.unsettle(id);
   queue_.update(id);
 }
 
@@ -163,7 +159,7 @@ bool Engine::find_next(double limit) {
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;
-    if (c.kind != FailureKind::isolated) {
+    if (c.kind != RootKind::isolated) {
       solver_.advance(c);
       queue_.update(top);
       continue;
@@ -187,13 +183,13 @@ bool Engine::certainly_first(CertificateId head) {
     if (solver_.known_before(first, c)) return EventQueue::Visit::past;
     const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
     const bool same = in(c.u) && in(c.v) && in(c.w);  // the same failure, seen at another corner
-    if (c.kind == FailureKind::isolated && same) return EventQueue::Visit::on;
+    if (c.kind == RootKind::isolated && same) return EventQueue::Visit::on;
     rival = id;
     return EventQueue::Visit::stop;
   });
   if (!rival.valid()) return true;
   Certificate& c = certificates_[rival.value];
-  if (c.kind != FailureKind::isolated) {
+  if (c.kind != RootKind::isolated) {
     solver_.advance(c);
   } else {
     solver_.separate(first, c);
@@ -207,17 +203,17 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
   while (state_ == EngineState::running) {
     const bool last = current_ + 1 == legs_.size();
     const double limit = leg().bridge ? leg().end : std::min(t, leg().end);
-    if (find_next(std::min(limit, settled_until_))) {
+    if (find_next(std::min(limit, settled_.until()))) {
       const Certificate& c = certificates_[next_.value];
       return std::pair<double, double>(leg().time(c.lo), leg().time(c.hi));
     }
-    if (settled_until_ < limit) {
-      leave_region();
+    if (settled_.until() < limit) {
+      look_at_settled(settled_.until(), false);
       continue;
     }
     if (!leg().bridge && leg().end > t) return std::nullopt;
     if (last) return std::nullopt;
-    leave_leg(leg().end);
+    settled_.note_motion(leg(), leg().end);
     ++current_;
     enter_leg();
   }
@@ -238,18 +234,56 @@ bool Engine::step(double t) {
 
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
-  const double settled = std::min(settled_until_, leg().end);
+  const double settled = std::min(settled_.until(), leg().end);
   const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
   return leg().time(std::max(first, reached_));
 }
 
 void Engine::replan(std::vector<Leg> legs) {
-  leave_leg(parameter_);
+  settled_.note_motion(leg(), parameter_);
   legs_ = std::move(legs);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
   reserve_for_legs();
   enter_leg();
+}
+
+void Engine::enter_leg() {
+  parameter_ = reached_ = leg().start;
+  queue_.clear();
+  solver_.enter(leg());
+  settled_.begin_leg();
+  look_at_settled(leg().start, true);
+}
+
+/// Sees to it that every certificate is settled or scheduled from t on. `all_due`: none is scheduled yet; otherwise
+/// those that were not settled are.
+void Engine::look_at_settled(double t, bool all_due) {
+  const Settled::Due due = settled_.look(leg(), t, active_, all_due);
+  if (due == Settled::Due::nothing) return;
+  if (due == Settled::Due::those_open) {
+    for (const CertificateId id : settled_.open()) {
+      if (certificates_[id.value].corner.valid()) schedule(id, t);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < certificates_.size(); ++i) {
+    Certificate& c = certificates_[i];
+    if (!c.corner.valid()) continue;
+    const CertificateId id(i);
+    interruption_point();
+    if (settled_.is_settled(id)) {
+      queue_.remove(id);
+      solver_.rest(c);
+    } else if (all_due || settled_.was_settled(id)) {
+      schedule(id, t);
+    }
+  }
+}
+
+void Engine::schedule(CertificateId id, double t) {
+  solver_.start(certificates_[id.value], t);
+  queue_.update(id);
 }
 
 /// The corner of the failed face that the rule for convex corners speaks of. If the face is a triangle, all three of
@@ -310,8 +344,8 @@ void Engine::process(CertificateId id, double limit) {
 }
 
 std::size_t Engine::bytes() const {
-  return geometry_.bytes() + map_.bytes() + certificates_.capacity() * sizeof(Certificate) + settled_.capacity() +
-         open_.capacity() * 4 + free_.capacity() * 4 + certificate_of_.bytes() + queue_.bytes() + solver_.bytes();
+  return geometry_.bytes() + map_.bytes() + certificates_.capacity() * sizeof(Certificate) + settled_.bytes() +
+         free_.capacity() * 4 + certificate_of_.bytes() + queue_.bytes() + solver_.bytes();
 }
 
 }  // namespace taut

@@ -7,7 +7,7 @@
 #include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
-#include "sign/plan_range.hpp"
+#include "kinetic/settled.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut {
@@ -118,18 +118,8 @@ class Engine {
   CertificateId add_certificate(HalfedgeId h, const Corner& vertices);
   void reserve_for_legs();
   void enter_leg();
-  void leave_region();
-  bool choose_region(double t);
-  void leave_leg(double until);
-  bool improve_region(double t);
-  bool hopeful(const PlanRange& region) const;
-  bool accept(const PlanRange& region, double share);
-  bool settles(const PlanRange& region, std::size_t certificate) const;
-  bool accept_with_last(const PlanRange& way);
+  void look_at_settled(double t, bool all_due);
   void schedule(CertificateId id, double t);
-  void list_open();
-  void leave_open(CertificateId id);
-  void settle(double t, bool all_due);
 
   PairGeometry geometry_;
   std::vector<Leg> legs_;
@@ -139,18 +129,9 @@ class Engine {
   FailureSolver solver_;
   std::vector<Certificate> certificates_;
   std::vector<CertificateId> free_;
-  std::vector<bool> settled_;                 ///< by certificate: it holds wherever the motion is in region_
   BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
-  std::vector<bool> settled_before_, trial_;
-  std::vector<CertificateId> open_;  ///< those that are not settled; some may be gone
-  std::vector<bool> listed_;         ///< by certificate: it is in open_
-  std::optional<PlanRange> region_;
-  std::optional<PlanRange> seen_;  ///< where the motion has been since there is a region
-  std::size_t spent_ = 0;          ///< certificates scheduled since the region was chosen
-  double settled_until_ = never;   ///< on the present leg: when the motion leaves the region
-  int regions_left_ = 0;           ///< on the present leg
-  int failures_ = 0, skip_ = 0;    ///< legs on which no region was found, and for how many none is looked for
+  Settled settled_;
   CertificateId next_;
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time

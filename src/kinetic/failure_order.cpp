@@ -57,26 +57,20 @@ bool FailureSolver::fails_by(Certificate& c, double t) {
 }
 
 VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {
-  const MixedTriple m = MixedTriple::of(geometry_, u, v, w);
-  // c beyond a, or beyond b, or between.
-  const MixedTriple back{m.b, m.a, m.c, m.pp};
-  const FastFunction from_a = FastFunction::level_zero(leg(), geometry_, m, Measure::projection);
-  if (sign_now(from_a, PreciseTriple(leg(), geometry_, m, Measure::projection), now) < 0) return m.a;
-  const FastFunction from_b = FastFunction::level_zero(leg(), geometry_, back, Measure::projection);
-  if (sign_now(from_b, PreciseTriple(leg(), geometry_, back, Measure::projection), now) < 0) return m.b;
-  return m.c;
+  return middle_of(geometry_, u, v, w, [&](const Form& form) { return sign_now(form, now); });
 }
 
 Now FailureSolver::event(const Certificate& c) const {
+  const double about = fast_.enclosed_about();
   Now now;
   now.lo = c.lo;
   now.hi = c.hi;
-  now.at = enclosed_about_ >= c.lo && enclosed_about_ <= c.hi ? enclosed_about_ : c.hi;
+  now.at = about >= c.lo && about <= c.hi ? about : c.hi;
   now.event = true;
   now.u = c.u;
   now.v = c.v;
   now.w = c.w;
-  now.sign_before = c.sign;
+  now.sign = c.sign;
   now.monotone_until = c.monotone_until;
   now.pool = c.precise;
   return now;

@@ -6,53 +6,29 @@
 
 #include "base/errors.hpp"
 #include "kinetic/certificate.hpp"
-#include "relative/leg_clock.hpp"
-#include "sign/precise_triple.hpp"
+#include "sign/fast_roots.hpp"
+#include "sign/instant.hpp"
 
 namespace taut {
 
-struct FastLine;
-
 /// The present: a double, or the failure time of a certificate.
-struct Now {
-  double lo = 0, hi = 0;
-  double at = 0;  ///< an instant in [lo, hi] at which the motion is known already, if there is one
-  bool event = false;
-  /// For an event: its corner, its sign before, and how to find the instant at any precision.
-  VertexId u, v, w;
-  int sign_before = 0;
-  double monotone_until = 0;
+struct Now : Instant {
+  double at = 0;              ///< in [lo, hi], where the motion is known already, if there is such an instant
+  double monotone_until = 0;  ///< of an event: its function is monotone until then
   /// Filled when first needed; `pool` is where the solver keeps the enclosure it has found, or -1.
   std::optional<PreciseTime> precise;
   std::int32_t pool = -1;
-
-  /// Are these the three vertices that are collinear now?
-  bool concerns(VertexId a, VertexId b, VertexId c) const {
-    const auto in = [this](VertexId x) { return x == u || x == v || x == w; };
-    return event && in(a) && in(b) && in(c);
-  }
 };
 
-/// How often each stage of the arithmetic answered.
-struct StageCounts {
-  std::uint64_t fast = 0;      ///< doubles with an error bound
-  std::uint64_t level1 = 0;    ///< doubles, on the part that is linear in the displacement
-  std::uint64_t precise = 0;   ///< multi-precision failure times
-  std::uint64_t compared = 0;  ///< multi-precision comparisons of two failure times
-
-  StageCounts& operator+=(const StageCounts& o) {
-    fast += o.fast;
-    level1 += o.level1;
-    precise += o.precise;
-    compared += o.compared;
-    return *this;
-  }
-};
-
-/// Schedules certificates on one leg.
+/// When certificates fail, on one leg: bounds first, which are moved on when somebody asks, enclosures when a failure
+/// is near. Each question goes through the stages: doubles (FastRoots), where the form is a line in doubles, too
+/// (FastLine); the same on the part that is linear in the displacement, where the rest is zero; then PreciseTriple,
+/// which has exact lines and multi-precision.
 class FailureSolver {
  public:
   explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}
+  FailureSolver(const FailureSolver&) = delete;
+  FailureSolver& operator=(const FailureSolver&) = delete;
 
   /// Makes room for the failure times of this many certificates, so that events allocate nothing. The memory is touched
   /// only when events coincide within double precision.
@@ -73,7 +49,7 @@ class FailureSolver {
   /// A certificate that cannot fail.
   void rest(Certificate& c) {
     release(c);
-    c.kind = FailureKind::not_before;
+    c.kind = RootKind::not_before;
     c.lo = never;
   }
   /// Starts a certificate whose sign is known to hold at t.
@@ -101,62 +77,26 @@ class FailureSolver {
   void tighten(Certificate& c);
 
  private:
-  MixedTriple triple_of(const Certificate& c) const { return MixedTriple::of(geometry_, c.u, c.v, c.w); }
-  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, triple_of(c)}; }
-  /// A function at one instant, and how it may bend within the cell around it.
-  struct Course {
-    double t;
-    Bounded value, slope;
-    Bounded bend;  ///< the second derivative: at t if `local`, otherwise all over the cell
-    double third;  ///< a bound of the third one's magnitude if `local`, otherwise 0
-    ClockPlace cell;
-    bool local;
-
-    /// The most that the slope changes within the cell in so short a time.
-    double slope_change(double time) const {
-      return (std::fabs(bend.value) + bend.error + third * time) * time * (1 + 0x1p-40);
-    }
-  };
-  Course course(const FastFunction& f, double t);
-  /// At an instant shortly before t, or at t, that costs less.
-  Course course_near(const FastFunction& f, double t);
-  Course course_with(const FastFunction& f, const FastSide& side, double t);
+  Form form_of(const Certificate& c) const { return Form::of(geometry_, c.u, c.v, c.w); }
+  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, form_of(c)}; }
   void advance_from(Certificate& c, double t);
-  static constexpr int all_cells = 1000;  ///< more than there are around one
-  bool advance_along(Certificate& c, const Course& now, double t, int cells = all_cells);
-  bool advance_from_zero(Certificate& c, const Now& instant);
-  /// How long the certificate's sign certainly lasts from now.t on within the cell, if its value is `least` at least.
-  double lasts(const Certificate& c, const Course& now, double least) const;
-  void take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const;
-  bool holds_on(Certificate& c, const Course& now, double t, double least, double lasting, int cells = all_cells);
-  bool isolate(Certificate& c, const Course& now, double from);
-  bool start_in_doubles(Certificate& c, const Now& now);
-  FastLine line_of(const FastFunction& f) const;
-  bool start_on_line(Certificate& c, double t);
-  bool start_on_line(Certificate& c, const Now& now);
-  bool follow_line(Certificate& c, const FastLine& line, double t);
-  double positive_beyond(const Certificate& c, const Course& now, double value, int cells);
-  void refine_fast(Certificate& c);
-  bool narrow(Certificate& c);
-  void newton(Certificate& c);
-  bool newton_step(Certificate& c, const Course& here);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
+  bool start_in_doubles(Certificate& c, const Now& now);
+  bool start_on_line(Certificate& c, double t);
+  bool start_on_line(Certificate& c, const Now& now);
   void set_isolated(Certificate& c, const PreciseTime& t);
   void sharpen(Certificate& c, int stage);
-  void set_not_before(Certificate& c, double t);
   PreciseTime& precise_slot(Certificate& c);
   PreciseTime& precise_now(Now& now) const;
-  /// The sign of a function at `now`: fast if possible, else precise.
-  int sign_now(const FastFunction& fast, const PreciseTriple& precise, Now& now);
-  int precise_sign(const PreciseTriple& precise, Now& now);
-  bool widen(const FastFunction& f, Course& course, double start, double end);
-  int sign_during(const FastFunction& f, const Course& course, const Now& now);
+  /// The sign of a form at `now`: fast if possible, else precise.
+  int sign_now(const Form& form, Now& now);
+  int precise_sign(const Form& form, Now& now);
 
   const PairGeometry& geometry_;
   LegClock clock_;
-  double enclosed_about_ = 0;  ///< where the function was evaluated when a failure was last enclosed
   StageCounts counts_;
+  FastRoots fast_{clock_, counts_};
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;
 };

@@ -13,23 +13,12 @@ void drop_last_zeros(Coefficients& c) {
   while (!c.empty() && c.back() == 0) c.pop_back();
 }
 
-struct LastZerosOfRotation {
-  void operator()(NoRotation&) const {}
-  void operator()(AngleRotation& r) const { drop_last_zeros(r.angle); }
-  void operator()(DirectionRotation& r) const {
-    drop_last_zeros(r.a);
-    drop_last_zeros(r.b);
-  }
-  void operator()(HalfAngleRotation& r) const { drop_last_zeros(r.s); }
-  void operator()(CosineRotation& r) const { drop_last_zeros(r.a); }
-};
-
 /// The same piece without zeros at the end of polynomials, so that equal motions look alike.
 MotionPiece without_last_zeros(MotionPiece piece) {
   drop_last_zeros(piece.x);
   drop_last_zeros(piece.y);
   drop_last_zeros(piece.orbit.angle);
-  std::visit(LastZerosOfRotation{}, piece.rotation);
+  for_each_polynomial(piece.rotation, drop_last_zeros);
   return piece;
 }
 

@@ -6,14 +6,15 @@ namespace taut {
 
 bool same_rotation(const Rotation& a, const Rotation& b) {
   if (a.index() != b.index()) return false;
-  if (const auto* r = std::get_if<AngleRotation>(&a)) return r->angle == std::get<AngleRotation>(b).angle;
-  if (const auto* r = std::get_if<HalfAngleRotation>(&a)) return r->s == std::get<HalfAngleRotation>(b).s;
-  if (const auto* r = std::get_if<CosineRotation>(&a)) return r->a == std::get<CosineRotation>(b).a;
-  if (const auto* r = std::get_if<DirectionRotation>(&a)) {
-    const auto& other = std::get<DirectionRotation>(b);
-    return r->a == other.a && r->b == other.b;
-  }
-  return true;
+  return std::visit(Overloaded{[](const NoRotation&) { return true; },
+                               [&](const AngleRotation& r) { return r.angle == std::get<AngleRotation>(b).angle; },
+                               [&](const DirectionRotation& r) {
+                                 const auto& other = std::get<DirectionRotation>(b);
+                                 return r.a == other.a && r.b == other.b;
+                               },
+                               [&](const HalfAngleRotation& r) { return r.s == std::get<HalfAngleRotation>(b).s; },
+                               [&](const CosineRotation& r) { return r.a == std::get<CosineRotation>(b).a; }},
+                    a);
 }
 
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/rotation_forms.hpp"
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
@@ -72,68 +73,69 @@ J power(const J& base, std::size_t exponent) {
   return product;
 }
 
-/// x near such an end, after it (`direction` 1) or before it (-1), from h and its distance |h|. With c = e + h^m r the
-/// sine is sqrt(1 - c^2) = sqrt(-e h^m r (2 + e h^m r)): as good as h is known, however close that is to zero, and
-/// smooth if m is even.
+/// x near such an end. With c = e + h^m r the sine is sqrt(1 - c^2) = sqrt(-e h^m r (2 + e h^m r)): as good as h is
+/// known, however close that is to zero. `change` is h^m r, `side` the sign of h^m, and |h|^m the square of `outside`
+/// times `inside`, which is left in the root (null for 1).
 template <class J, class Real>
-void cosine_about_end(const SingularCosine& cosine, const J& h, const J& rest, double direction, J& xx, J& xy) {
-  const std::size_t m = cosine.order;
-  const double e = cosine.extreme, side = m % 2 == 1 ? direction : 1;
+void cosine_about_end(double e, const J& change, const J& rest, double side, const J& outside, const J* inside, J& xx,
+                      J& xy) {
   const auto times = [](const J& a, double b) { return a * Ball<Real>::exact(b); };
-  const J distance = times(h, direction), change = power(h, m) * rest;
   xx = J::constant(e) + change;
   const J positive = times(rest * (J::constant(2.0) + times(change, e)), -e * side);
-  xy = power(distance, m / 2) * (m % 2 == 1 ? sqrt(distance * positive) : sqrt(positive));
+  xy = outside * sqrt(inside ? *inside * positive : positive);
 }
 
-/// The same as functions of time.
+/// x as a function of time, after such an end (`direction` 1) or before it (-1): smooth if m is even.
 template <class J, class Real>
 void cosine_near_end(const SingularCosine& cosine, const Ball<Real>& t, double direction, J& xx, J& xy) {
-  const J h = J::variable(t) - J::constant(cosine.end);
+  const std::size_t m = cosine.order;
+  const J h = J::variable(t) - J::constant(cosine.end), distance = h * Ball<Real>::exact(direction);
   const J rest = J::polynomial(rest_of<Real>(cosine), t - Ball<Real>::exact(cosine.end));
-  cosine_about_end<J, Real>(cosine, h, rest, direction, xx, xy);
+  const bool odd = m % 2 == 1;
+  cosine_about_end<J, Real>(cosine.extreme, power(h, m) * rest, rest, odd ? direction : 1, power(distance, m / 2),
+                            odd ? &distance : nullptr, xx, xy);
 }
 
-/// The same as functions of s, where h is direction * s^2: smooth, whatever the order.
+/// The same as a function of s, where h is direction * s^2: smooth, whatever the order.
 template <class J, class Real>
 void cosine_from_end(const SingularCosine& cosine, const TimeFromEnd<Real>& t, J& xx, J& xy) {
-  const double e = cosine.extreme;
   const std::size_t m = cosine.order;
-  const J s = J::variable(t.s);
-  const J r = J::polynomial(rest_of<Real>(cosine), TimeFromEnd<Real>{0, t.direction, t.s});
-  const J distance = power(s * Ball<Real>::exact(t.direction), m);  // |s|^m
+  const J rest = J::polynomial(rest_of<Real>(cosine), TimeFromEnd<Real>{0, t.direction, t.s});
+  const J outside = power(J::variable(t.s) * Ball<Real>::exact(t.direction), m);  // |s|^m
   const double side = m % 2 == 1 ? t.direction : 1;
-  const J change = distance * distance * r * Ball<Real>::exact(side);
-  xx = J::constant(e) + change;
-  const J two = J::constant(2.0);
-  xy = distance * sqrt(r * (two + change * Ball<Real>::exact(e)) * Ball<Real>::exact(-e * side));
+  const J change = outside * outside * rest * Ball<Real>::exact(side);
+  cosine_about_end<J, Real>(cosine.extreme, change, rest, side, outside, nullptr, xx, xy);
 }
 
-/// x(t) of a rotation; J is Jet<Real> or Series<Real, N>, and the time a ball or TimeFromEnd.
+/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time a ball, TimeFromEnd or SymbolicTime.
 template <class J, class Time>
 void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
-  if (const auto* r = std::get_if<AngleRotation>(&rotation)) {
-    sin_cos(J::polynomial(r->angle, t), xy, xx);
-  } else if (const auto* d = std::get_if<DirectionRotation>(&rotation)) {
-    const J a = J::polynomial(d->a, t), b = J::polynomial(d->b, t);
-    const J length = sqrt(a * a + b * b);
-    xx = a / length;
-    xy = b / length;
-  } else if (const auto* h = std::get_if<HalfAngleRotation>(&rotation)) {
-    const J s = J::polynomial(h->s, t), square = s * s, one = J::constant(1.0);
-    const J below = one + square;
-    xx = (one - square) / below;
-    xy = (s + s) / below;
-  } else if (const auto* c = std::get_if<CosineRotation>(&rotation)) {
-    // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or ends at 1 or -1.
-    const J change = J::polynomial(VaryingPart{c->a}, t);
-    const J one = J::constant(1.0), start = J::constant(c->a.empty() ? 0.0 : c->a[0]);
-    xx = start + change;
-    xy = sqrt(((one - start) - change) * ((one + start) + change));
-  } else {
-    xx = J::constant(1.0);
-    xy = J::constant(0.0);
-  }
+  std::visit(Overloaded{[&](const NoRotation&) {
+                          xx = J::constant(1.0);
+                          xy = J::constant(0.0);
+                        },
+                        [&](const AngleRotation& r) { sin_cos(J::polynomial(r.angle, t), xy, xx); },
+                        [&](const DirectionRotation& r) {
+                          const J a = J::polynomial(r.a, t), b = J::polynomial(r.b, t);
+                          const J length = sqrt(a * a + b * b);
+                          xx = a / length;
+                          xy = b / length;
+                        },
+                        [&](const HalfAngleRotation& r) {
+                          const J s = J::polynomial(r.s, t), square = s * s, one = J::constant(1.0);
+                          const J below = one + square;
+                          xx = (one - square) / below;
+                          xy = (s + s) / below;
+                        },
+                        [&](const CosineRotation& r) {
+                          // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or
+                          // ends at 1 or -1.
+                          const J change = J::polynomial(VaryingPart{r.a}, t);
+                          const J one = J::constant(1.0), start = J::constant(r.a.empty() ? 0.0 : r.a[0]);
+                          xx = start + change;
+                          xy = sqrt(((one - start) - change) * ((one + start) + change));
+                        }},
+             rotation);
 }
 
 inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
@@ -196,8 +198,5 @@ PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
   for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
   return p;
 }
-
-/// Are the two given by the very same coefficients?
-bool same_rotation(const Rotation& a, const Rotation& b);
 
 }  // namespace taut

@@ -29,12 +29,11 @@ class PieceCheck {
     coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
     coefficients("orbit.angle", piece_.orbit.angle);
     coefficients("orbit.centre", {piece_.orbit.centre.x, piece_.orbit.centre.y});
-    if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) coefficients("rotation.angle", r->angle);
-    if (const auto* r = std::get_if<HalfAngleRotation>(&piece_.rotation)) {
-      coefficients("rotation.half_angle_tangent", r->s);
-    }
-    if (const auto* r = std::get_if<DirectionRotation>(&piece_.rotation)) direction(*r);
-    if (const auto* r = std::get_if<CosineRotation>(&piece_.rotation)) cosine(*r);
+    std::visit(
+        Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { coefficients("rotation.angle", r.angle); },
+                   [&](const HalfAngleRotation& r) { coefficients("rotation.half_angle_tangent", r.s); },
+                   [&](const DirectionRotation& r) { direction(r); }, [&](const CosineRotation& r) { cosine(r); }},
+        piece_.rotation);
   }
 
  private:

@@ -6,15 +6,43 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/exact_sum.hpp"
 #include "numeric/real.hpp"
 
 namespace taut {
+
+namespace detail {
+
+/// Rounds a radius up: sums and products of at most a dozen nonnegative doubles stay below the result.
+inline double inflate(double r) { return r * (1 + 0x1p-48) + underflow_slack; }
+
+/// A bound of the rounding of an operation whose result is m.
+template <class Real>
+double rounding(const Real& m) {
+  return RealTraits<Real>::magnitude(m) * unit_roundoff<Real>();
+}
+
+/// The sum, or a little more where it is not a number of the type.
+inline double sum_above(double a, double b) {
+  const TwoDoubles sum = two_sum(a, b);
+  return sum.lo > 0 ? std::nextafter(sum.hi, std::numeric_limits<double>::infinity()) : sum.hi;
+}
+template <class Real>
+Real sum_above(const Real& a, double b) {
+  if (b == 0) return a;
+  const Real sum = a + b;
+  // Twice what the sum rounds: adding it rounds once more.
+  return sum + (2 * rounding(sum) + 0x1p-1060);
+}
+
+}  // namespace detail
 
 /// All reals x with |x - mid| <= rad. The laws, for every operation op on balls A, B:
 ///   1. containment: a in A and b in B imply (a op b) in (A op B);
 ///   2. an undefined operation (division by a ball that contains zero, overflow) gives an infinite radius or a
 ///      NaN middle, for which sign() is 0;
-///   3. sign() != 0 is a proof of the sign of every member.
+///   3. sign() != 0 is a proof of the sign of every member;
+///   4. lower() <= a <= upper(): rounded outwards, and equal to the middle where the radius is 0.
 template <class Real>
 struct Ball {
   Real mid{};
@@ -38,19 +66,10 @@ struct Ball {
   }
   /// An upper bound of |x| over the ball.
   double magnitude() const { return (RealTraits<Real>::magnitude(mid) + rad) * (1 + 0x1p-50); }
-  /// A lower bound of |x| over the ball, as a double; 0 if the ball contains zero. At most a factor 4 too small.
-  Real lower() const { return mid - rad; }
-  Real upper() const { return mid + rad; }
+  /// Numbers below and above which no member lies.
+  Real lower() const { return -detail::sum_above(Real(-mid), rad); }
+  Real upper() const { return detail::sum_above(mid, rad); }
 };
-
-namespace detail {
-/// Rounds a radius up: sums and products of at most a dozen nonnegative doubles stay below the result.
-inline double inflate(double r) { return r * (1 + 0x1p-48) + underflow_slack; }
-template <class Real>
-double rounding(const Real& m) {
-  return RealTraits<Real>::magnitude(m) * unit_roundoff<Real>();
-}
-}  // namespace detail
 
 /// A coefficient as a ball, whichever it is.
 template <class Real>
@@ -95,8 +114,9 @@ Ball<Real> operator/(const Ball<Real>& a, const Ball<Real>& b) {
   const double distance = away > 0 ? std::nextafter(RealTraits<Real>::to_double(away), 0.0) * (1 - 0x1p-50) : 0.0;
   if (!(distance > 0)) return Ball<Real>(Real(0), std::numeric_limits<double>::infinity());
   Real m = a.mid / b.mid;
+  // The product may underflow, which the division would magnify.
   const double mm = RealTraits<Real>::magnitude(m);
-  return Ball<Real>(m, detail::inflate((mm * b.rad + a.rad) / distance + detail::rounding(m)));
+  return Ball<Real>(m, detail::inflate((mm * b.rad + (a.rad + 0x1p-1060)) / distance + detail::rounding(m)));
 }
 
 /// Multiplication by a power of two, or any double that is exact.

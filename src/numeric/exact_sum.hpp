@@ -63,6 +63,13 @@ class ExactSum {
     for (std::size_t i = 0; i < size_; ++i) terms_[i] = sign * other.term(i);
   }
 
+  /// Becomes a sum that is known to have no more terms than there is room for.
+  template <std::size_t Other>
+  void take(const ExactSum<Other>& other) {
+    size_ = other.size();
+    for (std::size_t i = 0; i < size_ && i < Capacity; ++i) terms_[i] = other.term(i);
+  }
+
   bool is_zero() const { return size_ == 0; }
   /// -1, 0 or +1: exact.
   int sign() const { return size_ == 0 ? 0 : (terms_[size_ - 1] > 0 ? 1 : -1); }
@@ -79,5 +86,15 @@ class ExactSum {
   std::size_t size_ = 0;
   double terms_[Capacity];
 };
+
+/// Adds a b; false if it is so small, or so large, that its rounding may be lost.
+template <std::size_t Capacity>
+bool add_exact_product(ExactSum<Capacity>& sum, double a, double b) {
+  if (a == 0 || b == 0) return true;
+  const double size = std::fabs(a * b);
+  if (!(size > 0x1p-900 && size < 0x1p900)) return false;
+  sum.add_product(a, b);
+  return true;
+}
 
 }  // namespace taut

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 
 namespace taut {
 
@@ -15,26 +17,24 @@ using BinaryFloat =
                                                                        std::int32_t, -1000000, 1000000>,
                                   boost::multiprecision::et_off>;
 
+/// The precisions of the multi-precision stages, in order: one is added here, and nowhere else. Beyond the last one the
+/// answer is `undecided`.
+#define TAUT_FOR_EACH_PRECISION(DO) DO(Real320) DO(Real640) DO(Real960)
 using Real320 = BinaryFloat<320>;
 using Real640 = BinaryFloat<640>;
 using Real960 = BinaryFloat<960>;
+using Precisions = std::tuple<Real320, Real640, Real960>;
+inline constexpr int precise_stages = static_cast<int>(std::tuple_size_v<Precisions>);
 /// The widest type: every number of a narrower stage converts to it exactly.
-using RealMax = Real960;
+using RealMax = std::tuple_element_t<precise_stages - 1, Precisions>;
 
-/// The precisions of the multi-precision stages, in order. Beyond the last one the answer is `undecided`.
-inline constexpr int precision_ladder[] = {320, 640, 960};
-
-/// Runs the generic lambda with a value of the number type of a stage (an index into the ladder).
-template <class Action>
+/// Runs the generic lambda with a value of the number type of a stage (an index into Precisions).
+template <int Stage = 0, class Action>
 auto with_stage(int stage, const Action& action) {
-  switch (stage) {
-    case 0:
-      return action(Real320());
-    case 1:
-      return action(Real640());
-    default:
-      return action(Real960());
+  if constexpr (Stage + 1 < precise_stages) {
+    if (stage > Stage) return with_stage<Stage + 1>(stage, action);
   }
+  return action(std::tuple_element_t<Stage, Precisions>());
 }
 
 /// Absolute error added by every operation on balls, so that underflow (of a double, or of a radius) is harmless.

@@ -126,8 +126,12 @@ SinCos<double> sin_cos(const Ball<double>& x) {
   return quarter_turns(B(a.sin, error * (1 + 0x1p-50)), B(a.cos, error * (1 + 0x1p-50)), quadrant);
 }
 
-SinCos<Real320> sin_cos(const Ball<Real320>& x) { return sin_cos_multi(x); }
-SinCos<Real640> sin_cos(const Ball<Real640>& x) { return sin_cos_multi(x); }
-SinCos<Real960> sin_cos(const Ball<Real960>& x) { return sin_cos_multi(x); }
+template <class Real>
+SinCos<Real> sin_cos(const Ball<Real>& x) {
+  return sin_cos_multi(x);
+}
+#define TAUT_INSTANTIATE(Real) template SinCos<Real> sin_cos(const Ball<Real>&);
+TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
+#undef TAUT_INSTANTIATE
 
 }  // namespace taut

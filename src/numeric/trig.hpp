@@ -12,8 +12,7 @@ struct SinCos {
 
 /// Both functions over the ball x (radians).
 SinCos<double> sin_cos(const Ball<double>& x);
-SinCos<Real320> sin_cos(const Ball<Real320>& x);
-SinCos<Real640> sin_cos(const Ball<Real640>& x);
-SinCos<Real960> sin_cos(const Ball<Real960>& x);
+template <class Real>
+SinCos<Real> sin_cos(const Ball<Real>& x);
 
 }  // namespace taut

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "numeric/real.hpp"
 
 namespace taut {
 
 std::string not_decided(const Undecidable& limit) {
-  return fmt::format("not decided at {} bits: {}", precision_ladder[std::size(precision_ladder) - 1], limit.what);
+  return fmt::format("not decided at {} bits: {}", RealTraits<RealMax>::bits, limit.what);
 }
 
 }  // namespace taut

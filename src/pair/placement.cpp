@@ -124,26 +124,17 @@ bool Placement::before(VertexId a, VertexId b) const {
   if (-d > key_error_) return true;
   if (a == b) return false;
   ++precise_calls_;
-  if (const int s = order_at<Real320>(a, b)) return s < 0;
-  if (const int s = order_at<Real640>(a, b)) return s < 0;
-  if (const int s = order_at<Real960>(a, b)) return s < 0;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (const int s = with_stage(stage, [&](auto zero) { return order_at<decltype(zero)>(a, b); })) return s < 0;
+  }
   throw Undecidable{"the order of two vertices along the sweep"};
 }
 
-template <>
-const Frame<Real320>& Placement::frame_at<Real320>() const {
-  if (!frame320_) frame320_ = frame(*leg_, Ball<Real320>::exact(t_));
-  return *frame320_;
-}
-template <>
-const Frame<Real640>& Placement::frame_at<Real640>() const {
-  if (!frame640_) frame640_ = frame(*leg_, Ball<Real640>::exact(t_));
-  return *frame640_;
-}
-template <>
-const Frame<Real960>& Placement::frame_at<Real960>() const {
-  if (!frame960_) frame960_ = frame(*leg_, Ball<Real960>::exact(t_));
-  return *frame960_;
+template <class Real>
+const Frame<Real>& Placement::frame_at() const {
+  auto& f = std::get<std::optional<Frame<Real>>>(frames_);
+  if (!f) f = frame(*leg_, Ball<Real>::exact(t_));
+  return *f;
 }
 
 template <class Real>
@@ -189,9 +180,9 @@ int Placement::order_at(VertexId a, VertexId b) const {
 
 int Placement::precise_orientation(VertexId a, VertexId b, VertexId c) const {
   ++precise_calls_;
-  if (const int s = orientation_at<Real320>(a, b, c)) return s;
-  if (const int s = orientation_at<Real640>(a, b, c)) return s;
-  if (const int s = orientation_at<Real960>(a, b, c)) return s;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (const int s = with_stage(stage, [&](auto zero) { return orientation_at<decltype(zero)>(a, b, c); })) return s;
+  }
   throw Undecidable{"the orientation of three vertices"};
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -87,9 +88,9 @@ class Placement {
   double error_ = 0;                ///< of each coordinate of a position
   double coarse_bound_ = 0;         ///< of any three vertices' determinant
   double key_error_ = 0;            ///< of each difference of keys_
-  mutable std::optional<Frame<Real320>> frame320_;
-  mutable std::optional<Frame<Real640>> frame640_;
-  mutable std::optional<Frame<Real960>> frame960_;
+  template <class... Reals>
+  static std::tuple<std::optional<Frame<Reals>>...> one_frame_each(const std::tuple<Reals...>&);
+  mutable decltype(one_frame_each(Precisions())) frames_;  ///< made when first asked for
   mutable std::uint64_t precise_calls_ = 0;
 };
 

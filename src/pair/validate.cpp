@@ -41,9 +41,11 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
 
 std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   validate_time(scene);
-  if (scene.bodies.size() != 2)
-    throw InputError("bodies", "the scene has " + std::to_string(scene.bodies.size()) + " bodies",
-                     "exactly two are supported now: write one scene for each pair");
+  if (is_world(scene)) {
+    validate_world(scene);
+    throw InputError("bodies", "this takes scenes of two bodies, each one polygon in the world's frame, now",
+                     "`check` takes worlds: any number of bodies, parts, holes, parents and ignored pairs");
+  }
   for (BodyId k = 0; k < 2; ++k) {
     try {
       validate_shape(scene.bodies[static_cast<std::size_t>(k)]);

@@ -22,14 +22,14 @@ constexpr int patience = 1000;
 }  // namespace
 
 bool Lifetimes::at_stage(const Instant& i, int stage, PreciseTime& t) const {
-  t = i.fine ? *i.fine : PreciseTime::between(i.lo, i.hi);
-  return !i.event || precise(triple(i.u, i.v, i.w)).refine(i.sign, t, stage);
+  t = i.enclosure();
+  return i.refine(leg(), geometry_, stage, t);
 }
 
 /// From a guess in root.lo: an interval in which f is strictly monotone and changes from `sign` to -`sign`.
 bool Lifetimes::enclose(const FastFunction& f, int sign, Instant& root) {
   const double t = root.lo;
-  const FastSide& side = clock_.at(t, f.pp);
+  const FrameSample& side = clock_.at(t, f.pp);
   const Bounded v = f.value(side), d = f.slope(side);
   const double flat = -sign * d.value - d.error;
   if (!(flat > 0)) return false;
@@ -54,7 +54,7 @@ bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& 
   const double stop = corner.birth.lo;
   for (int step = 0; step < patience; ++step) {
     interruption_point();
-    const FastSide& side = clock_.at(t, f.pp);
+    const FrameSample& side = clock_.at(t, f.pp);
     const Bounded v = f.value(side), d = f.slope(side);
     const double a = corner.sign * v.value - v.error;
     if (!(a > 0)) return false;
@@ -94,7 +94,7 @@ bool Lifetimes::falls_to_root(const FastFunction& f, const Corner& corner, const
 }
 
 bool Lifetimes::holds(const Corner& c, const Instant& until) {
-  const MixedTriple t = triple(c.u, c.v, c.w);
+  const Form t = form(c.u, c.v, c.w);
   const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
   // What is certain in doubles is certain; the rest, from the birth on, is left to high precision.
   Instant rest = until;
@@ -117,7 +117,7 @@ bool Lifetimes::holds(const Corner& c, const Instant& until) {
 
 bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
   const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
-  const PreciseTriple f = precise(triple(c.u, c.v, c.w));
+  const PreciseTriple f = precise(form(c.u, c.v, c.w));
   for (int stage = 0; stage < precise_stages; ++stage) {
     PreciseTime birth, end;
     if (!at_stage(c.birth, stage, birth) || !at_stage(until, stage, end)) continue;
@@ -145,7 +145,7 @@ Instant Lifetimes::failure(const Corner& c, double about) {
   root.w = c.w;
   root.sign = c.sign;
   root.lo = root.hi = about;
-  const MixedTriple t = triple(c.u, c.v, c.w);
+  const Form t = form(c.u, c.v, c.w);
   if (!(about >= leg().start && about <= leg().end)) throw ProofError("an event is not within its leg");
   if (enclose(FastFunction::level_zero(leg(), geometry_, t), c.sign, root) && root.hi <= leg().end) return root;
   const PreciseTriple f = precise(t);
@@ -160,7 +160,7 @@ Instant Lifetimes::failure(const Corner& c, double about) {
     if (!found) throw ProofError("a corner does not fail where the log says");
     root.lo = found->floor();
     root.hi = std::min(found->ceiling(), leg().end);
-    root.fine = std::make_shared<const PreciseTime>(*found);
+    root.known = std::make_shared<const PreciseTime>(*found);
     return root;
   }
   throw Undecidable{"the instant of an event"};
@@ -186,28 +186,22 @@ bool Lifetimes::in_order(const Instant& a, const Instant& b) {
   throw Undecidable{"the order of two events"};
 }
 
-int Lifetimes::sign_at(const MixedTriple& t, Measure measure, const Instant& now) {
-  const FastFunction f = FastFunction::level_zero(leg(), geometry_, t, measure);
-  const FastSide& side = clock_.at(now.hi, f.pp);
+int Lifetimes::sign_at(const Form& form, const Instant& now) {
+  const FastFunction f = FastFunction::level_zero(leg(), geometry_, form);
+  const FrameSample& side = clock_.at(now.hi, f.pp);
   const Bounded v = f.value(side), d = f.slope(side);
   const ClockCell& cell = clock_.cell(now.hi);
   const double width = now.hi - now.lo;
   const Bounded k = f.curvature(cell.curvature(f.pp));
   const double drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error));
   if (cell.start <= now.lo && std::fabs(v.value) > v.error + drift * (1 + 0x1p-40)) return v.value > 0 ? 1 : -1;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    PreciseTime instant;
-    if (!at_stage(now, stage, instant)) continue;
-    if (const int s = precise(t, measure).sign_at(instant, stage)) return s;
-  }
+  PreciseTime instant = now.enclosure();
+  if (const int s = taut::sign_at(leg(), geometry_, form, now, instant)) return s;
   throw Undecidable{"which of three vertices is between the others"};
 }
 
 VertexId Lifetimes::middle(const Instant& now) {
-  const MixedTriple m = triple(now.u, now.v, now.w);
-  if (sign_at(m, Measure::projection, now) < 0) return m.a;
-  if (sign_at({m.b, m.a, m.c, m.pp}, Measure::projection, now) < 0) return m.b;
-  return m.c;
+  return middle_of(geometry_, now.u, now.v, now.w, [&](const Form& form) { return sign_at(form, now); });
 }
 
 }  // namespace taut::proof

@@ -1,40 +1,12 @@
 // When a corner fails, and that it keeps its sign until then.
 #pragma once
 
-#include <memory>
-
 #include "base/errors.hpp"
 #include "relative/leg_clock.hpp"
 #include "sign/fast_function.hpp"
-#include "sign/precise_triple.hpp"
+#include "sign/instant.hpp"
 
 namespace taut::proof {
-
-/// The start of a leg, its end, a time between, or the failure of a corner.
-struct Instant {
-  double lo = 0, hi = 0;  ///< of the leg's parameter
-  bool event = false;
-  /// Of a failure: the corner, and its sign before.
-  VertexId u, v, w;
-  int sign = 0;
-  /// Set if doubles cannot tell the failure from others of the same corner.
-  std::shared_ptr<const PreciseTime> fine;
-
-  static Instant exactly(double t) {
-    Instant i;
-    i.lo = i.hi = t;
-    return i;
-  }
-  /// The same instant of the same leg?
-  bool is(const Instant& o) const {
-    return lo == o.lo && hi == o.hi && event == o.event && u == o.u && v == o.v && w == o.w;
-  }
-  /// Are these the three vertices that are on one line then?
-  bool concerns(VertexId a, VertexId b, VertexId c) const {
-    const auto in = [this](VertexId x) { return x == u || x == v || x == w; };
-    return event && in(a) && in(b) && in(c);
-  }
-};
 
 /// A corner of vertices of both bodies, with the sign that it has from `birth` on.
 struct Corner {
@@ -66,17 +38,15 @@ class Lifetimes {
   VertexId middle(const Instant& now);
 
  private:
-  MixedTriple triple(VertexId u, VertexId v, VertexId w) const { return MixedTriple::of(geometry_, u, v, w); }
-  PreciseTriple precise(const MixedTriple& t, Measure m = Measure::orientation) const {
-    return {leg(), geometry_, t, m};
-  }
+  Form form(VertexId u, VertexId v, VertexId w) const { return Form::of(geometry_, u, v, w); }
+  PreciseTriple precise(const Form& f) const { return {leg(), geometry_, f}; }
   /// The instant at a stage; false if that cannot enclose it.
   bool at_stage(const Instant& i, int stage, PreciseTime& t) const;
   bool enclose(const FastFunction& f, int sign, Instant& root);
   bool falls_to_root(const FastFunction& f, const Corner& corner, const Instant& root, double& since);
   bool holds_back(const FastFunction& f, const Corner& corner, double& t);
   bool holds_precisely(const Corner& corner, const Instant& until);
-  int sign_at(const MixedTriple& t, Measure measure, const Instant& now);
+  int sign_at(const Form& form, const Instant& now);
 
   const PairGeometry& geometry_;
   LegClock clock_;

@@ -69,7 +69,7 @@ class StretchOfLegs {
   /// Does the corner certainly have this sign at all times of the stretch?
   bool settles(VertexId u, VertexId v, VertexId w, int sign) const {
     interruption_point();
-    return range_ && range_->keeps_sign(geometry_, MixedTriple::of(geometry_, u, v, w), sign);
+    return range_ && range_->keeps_sign(geometry_, Form::of(geometry_, u, v, w), sign);
   }
 
   /// What came of it: a motion that goes far is better divided into short stretches.

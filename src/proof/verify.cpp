@@ -156,8 +156,8 @@ class Verifier {
   bool is_near(const Instant& now, double about) const {
     const double near = nearness(leg().start, leg().end);
     if (about - near <= now.lo && now.hi <= about + near) return true;
-    const Instant fine = lifetimes_.tightened(now);
-    return fine.lo - near <= about && about <= fine.hi + near;
+    const Instant tight = lifetimes_.tightened(now);
+    return tight.lo - near <= about && about <= tight.hi + near;
   }
 
   /// The map's rules speak of what is between what.
@@ -183,10 +183,10 @@ class Verifier {
   void contact(const Corner& c, const Instant& now, HalfedgeId hit, Record kind) {
     if (c.sign < 0 || !map_.is_body_edge(hit)) throw ProofError("no vertex meets an edge of a body");
     all_hold(now);
-    const Instant fine = lifetimes_.tightened(now);
+    const Instant tight = lifetimes_.tightened(now);
     const VertexId vertex = kind == Record::contact_first ? c.w : c.u;
     result_.contact = witness().contact(
-        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), fine.lo, std::min(fine.hi, leg().end)}, leg());
+        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), tight.lo, std::min(tight.hi, leg().end)}, leg());
     result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
     const bool at_start = result_.contact->time.hi <= scene_.start;
     result_.contact_at = leg().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;

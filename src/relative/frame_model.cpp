@@ -12,7 +12,7 @@ constexpr double negligible = 0x1p-900;
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
 /// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
-void bound(FrameModel& m, int i, const ModelSeries& at_middle, const ModelSeries& over) {
+void bound(FrameModel& m, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over) {
   constexpr int n = model_degree;
   double noise = 0, size = 0, size_d = 0, size_dd = 0, size_ddd = 0;
   double vague = 0, vague_d = 0, vague_dd = 0, vague_ddd = 0;
@@ -65,8 +65,8 @@ FrameModel FrameModel::over(const Leg& leg, double start, double end) {
   m.middle = whole.mid;
   m.radius = whole.rad;
   m.terms = 1;
-  const FrameOf<ModelSeries> point = frame_series(leg, Ball<double>::exact(m.middle));
-  const FrameOf<ModelSeries> range = frame_series(leg, whole);
+  const FrameOf<ModelSeries<double>> point = frame_series(leg, Ball<double>::exact(m.middle));
+  const FrameOf<ModelSeries<double>> range = frame_series(leg, whole);
   bound(m, 0, point.for_pp[1], range.for_pp[1]);
   bound(m, 1, point.for_pp[2], range.for_pp[2]);
   bound(m, 2, point.for_qq[1], range.for_qq[1]);

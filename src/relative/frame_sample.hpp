@@ -1,10 +1,14 @@
 // The frame functions in doubles with error bounds: at an instant, and their derivatives over a segment.
 #pragma once
 
+#include <array>
+
+#include "relative/frame_model.hpp"
+
 namespace taut {
 
 /// The five functions of Leg::Frame for one kind of triple, at one instant.
-struct FastSide {
+struct FrameSample {
   double f[5], d[5];
   /// Bounds of the errors of f0, of f1 and f2 together, and of f3 and f4, with what a sum of products of them rounds.
   double error_0, error_a, error_b;
@@ -14,20 +18,35 @@ struct FastSide {
   double error_add, error_bdd;
 };
 
-/// Second derivatives over a segment: middles, and bounds as in FastSide.
-struct FastCurvature {
+/// Second derivatives over a segment: middles, and bounds as in FrameSample.
+struct FrameCurvature {
   double mid[5];
   double error_0, error_a, error_b;
 };
 
 /// Bounds of the third derivatives' magnitudes over a segment; that of f0 is zero.
-struct FastThird {
+struct FrameThird {
   double most[4];
 };
 
 /// A value with a bound of its error.
 struct Bounded {
   double value, error;
+  double lower() const { return value - error; }
+  double upper() const { return value + error; }
+  int sign() const { return value > error ? 1 : (-value > error ? -1 : 0); }
 };
+
+/// Those of a frame over a ball of times; what is not known has an infinite bound.
+FrameSample sample_of(const std::array<Jet<double>, 5>& f);
+FrameCurvature curvature_of(const std::array<Jet<double>, 5>& f);
+
+/// The side whose first two functions are the model's functions `first` and `first` + 1: at an instant, with second
+/// derivatives,
+void evaluate(const FrameModel& model, double t, int first, FrameSample& sample);
+/// and over all of the model's interval. `values` has the functions' values and slopes set.
+void add_errors(const FrameModel& model, int first, FrameSample& values);
+FrameCurvature curvature_of(const FrameModel& model, int first);
+FrameThird third_of(const FrameModel& model, int first);
 
 }  // namespace taut

@@ -362,25 +362,40 @@ Pose<double> Leg::pose_of_body(bool of_p, double parameter) const {
   return pose(bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), t);
 }
 
-Frame<double> frame(const Leg& leg, const Ball<double>& t) { return any_frame(leg, t); }
+template <class Real>
+Frame<Real> frame(const Leg& leg, const Ball<Real>& t) {
+  return any_frame(leg, t);
+}
+template <class Real>
+Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t) {
+  return motion_frame<Jet<Real>>(leg, t);
+}
+template <class Real>
+FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
+  return any_values(leg, t);
+}
+template <class Real>
+FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t) {
+  return motion_frame<ModelSeries<Real>>(leg, t);
+}
+#define TAUT_INSTANTIATE(Real)                                            \
+  template Frame<Real> frame(const Leg&, const Ball<Real>&);              \
+  template Frame<Real> frame(const Leg&, const TimeFromEnd<Real>&);       \
+  template FrameValues<Real> frame_values(const Leg&, const Ball<Real>&); \
+  template FrameOf<ModelSeries<Real>> frame_series(const Leg&, const Ball<Real>&);
+TAUT_INSTANTIATE(double)
+TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
+#undef TAUT_INSTANTIATE
+
+FrameOf<ModelSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
+  return motion_frame<ModelSeries<Real320>>(leg, t);
+}
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
   return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
 }
-Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t) { return any_frame(leg, t); }
-Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t) { return any_frame(leg, t); }
-Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t) { return any_frame(leg, t); }
-
-Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t) { return motion_frame<Jet<double>>(leg, t); }
-Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t) { return motion_frame<Jet<Real320>>(leg, t); }
-Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t) { return motion_frame<Jet<Real640>>(leg, t); }
-Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t) { return motion_frame<Jet<Real960>>(leg, t); }
-
-FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t) { return any_values(leg, t); }
-FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t) { return any_values(leg, t); }
-FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t) { return any_values(leg, t); }
-FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t) { return any_values(leg, t); }
-
-FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t) { return motion_frame<ModelSeries>(leg, t); }
+FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
+  return motion_frame<ThirdSeries>(leg, t);
+}
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
   return motion_frame<Symbolic>(leg, SymbolicTime{&symbols});
 }
@@ -388,23 +403,6 @@ FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
 const FrameIdentities& Leg::identities() const {
   if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
   return *identities_;
-}
-
-FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
-  return motion_frame<ThirdSeries>(leg, t);
-}
-
-FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t) {
-  return motion_frame<PreciseSeries<Real320>>(leg, t);
-}
-FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t) {
-  return motion_frame<PreciseSeries<Real640>>(leg, t);
-}
-FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t) {
-  return motion_frame<PreciseSeries<Real960>>(leg, t);
-}
-FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
-  return motion_frame<PreciseSeries<Real320>>(leg, t);
 }
 
 }  // namespace taut

@@ -29,7 +29,8 @@ using FrameValues = FrameOf<Ball<Real>>;
 
 /// Enough terms that a model of a segment that turns by an eighth of a radian is exact to a few ulps.
 inline constexpr int model_degree = 9;
-using ModelSeries = Series<double, model_degree>;
+template <class Real>
+using ModelSeries = Series<Real, model_degree>;
 
 /// A constant vector known exactly as two doubles per coordinate; three where there are pivots.
 struct ExactVector {
@@ -98,38 +99,26 @@ struct Leg {
   mutable std::shared_ptr<const FrameIdentities> identities_;
 };
 
-/// The frame over the ball t of the leg's parameter.
-Frame<double> frame(const Leg& leg, const Ball<double>& t);
+/// The frame over the ball t of the leg's parameter. Like those below, for doubles and at every precision.
+template <class Real>
+Frame<Real> frame(const Leg& leg, const Ball<Real>& t);
+/// The same as functions of s, at an end at which the leg is singular.
+template <class Real>
+Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t);
+/// Without derivatives.
+template <class Real>
+FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t);
+/// Its Taylor series about the ball t (not of a bridge),
+template <class Real>
+FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t);
+/// and in s about a place near a singular end.
+FrameOf<ModelSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
+
 /// For the bodies' own coordinates, without the offsets: comparable between legs.
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
-Frame<Real320> frame(const Leg& leg, const Ball<Real320>& t);
-Frame<Real640> frame(const Leg& leg, const Ball<Real640>& t);
-Frame<Real960> frame(const Leg& leg, const Ball<Real960>& t);
-/// The same as functions of s, at an end at which the leg is singular.
-Frame<double> frame(const Leg& leg, const TimeFromEnd<double>& t);
-Frame<Real320> frame(const Leg& leg, const TimeFromEnd<Real320>& t);
-Frame<Real640> frame(const Leg& leg, const TimeFromEnd<Real640>& t);
-Frame<Real960> frame(const Leg& leg, const TimeFromEnd<Real960>& t);
-FrameValues<double> frame_values(const Leg& leg, const Ball<double>& t);
-FrameValues<Real320> frame_values(const Leg& leg, const Ball<Real320>& t);
-FrameValues<Real640> frame_values(const Leg& leg, const Ball<Real640>& t);
-FrameValues<Real960> frame_values(const Leg& leg, const Ball<Real960>& t);
-/// Its Taylor series about the ball t (not of a bridge).
-FrameOf<ModelSeries> frame_series(const Leg& leg, const Ball<double>& t);
-
-/// The first terms of that series.
+/// The first terms of the series.
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
-
-/// Its Taylor series at high precision (not of a bridge), and in s about a place near a singular end.
-inline constexpr int taylor_degree = 9;
-template <class Real>
-using PreciseSeries = Series<Real, taylor_degree>;
-FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const Ball<Real320>& t);
-FrameOf<PreciseSeries<Real640>> frame_series(const Leg& leg, const Ball<Real640>& t);
-FrameOf<PreciseSeries<Real960>> frame_series(const Leg& leg, const Ball<Real960>& t);
-FrameOf<PreciseSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
-
 /// As exact expressions (not of a bridge).
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
 

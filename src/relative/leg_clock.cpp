@@ -8,47 +8,9 @@
 namespace taut {
 namespace {
 
-/// A sum of five products rounds by no more than this share of each.
-constexpr double rounding = 0x1p-49;
-
-double error_of(const Ball<double>& b) { return b.rad + rounding * std::fabs(b.mid); }
-
-FastSide fast_side(const std::array<Jet<double>, 5>& j) {
-  FastSide s{};
-  for (int i = 0; i < 5; ++i) {
-    s.f[i] = j[i].v.mid;
-    s.d[i] = j[i].d.mid;
-  }
-  s.error_0 = error_of(j[0].v);
-  s.error_a = error_of(j[1].v) + error_of(j[2].v);
-  s.error_b = error_of(j[3].v) + error_of(j[4].v);
-  s.error_0d = error_of(j[0].d);
-  s.error_ad = error_of(j[1].d) + error_of(j[2].d);
-  s.error_bd = error_of(j[3].d) + error_of(j[4].d);
-  return s;
-}
-
-FastCurvature fast_curvature(const std::array<Jet<double>, 5>& j) {
-  FastCurvature c{};
-  double error[5];
-  for (int i = 0; i < 5; ++i) {
-    const bool known = j[i].dd.rad < INFINITY && std::isfinite(j[i].dd.mid);
-    c.mid[i] = known ? j[i].dd.mid : 0;
-    error[i] = known ? error_of(j[i].dd) : INFINITY;
-  }
-  c.error_0 = error[0];
-  c.error_a = error[1] + error[2];
-  c.error_b = error[3] + error[4];
-  return c;
-}
-
-}  // namespace
-
-namespace {
-
-FastSide evaluate_exactly(const Leg& leg, double t, int first) {
+FrameSample evaluate_exactly(const Leg& leg, double t, int first) {
   const Frame<double> f = frame(leg, Ball<double>::exact(t));
-  return fast_side(first == 0 ? f.for_pp : f.for_qq);
+  return sample_of(first == 0 ? f.for_pp : f.for_qq);
 }
 
 /// Shorter cells than this share of the leg lie at a singular instant.
@@ -57,51 +19,14 @@ constexpr int deepest = 40;
 /// Steps from values in the middle of a cell go by bounds of the third order, which do not ask for short cells.
 constexpr double slack = 4;
 
-/// The side whose first two functions are the model's functions `first` and `first` + 1.
-void evaluate_model(const FrameModel& m, double t, int first, FastSide& s) {
-  double value[4], slope[4];
-  m.evaluate(t, first, value, slope, s.dd);
-  s.f[0] = 1;
-  s.d[0] = 0;
-  s.error_0 = rounding;
-  s.error_0d = 0;
-  for (int k = 0; k < 4; ++k) {
-    s.f[k + 1] = value[k];
-    s.d[k + 1] = slope[k];
-  }
-  s.error_a = m.error[first] + m.error[first + 1] + rounding * (std::fabs(s.f[1]) + std::fabs(s.f[2]));
-  s.error_b = m.error[4] + m.error[5] + rounding * (std::fabs(s.f[3]) + std::fabs(s.f[4]));
-  s.error_ad = m.error_d[first] + m.error_d[first + 1] + rounding * (std::fabs(s.d[1]) + std::fabs(s.d[2]));
-  s.error_bd = m.error_d[4] + m.error_d[5] + rounding * (std::fabs(s.d[3]) + std::fabs(s.d[4]));
-  s.error_add = m.error_dd[first] + m.error_dd[first + 1] + rounding * (std::fabs(s.dd[0]) + std::fabs(s.dd[1]));
-  s.error_bdd = m.error_dd[4] + m.error_dd[5] + rounding * (std::fabs(s.dd[2]) + std::fabs(s.dd[3]));
-}
-
-FastThird third_of(const std::array<ThirdSeries, 5>& over) {
-  FastThird third{};
+FrameThird third_of(const std::array<ThirdSeries, 5>& over) {
+  FrameThird third{};
   for (std::size_t i = 0; i < 4; ++i) {
     const ThirdSeries& f = over[i + 1];
     const double most = f.terms > 3 ? 6 * f.c[3].magnitude() * (1 + 0x1p-40) : 0;
     third.most[i] = most >= 0 ? most : INFINITY;
   }
   return third;
-}
-
-FastThird third_of(const FrameModel& m, int first) {
-  return {{m.third[first], m.third[first + 1], m.third[4], m.third[5]}};
-}
-
-FastCurvature curvature_of(const FrameModel& m, int first) {
-  FastCurvature c{};
-  const int source[4] = {first, first + 1, 4, 5};
-  double error[4];
-  for (int k = 0; k < 4; ++k) {
-    c.mid[k + 1] = m.bend[source[k]];
-    error[k] = m.bend_rad[source[k]] + rounding * std::fabs(c.mid[k + 1]);
-  }
-  c.error_a = error[0] + error[1];
-  c.error_b = error[2] + error[3];
-  return c;
 }
 
 }  // namespace
@@ -159,8 +84,8 @@ void LegClock::make(ClockCell& cell) {
   cell.sharp = cell.widest = false;
   if (leg_->bridge) {
     const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
-    cell.pp = fast_curvature(f.for_pp);
-    cell.qq = fast_curvature(f.for_qq);
+    cell.pp = curvature_of(f.for_pp);
+    cell.qq = curvature_of(f.for_qq);
     return;
   }
   cell.model = FrameModel::over(*leg_, cell.start, cell.end);
@@ -269,13 +194,13 @@ void LegClock::evaluate(double t, Side& side) {
   side.known = true;
   const ClockCell& here = cell(t);
   if (here.sharp) {
-    evaluate_model(here.model, t, side.first, side.functions);
+    taut::evaluate(here.model, t, side.first, side.functions);
   } else {
     side.functions = evaluate_exactly(*leg_, t, side.first);
   }
 }
 
-const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
+const FrameSample& LegClock::shortly_before(double t, bool pp, double& at) {
   const ClockCell& here = cell(t);
   if (!here.sharp || straight_) return this->at(at = t, pp);
   Marks& known = pp || leg_->translation ? store_->pp_marks : store_->qq_marks;
@@ -285,7 +210,7 @@ const FastSide& LegClock::shortly_before(double t, bool pp, double& at) {
   at = std::min(here.start + k * step, t);
   if (known.at[slot] != at) {
     known.at[slot] = at;
-    evaluate_model(here.model, at, known.first, known.functions[slot]);
+    taut::evaluate(here.model, at, known.first, known.functions[slot]);
   }
   return known.functions[slot];
 }

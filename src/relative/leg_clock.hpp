@@ -23,12 +23,12 @@ struct ClockPlace {
 /// The same with a model of the frame over it.
 struct ClockCell : ClockPlace {
   FrameModel model;
-  FastCurvature pp, qq;
-  FastThird pp_third, qq_third;  ///< not on a bridge
+  FrameCurvature pp, qq;
+  FrameThird pp_third, qq_third;  ///< not on a bridge
 
   /// Bounds of the second derivatives over the cell.
-  const FastCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
-  const FastThird& third(bool of_pp) const { return of_pp ? pp_third : qq_third; }
+  const FrameCurvature& curvature(bool of_pp) const { return of_pp ? pp : qq; }
+  const FrameThird& third(bool of_pp) const { return of_pp ? pp_third : qq_third; }
 };
 
 /// Evaluates a leg's frame from Taylor models over a dyadic subdivision of its interval, which is as fine as the motion
@@ -47,17 +47,17 @@ class LegClock {
   const Leg& leg() const { return *leg_; }
   /// On a straight leg, the functions at its middle tell everything.
   bool straight() const { return straight_; }
-  const FastSide& straight_side() const { return straight_side_; }
+  const FrameSample& straight_side() const { return straight_side_; }
   double straight_middle() const { return straight_middle_; }
   /// Functions at parameter t (remembers the last instants).
-  const FastSide& at(double t, bool pp) {
+  const FrameSample& at(double t, bool pp) {
     Side& side = pp || leg_->translation ? pp_ : qq_;
     if (t != side.t || !side.known) evaluate(t, side);
     return side.functions;
   }
   /// The same at an instant a little before t, or at t: `at`. Cells have few of these instants, so that many ask for
   /// the same one.
-  const FastSide& shortly_before(double t, bool pp, double& at);
+  const FrameSample& shortly_before(double t, bool pp, double& at);
   /// The cell for parameter t. Like every reference to a cell, valid until the clock is next asked for anything else.
   const ClockCell& cell(double t) { return last_ && t >= last_->start && t < last_->end ? *last_ : find_cell(t); }
   /// The next larger cell around this one; none around the whole leg.
@@ -87,20 +87,20 @@ class LegClock {
     int first;  ///< of the model's functions
     bool known = false;
     double t = 0;
-    FastSide functions{};
+    FrameSample functions{};
   };
   void evaluate(double t, Side& side);
   static constexpr int marks = 32;  ///< instants a cell that are evaluated once
   struct Marks {
     int first;
     std::array<double, marks> at;  ///< which instants are known: not numbers at the beginning
-    std::array<FastSide, marks> functions;
+    std::array<FrameSample, marks> functions;
   };
 
   const Leg* leg_ = nullptr;
   bool straight_ = false;
   double straight_middle_ = 0;
-  FastSide straight_side_{};
+  FrameSample straight_side_{};
   ClockCell straight_cell_;  ///< the whole of a straight leg
   bool straight_cell_made_ = false;
   int level_ = 0;  ///< of the leaf last used

@@ -10,7 +10,7 @@ namespace taut {
 namespace {
 
 /// The edge from its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
-MixedTriple triple_of(const PairGeometry& g, const FoundContact& found) {
+Form form_of(const PairGeometry& g, const FoundContact& found) {
   return {found.edge, g.next(found.edge), found.vertex, g.in_p(found.edge)};
 }
 
@@ -31,7 +31,7 @@ Ball<double> slope_over(const Leg& leg, const FastFunction& f, const Ball<double
 bool is_steep(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
   if (leg.bridge) return true;
   const double unit = std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53;
-  const FastFunction f = FastFunction::level_zero(leg, geometry, triple_of(geometry, found));
+  const FastFunction f = FastFunction::level_zero(leg, geometry, form_of(geometry, found));
   const Ball<double> slope = slope_over(leg, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
   const double least = std::fabs(slope.mid) - slope.rad;
   return least * unit > 0x1p12 * f.floor_error;
@@ -41,7 +41,7 @@ bool is_steep(const PairGeometry& geometry, const Leg& leg, const FoundContact& 
 class Side {
  public:
   Side(const Leg& leg, const PairGeometry& geometry, const FoundContact& found)
-      : function_(leg, geometry, triple_of(geometry, found)) {}
+      : function_(leg, geometry, form_of(geometry, found)) {}
 
   int operator()(double t) const {
     const PreciseTime now = PreciseTime::between(t, t);

@@ -1,14 +1,13 @@
-// On a straight translation the function of a mixed triple is a line in time, whose coefficients are sums of products
-// of input numbers: signs at any instant and the instant of its root need no rounding at all. Parts and mechanisms
-// drawn on a grid have many events at one instant, which only their displacements tell apart; here that costs little
-// more than events far from each other.
+// On a straight translation a form is a line in time, whose coefficients are sums of products of input numbers: signs
+// at any instant and the instant of its root need no rounding at all. Parts and mechanisms drawn on a grid have many
+// events at one instant, which only their displacements tell apart; here that costs little more than events far from
+// each other.
 #pragma once
 
 #include <optional>
 
-#include "pair/pair_geometry.hpp"
-#include "relative/leg.hpp"
-#include "sign/mixed_triple.hpp"
+#include "numeric/exact_number.hpp"
+#include "sign/form.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut {
@@ -18,7 +17,7 @@ class ExactLine {
   /// Is the leg one on which these functions are lines?
   static bool fits(const Leg& leg) { return leg.translation && leg.degree <= 1; }
   /// The displacement is included. Requires fits(leg).
-  ExactLine(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure = Measure::orientation);
+  ExactLine(const Leg& leg, const PairGeometry& g, const Form& form);
   /// Was every product exact? Numbers of extremely different sizes underflow; then nothing else may be asked.
   bool exact() const { return exact_; }
 
@@ -31,7 +30,7 @@ class ExactLine {
   std::optional<PreciseTime> root(int stage, double enough = 0) const;
 
  private:
-  static constexpr std::size_t slope_terms = 32, start_terms = 96;
+  static constexpr std::size_t slope_terms = 32, start_terms = ExactNumber::capacity;
 
   /// A sum of products, exact but for those that are negligible.
   template <std::size_t Terms>

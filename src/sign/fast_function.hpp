@@ -1,15 +1,16 @@
-// A mixed triple's function in doubles with error bounds: the first stage of every evaluation.
+// A form in doubles with error bounds: the first stage of every evaluation.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "relative/frame_model.hpp"
 #include "relative/frame_sample.hpp"
-#include "sign/mixed_function.hpp"
+#include "sign/form.hpp"
 
 namespace taut {
 
-/// A mixed triple's function as coefficients of the frame functions, in doubles.
+/// A form as coefficients of the frame functions, in doubles.
 /// Level 0 is the function of the input's points. Where that vanishes identically, level 1 is the part that is linear
 /// in the displacement, scaled by 2^200.
 struct FastFunction {
@@ -18,21 +19,20 @@ struct FastFunction {
   bool pp = false;
   bool level1 = false;
 
-  static FastFunction level_zero(const Leg& leg, const PairGeometry& g, const MixedTriple& triple,
-                                 Measure measure = Measure::orientation);
+  static FastFunction level_zero(const Leg& leg, const PairGeometry& g, const Form& form);
   /// The next level if level 0 is exactly zero at all times of the leg; false otherwise.
-  static bool level_one(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, FastFunction& result);
+  static bool level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& result);
 
-  Bounded value(const FastSide& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
-  Bounded slope(const FastSide& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
-  Bounded curvature(const FastCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
+  Bounded value(const FrameSample& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
+  Bounded slope(const FrameSample& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
+  Bounded curvature(const FrameCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
   /// The second derivative at one instant.
-  Bounded bend(const FastSide& s) const {
+  Bounded bend(const FrameSample& s) const {
     const double v = a[1] * s.dd[0] + a[2] * s.dd[1] + a[3] * s.dd[2] + a[4] * s.dd[3];
     return {v, (w * s.error_add + m34 * s.error_bdd) * (1 + 0x1p-40) + floor_error};
   }
   /// A bound of the third derivative's magnitude over the segment.
-  double third(const FastThird& c) const {
+  double third(const FrameThird& c) const {
     // Coefficients are rounded by less than this share of their magnitudes' bounds.
     constexpr double rounding = 0x1p-45;
     const double sum = (std::fabs(a[1]) + rounding * w) * c.most[0] + (std::fabs(a[2]) + rounding * w) * c.most[1] +
@@ -46,6 +46,9 @@ struct FastFunction {
   double floor_error = 0;
 
  private:
+  void take(const std::array<double, 5>& coefficients) {
+    for (std::size_t i = 0; i < 5; ++i) a[i] = coefficients[i];
+  }
   Bounded combine(const double (&f)[5], double error_0, double error_a, double error_b) const {
     const double v = a[0] * f[0] + a[1] * f[1] + a[2] * f[2] + a[3] * f[3] + a[4] * f[4];
     return {v, (m0 * error_0 + w * error_a + m34 * error_b) * (1 + 0x1p-40) + floor_error};

@@ -14,7 +14,7 @@ struct FastLine {
   Bounded value, slope;
 
   /// On a leg whose frame functions at its middle are `side`.
-  FastLine(const FastFunction& f, const FastSide& side, double at)
+  FastLine(const FastFunction& f, const FrameSample& side, double at)
       : middle(at), value(f.value(side)), slope(f.slope(side)) {}
 
   Bounded at(double t) const {

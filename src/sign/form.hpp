@@ -1,15 +1,60 @@
-// The orientation of three vertices of both bodies, as coefficients of a leg's frame functions: derived here and only
-// here.
+// Forms: what the engines ask the sign of. Their coefficients are derived here and only here.
+//
+// A form is a polynomial in the positions of vertices of both bodies, seen from one of them, so that on a leg it is a
+// fixed linear combination of the leg's frame functions (FrameOf in leg.hpp). Everything behind it (doubles with
+// bounds, exact lines, balls of any precision, identities, roots) sees the coefficients alone.
+//
+// To ask another question, add its coefficients here, and to the frame the functions that are missing. The distance of
+// two vertices, |p - q|^2 - r^2, is in P's frame |D|^2 + 2 conj(D) (x q) - 2 conj(D) p - 2 p (x q) + (|p|^2 + |q|^2 -
+// r^2): both pairs of functions for D, c and s with the coefficients of a projection, and one function more, |D|^2. The
+// distance of a vertex from an edge's line less a margin m is the orientation minus m times the edge's length, which
+// rests in its body: a term of coefficient 0 alone. Neither needs another solver.
 #pragma once
 
 #include <array>
 
-#include "sign/mixed_triple.hpp"
+#include "pair/pair_geometry.hpp"
+#include "relative/leg.hpp"
 
 namespace taut {
 
-/// What the coefficients are made of, in the coordinates of the leg: the edge from a to b, and the points a and c,
-/// where a and b belong to one body and c to the other. N is any kind of number.
+/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a).
+enum class Measure : unsigned char { orientation, projection };
+
+/// Two vertices a, b of one body and a vertex c of the other, and what is measured of them.
+struct Form {
+  VertexId a, b, c;
+  bool pp = false;  ///< a and b belong to P
+  Measure measure = Measure::orientation;
+
+  /// The orientation of u, v, w, turned cyclically so that the two of one body come first, which changes nothing.
+  static Form of(const PairGeometry& g, VertexId u, VertexId v, VertexId w) {
+    if (g.same_body(u, v)) return {u, v, w, g.in_p(u)};
+    if (g.same_body(v, w)) return {v, w, u, g.in_p(v)};
+    return {w, u, v, g.in_p(w)};
+  }
+  /// Another measure of the same vertices.
+  Form measured(Measure what) const { return {a, b, c, pp, what}; }
+  /// How far c is along the edge from a, and from b on the way back: negative beyond that end.
+  Form along() const { return {a, b, c, pp, Measure::projection}; }
+  Form back() const { return {b, a, c, pp, Measure::projection}; }
+};
+
+/// Vertices as they were given, or displaced.
+enum class Shape : unsigned char { given, displaced };
+
+/// a x b and a . b; sums of doubles have their own.
+template <class N>
+N cross(const N& ax, const N& ay, const N& bx, const N& by) {
+  return ax * by - ay * bx;
+}
+template <class N>
+N dot(const N& ax, const N& ay, const N& bx, const N& by) {
+  return ax * bx + ay * by;
+}
+
+/// What the coefficients are made of, in the coordinates of the leg: the edge from a to b, and the points a and c.
+/// N is any kind of number.
 template <class N>
 struct FormPoints {
   N ex, ey, ax, ay, cx, cy;
@@ -23,14 +68,49 @@ struct FormPoints {
   }
 };
 
+/// The points of a form as the leg sees them, in numbers that doubles are given in exactly (N::exact).
+template <class N>
+FormPoints<N> points_of(const Leg& leg, const PairGeometry& g, const Form& form, Shape shape) {
+  const DisplacedPoint &a = g.point(form.a), &b = g.point(form.b), &c = g.point(form.c);
+  const auto whole = [shape](double x, double dx) {
+    return shape == Shape::given ? N::exact(x) : N::exact(x) + N::exact(dx);
+  };
+  const auto difference = [shape](double x, double dx, double y, double dy) {
+    const N given = N::exact(x) - N::exact(y);
+    return shape == Shape::given ? given : given + (N::exact(dx) - N::exact(dy));
+  };
+  FormPoints<N> p{difference(b.x, b.dx, a.x, a.dx),
+                  difference(b.y, b.dy, a.y, a.dy),
+                  whole(a.x, a.dx),
+                  whole(a.y, a.dy),
+                  whole(c.x, c.dx),
+                  whole(c.y, c.dy)};
+  p.measure(form.measure);
+  add_offset(leg, form.pp, p.ax, p.ay);
+  add_offset(leg, !form.pp, p.cx, p.cy);
+  return p;
+}
+
 /// In the frame of a's body, c is at D + (c + i s) (cx + i cy), so that the orientation e x (c - a) is this combination
-/// of 1, D and (c, s): see Frame in leg.hpp. In Q's frame everything that comes from D and from the angle changes sign.
-/// Linear in the edge, and in the two points together.
+/// of 1, D and (c, s): see FrameOf in leg.hpp. In Q's frame everything that comes from D and from the angle changes
+/// sign. Linear in the edge, and in the two points together.
 template <class N>
 std::array<N, 5> form_coefficients(bool pp, const FormPoints<N>& p) {
-  const N turned = p.ex * p.cx + p.ey * p.cy;
-  return {p.ey * p.ax - p.ex * p.ay, pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, p.ex * p.cy - p.ey * p.cx,
+  const N turned = dot(p.ex, p.ey, p.cx, p.cy);
+  return {cross(p.ax, p.ay, p.ex, p.ey), pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, cross(p.ex, p.ey, p.cx, p.cy),
           pp ? turned : -turned};
+}
+
+/// The same where neither body turns, and c is 1: the terms of 1 and c are one, in which differences cancel.
+template <class N>
+std::array<N, 5> translation_coefficients(bool pp, const FormPoints<N>& p, const N& zero) {
+  return {cross(p.ex, p.ey, N(p.cx - p.ax), N(p.cy - p.ay)), pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, zero, zero};
+}
+
+/// Whichever the leg asks for.
+template <class N>
+std::array<N, 5> coefficients_on(const Leg& leg, bool pp, const FormPoints<N>& p, const N& zero) {
+  return leg.translation ? translation_coefficients(pp, p, zero) : form_coefficients(pp, p);
 }
 
 }  // namespace taut

@@ -37,8 +37,10 @@ PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
     const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
                                    const std::array<Jet<double>, 5>& o) {
       const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
-      side.lo[i] = known_or(v.lower(), -INFINITY);
-      side.hi[i] = known_or(v.upper(), INFINITY);
+      // More than the radius by what the ends round.
+      const double reach = v.rad * (1 + 0x1p-50) + std::fabs(v.mid) * 0x1p-52;
+      side.lo[i] = known_or(v.mid - reach, -INFINITY);
+      side.hi[i] = known_or(v.mid + reach, INFINITY);
     };
     bound(range.pp_, middle.for_pp, over.for_pp);
     bound(range.qq_, middle.for_qq, over.for_qq);
@@ -123,18 +125,20 @@ bool PlanRange::contains(const PlanRange& other) const {
   return holds(pp_, other.pp_) && holds(qq_, other.qq_);
 }
 
-bool PlanRange::keeps_sign(const PairGeometry& g, const MixedTriple& triple, int sign) const {
-  const DisplacedPoint &a = g.point(triple.a), &b = g.point(triple.b), &c = g.point(triple.c);
-  const double ex = b.x - a.x, ey = b.y - a.y, side = triple.pp ? 1 : -1;
-  // As in FastFunction::level_zero, where no body's coordinates are shifted.
-  const double f[5] = {ey * a.x - ex * a.y, -ey * side, ex * side, ex * c.y - ey * c.x, (ex * c.x + ey * c.y) * side};
-  const double w = std::fabs(ex) + std::fabs(ey);
-  const double size[5] = {w * (std::fabs(a.x) + std::fabs(a.y)), w, w, w * (std::fabs(c.x) + std::fabs(c.y)),
-                          w * (std::fabs(c.x) + std::fabs(c.y))};
-  const Side& range = triple.pp ? pp_ : qq_;
+bool PlanRange::keeps_sign(const PairGeometry& g, const Form& form, int sign) const {
+  const DisplacedPoint &a = g.point(form.a), &b = g.point(form.b), &c = g.point(form.c);
+  // No body's coordinates are shifted here, and the frames turn.
+  FormPoints<double> p{b.x - a.x, b.y - a.y, a.x, a.y, c.x, c.y};
+  p.measure(form.measure);
+  const std::array<double, 5> f = form_coefficients(form.pp, p);
+  const double w = std::fabs(p.ex) + std::fabs(p.ey);
+  const double size_a = w * (std::fabs(a.x) + std::fabs(a.y)), size_c = w * (std::fabs(c.x) + std::fabs(c.y));
+  const double size[5] = {size_a, w, w, size_c, size_c};
+  const Side& range = form.pp ? pp_ : qq_;
   double least = 0, error = 0, reach = 1;
   for (int i = 0; i < 5; ++i) {
-    const double v = sign * f[i], lo = range.lo[i], hi = range.hi[i], farthest = std::max(-lo, hi);
+    const double v = sign * f[static_cast<std::size_t>(i)], lo = range.lo[i], hi = range.hi[i],
+                 farthest = std::max(-lo, hi);
     least += v > 0 ? v * lo : v * hi;
     error += size[i] * farthest;
     reach += farthest;

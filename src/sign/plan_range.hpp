@@ -1,7 +1,7 @@
 // Where the relative motion stays over some time, whatever the legs: corners that keep their sign there need no look.
 #pragma once
 
-#include "sign/mixed_function.hpp"
+#include "sign/form.hpp"
 
 namespace taut {
 
@@ -22,9 +22,9 @@ class PlanRange {
   /// Until when the motion stays inside from `from` on: a lower bound, not far below; `from` if it is not inside at
   /// once, infinite if it stays until the leg's end.
   double left_at(const Leg& leg, double from) const;
-  /// Does the orientation of these vertices certainly have this sign wherever the motion stays in the range? The
+  /// Does the form certainly have this sign wherever the motion stays in the range? The
   /// displacement is covered.
-  bool keeps_sign(const PairGeometry& g, const MixedTriple& triple, int sign) const;
+  bool keeps_sign(const PairGeometry& g, const Form& form, int sign) const;
 
  private:
   void cover(const Leg& leg, double from, double to, const PlanRange& fair, int halvings);

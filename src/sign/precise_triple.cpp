@@ -16,6 +16,24 @@ Ball<Real> as_ball(const PreciseTime& t) {
   return b;
 }
 
+/// The number at this precision; where that would round it, a search from there on might start beyond a root.
+template <class Real>
+Real exactly(const RealMax& x) {
+  const Real rounded(x);
+  if (RealMax(rounded) != x) throw PrecisionExhausted{};
+  return rounded;
+}
+
+/// An enclosure at this precision, rounded outwards.
+template <class Real>
+RootEnclosure<Real> enclosure(const PreciseTime& t) {
+  const auto around = [](const RealMax& x) {
+    const Real rounded(x);
+    return Ball<Real>(rounded, RealMax(rounded) == x ? 0 : detail::inflate(2 * detail::rounding(rounded)));
+  };
+  return {around(t.lo()).lower(), around(t.hi()).upper()};
+}
+
 /// A search in s, the root of the distance from a singular end of the leg (see TimeFromEnd).
 template <class Real>
 class SearchFromEnd {
@@ -62,9 +80,8 @@ class SearchFromEnd {
     return first_sign_change<Real>(*this, sign, a, b, Magnitudes{});
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
-    const RealMax distance = (t - RealMax(end_)) * RealMax(direction_);
-    if (distance == 0) return Ball<Real>::exact(0);
-    Ball<RealMax> root = sqrt(Ball<RealMax>(distance, 0.0));
+    if (t == RealMax(end_)) return Ball<Real>::exact(0);
+    const Ball<RealMax> root = sqrt((Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_);
     Ball<Real> s(Real(root.mid * RealMax(direction_)), 0.0);
     s.rad = detail::inflate(root.rad + RealTraits<RealMax>::magnitude(root.mid) * (4 * unit_roundoff<Real>()));
     return s;
@@ -110,14 +127,14 @@ std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const
 /// The function as a line, if it is one and nothing underflows.
 const ExactLine* PreciseTriple::line() const {
   if (!ExactLine::fits(leg_)) return nullptr;
-  if (!line_) line_.emplace(leg_, geometry_, triple_, measure_);
+  if (!line_) line_.emplace(leg_, geometry_, form_);
   return line_->exact() ? &*line_ : nullptr;
 }
 
 template <class Real>
 void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
                                 double enough) const {
-  const PreciseFunction<double> rough(leg_, geometry_, triple_, measure_);
+  const PreciseFunction<double> rough(leg_, geometry_, form_);
   if (const auto slope = steady_slope(rough, RealMax(root.lo), RealMax(root.hi))) {
     refine_with_slope(f, *slope, sign, root, enough);
   } else {
@@ -126,13 +143,13 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
 }
 
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
-  if (t.fine()) {
+  if (t.has_sums()) {
     const ExactLine* const exact = line();
     if (const int sign = exact ? exact->sign_over(t) : 0) return sign;
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
-    return PreciseFunction<Real>(leg_, geometry_, triple_, measure_).value(as_ball<Real>(t)).sign();
+    return PreciseFunction<Real>(leg_, geometry_, form_).value(as_ball<Real>(t)).sign();
   });
 }
 
@@ -145,9 +162,9 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
   if (exact->slope_sign() != -sign) return {true, std::nullopt};
   const std::optional<PreciseTime> root = exact->root(0);
   if (!root) return {};
-  const FineNumber end(to);
-  if (root->fine_lo().compare(end) > 0) return {true, std::nullopt};
-  return {root->fine_hi().compare(end) <= 0, root};
+  const ShortSum end(to);
+  if (root->sum_lo().compare(end) > 0) return {true, std::nullopt};
+  return {root->sum_hi().compare(end) <= 0, root};
 }
 
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
@@ -155,7 +172,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   const int end = singular_end(leg_, from, to);
   if (end != 0 && from.stage <= 0) {
     // In the distance's root the motion is so smooth that doubles nearly always do.
-    const PreciseFunction<double> f(leg_, geometry_, triple_, measure_);
+    const PreciseFunction<double> f(leg_, geometry_, form_);
     if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) return *answer;
   }
   for (int stage = 0; stage < precise_stages; ++stage) {
@@ -163,11 +180,11 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     try {
       return with_stage(stage, [&](auto zero) -> std::optional<PreciseTime> {
         using Real = decltype(zero);
-        const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
+        const PreciseFunction<Real> f(leg_, geometry_, form_);
         if (end != 0) {
           if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
         }
-        auto root = first_sign_change<Real>(f, sign, Real(from.hi()), Real(to));
+        auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to));
         if (!root) return std::nullopt;
         refine_root(f, sign, *root, 0);
         return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
@@ -189,8 +206,8 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
-    const PreciseFunction<Real> f(leg_, geometry_, triple_, measure_);
-    RootEnclosure<Real> root{Real(t.lo()), Real(t.hi())};
+    const PreciseFunction<Real> f(leg_, geometry_, form_);
+    RootEnclosure<Real> root = enclosure<Real>(t);
     try {
       refine_root(f, sign, root, enough);
     } catch (const PrecisionExhausted&) {

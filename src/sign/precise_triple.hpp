@@ -6,19 +6,16 @@
 #include "base/errors.hpp"
 #include "numeric/root_isolation.hpp"
 #include "sign/exact_line.hpp"
-#include "sign/mixed_function.hpp"
+#include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut {
 
-inline constexpr int precise_stages = 3;
-
-/// A function of a mixed triple on a leg, at any precision.
+/// A form on a leg, at any precision.
 class PreciseTriple {
  public:
-  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const MixedTriple& triple,
-                Measure measure = Measure::orientation)
-      : leg_(leg), geometry_(geometry), triple_(triple), measure_(measure) {}
+  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form)
+      : leg_(leg), geometry_(geometry), form_(form) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
   int sign_at(const PreciseTime& t, int stage) const;
@@ -41,8 +38,7 @@ class PreciseTriple {
 
   const Leg& leg_;
   const PairGeometry& geometry_;
-  MixedTriple triple_;
-  Measure measure_;
+  Form form_;
   mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };
 

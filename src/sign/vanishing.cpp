@@ -1,42 +1,42 @@
 #include "sign/vanishing.hpp"
 
+#include <algorithm>
+
+#include "numeric/exact_number.hpp"
 #include "relative/frame_identities.hpp"
-#include "sign/form.hpp"
 
 namespace taut {
 namespace {
 
-/// A vertex as the leg sees it, before its displacement.
-template <class N>
-void seen(const Leg& leg, const DisplacedPoint& v, bool of_p, N& x, N& y) {
-  x = N::exact(v.x);
-  y = N::exact(v.y);
-  add_offset(leg, of_p, x, y);
-}
-
-template <class N>
-std::array<N, 5> coefficients(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure) {
-  const DisplacedPoint &a = g.point(triple.a), &b = g.point(triple.b), &c = g.point(triple.c);
-  FormPoints<N> p;
-  p.ex = N::exact(b.x) - N::exact(a.x);
-  p.ey = N::exact(b.y) - N::exact(a.y);
-  p.measure(measure);
-  seen(leg, a, triple.pp, p.ax, p.ay);
-  seen(leg, c, !triple.pp, p.cx, p.cy);
-  return form_coefficients(triple.pp, p);
+/// Is it the zero polynomial? D's constant part is the shift, which the points have in them.
+bool vanishes_on_translation(const Leg& leg, const PairGeometry& g, const Form& form) {
+  const auto c = translation_coefficients(form.pp, points_of<ExactNumber>(leg, g, form, Shape::given), ExactNumber());
+  const auto is_zero = [](const ExactNumber& x) { return x.is_exact() && x.is_zero(); };
+  if (!is_zero(c[0])) return false;
+  const auto change = [](const Coefficients& q, const Coefficients& p, std::size_t k) {
+    return ExactNumber::exact(coefficient(q, k)) - ExactNumber::exact(coefficient(p, k));
+  };
+  const std::size_t n = std::max({leg.p.x.size(), leg.p.y.size(), leg.q.x.size(), leg.q.y.size()});
+  for (std::size_t k = 1; k < n; ++k) {
+    if (!is_zero(dot(c[1], c[2], change(leg.q.x, leg.p.x, k), change(leg.q.y, leg.p.y, k)))) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure) {
+bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const Form& form) {
+  if (leg.translation) return vanishes_on_translation(leg, g, form);
   const FrameIdentities& identities = leg.identities();
-  return !identities.differs_from_zero(triple.pp, coefficients<Ball<double>>(leg, g, triple, measure)) &&
-         identities.vanishes(triple.pp, coefficients<Dyadic>(leg, g, triple, measure));
+  const auto given = [&](auto zero) {
+    return form_coefficients(form.pp, points_of<decltype(zero)>(leg, g, form, Shape::given));
+  };
+  return !identities.differs_from_zero(form.pp, given(Ball<double>())) && identities.vanishes(form.pp, given(Dyadic()));
 }
 
-Portion portion_of(const Leg& leg, const PairGeometry& g, const MixedTriple& triple, Measure measure) {
+Portion portion_of(const Leg& leg, const PairGeometry& g, const Form& form) {
   if (leg.translation || leg.bridge) return Portion::whole;
-  return vanishes_before_displacement(leg, g, triple, measure) ? Portion::displacement : Portion::whole;
+  return vanishes_before_displacement(leg, g, form) ? Portion::displacement : Portion::whole;
 }
 
 }  // namespace taut

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/errors.hpp"
 #include "numeric/root_isolation.hpp"
@@ -11,17 +10,13 @@
 namespace taut::spacetime {
 namespace {
 
-constexpr int stages = static_cast<int>(std::size(precision_ladder));
-
 /// A pair's three functions.
 template <class Real>
 struct Functions {
   PreciseFunction<Real> line, from_start, from_end;
 
   Functions(const Leg& leg, const PairGeometry& g, const VertexEdge& pair)
-      : line(leg, g, pair.forwards(g)),
-        from_start(leg, g, pair.forwards(g), Measure::projection),
-        from_end(leg, g, pair.backwards(g), Measure::projection) {}
+      : line(leg, g, pair.line(g)), from_start(leg, g, pair.from_start(g)), from_end(leg, g, pair.from_end(g)) {}
 
   Beside beside(const Ball<Real>& t) const {
     const int a = from_start(t).v.sign(), b = from_end(t).v.sign();
@@ -30,13 +25,10 @@ struct Functions {
   }
 };
 
-template <class Real>
-void store(const RootEnclosure<Real>& root, int stage, Crossing& c) {
-  c.exact_lo = RealMax(root.lo);
-  c.exact_hi = RealMax(root.hi);
-  c.stage = stage;
-  c.lo = double_floor(c.exact_lo);
-  c.hi = double_above(c.exact_hi);
+void store(const PreciseTime& t, Crossing& c) {
+  c.precise = t;
+  c.lo = t.floor();
+  c.hi = t.ceiling();
 }
 
 /// Goes from root to root until one is a contact.
@@ -56,7 +48,7 @@ std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const Ve
     if (beside == Beside::yes && sign < 0) {
       Crossing c;
       c.pair = pair;
-      store(*root, stage, c);
+      store({RealMax(root->lo), RealMax(root->hi), stage}, c);
       return c;
     }
     at = root->hi;
@@ -68,7 +60,7 @@ std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const Ve
 
 std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double from, double to) {
   ++calls_;
-  for (int stage = 0; stage < stages; ++stage) {
+  for (int stage = 0; stage < precise_stages; ++stage) {
     try {
       return with_stage(stage,
                         [&](auto zero) { return first_at<decltype(zero)>(leg_, geometry_, pair, from, to, stage); });
@@ -80,45 +72,32 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
 
 /// What a stage cannot improve stays as it is.
 void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
-  if (c.stage >= stage) return;
+  PreciseTime t = c.precise.stage < 0 ? PreciseTime::between(c.lo, c.hi) : c.precise;
+  if (t.stage >= stage) return;
   ++calls_;
-  if (c.stage < 0) {
-    c.exact_lo = RealMax(c.lo);
-    c.exact_hi = RealMax(c.hi);
-  }
-  with_stage(stage, [&](auto zero) {
-    using Real = decltype(zero);
-    const PreciseFunction<Real> f(leg_, geometry_, c.pair.forwards(geometry_));
-    RootEnclosure<Real> root{Real(c.exact_lo), Real(c.exact_hi)};
-    try {
-      taut::refine(f, sign, root);
-      store(root, stage, c);
-    } catch (const PrecisionExhausted&) {
-      c.stage = stage;
-    }
-  });
+  if (!PreciseTriple(leg_, geometry_, c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
+  store(t, c);
 }
 
 Beside PreciseCrossings::beside(Crossing& root, int sign) {
-  for (int stage = 0; stage < stages; ++stage) {
+  const PreciseTriple from_start(leg_, geometry_, root.pair.from_start(geometry_));
+  const PreciseTriple from_end(leg_, geometry_, root.pair.from_end(geometry_));
+  for (int stage = 0; stage < precise_stages; ++stage) {
     refine(root, sign, stage);
-    const Beside answer = with_stage(stage, [&](auto zero) {
-      using Real = decltype(zero);
-      const Functions<Real> f(leg_, geometry_, root.pair);
-      return f.beside(Ball<Real>::between(Real(root.exact_lo), Real(root.exact_hi)));
-    });
-    if (answer != Beside::unknown) return answer;
+    const int a = from_start.sign_at(root.precise, stage), b = from_end.sign_at(root.precise, stage);
+    if (a < 0 || b < 0) return Beside::no;
+    if (a > 0 && b > 0) return Beside::yes;
   }
   throw Undecidable{"whether a vertex meets an edge or passes its end"};
 }
 
 bool PreciseCrossings::before(Crossing& a, Crossing& b) {
-  for (int stage = -1; stage < stages; ++stage) {
+  for (int stage = -1; stage < precise_stages; ++stage) {
     if (stage >= 0) {
       refine(a, -1, stage);
       refine(b, -1, stage);
-      if (a.exact_hi < b.exact_lo) return true;
-      if (b.exact_hi < a.exact_lo) return false;
+      if (a.precise.certainly_before(b.precise)) return true;
+      if (b.precise.certainly_before(a.precise)) return false;
     }
     if (a.hi < b.lo) return true;
     if (b.hi < a.lo) return false;

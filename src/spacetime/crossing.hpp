@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/errors.hpp"
-#include "sign/mixed_function.hpp"
+#include "sign/precise_triple.hpp"
 
 namespace taut::spacetime {
 
@@ -12,19 +12,18 @@ namespace taut::spacetime {
 struct VertexEdge {
   VertexId vertex, edge;
 
-  /// The edge from its first vertex.
-  MixedTriple forwards(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
-  /// And from its second.
-  MixedTriple backwards(const PairGeometry& g) const { return {g.next(edge), edge, vertex, g.in_p(edge)}; }
+  /// On which side of the edge's line the vertex is; along it, from the first end and from the second.
+  Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
+  Form from_start(const PairGeometry& g) const { return line(g).along(); }
+  Form from_end(const PairGeometry& g) const { return line(g).back(); }
 };
 
 /// An instant at which the vertex passes from outside to inside through the edge: the only one in [lo, hi] at which it
-/// is on the edge's line. `stage` is the index into precision_ladder that found it, -1 for doubles.
+/// is on the edge's line.
 struct Crossing {
   VertexEdge pair;
   double lo = 0, hi = 0;
-  RealMax exact_lo, exact_hi;  ///< within [lo, hi]; only from stage 0 on
-  int stage = -1;
+  PreciseTime precise;  ///< within [lo, hi]; once a stage has looked at it
 };
 
 /// Is the vertex beside the edge, or beyond one of its ends?

@@ -1,20 +1,9 @@
 // A short stretch of a leg, with bounds of everything that moves in it.
 #pragma once
 
-#include "relative/frame_model.hpp"
+#include "relative/frame_sample.hpp"
 
 namespace taut::spacetime {
-
-/// The five functions of Frame for one kind of triple: values, slopes, and bounds of their errors.
-struct FrameSample {
-  double f[5], d[5];
-  double error[5], error_d[5];
-};
-
-/// Second derivatives over a window: middle and radius of each.
-struct FrameBend {
-  double mid[5], rad[5];
-};
 
 /// A window of the leg's parameter. The laws:
 ///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; bend() encloses the second derivatives
@@ -35,7 +24,7 @@ class FrameWindow {
     if (!(t == cached_)) evaluate(t);
     return pp ? pp_ : qq_;
   }
-  const FrameBend& bend(bool pp) const { return pp ? bend_pp_ : bend_qq_; }
+  const FrameCurvature& bend(bool pp) const { return pp ? bend_pp_ : bend_qq_; }
   /// What a smooth window's bounds come from (not of a bridge).
   const FrameModel& model() const { return model_; }
   const FrameSample& range(bool pp) const { return pp ? pp_ : qq_; }
@@ -52,7 +41,7 @@ class FrameWindow {
   double cached_;
   FrameModel model_;
   FrameSample pp_{}, qq_{};
-  FrameBend bend_pp_{}, bend_qq_{};
+  FrameCurvature bend_pp_{}, bend_qq_{};
 };
 
 }  // namespace taut::spacetime

@@ -17,7 +17,7 @@ constexpr double least_step = 0x1p-36;
 constexpr double first_stride = 0x1p-16, stride_growth = 32;
 
 /// The sign over all of [lo, hi], if certain: first order about the middle, second order beyond.
-int sign_between(const DirectedDistance& f, FrameWindow& window, double lo, double hi) {
+int sign_between(const FastFunction& f, FrameWindow& window, double lo, double hi) {
   const Course c(f, window, lo + (hi - lo) / 2, 1);
   const double reach = (hi - lo) * (0.5 + 0x1p-40) + 0x1p-1000;
   const double steep = std::fabs(c.slope.value) + c.slope.error;
@@ -29,18 +29,13 @@ int sign_between(const DirectedDistance& f, FrameWindow& window, double lo, doub
 }  // namespace
 
 LeafTest::Functions LeafTest::functions(const VertexEdge& pair) const {
-  const DisplacedPoint &a = geometry_.point(pair.edge), &b = geometry_.point(geometry_.next(pair.edge)),
-                       &c = geometry_.point(pair.vertex);
-  const bool pp = geometry_.in_p(pair.edge);
-  const double ex = b.x - a.x, ey = b.y - a.y;
-  const Point start{a.x, a.y}, end{b.x, b.y}, vertex{c.x, c.y};
-  return {DirectedDistance(leg_, pp, {-ey, ex}, start, vertex), DirectedDistance(leg_, pp, {ex, ey}, start, vertex),
-          DirectedDistance(leg_, pp, {-ex, -ey}, end, vertex)};
+  const auto of = [this](const Form& form) { return FastFunction::level_zero(leg_, geometry_, form); };
+  return {of(pair.line(geometry_)), of(pair.from_start(geometry_)), of(pair.from_end(geometry_))};
 }
 
 bool LeafTest::excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const {
   const Functions f = functions(pair);
-  const FrameSample& s = window.range(f.line.pp());
+  const FrameSample& s = window.range(f.line.pp);
   return f.line.value(s).sign() != 0 || f.from_start.value(s).sign() < 0 || f.from_end.value(s).sign() < 0;
 }
 
@@ -59,7 +54,7 @@ bool LeafTest::isolate(FrameWindow& window, const Functions& f, double t, double
 }
 
 /// Interval Newton, with bounds of the slope over the enclosure at hand.
-void LeafTest::newton(FrameWindow& window, const DirectedDistance& line, int sign, Crossing& root) const {
+void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, Crossing& root) const {
   for (int step = 0; step < 6; ++step) {
     const double width = root.hi - root.lo, m = root.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
@@ -96,7 +91,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     double step = std::max(Course(f.from_start, window, t, -1).positive_until(left),
                            Course(f.from_end, window, t, -1).positive_until(left));
     if (step >= left) return std::nullopt;
-    const int sign = f.line.value(window.at(t, f.line.pp())).sign();
+    const int sign = f.line.value(window.at(t, f.line.pp)).sign();
     const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
     if (on_side >= left) return std::nullopt;
     if (on_side > step) {

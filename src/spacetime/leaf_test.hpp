@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "spacetime/course.hpp"
 #include "spacetime/crossing.hpp"
-#include "spacetime/motion_bound.hpp"
 
 namespace taut::spacetime {
 
@@ -21,13 +21,13 @@ class LeafTest {
  private:
   /// Positive to the left of the edge's line; beyond its start, and its end, negative.
   struct Functions {
-    DirectedDistance line, from_start, from_end;
+    FastFunction line, from_start, from_end;
   };
   Functions functions(const VertexEdge& pair) const;
   bool excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const;
   bool isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
                double& falls_until);
-  void newton(FrameWindow& window, const DirectedDistance& line, int sign, Crossing& root) const;
+  void newton(FrameWindow& window, const FastFunction& line, int sign, Crossing& root) const;
   Beside beside(FrameWindow& window, const Functions& f, const Crossing& root) const;
 
   const PairGeometry& geometry_;

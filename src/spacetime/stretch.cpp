@@ -93,23 +93,23 @@ Expanded from_model(const FrameModel& m, int i, double h, double r) {
   return e;
 }
 
-/// Functions i and i + 1 of a frame, by Taylor's formula with the second derivative's bounds.
-Expanded from_sample(const FrameSample& s, const FrameBend& b, int i, double r) {
+/// Functions i and i + 1 of a frame (1 and 2, or 3 and 4), by Taylor's formula with the second derivative's bounds.
+Expanded from_sample(const FrameSample& s, const FrameCurvature& b, int i, double r) {
   Expanded e;
   e.path = {{s.f[i], s.d[i], b.mid[i] / 2}, {s.f[i + 1], s.d[i + 1], b.mid[i + 1] / 2}};
-  for (int k = i; k < i + 2; ++k) e.error += s.error[k] + r * (s.error_d[k] + r * b.rad[k]);
+  e.error = i == 1 ? s.error_a + r * (s.error_ad + r * b.error_a) : s.error_b + r * (s.error_bd + r * b.error_b);
   return e;
 }
 
 /// How far the frame's scale is from 1.
-double scale_error(const FrameSample& s, const FrameBend& b, double r) {
-  return std::fabs(s.f[0] - 1) + s.error[0] +
-         r * (std::fabs(s.d[0]) + s.error_d[0] + r * (std::fabs(b.mid[0]) + b.rad[0]));
+double scale_error(const FrameSample& s, const FrameCurvature& b, double r) {
+  return std::fabs(s.f[0] - 1) + s.error_0 +
+         r * (std::fabs(s.d[0]) + s.error_0d + r * (std::fabs(b.mid[0]) + b.error_0));
 }
 
 /// From samples in both frames, which vary as the bends tell.
-void assemble(Stretch& out, const Leg& leg, const FrameSample& pp, const FrameBend& bend_pp, const FrameSample& qq,
-              const FrameBend& bend_qq) {
+void assemble(Stretch& out, const Leg& leg, const FrameSample& pp, const FrameCurvature& bend_pp, const FrameSample& qq,
+              const FrameCurvature& bend_qq) {
   const Expanded p = from_sample(pp, bend_pp, 1, out.r), q = from_sample(qq, bend_qq, 1, out.r);
   const Expanded turn = from_sample(pp, bend_pp, 3, out.r);
   RawCarriage in_q = seen_from_q(q.path, q.error, turn.path, turn.error);
@@ -167,8 +167,11 @@ Stretch Stretch::of_range(const Leg& leg, const FrameWindow& window) {
   Stretch out;
   out.middle = window.start();
   FrameSample pp = window.range(true), qq = window.range(false);
-  for (int i = 0; i < 5; ++i) pp.d[i] = qq.d[i] = pp.error_d[i] = qq.error_d[i] = 0;
-  assemble(out, leg, pp, FrameBend{}, qq, FrameBend{});
+  for (FrameSample* s : {&pp, &qq}) {
+    for (double& slope : s->d) slope = 0;
+    s->error_0d = s->error_ad = s->error_bd = 0;
+  }
+  assemble(out, leg, pp, FrameCurvature{}, qq, FrameCurvature{});
   return out;
 }
 

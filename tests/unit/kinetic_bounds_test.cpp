@@ -98,13 +98,13 @@ TEST(LegClock, SecondAndThirdDerivativesAndSharedInstants) {
       const double t = rng.real(0, 2);
       const bool pp = rng.chance(0.5);
       double at;
-      const FastSide near = clock.shortly_before(t, pp, at);
+      const FrameSample near = clock.shortly_before(t, pp, at);
       ASSERT_LE(at, t);
       const ClockCell cell = clock.cell(t);
       ASSERT_GE(at, cell.start);
       ASSERT_LE(t - at, (cell.end - cell.start) / 16);
       shared += at < t;
-      const FastSide& now = clock.at(at, pp);
+      const FrameSample& now = clock.at(at, pp);
       const auto exact = frame(leg, Ball<Real320>::exact(at));
       const double later = std::min(cell.end, at + 1e-3), step = later - at;
       const auto ahead = frame(leg, Ball<Real320>::exact(later));
@@ -124,7 +124,7 @@ TEST(LegClock, SecondAndThirdDerivativesAndSharedInstants) {
       for (const ClockCell* wide = clock.outlook(cell); wide; wide = clock.outlook(*wide)) {
         ASSERT_LE(wide->start, cell.start);
         ASSERT_GE(wide->end, cell.end);
-        const FastThird third = wide->third(pp);
+        const FrameThird third = wide->third(pp);
         const double other = rng.real(wide->start, wide->end);
         const auto there = frame(leg, Ball<Real320>::exact(other));
         for (std::size_t i = 0; i < 4; ++i) {

@@ -5,7 +5,7 @@
 #include "pair/pair_plan.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
-#include "sign/mixed_function.hpp"
+#include "sign/precise_function.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {
@@ -28,12 +28,12 @@ struct LineSetting {
     }
     return s;
   }
-  MixedTriple triple(Rng& rng) const {
+  Form triple(Rng& rng) const {
     for (;;) {
       const auto any = [&] { return VertexId(static_cast<std::uint32_t>(rng.below(geometry.size()))); };
       const VertexId u = any(), v = any(), w = any();
       const bool mixed = !(geometry.same_body(u, v) && geometry.same_body(v, w));
-      if (mixed && u != v && v != w && u != w) return MixedTriple::of(geometry, u, v, w);
+      if (mixed && u != v && v != w && u != w) return Form::of(geometry, u, v, w);
     }
   }
 };

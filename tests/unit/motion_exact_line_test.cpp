@@ -18,11 +18,11 @@ TEST(ExactLine, SignsAreThoseOf960Bits) {
     const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
     ASSERT_TRUE(ExactLine::fits(s.leg));
     for (int k = 0; k < 20; ++k) {
-      const MixedTriple triple = s.triple(rng);
+      const Form triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const ExactLine line(s.leg, s.geometry, triple, measure);
+      const ExactLine line(s.leg, s.geometry, triple.measured(measure));
       ASSERT_TRUE(line.exact());
-      const PreciseFunction<Real960> f(s.leg, s.geometry, triple, measure);
+      const PreciseFunction<Real960> f(s.leg, s.geometry, triple.measured(measure));
       const double t = rng.below(2) ? rng.real(0, 1) : static_cast<double>(rng.below(5)) / 4;
       const Ball<Real960> value = f.value(Ball<Real960>::exact(t));
       if (std::fabs(RealTraits<Real960>::to_double(value.mid)) < 1e-40) ++zeros_in_doubles;
@@ -38,14 +38,14 @@ TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
     for (int k = 0; k < 20; ++k) {
-      const MixedTriple triple = s.triple(rng);
+      const Form triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const ExactLine line(s.leg, s.geometry, triple, measure);
+      const ExactLine line(s.leg, s.geometry, triple.measured(measure));
       if (line.slope_sign() == 0) continue;
       const auto root = line.root(0);
       ASSERT_TRUE(root);
       ++roots;
-      const PreciseFunction<Real960> f(s.leg, s.geometry, triple, measure);
+      const PreciseFunction<Real960> f(s.leg, s.geometry, triple.measured(measure));
       const Real960 lo = root->lo(), hi = root->hi();
       const int before = f.value(Ball<Real960>(lo, 0.0)).sign(), after = f.value(Ball<Real960>(hi, 0.0)).sign();
       if (lo == hi) {
@@ -74,7 +74,7 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const LineSetting s = LineSetting::of(seed, true);
     for (int k = 0; k < 10; ++k) {
-      const MixedTriple triple = s.triple(rng);
+      const Form triple = s.triple(rng);
       const PreciseTriple precise(s.leg, s.geometry, triple);
       const PreciseTime start = PreciseTime::between(0, 0);
       const int sign = precise.sign_at(start, 0);
@@ -105,13 +105,13 @@ TEST(ExactLine, SaysSoWhenProductsUnderflow) {
   EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());
 }
 
-TEST(FineNumber, ComparesAndRoundsExactly) {
+TEST(ShortSum, ComparesAndRoundsExactly) {
   const auto number = [](std::initializer_list<double> parts) {
     ExactSum<8> sum;
     for (const double x : parts) sum.add(x);
-    return FineNumber::of(sum);
+    return ShortSum::of(sum);
   };
-  const FineNumber one = number({1}), more = number({1, 0x1p-200}), less = number({1, -0x1p-200});
+  const ShortSum one = number({1}), more = number({1, 0x1p-200}), less = number({1, -0x1p-200});
   EXPECT_EQ(one.compare(one), 0);
   EXPECT_LT(one.compare(more), 0);
   EXPECT_GT(one.compare(less), 0);
@@ -121,8 +121,8 @@ TEST(FineNumber, ComparesAndRoundsExactly) {
   EXPECT_EQ(less.ceiling(), 1);
   EXPECT_EQ(one.floor(), 1);
   EXPECT_EQ(one.ceiling(), 1);
-  EXPECT_EQ(FineNumber(0).compare(number({0x1p-300})), -1);
-  EXPECT_EQ(FineNumber(0).floor(), 0);
+  EXPECT_EQ(ShortSum(0).compare(number({0x1p-300})), -1);
+  EXPECT_EQ(ShortSum(0).floor(), 0);
   // The same number, split differently.
   EXPECT_EQ(number({1, 0x1p-53, 0x1p-54}).compare(number({1, 0x1.8p-53})), 0);
   EXPECT_EQ(more.real() - one.real(), RealMax(0x1p-200));

@@ -54,11 +54,11 @@ TEST(FastLine, BoundsHoldForTheExactFunction) {
     clock.reset(s.leg);
     ASSERT_TRUE(clock.straight());
     for (int k = 0; k < 20; ++k) {
-      const MixedTriple triple = s.triple(rng);
+      const Form triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const FastFunction f = FastFunction::level_zero(s.leg, s.geometry, triple, measure);
+      const FastFunction f = FastFunction::level_zero(s.leg, s.geometry, triple.measured(measure));
       const FastLine line(f, clock.straight_side(), clock.straight_middle());
-      compare(line, PreciseFunction<Real960>(s.leg, s.geometry, triple, measure), s.leg, rng, seen);
+      compare(line, PreciseFunction<Real960>(s.leg, s.geometry, triple.measured(measure)), s.leg, rng, seen);
     }
   }
   EXPECT_GT(seen.roots, 5000);

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "relative/frame_identities.hpp"
-#include "sign/mixed_function.hpp"
+#include "sign/precise_function.hpp"
 #include "sign/vanishing.hpp"
 #include "support/effort.hpp"
 #include "support/rng.hpp"
@@ -67,7 +67,7 @@ WorldPlace world_place(const MotionPiece& piece, const DisplacedPoint& v, const 
 }
 
 /// Zero at a few instants, to nearly all bits.
-bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const MixedTriple& triple) {
+bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const Form& triple) {
   for (const double t : {0.1, 0.37, 0.61, 0.83}) {
     const auto at = [&](VertexId v) { return world_place(g.in_p(v) ? leg.p : leg.q, g.point(v), WideBall::exact(t)); };
     const WorldPlace a = at(triple.a), b = at(triple.b), c = at(triple.c);
@@ -87,8 +87,8 @@ TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
     if (leg.translation) continue;
     const int a = rng.below(3), b = (a + 1) % 3, other = rng.below(3);
     const bool pp = rng.chance(0.5);
-    const MixedTriple triple = pp ? MixedTriple{VertexId(a), VertexId(b), VertexId(3 + other), true}
-                                  : MixedTriple{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
+    const Form triple = pp ? Form{VertexId(a), VertexId(b), VertexId(3 + other), true}
+                           : Form{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
     const bool seems = seems_to_vanish(leg, g, triple), does = vanishes_before_displacement(leg, g, triple);
     ASSERT_FALSE(does && !seems) << i;
     vanish += does;

@@ -16,7 +16,7 @@
 namespace taut::testing {
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
+using Quotient = boost::multiprecision::cpp_rational;
 
 const Polygon unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const Polygon far_square{{50, 0}, {51, 0}, {51, 1}, {50, 1}};
@@ -82,12 +82,12 @@ TEST(Keyframes, AreMetAsNearlyAsStated) {
       const Keyframe &a = keyframes[k], &b = keyframes[k + 1];
       const MotionPiece& piece = motion.pieces[k + 1];
       EXPECT_EQ(piece.until, b.t);
-      expect_through(piece.x, a.t, Rational(a.x), b.t, Rational(b.x));
-      expect_through(piece.y, a.t, Rational(a.y), b.t, Rational(b.y));
-      const Rational slope = (Rational(b.x) - Rational(a.x)) / (Rational(b.t) - Rational(a.t));
+      expect_through(piece.x, a.t, Quotient(a.x), b.t, Quotient(b.x));
+      expect_through(piece.y, a.t, Quotient(a.y), b.t, Quotient(b.y));
+      const Quotient slope = (Quotient(b.x) - Quotient(a.x)) / (Quotient(b.t) - Quotient(a.t));
       if (slope != 0) {
         EXPECT_TRUE(nearest(piece.x.at(1), slope));
-        EXPECT_TRUE(nearest(piece.x.at(0), Rational(Rational(a.x) - slope * Rational(a.t))));
+        EXPECT_TRUE(nearest(piece.x.at(0), Quotient(Quotient(a.x) - slope * Quotient(a.t))));
       }
       if (const auto* r = std::get_if<AngleRotation>(&piece.rotation))
         expect_through(r->angle, a.t, exact_radians(a.angle_deg), b.t, exact_radians(b.angle_deg));

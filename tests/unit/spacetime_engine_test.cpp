@@ -11,19 +11,17 @@
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
 #include "spacetime/box_separation.hpp"
+#include "spacetime/course.hpp"
 #include "spacetime/first_contact.hpp"
-#include "spacetime/motion_bound.hpp"
 #include "support/random_scenes.hpp"
 #include "tiling/free_triangulation.hpp"
 
 namespace taut::testing {
 namespace {
 
-using spacetime::Bounded;
 using spacetime::Box;
 using spacetime::BoxNode;
 using spacetime::Course;
-using spacetime::DirectedDistance;
 using spacetime::FrameWindow;
 using spacetime::Hierarchy;
 using spacetime::hierarchy_of_p;
@@ -94,10 +92,9 @@ TEST(SpacetimeHierarchy, BoxesContainTheirEdgesAndLeavesCoverEachEdgeOnce) {
 }
 
 /// Value, slope and bend at many instants against 320 bits; and the bound of the step against samples.
-void check_bounds(const Setting& s, const Leg& leg, const MixedTriple& m) {
-  const PreciseFunction<Real320> truth(leg, s.geometry, m, Measure::projection);
-  const DisplacedPoint &a = s.geometry.point(m.a), &b = s.geometry.point(m.b), &c = s.geometry.point(m.c);
-  const DirectedDistance f(leg, m.pp, {b.x - a.x, b.y - a.y}, {a.x, a.y}, {c.x, c.y});
+void check_bounds(const Setting& s, const Leg& leg, const Form& m) {
+  const PreciseFunction<Real320> truth(leg, s.geometry, m.along());
+  const FastFunction f = FastFunction::level_zero(leg, s.geometry, m.along());
   double length = leg.end - leg.start;
   for (double t = leg.start; t < leg.end;) {
     FrameWindow window(leg, t, leg.end, length);
@@ -115,7 +112,7 @@ void check_bounds(const Setting& s, const Leg& leg, const MixedTriple& m) {
       }
       ASSERT_TRUE(encloses(f.value(window.at(at, m.pp)), exact.v)) << at;
       ASSERT_TRUE(encloses(f.slope(window.at(at, m.pp)), exact.d)) << at;
-      ASSERT_TRUE(encloses(f.bend(window.bend(m.pp)), exact.dd)) << at;
+      ASSERT_TRUE(encloses(f.curvature(window.bend(m.pp)), exact.dd)) << at;
       const int sign = exact.v.sign();
       const double free = Course(f, window, at, sign).positive_until(window.end() - at);
       for (const double share : {0.25, 0.5, 0.75, 0.999}) {
@@ -164,8 +161,8 @@ void for_stretches(const Leg& leg, const Action& action) {
 }
 
 /// A distance along an edge as a parabola against 320 bits.
-void check_stretches(const Setting& s, const Leg& leg, const MixedTriple& m) {
-  const PreciseFunction<Real320> truth(leg, s.geometry, m, Measure::projection);
+void check_stretches(const Setting& s, const Leg& leg, const Form& m) {
+  const PreciseFunction<Real320> truth(leg, s.geometry, m.along());
   const DisplacedPoint &a = s.geometry.point(m.a), &b = s.geometry.point(m.b), &c = s.geometry.point(m.c);
   const Vector edge{b.x - a.x, b.y - a.y};
   for_stretches(leg, [&](const Stretch& stretch, double start, double end) {

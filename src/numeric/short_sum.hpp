@@ -1,4 +1,4 @@
-// Numbers given exactly as sums of a few doubles: fine enough for events that differ by a displacement only.
+// Numbers given exactly as sums of a few doubles: enough for events that differ by a displacement only.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 namespace taut {
 
 /// A nonoverlapping sum of doubles, smallest first, without zeros; zero has no parts.
-class FineNumber {
+class ShortSum {
  public:
   static constexpr std::size_t capacity = 8;
 
-  FineNumber() = default;
-  explicit FineNumber(double x) {
+  ShortSum() = default;
+  explicit ShortSum(double x) {
     if (x != 0) part_[size_++] = x;
   }
   /// Of a sum with few enough terms.
   template <std::size_t Terms>
-  static FineNumber of(const ExactSum<Terms>& sum) {
-    FineNumber number;
+  static ShortSum of(const ExactSum<Terms>& sum) {
+    ShortSum number;
     for (std::size_t i = 0; i < sum.size() && i < capacity; ++i) number.part_[number.size_++] = sum.term(i);
     return number;
   }
@@ -38,7 +38,7 @@ class FineNumber {
   }
 
   /// -1, 0 or 1 as the number is less than, equal to, or greater than `o`.
-  int compare(const FineNumber& o) const {
+  int compare(const ShortSum& o) const {
     std::size_t i = size_, k = o.size_;
     for (; i > 0 && k > 0; --i, --k) {
       const double a = part_[i - 1], b = o.part_[k - 1], d = a - b;
@@ -58,15 +58,15 @@ class FineNumber {
     if (std::fabs(next_part) < 0x1p-55 * std::fabs(x) && std::fabs(x) > 0x1p-900) {
       return next_part > 0 ? x : std::nextafter(x, -INFINITY);
     }
-    while (compare(FineNumber(x)) < 0) x = std::nextafter(x, -INFINITY);
-    for (double next; compare(FineNumber(next = std::nextafter(x, INFINITY))) >= 0;) x = next;
+    while (compare(ShortSum(x)) < 0) x = std::nextafter(x, -INFINITY);
+    for (double next; compare(ShortSum(next = std::nextafter(x, INFINITY))) >= 0;) x = next;
     return x;
   }
   double ceiling() const { return -negated().floor(); }
 
  private:
   /// Of the first i parts and the other's first k.
-  int compare_rest(std::size_t i, const FineNumber& o, std::size_t k) const {
+  int compare_rest(std::size_t i, const ShortSum& o, std::size_t k) const {
     // The largest part has the sign of all.
     if (k == 0) return i == 0 ? 0 : (part_[i - 1] > 0 ? 1 : -1);
     if (i == 0) return o.part_[k - 1] > 0 ? -1 : 1;
@@ -75,8 +75,8 @@ class FineNumber {
     while (k-- > 0) difference.add(-o.part_[k]);
     return difference.sign();
   }
-  FineNumber negated() const {
-    FineNumber n = *this;
+  ShortSum negated() const {
+    ShortSum n = *this;
     for (std::size_t i = 0; i < size_; ++i) n.part_[i] = -part_[i];
     return n;
   }

@@ -1,0 +1,154 @@
+#include "kinetic/settled.hpp"
+
+#include <algorithm>
+
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+/// With fewer certificates, looking at each is cheaper than a region.
+constexpr std::size_t few_certificates = 64;
+/// A region is kept if it settles this share of the active set.
+constexpr double good_share = 0.75;
+/// A better one is looked for where this share or more is left open, once that has cost several times the active set.
+constexpr double open_share = 0.0625;
+constexpr std::size_t patience = 4;
+/// A sample of this size must settle this share for all to be looked at.
+constexpr std::size_t sample_size = 64;
+constexpr double hopeful_share = 0.6;
+constexpr int regions_per_leg = 4;
+
+}  // namespace
+
+void Settled::reserve(std::size_t room) {
+  settled_.reserve(room);
+  settled_before_.reserve(room);
+  open_.reserve(room);
+  listed_.reserve(room);
+  trial_.reserve(room);
+}
+
+void Settled::unsettle(CertificateId id) {
+  settled_[id.value] = false;
+  if (listed_[id.value]) return;
+  listed_[id.value] = true;
+  open_.push_back(id);
+}
+
+void Settled::begin_leg() { regions_left_ = regions_per_leg; }
+
+void Settled::note_motion(const Leg& leg, double until) {
+  if (!region_) return;
+  const PlanRange seen = PlanRange::over(leg, leg.start, until);
+  if (seen_) {
+    seen_->include(seen);
+  } else {
+    seen_ = seen;
+  }
+}
+
+Settled::Due Settled::look(const Leg& leg, double t, std::size_t active, bool all_due) {
+  until_ = region_ ? region_->left_at(leg, t) : t;
+  settled_before_ = settled_;
+  if (until_ > t) {
+    if (!all_due) return Due::nothing;
+    if (!improve(leg, t, active)) {
+      spent_ += open_.size();
+      return Due::those_open;
+    }
+  } else if (!choose(leg, t, active)) {
+    region_.reset();
+    seen_.reset();
+    std::fill(settled_.begin(), settled_.end(), false);
+    until_ = never;
+  }
+  spent_ = 0;
+  list_open();
+  return Due::as_marked;
+}
+
+/// Few, once there is a region.
+void Settled::list_open() {
+  open_.clear();
+  listed_.assign(certificates_.size(), false);
+  for (std::size_t i = 0; i < certificates_.size(); ++i) {
+    if (certificates_[i].corner.valid() && !settled_[i]) unsettle(CertificateId(i));
+  }
+}
+
+/// A region around the motion from t on, as long as that settles enough certificates: if possible, one that holds the
+/// last region, too.
+bool Settled::choose(const Leg& leg, double t, std::size_t active) {
+  if (active < few_certificates || regions_left_ == 0) return false;
+  if (skip_ > 0) {
+    --skip_;
+    return false;
+  }
+  --regions_left_;
+  for (const double share : {1.0, 0x1p-4, 0x1p-8}) {
+    const double until = t + (leg.end - t) * share;
+    if (!hopeful(PlanRange::around_instants(leg, t, until))) continue;
+    const PlanRange way = PlanRange::over(leg, t, until).widened();
+    if (!accept_with_last(way, active) && !accept(way, good_share, active)) continue;
+    failures_ = 0;
+    until_ = region_->left_at(leg, t);
+    return until_ > t;
+  }
+  skip_ = 1 << std::min(++failures_, 6);
+  return false;
+}
+
+bool Settled::accept_with_last(const PlanRange& way, std::size_t active) {
+  if (!region_) return false;
+  PlanRange both = *region_;
+  both.include(way);
+  return accept(both, good_share, active);
+}
+
+/// A region that leaves much open is replaced by one around what the motion has really seen, if that is much better.
+bool Settled::improve(const Leg& leg, double t, std::size_t active) {
+  const double left = static_cast<double>(open_.size()) / static_cast<double>(active);
+  if (!seen_ || left < open_share || spent_ < patience * active) return false;
+  spent_ = 0;
+  const PlanRange seen = seen_->widened();
+  const double until = seen.left_at(leg, t);
+  if (!(until > t) || !accept(seen, 1 - left / 2, active)) return false;
+  until_ = until;
+  return true;
+}
+
+/// Does a sample of the active set say that the region is worth a look at all?
+bool Settled::hopeful(const PlanRange& region) const {
+  std::size_t settled = 0, seen = 0;
+  for (std::size_t k = 0; k < sample_size; ++k) {
+    const std::size_t i = k * certificates_.size() / sample_size;
+    if (!certificates_[i].corner.valid()) continue;
+    ++seen;
+    settled += settles(region, i);
+  }
+  return static_cast<double>(settled) >= hopeful_share * static_cast<double>(seen);
+}
+
+/// Makes it the region if it settles this share of the active set.
+bool Settled::accept(const PlanRange& region, double share, std::size_t active) {
+  if (!hopeful(region)) return false;
+  std::size_t settled = 0;
+  trial_.assign(certificates_.size(), false);
+  for (std::size_t i = 0; i < certificates_.size(); ++i) {
+    if (!certificates_[i].corner.valid()) continue;
+    trial_[i] = settles(region, i);
+    settled += trial_[i];
+  }
+  if (static_cast<double>(settled) < share * static_cast<double>(active)) return false;
+  region_ = region;
+  settled_.swap(trial_);
+  return true;
+}
+
+bool Settled::settles(const PlanRange& region, std::size_t i) const {
+  const Certificate& c = certificates_[i];
+  return region.keeps_sign(geometry_, Form::of(geometry_, c.u, c.v, c.w), c.sign);
+}
+
+}  // namespace taut

@@ -1,0 +1,79 @@
+// Certificates that need no look: those that hold wherever the motion stays in a region around where it is.
+//
+// When a leg begins, every certificate of the active set is due: the functions of time are new ones. But most
+// certificates hold by far. So there is a region, a range of each of the frame functions, and the certificates that
+// hold all over it are settled. They are due again only when the motion leaves the region, which one bound on the
+// motion tells for all. A motion that is changed again and again in the same place, or that goes to and fro, costs
+// little more than the certificates that are not settled.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinetic/certificate.hpp"
+#include "kinetic/event_queue.hpp"
+#include "sign/plan_range.hpp"
+
+namespace taut {
+
+/// Which certificates are settled, and until when. The engine adds certificates and says when a leg begins or ends;
+/// this chooses regions, keeps those that serve well, and gives up looking for them where none does.
+class Settled {
+ public:
+  Settled(const PairGeometry& geometry, const std::vector<Certificate>& certificates)
+      : geometry_(geometry), certificates_(certificates) {}
+
+  void reserve(std::size_t room);
+  std::size_t bytes() const { return settled_.capacity() + open_.capacity() * sizeof(CertificateId); }
+  /// There is one certificate more.
+  void add() {
+    settled_.push_back(false);
+    listed_.push_back(false);
+  }
+  /// The certificate is scheduled: it is not settled from now on.
+  void unsettle(CertificateId id);
+
+  /// Some regions may be tried on each leg.
+  void begin_leg();
+  /// The motion went from the leg's start to `until`: what it has seen is the best guess of what it will.
+  void note_motion(const Leg& leg, double until);
+
+  /// What the engine has to do after look().
+  enum class Due : unsigned char {
+    nothing,     ///< all is as it was
+    those_open,  ///< the certificates of open() are due
+    as_marked,   ///< is_settled() is new: those were_settled() and are no more are due, too
+  };
+  /// Sees which certificates are settled from t on, of `active` ones. `all_due`: none is scheduled yet.
+  Due look(const Leg& leg, double t, std::size_t active, bool all_due);
+  bool is_settled(CertificateId id) const { return settled_[id.value]; }
+  bool was_settled(CertificateId id) const { return settled_before_[id.value]; }
+  /// Those that are not settled; some may be gone.
+  const std::vector<CertificateId>& open() const { return open_; }
+  /// When the motion leaves the region, on the present leg.
+  double until() const { return until_; }
+
+ private:
+  bool choose(const Leg& leg, double t, std::size_t active);
+  bool improve(const Leg& leg, double t, std::size_t active);
+  bool hopeful(const PlanRange& region) const;
+  bool accept(const PlanRange& region, double share, std::size_t active);
+  bool accept_with_last(const PlanRange& way, std::size_t active);
+  bool settles(const PlanRange& region, std::size_t certificate) const;
+  void list_open();
+
+  const PairGeometry& geometry_;
+  const std::vector<Certificate>& certificates_;
+  std::vector<bool> settled_;  ///< by certificate: it holds wherever the motion is in region_
+  std::vector<bool> settled_before_, trial_;
+  std::vector<CertificateId> open_;
+  std::vector<bool> listed_;  ///< by certificate: it is in open_
+  std::optional<PlanRange> region_;
+  std::optional<PlanRange> seen_;  ///< where the motion has been since there is a region
+  std::size_t spent_ = 0;          ///< certificates scheduled since the region was chosen
+  double until_ = never;
+  int regions_left_ = 0;         ///< on the present leg
+  int failures_ = 0, skip_ = 0;  ///< legs on which no region was found, and for how many none is looked for
+};
+
+}  // namespace taut

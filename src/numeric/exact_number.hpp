@@ -1,0 +1,83 @@
+// Sums of doubles as numbers to compute with, for formulas that are written once for all kinds of numbers.
+#pragma once
+
+#include <array>
+
+#include "numeric/exact_sum.hpp"
+
+namespace taut {
+
+/// A sum of doubles. Nothing rounds: a result that would need more range than doubles have says so, and so does all
+/// that is made of it. There is room for the orientation of three vertices, each of which is four doubles a coordinate.
+class ExactNumber {
+ public:
+  static constexpr std::size_t capacity = 96;
+  using Sum = ExactSum<capacity>;
+
+  ExactNumber() = default;
+  ExactNumber(const ExactNumber& o) : exact_(o.exact_) { sum_.assign(o.sum_, 1); }
+  ExactNumber& operator=(const ExactNumber& o) {
+    exact_ = o.exact_;
+    sum_.assign(o.sum_, 1);
+    return *this;
+  }
+  static ExactNumber exact(double x) {
+    ExactNumber n;
+    n.sum_.add(x);
+    return n;
+  }
+
+  /// Was every operation exact? If not, nothing else may be asked.
+  bool is_exact() const { return exact_; }
+  bool is_zero() const { return sum_.is_zero(); }
+  const Sum& sum() const { return sum_; }
+
+  friend ExactNumber operator-(const ExactNumber& a) {
+    ExactNumber n;
+    n.exact_ = a.exact_;
+    n.sum_.assign(a.sum_, -1);
+    return n;
+  }
+  friend ExactNumber operator+(ExactNumber a, const ExactNumber& b) {
+    a.add(b, 1);
+    return a;
+  }
+  friend ExactNumber operator-(ExactNumber a, const ExactNumber& b) {
+    a.add(b, -1);
+    return a;
+  }
+  /// a x b and a . b, in one sum.
+  friend ExactNumber cross(const ExactNumber& ax, const ExactNumber& ay, const ExactNumber& bx, const ExactNumber& by) {
+    return of_products(ax, by, ay, bx, -1);
+  }
+  friend ExactNumber dot(const ExactNumber& ax, const ExactNumber& ay, const ExactNumber& bx, const ExactNumber& by) {
+    return of_products(ax, bx, ay, by, 1);
+  }
+
+ private:
+  void add(const ExactNumber& b, double sign) {
+    exact_ = exact_ && b.exact_;
+    for (std::size_t i = 0; i < b.sum_.size(); ++i) sum_.add(sign * b.sum_.term(i));
+  }
+  void add_product(const ExactNumber& a, const ExactNumber& b, double sign) {
+    exact_ = exact_ && a.exact_ && b.exact_;
+    for (std::size_t i = 0; i < a.sum_.size(); ++i) {
+      for (std::size_t k = 0; k < b.sum_.size(); ++k) {
+        exact_ = add_exact_product(sum_, a.sum_.term(i), sign * b.sum_.term(k)) && exact_;
+      }
+    }
+  }
+  /// a b + sign c d.
+  static ExactNumber of_products(const ExactNumber& a, const ExactNumber& b, const ExactNumber& c, const ExactNumber& d,
+                                 double sign) {
+    ExactNumber n;
+    n.add_product(a, b, 1);
+    n.add_product(c, d, sign);
+    return n;
+  }
+
+  Sum sum_;
+  bool exact_ = true;
+};
+
+}  // namespace taut

@@ -1,0 +1,245 @@
+#include "sign/fast_roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/quadratic_bound.hpp"
+#include "sign/fast_line.hpp"
+#include "sign/instant.hpp"
+
+namespace taut {
+namespace {
+
+/// A double certainly below (above) a finite x, a unit or two in the last place away: without std::nextafter's cases.
+double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
+double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
+
+/// The sign of a value that may still change by `drift`; 0 if unknown.
+int sign_of(const Bounded& v, double drift) {
+  return std::fabs(v.value) > v.error + drift ? (v.value > 0 ? 1 : -1) : 0;
+}
+
+}  // namespace
+
+Course FastRoots::course(const FastFunction& f, double t) { return course_with(f, clock_.at(t, f.pp), t); }
+
+Course FastRoots::course_near(const FastFunction& f, double t) {
+  double at;
+  const FrameSample& side = clock_.shortly_before(t, f.pp, at);
+  return course_with(f, side, at);
+}
+
+Course FastRoots::course_with(const FastFunction& f, const FrameSample& side, double t) {
+  Course now;
+  now.t = t;
+  now.value = f.value(side);
+  now.slope = f.slope(side);
+  const ClockCell& cell = clock_.cell(t);
+  now.local = cell.sharp;
+  if (now.local) now.bend = f.bend(side);
+  take_bounds(f, now, cell);
+  return now;
+}
+
+/// Those that hold all over the cell.
+void FastRoots::take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const {
+  course.cell = cell;
+  if (course.local) {
+    course.third = f.third(cell.third(f.pp));
+  } else {
+    course.third = 0;
+    course.bend = f.curvature(cell.curvature(f.pp));
+  }
+}
+
+/// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around, so
+/// many of them at most.
+double FastRoots::positive_beyond(const Root& r, const Course& now, double value, int cells) {
+  const FastFunction& f = r.function;
+  const double slope = r.sign * now.slope.value - now.slope.error, bend = r.sign * now.bend.value - now.bend.error;
+  double reached = now.cell.end;
+  const auto wider = [&](const ClockPlace& cell) { return now.local ? clock_.outlook(cell) : clock_.wider(cell); };
+  for (const ClockCell* wide = wider(now.cell); wide; wide = wider(*wide)) {
+    if (wide->end <= reached) continue;
+    const double limit = wide->end - now.t;
+    double least_bend;
+    if (now.local) {
+      least_bend = bend - f.third(wide->third(f.pp)) * limit * one_third;
+    } else {
+      const Bounded k = f.curvature(wide->curvature(f.pp));
+      least_bend = r.sign * k.value - k.error;
+    }
+    if (!positive_throughout(value, slope, least_bend, limit)) {
+      return std::max(reached, below(now.t + positive_until(value, slope, least_bend, limit)));
+    }
+    reached = wide->end;
+    if (--cells == 0) break;
+  }
+  return reached;
+}
+
+double FastRoots::lasts(const Root& r, const Course& now, double least) const {
+  const double slope = r.sign * now.slope.value - now.slope.error, bend = r.sign * now.bend.value - now.bend.error;
+  return positive_until(least, slope, bend, now.third, now.cell.end - now.t);
+}
+
+/// The root's sign holds for `lasting` from now.t on, where its value is `least` at least, and perhaps longer.
+/// False if that is not much longer than until t, by which doubles cannot tell more, or not those about now.t.
+bool FastRoots::holds_on(Root& r, const Course& now, double t, double least, double lasting, int cells) {
+  const double limit = now.cell.end - now.t;
+  if (lasting >= limit) {  // never true of a NaN
+    r.come_after(positive_beyond(r, now, least, cells), leg().end);
+    return true;
+  }
+  const double next = below(now.t + lasting);
+  // Where the motion is singular, bounds are loose and steps short: one search at high precision is quicker than those.
+  const bool good = now.cell.sharp || leg().bridge;
+  if (!(next > t + (good ? 0x1p-46 : 0x1p-8) * limit + (t - now.t))) return false;
+  r.come_after(next, leg().end);
+  return true;
+}
+
+/// Brackets the root, which is known to come after `from`, if the function certainly falls to it from now.t or
+/// `from`, whichever is later.
+bool FastRoots::isolate(Root& r, const Course& now, double from) {
+  const double sign = r.sign, t = now.t;
+  const double limit = now.cell.end - t;
+  const double most = sign * now.value.value + now.value.error;
+  const double slope = sign * now.slope.value + now.slope.error;
+  const double bend = sign * now.bend.value + now.bend.error + now.third * limit * (1 + 0x1p-40);
+  if (!(slope < 0)) return false;
+  const double h = most > 0 ? negative_from(most, slope, bend) : 0;
+  const double falls = bend > 0 ? std::min(limit, -slope / bend * (1 - 0x1p-48)) : limit;
+  if (!(h < falls)) return false;
+  r.kind = RootKind::bracketed;
+  r.lo = from;
+  r.hi = std::min(above(t + h), leg().end);
+  r.monotone_until = falls == limit ? now.cell.end : below(t + falls);
+  return true;
+}
+
+bool FastRoots::follow(Root& r, const Course& now, double t, int cells) {
+  ++counts_.fast;
+  const double least = r.sign * now.value.value - now.value.error;
+  const double h = lasts(r, now, least);
+  if (h < now.cell.end - now.t && isolate(r, now, std::max(t, below(now.t + h)))) return true;
+  return holds_on(r, now, t, least, h, cells);
+}
+
+bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
+  if (instant.hi >= leg().end) return false;
+  Course now = course(r.function, instant.hi);
+  const double width = instant.hi - instant.lo;
+  if (!widen(r.function, now, instant.lo, instant.hi)) return false;
+  // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
+  const double drift = now.slope_change(width);
+  const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
+  if (slope > error) return holds_on(r, now, now.t, 0, lasts(r, now, 0));
+  if (-slope > error && !own && isolate(r, now, instant.lo)) {
+    r.kind = RootKind::isolated;
+    // Reports show this enclosure: where doubles see little, as near t = 0, high precision is worth its price.
+    return r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi);
+  }
+  return false;
+}
+
+/// Encloses a bracketed root within a few ulps, if doubles can. Most cells have a polynomial that is as good as the
+/// function: a narrow interval about its root, once certified, leaves one step of the general way.
+void FastRoots::enclose(Root& r) {
+  if (!narrow(r)) newton(r);
+}
+
+/// Takes the interval of some radius about m for the enclosure, where m is a root of the cell's polynomial found
+/// without bounds, if the function has its root there: it has if |f(m)| is less than the radius times the least slope.
+/// Then one step of Newton's. False if the enclosure may still be far wider than doubles allow.
+bool FastRoots::narrow(Root& r) {
+  const double middle = r.lo + (r.hi - r.lo) / 2;
+  const ClockCell& cell = clock_.cell(middle);
+  if (!cell.sharp || cell.start > r.lo || cell.end < r.hi) return false;
+  const double m = r.function.root_of(cell.model, middle);
+  const double radius = 0x1p-34 * (cell.end - cell.start);
+  if (!(m - radius > r.lo && m + radius < r.hi)) return false;
+  const Course here = course(r.function, m);
+  const double flat = -r.sign * here.slope.value - here.slope.error - here.slope_change(radius);
+  if (!(std::fabs(here.value.value) + here.value.error < flat * radius * (1 - 0x1p-40))) return false;
+  r.lo = m - radius;
+  r.hi = m + radius;
+  return newton_step(r, here);
+}
+
+/// Interval Newton. The slope's bounds are taken anew in each step, over the enclosure at hand: bounds of the first
+/// enclosure would leave it converging linearly.
+void FastRoots::newton(Root& r) {
+  for (int step = 0; step < 30; ++step) {
+    const double width = r.hi - r.lo, m = r.lo + width / 2;
+    if (!(width > 0x1p-50 * std::fabs(m))) return;
+    if (newton_step(r, course(r.function, m)) || !(r.hi - r.lo < 0.75 * width)) return;
+  }
+}
+
+/// With the function's course at an instant in the enclosure, about its middle. Where the slope's bounds include zero,
+/// the sign there cuts the enclosure in two. True if what is left is about what the value's error makes of it.
+bool FastRoots::newton_step(Root& r, const Course& here) {
+  enclosed_about_ = here.t;
+  const double sign = r.sign, m = here.t, reach = std::max(m - r.lo, r.hi - m);
+  const double spread = here.slope.error + here.slope_change(reach);
+  const double steep = -sign * here.slope.value + spread, flat = -sign * here.slope.value - spread;
+  const double lo_value = sign * here.value.value - here.value.error;
+  const double hi_value = sign * here.value.value + here.value.error;
+  if (flat > 0) {
+    const double lo = m + lo_value / (lo_value > 0 ? steep : flat);
+    const double hi = m + hi_value / (hi_value > 0 ? flat : steep);
+    const double slack = 0x1p-51 * (std::fabs(lo) + std::fabs(hi)) + 0x1p-50 * (std::fabs(lo - m) + std::fabs(hi - m));
+    r.lo = std::max(r.lo, lo - slack);
+    r.hi = std::min(r.hi, hi + slack);
+    return r.hi - r.lo <= 4 * (here.value.error / flat + slack);
+  }
+  if (lo_value > 0) {
+    r.lo = m;
+  } else if (hi_value < 0) {
+    r.hi = m;
+  }
+  return false;
+}
+
+/// Takes the bend over a cell that reaches back to `start` and on to `end`; false if there is none.
+bool FastRoots::widen(const FastFunction& f, Course& course, double start, double end) {
+  while (course.cell.start > start || course.cell.end < end) {
+    const ClockCell* cell = clock_.wider(course.cell);
+    if (!cell) return false;
+    take_bounds(f, course, *cell);
+  }
+  return true;
+}
+
+int FastRoots::sign_during(const FastFunction& f, const Course& course, double lo, double hi, double at) {
+  const double reach = std::max(hi - at, at - lo);
+  if (!(reach > 0)) return sign_of(course.value, 0);
+  if (course.cell.start > lo || course.cell.end < hi) {
+    Course wide = course;
+    return widen(f, wide, lo, hi) ? sign_during(f, wide, lo, hi, at) : 0;
+  }
+  const double steepest = std::fabs(course.slope.value) + course.slope.error + course.slope_change(reach);
+  return sign_of(course.value, reach * steepest * (1 + 0x1p-40));
+}
+
+FastLine FastRoots::line_of(const FastFunction& f) const {
+  return {f, clock_.straight_side(), clock_.straight_middle()};
+}
+
+bool FastRoots::follow_line(Root& r, const FastLine& line, double t) {
+  ++counts_.fast;
+  if (line.holds(r.sign, t, leg().end)) {
+    r.come_after(leg().end, leg().end);
+    return true;
+  }
+  double lo, hi;
+  if (!line.root(r.sign, lo, hi) || !(hi < leg().end)) return false;
+  r.kind = RootKind::isolated;
+  r.lo = std::max(lo, t);
+  r.hi = hi;
+  r.monotone_until = leg().end;
+  return true;
+}
+
+}  // namespace taut

@@ -1,0 +1,61 @@
+// The displacement, and the orientation of displaced vertices of one body.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/displaced_orientation.hpp"
+#include "geometry/displacement.hpp"
+#include "support/rng.hpp"
+
+namespace taut::testing {
+namespace {
+
+TEST(Displacement, MovesEdgesToOneSide) {
+  Rng rng(7);
+  const double delta = 0x1p-30;  // coarse, so that doubles can measure it
+  for (int i = 0; i < 300; ++i) {
+    const int n = 3 + rng.below(9);
+    std::vector<Point> polygon;
+    for (int k = 0; k < n; ++k) {
+      const double a = 2 * 3.14159265358979 * k / n, r = rng.real(0.3, 1);
+      polygon.push_back({r * std::cos(a), r * std::sin(a)});
+    }
+    for (const bool inwards : {true, false}) {
+      const auto moved = displace(polygon, inwards, delta, static_cast<std::uint64_t>(i)).points;
+      for (int k = 0; k < n; ++k) {
+        const auto at = [&](int j) { return polygon[static_cast<std::size_t>((j + n) % n)]; };
+        const DisplacedPoint& m = moved[static_cast<std::size_t>(k)];
+        EXPECT_EQ(m.x, at(k).x);
+        for (const auto& [a, b] : {std::pair{at(k - 1), at(k)}, std::pair{at(k), at(k + 1)}}) {
+          const double length = std::hypot(b.x - a.x, b.y - a.y);
+          const double side = ((b.x - a.x) * m.dy - (b.y - a.y) * m.dx) / length / delta;
+          EXPECT_GE(inwards ? side : -side, 1.0) << n;
+          EXPECT_LE(inwards ? side : -side, 2.0) << n;
+        }
+      }
+    }
+  }
+}
+
+TEST(DisplacedOrientation, TellsWhichStageAnswered) {
+  Stage stage;
+  const DisplacedPoint a{0, 0, 0, 0}, b{1, 0, 0, 0}, c{0.5, 1, 0, 0}, straight{2, 0, 0, 0};
+  EXPECT_EQ(orientation(a, b, c, stage), 1);
+  EXPECT_EQ(stage, Stage::filter);
+  EXPECT_EQ(orientation(a, b, straight, stage), 0);
+  EXPECT_EQ(stage, Stage::displacement);
+  const DisplacedPoint up{2, 0, 0, 0x1p-200}, down{2, 0, 0x1p-190, -0x1p-201};
+  EXPECT_EQ(orientation(a, b, up, stage), 1);
+  EXPECT_EQ(stage, Stage::displacement);
+  EXPECT_EQ(orientation(a, b, down, stage), -1);
+  // Not collinear by one unit in the last place.
+  const DisplacedPoint p{0.1, 0.1, 0, 0}, q{0.2, 0.2, 0, 0}, r{0.3, std::nextafter(0.3, 1.0), 0, -0x1p-180};
+  EXPECT_EQ(orientation(p, q, r, stage), 1);
+  EXPECT_EQ(stage, Stage::exact);
+  EXPECT_EQ(orientation(q, p, r), -1);
+  EXPECT_EQ(orientation(q, r, p), 1);
+}
+
+}  // namespace
+}  // namespace taut::testing
