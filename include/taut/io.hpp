@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/check.hpp"
+#include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 #include "taut/scene.hpp"
 #include "taut/simulation.hpp"
@@ -112,6 +113,10 @@ struct AnimateOptions {
 /// frames; a body must turn by less than 180 degrees from one to the next. Who prefers reduced motion sees the last
 /// frame.
 std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, const AnimateOptions& options = {});
+
+/// The answers of intervals() and range() as `taut intervals --json` and `taut range --json` print them.
+std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
+std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

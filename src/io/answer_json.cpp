@@ -18,35 +18,47 @@ std::string feature_text(const Scene& scene, const Ref& feature) {
   return s + ",\"index\":" + std::to_string(feature.index) + "}";
 }
 
-std::string names_text(const Scene& scene, const std::array<BodyId, 2>& pair) {
+}  // namespace
+
+std::string io::pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair) {
   return "[" + io::string_text(scene.bodies[static_cast<std::size_t>(pair[0])].name) + "," +
          io::string_text(scene.bodies[static_cast<std::size_t>(pair[1])].name) + "]";
 }
 
-std::string pair_text(const Scene& scene, const PairAnswer& pair) {
-  std::string s = "{\"bodies\":" + names_text(scene, pair.bodies) + ",\"outcome\":\"" + to_string(pair.outcome) + "\"";
+std::string io::pair_answer_json(const Scene& scene, const PairAnswer& pair) {
+  std::string s =
+      "{\"bodies\":" + io::pair_names_json(scene, pair.bodies) + ",\"outcome\":\"" + to_string(pair.outcome) + "\"";
   if (pair.contact) s += io::contact_json(scene, *pair.contact);
   if (pair.outcome == Outcome::undecided)
     s += ",\"free_until\":" + io::number_text(pair.free_until) + ",\"reason\":" + io::string_text(pair.reason);
   return s + "}";
 }
 
+std::string io::coverage_json(const Coverage& c) {
+  return "{\"pairs\":" + std::to_string(c.pairs) + ",\"ignored\":" + std::to_string(c.ignored) +
+         ",\"at_rest\":" + std::to_string(c.at_rest) + ",\"apart\":" + std::to_string(c.apart) +
+         ",\"checked\":" + std::to_string(c.checked) + "}";
+}
+
+std::string io::features_json(const Scene& scene, const Contact& contact) {
+  return "{\"vertex\":" + feature_text(scene, contact.vertex) + ",\"edge\":" + feature_text(scene, contact.edge) +
+         ",\"point\":" + io::point_text(contact.point) + "}";
+}
+
+namespace {
+
 std::string pairs_text(const Scene& scene, const char* key, const std::vector<PairAnswer>& pairs) {
   std::string s = std::string(",\"") + key + "\":[";
-  for (std::size_t i = 0; i < pairs.size(); ++i) s += (i ? "," : "") + pair_text(scene, pairs[i]);
+  for (std::size_t i = 0; i < pairs.size(); ++i) s += (i ? "," : "") + io::pair_answer_json(scene, pairs[i]);
   return s + "]";
 }
 
 /// What a world's answer says besides that of two bodies.
 std::string world_text(const Scene& scene, const Answer& answer) {
   std::string s;
-  if (answer.pair) s += ",\"pair\":" + names_text(scene, *answer.pair);
+  if (answer.pair) s += ",\"pair\":" + io::pair_names_json(scene, *answer.pair);
   if (!answer.also.empty()) s += pairs_text(scene, "also", answer.also);
-  if (const auto& c = answer.coverage) {
-    s += ",\"coverage\":{\"pairs\":" + std::to_string(c->pairs) + ",\"ignored\":" + std::to_string(c->ignored) +
-         ",\"at_rest\":" + std::to_string(c->at_rest) + ",\"apart\":" + std::to_string(c->apart) +
-         ",\"checked\":" + std::to_string(c->checked) + "}";
-  }
+  if (answer.coverage) s += ",\"coverage\":" + io::coverage_json(*answer.coverage);
   if (answer.pairs) s += pairs_text(scene, "pairs", *answer.pairs);
   return s;
 }

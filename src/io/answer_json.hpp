@@ -22,6 +22,11 @@ namespace io {
 
 /// The members "t" and "contact" of an answer, each with a comma before it.
 std::string contact_json(const Scene& scene, const Contact& contact);
+/// The names of a pair, and which features meet.
+std::string pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair);
+std::string features_json(const Scene& scene, const Contact& contact);
+std::string coverage_json(const Coverage& coverage);
+std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);
 
 }  // namespace io
 

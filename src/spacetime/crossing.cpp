@@ -33,8 +33,8 @@ void store(const PreciseTime& t, Crossing& c) {
 
 /// Goes from root to root until one is a contact.
 template <class Real>
-std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const VertexEdge& pair, double from, double to,
-                                 int stage) {
+std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const VertexEdge& pair, Ways ways, double from,
+                                 double to, int stage) {
   const Functions<Real> f(leg, g, pair);
   Real at(from);
   int sign = f.line(Ball<Real>(at, 0.0)).v.sign();
@@ -45,9 +45,10 @@ std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const Ve
     taut::refine(f.line, sign, *root);
     const Beside beside = f.beside(Ball<Real>::between(root->lo, root->hi));
     if (beside == Beside::unknown) throw PrecisionExhausted{};
-    if (beside == Beside::yes && sign < 0) {
+    if (beside == Beside::yes && (sign < 0 || ways == Ways::both)) {
       Crossing c;
       c.pair = pair;
+      c.out = sign > 0;
       store({RealMax(root->lo), RealMax(root->hi), stage}, c);
       return c;
     }
@@ -62,8 +63,8 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
   ++calls_;
   for (int stage = 0; stage < precise_stages; ++stage) {
     try {
-      return with_stage(stage,
-                        [&](auto zero) { return first_at<decltype(zero)>(leg_, geometry_, pair, from, to, stage); });
+      return with_stage(
+          stage, [&](auto zero) { return first_at<decltype(zero)>(leg_, geometry_, pair, ways_, from, to, stage); });
     } catch (const PrecisionExhausted&) {
     }
   }
@@ -106,7 +107,7 @@ bool PreciseCrossings::before(Crossing& a, Crossing& b) {
 }
 
 void PreciseCrossings::tighten(Crossing& c) {
-  if (c.hi - c.lo > 0x1p-51 * std::fabs(c.hi)) refine(c, -1, 0);
+  if (c.hi - c.lo > 0x1p-51 * std::fabs(c.hi)) refine(c, c.out ? 1 : -1, 0);
 }
 
 }  // namespace taut::spacetime

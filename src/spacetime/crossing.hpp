@@ -18,13 +18,17 @@ struct VertexEdge {
   Form from_end(const PairGeometry& g) const { return line(g).back(); }
 };
 
-/// An instant at which the vertex passes from outside to inside through the edge: the only one in [lo, hi] at which it
-/// is on the edge's line.
+/// An instant at which the vertex passes through the edge, from outside to inside unless `out`: the only one in [lo,
+/// hi] at which it is on the edge's line.
 struct Crossing {
   VertexEdge pair;
+  bool out = false;
   double lo = 0, hi = 0;
   PreciseTime precise;  ///< within [lo, hi]; once a stage has looked at it
 };
+
+/// Which crossings are looked for: those that may be first contacts, or all.
+enum class Ways : unsigned char { into, both };
 
 /// Is the vertex beside the edge, or beyond one of its ends?
 enum class Beside : unsigned char { yes, no, unknown };
@@ -32,9 +36,10 @@ enum class Beside : unsigned char { yes, no, unknown };
 /// The precise stages for one leg. All members throw Undecidable where the last stage does not suffice.
 class PreciseCrossings {
  public:
-  PreciseCrossings(const PairGeometry& geometry, const Leg& leg) : geometry_(geometry), leg_(leg) {}
+  PreciseCrossings(const PairGeometry& geometry, const Leg& leg, Ways ways)
+      : geometry_(geometry), leg_(leg), ways_(ways) {}
 
-  /// The first crossing in (from, to] into the edge.
+  /// The first crossing in (from, to].
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
   /// Is the vertex beside the edge at this root of the orientation, whose sign changes from `sign`? The root needs not
   /// be a crossing.
@@ -50,6 +55,7 @@ class PreciseCrossings {
 
   const PairGeometry& geometry_;
   const Leg& leg_;
+  Ways ways_;
   std::uint64_t calls_ = 0;
 };
 

@@ -35,12 +35,13 @@ class LegSearch {
  public:
   /// On [from, to] of the leg's parameter.
   LegSearch(const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q, const Leg& leg, double from,
-            double to)
+            double to, Ways ways = Ways::into)
       : geometry_(geometry),
         p_(p),
         q_(q),
         leg_(leg),
-        leaves_(geometry, leg),
+        leaves_(geometry, leg, ways),
+        ways_(ways),
         polynomial_(leg),
         from_(from),
         to_(to),
@@ -59,6 +60,12 @@ class LegSearch {
     }
     if (best_) leaves_.precise().tighten(*best_);
     return best_;
+  }
+  /// All crossings instead, each once.
+  std::vector<Crossing> run_through() {
+    run();
+    for (Crossing& c : found_) leaves_.precise().tighten(c);
+    return std::move(found_);
   }
   /// Up to when there is certainly no contact.
   double proved() const { return proved_; }
@@ -154,6 +161,11 @@ class LegSearch {
       next = std::min(end, window.end());
       std::optional<Crossing> found = leaves_.first(window, pair, t, limit(next));
       if (!found) continue;
+      if (ways_ == Ways::both) {
+        next = std::min(next, std::max(found->hi, std::nextafter(t, end)));
+        found_.push_back(std::move(*found));
+        continue;
+      }
       if (!best_ || leaves_.precise().before(*found, *best_)) best_ = std::move(found);
       return;
     }
@@ -163,6 +175,8 @@ class LegSearch {
   const Hierarchy &p_, &q_;
   const Leg& leg_;
   LeafTest leaves_;
+  Ways ways_;
+  std::vector<Crossing> found_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;      ///< around the stretch at hand, unless the leg is a translation:
   std::vector<FrameWindow> leaf_windows_;  ///< then the leaves of a stretch make their own
@@ -230,6 +244,16 @@ SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& tree
   }
   result.outcome = SpacetimeResult::free;
   return result;
+}
+
+std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
+                                       const std::vector<Leg>& legs) {
+  std::vector<LegCrossing> all;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    LegSearch search(geometry, trees.p, trees.q, legs[i], legs[i].start, legs[i].end, Ways::both);
+    for (const Crossing& c : search.run_through()) all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi});
+  }
+  return all;
 }
 
 }  // namespace taut::spacetime

@@ -37,6 +37,18 @@ struct SpacetimeResult {
 /// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
 
+/// A crossing of an edge by a vertex, on a leg.
+struct LegCrossing {
+  VertexId vertex, edge;
+  bool out = false;  ///< from inside to outside
+  std::size_t leg = 0;
+  double lo = 0, hi = 0;  ///< encloses the leg's parameter
+};
+/// All crossings of edges of one body by vertices of the other, on all legs, each leg's in no particular order: between
+/// two of them that follow each other in time, the same edges cross. Throws Undecidable.
+std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
+                                       const std::vector<Leg>& legs);
+
 /// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
 struct TimeWindow {
   double from = 0, to = 0;

@@ -102,7 +102,10 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       if (isolate(window, f, t, limit, sign, root, falls_until)) {
         Beside at_root = beside(window, f, root);
         if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
-        if (at_root == Beside::yes && sign < 0) return root;
+        if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) {
+          root.out = sign > 0;
+          return root;
+        }
         // After the root the line's function keeps its new sign until it may turn.
         t = std::max(root.hi, falls_until);
         continue;

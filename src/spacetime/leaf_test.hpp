@@ -11,9 +11,10 @@ namespace taut::spacetime {
 /// The tests on one window of a leg.
 class LeafTest {
  public:
-  LeafTest(const PairGeometry& geometry, const Leg& leg) : geometry_(geometry), leg_(leg), precise_(geometry, leg) {}
+  LeafTest(const PairGeometry& geometry, const Leg& leg, Ways ways = Ways::into)
+      : geometry_(geometry), leg_(leg), ways_(ways), precise_(geometry, leg, ways) {}
 
-  /// The pair's first contact in (t, limit], which lies within the window.
+  /// The pair's first crossing in (t, limit], which lies within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
   PreciseCrossings& precise() { return precise_; }
   std::uint64_t roots() const { return roots_; }
@@ -32,6 +33,7 @@ class LeafTest {
 
   const PairGeometry& geometry_;
   const Leg& leg_;
+  Ways ways_;
   PreciseCrossings precise_;
   std::uint64_t roots_ = 0;
 };

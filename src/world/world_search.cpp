@@ -9,6 +9,7 @@
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
 #include "sign/witness.hpp"
+#include "world/pair_search.hpp"
 
 namespace taut {
 namespace {
@@ -17,35 +18,18 @@ namespace {
 constexpr double patience = 1.5;
 constexpr int deepest = 30;
 
-using spacetime::Hierarchy;
-
-const Hierarchy& tree_of(const RingSet& rings, bool inwards) {
-  const SharedPolygon& displaced = rings.displaced(inwards);
-  return rings.kept<Hierarchy>(inwards, [&] { return std::make_shared<const Hierarchy>(*displaced); });
-}
-
 }  // namespace
 
-/// A pair that boxes do not tell apart, with what its engine needs.
-struct WorldSearch::Pair {
-  Pair(const WorldPlan& world, int a, int b, bool inwards)
-      : plan(world.pair(a, b)),
-        geometry(displaced_pair(plan, inwards)),
-        legs(world.legs(plan)),
-        tree_p(tree_of(*plan.rings[0], inwards)),
-        tree_q(tree_of(*plan.rings[1], inwards)) {
+/// A pair that boxes do not tell apart.
+struct WorldSearch::Pair : PairSearch {
+  Pair(const WorldPlan& world, int a, int b, bool inwards) : PairSearch(world, a, b, inwards) {
     result.a = a;
     result.b = b;
     result.free_until = world.end();
   }
 
   bool open() const { return result.outcome == Outcome::free; }
-  spacetime::TreePair trees() const { return {tree_p, tree_q}; }
 
-  PairPlan plan;
-  PairGeometry geometry;
-  std::vector<Leg> legs;
-  const Hierarchy &tree_p, &tree_q;
   PairResult result;
 };
 

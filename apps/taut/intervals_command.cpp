@@ -1,0 +1,134 @@
+// taut intervals and taut range: when do bodies overlap, and how far can they go without?
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "taut/intervals.hpp"
+#include "taut/io.hpp"
+#include "taut/motions.hpp"
+#include "terminal.hpp"
+#include "watched_run.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct IntervalArguments {
+  SceneSource scene;
+  CheckOptions options;
+  double from = 0;
+  bool json = false;
+};
+
+std::string name_of(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
+
+std::string names_of(const Scene& scene, const OverlapInterval& o) {
+  return name_of(scene, o.pair[0]) + " x " + name_of(scene, o.pair[1]);
+}
+
+/// The angle of the body that sweeps, if one of the pair does.
+std::string degrees_at(const Scene& scene, const OverlapInterval& o, const TimeInterval& t) {
+  for (const BodyId id : o.pair) {
+    const auto angle = angle_at(scene.bodies[static_cast<std::size_t>(id)].motion, t);
+    if (angle) return fmt::format(" ({:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2);
+  }
+  return "";
+}
+
+std::string features_text(const char* what, const Contact& c, const Scene& scene) {
+  return fmt::format("    {}: vertex {} of {} and edge {} of {}\n", what, c.vertex.index, name_of(scene, c.vertex.body),
+                     c.edge.index, name_of(scene, c.edge.body));
+}
+
+std::string text_of(const Scene& scene, const OverlapInterval& o) {
+  std::string text = fmt::format("  {}   t = {}{} to {}{}\n", names_of(scene, o), time_text(o.from),
+                                 degrees_at(scene, o, o.from), time_text(o.to), degrees_at(scene, o, o.to));
+  if (o.enter) text += features_text("enter", *o.enter, scene);
+  if (o.exit) text += features_text("exit", *o.exit, scene);
+  return text;
+}
+
+std::string text_of(const Scene& scene, const Intervals& answer) {
+  const std::size_t n = answer.intervals.size();
+  std::string text = n == 0 ? std::string("NO OVERLAP") : fmt::format("{} INTERVAL{} OF OVERLAP", n, n == 1 ? "" : "S");
+  text += fmt::format("   on [{}, {}]\n", scene.start, scene.end);
+  for (const OverlapInterval& o : answer.intervals) text += text_of(scene, o);
+  for (const PairAnswer& pair : answer.undecided)
+    text += fmt::format("  UNDECIDED  {} x {}: {}\n", name_of(scene, pair.bodies[0]), name_of(scene, pair.bodies[1]),
+                        pair.reason);
+  return text;
+}
+
+std::string text_of(const Scene& scene, double t, const Range& answer) {
+  if (!answer.decided) return "UNDECIDED\n  " + answer.reason + "\n";
+  const std::string from = answer.from ? time_text(*answer.from) + degrees_at(scene, *answer.before, *answer.from)
+                                       : fmt::format("{}, the start", scene.start);
+  const std::string to = answer.to ? time_text(*answer.to) + degrees_at(scene, *answer.after, *answer.to)
+                                   : fmt::format("{}, the end", scene.end);
+  std::string text = fmt::format("FREE  around t = {}: from {} to {}\n", t, from, to);
+  if (answer.before) text += "  before: " + names_of(scene, *answer.before) + "\n";
+  if (answer.after) text += "  after:  " + names_of(scene, *answer.after) + "\n";
+  return text;
+}
+
+int run_intervals(const IntervalArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  CheckOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const Intervals answer = within_file(arguments.scene.path, [&] { return intervals(scene, options); });
+  print_text(arguments.json ? intervals_json(scene, answer, options.touch) + "\n" : text_of(scene, answer));
+  if (!answer.undecided.empty()) return exit_undecided;
+  return answer.intervals.empty() ? exit_free : exit_contact;
+}
+
+int run_range(const IntervalArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  CheckOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const Range answer = within_file(arguments.scene.path, [&] { return range(scene, arguments.from, options); });
+  print_text(arguments.json ? range_json(scene, arguments.from, answer, options.touch) + "\n"
+                            : text_of(scene, arguments.from, answer));
+  return answer.decided ? exit_free : exit_undecided;
+}
+
+void add_question(const Command& command, IntervalArguments& arguments) {
+  add_scene(command, arguments.scene);
+  add_touch(command, arguments.options.touch);
+  command.add_option("--max-seconds", arguments.options.max_seconds, "give up after S seconds")
+      .value("S")
+      .not_negative();
+  command.add_flag("--json", arguments.json, "print one JSON object");
+}
+
+}  // namespace
+
+void add_intervals(const Command& app, Action& action) {
+  const Command command = app.add_command("intervals", "Say when bodies overlap: all intervals, of every pair");
+  const auto arguments = std::make_shared<IntervalArguments>();
+  add_question(command, *arguments);
+  command.footer(
+      "Example:\n"
+      "  taut intervals --json scene.json\n"
+      "\n"
+      "Each interval is maximal; its ends are enclosed in doubles, with the features that meet and part there. Exit\n"
+      "codes: 0 no overlap, 1 at least one, 2 bad input, 3 undecided, 4 internal error.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_intervals(*arguments); }; });
+}
+
+void add_range(const Command& app, Action& action) {
+  const Command command = app.add_command("range", "Say how far the bodies can go, both ways, without overlap");
+  const auto arguments = std::make_shared<IntervalArguments>();
+  add_question(command, *arguments);
+  command.add_option("--from", arguments->from, "an instant at which no bodies overlap").required().value("T");
+  command.footer(
+      "Example:\n"
+      "  taut range scene.json --from 0.5\n"
+      "\n"
+      "Prints the maximal interval of time around T without overlap, of a sweep in degrees, too. Exit codes: 0, or\n"
+      "2 bad input (bodies overlap at T), 3 undecided, 4 internal error.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_range(*arguments); }; });
+}
+
+}  // namespace taut::cli

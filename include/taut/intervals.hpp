@@ -1,0 +1,49 @@
+// When do bodies overlap, all of the time, and not only for the first time?
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// A maximal interval of time in which two bodies overlap.
+struct OverlapInterval {
+  std::array<BodyId, 2> pair{};  ///< in the order of the scene
+  /// Enclose its beginning and its end. An overlap that is there at the scene's start begins with it, exactly, and one
+  /// that is there at its end ends with it.
+  TimeInterval from, to;
+  /// What meets what when it begins, and parts when it ends; absent at the scene's start and end.
+  std::optional<Contact> enter, exit;
+};
+
+/// The answer of intervals().
+struct Intervals {
+  std::vector<OverlapInterval> intervals;  ///< pair by pair, each pair's in order of time
+  std::vector<PairAnswer> undecided;       ///< pairs about whose overlaps nothing is claimed, with the reason
+  Coverage coverage;
+};
+
+/// All intervals in which bodies overlap, for each pair that is asked about. With open touching an instant of touching
+/// is none; with closed touching an interval may be an instant, as far as doubles tell, and ends where bodies part.
+/// Crossings of edges that follow each other by less than doubles tell apart are taken together: what happens between
+/// them is within both enclosures. Of the options, `touch`, `max_seconds` and `stop` count. Throws InputError.
+Intervals intervals(const Scene& scene, const CheckOptions& options = {});
+
+/// The answer of range().
+struct Range {
+  bool decided = false;
+  /// Enclose the ends; absent at the start and the end of the scene.
+  std::optional<TimeInterval> from, to;
+  /// What stops it there.
+  std::optional<OverlapInterval> before, after;
+  std::string reason;  ///< why it is not decided
+};
+
+/// The maximal interval of time around `t` in which no two bodies that are asked about overlap. Throws InputError if t
+/// is not within the scene's time, or bodies overlap then.
+Range range(const Scene& scene, double t, const CheckOptions& options = {});
+
+}  // namespace taut

@@ -1,0 +1,114 @@
+#include "taut/intervals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/validate_world.hpp"
+#include "taut/error.hpp"
+#include "world/overlap_intervals.hpp"
+#include "world/swept_box.hpp"
+
+namespace taut {
+namespace {
+
+/// Into so many windows is time divided to see whether boxes meet at all.
+constexpr int windows = 16;
+
+/// May the two bodies meet at any time, as far as boxes tell?
+class BoxTest {
+ public:
+  explicit BoxTest(const WorldPlan& plan) {
+    const double length = plan.end() - plan.start();
+    for (const WorldBody& body : plan.bodies()) {
+      boxes_.emplace_back();
+      for (int k = 0; k < windows; ++k) {
+        const double from = plan.start() + length * k / windows;
+        const double to = k + 1 == windows ? plan.end() : plan.start() + length * (k + 1) / windows;
+        boxes_.back().push_back(swept_box(body, from, std::max(from, to)));
+      }
+    }
+  }
+  bool may_meet(int a, int b) const {
+    const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      if (first[k].meets(second[k])) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::vector<std::vector<SweptBox>> boxes_;
+};
+
+PairAnswer undecided(int a, int b, double from, const std::string& reason) {
+  return {{a, b}, Outcome::undecided, {}, from, reason};
+}
+
+void search_pair(const WorldPlan& plan, int a, int b, bool inwards, Intervals& answer) {
+  try {
+    for (OverlapInterval& found : overlap_intervals(plan, a, b, inwards)) answer.intervals.push_back(std::move(found));
+  } catch (const Undecidable& limit) {
+    answer.undecided.push_back(undecided(a, b, plan.start(), not_decided(limit)));
+  } catch (const Interrupted& limit) {
+    answer.undecided.push_back(undecided(a, b, plan.start(), limit.reason));
+  }
+}
+
+}  // namespace
+
+Intervals intervals(const Scene& scene, const CheckOptions& options) {
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  validate_world(scene);
+  const WorldPlan plan(scene);
+  const BoxTest boxes(plan);
+  Intervals answer;
+  answer.coverage = plan.coverage();
+  const int n = static_cast<int>(plan.bodies().size());
+  for (int a = 0; a < n; ++a) {
+    for (int b = a + 1; b < n; ++b) {
+      if (!plan.asked(a, b)) continue;
+      if (!boxes.may_meet(a, b)) {
+        ++answer.coverage.apart;
+        continue;
+      }
+      ++answer.coverage.checked;
+      search_pair(plan, a, b, options.touch == Touch::open, answer);
+    }
+  }
+  return answer;
+}
+
+Range range(const Scene& scene, double t, const CheckOptions& options) {
+  if (!(t >= scene.start && t <= scene.end))
+    throw InputError("from", "the instant is outside of the scene's time", "choose one within");
+  const Intervals all = intervals(scene, options);
+  Range range;
+  if (!all.undecided.empty()) {
+    range.reason = all.undecided.front().reason;
+    return range;
+  }
+  range.decided = true;
+  for (const OverlapInterval& o : all.intervals) {
+    if (o.to.hi <= t && o.to.hi < scene.end) {
+      if (!range.from || o.to.hi > range.from->hi) {
+        range.from = o.to;
+        range.before = o;
+      }
+    } else if (o.from.lo >= t && o.from.lo > scene.start) {
+      if (!range.to || o.from.lo < range.to->lo) {
+        range.to = o.from;
+        range.after = o;
+      }
+    } else {
+      const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
+      throw InputError("from", name(o.pair[0]) + " and " + name(o.pair[1]) + " overlap at that instant",
+                       "choose one at which no bodies do: `taut intervals` lists when they do");
+    }
+  }
+  return range;
+}
+
+}  // namespace taut
