@@ -25,6 +25,7 @@ void add_prove(const Command& app, Action& action);
 void add_verify(const Command& app, Action& action);
 void add_draw(const Command& app, Action& action);
 void add_view(const Command& app, Action& action);
+void add_clearance(const Command& app, Action& action);
 void add_intervals(const Command& app, Action& action);
 void add_range(const Command& app, Action& action);
 void add_separator(const Command& app, Action& action);

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   taut::cli::Action action;
   taut::cli::add_demo(app, action, argc > 0 ? argv[0] : "taut");
   taut::cli::add_check(app, action);
+  taut::cli::add_clearance(app, action);
   taut::cli::add_intervals(app, action);
   taut::cli::add_range(app, action);
   taut::cli::add_prove(app, action);

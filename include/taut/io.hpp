@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 #include "taut/scene.hpp"
@@ -117,6 +118,9 @@ std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, c
 /// The answers of intervals() and range() as `taut intervals --json` and `taut range --json` print them.
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
+
+/// The answer of clearance() as `taut clearance --json` prints it.
+std::string clearance_json(const Scene& scene, const Clearance& answer);
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

@@ -46,6 +46,28 @@ bool apart(const Stretch& s, const Box& p, const Box& q) {
          separated(s.in_q, s.r, q, p, s.in_q.place(p.centre, q.centre));
 }
 
+bool farther(const Stretch& s, const Box& p, const Box& q, Vector towards, double margin) {
+  const Path way = s.in_p.place(q.centre, p.centre);
+  if (discs_apart(s.in_p.error + margin, s.r, way, p.radius + q.radius)) return true;
+  const double length = std::sqrt(dot(towards, towards));
+  // The boxes' directions are unit vectors up to rounding, and so is this one: it must not be too long.
+  constexpr double shorter = 1 - 0x1p-45;
+  const double room = margin * (1 + 0x1p-44);
+  if (length > 0) {
+    const Vector n{towards.x / length * shorter, towards.y / length * shorter};
+    const double extent =
+        (std::fabs(dot(n, p.along)) * p.half_length + std::fabs(dot(n, turned(p.along))) * p.half_width) *
+        (1 + 0x1p-45);
+    if (separates(s.in_p, s.r, n, extent + room, q, way, s.in_p.turn * q.along)) return true;
+  }
+  const auto along_sides = [&](const Carriage& carriage, const Box& fixed, const Box& moving, const Path& path) {
+    const Path side = carriage.turn * moving.along;
+    return separates(carriage, s.r, turned(fixed.along), fixed.half_width + room, moving, path, side) ||
+           separates(carriage, s.r, fixed.along, fixed.half_length + room, moving, path, side);
+  };
+  return along_sides(s.in_p, p, q, way) || along_sides(s.in_q, q, p, s.in_q.place(p.centre, q.centre));
+}
+
 bool apart_around_middle(const Stretch& s, double share, const Box& p, const Box& q) {
   Stretch part = s;
   part.r *= share;

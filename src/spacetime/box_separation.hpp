@@ -9,6 +9,10 @@ namespace taut::spacetime {
 /// Certainly apart at all times of the stretch.
 bool apart(const Stretch& stretch, const Box& p, const Box& q);
 
+/// Certainly farther than `margin` from each other at all times of the stretch. Besides the directions of the boxes'
+/// own sides, `towards` is tried, about the direction from P's box to Q's in P's frame; it need not be of any length.
+bool farther(const Stretch& stretch, const Box& p, const Box& q, Vector towards, double margin);
+
 /// Apart within that share of the stretch around its middle, as far as one can tell. No proof.
 bool apart_around_middle(const Stretch& stretch, double share, const Box& p, const Box& q);
 

@@ -1,0 +1,83 @@
+// taut clearance: how close do bodies come?
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "taut/clearance.hpp"
+#include "taut/io.hpp"
+#include "taut/motions.hpp"
+#include "terminal.hpp"
+#include "watched_run.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct ClearanceArguments {
+  SceneSource scene;
+  ClearanceOptions options;
+  bool json = false;
+};
+
+std::string body_name(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
+
+std::string nearest_line(const Scene& scene, const NearestPoints& n) {
+  const std::string pair = body_name(scene, n.pair[0]) + " x " + body_name(scene, n.pair[1]);
+  std::string angle;
+  for (const BodyId id : n.pair) {
+    const auto at = angle_at(scene.bodies[static_cast<std::size_t>(id)].motion, n.time);
+    if (at && angle.empty()) angle = fmt::format(" ({:.9g} deg)", at->lo + (at->hi - at->lo) / 2);
+  }
+  if (!(n.hi > 0)) return fmt::format("0  {}   they touch, at t = {}{}\n", pair, time_text(n.time), angle);
+  return fmt::format("{}  {}   at t = {:.9g}{}\n", time_text({n.lo, n.hi}), pair, n.time.lo, angle);
+}
+
+std::string clearance_text(const Scene& scene, const Clearance& answer) {
+  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
+  if (!answer.nearest) return "CLEARANCE  no pair is asked about\n";
+  const NearestPoints& n = *answer.nearest;
+  std::string text = "CLEARANCE  " + nearest_line(scene, n);
+  if (n.hi > 0)
+    text += fmt::format("  edge {} of {} at ({:.9g}, {:.9g}), edge {} of {} at ({:.9g}, {:.9g})\n", n.edges[0].index,
+                        body_name(scene, n.edges[0].body), n.points[0].x, n.points[0].y, n.edges[1].index,
+                        body_name(scene, n.edges[1].body), n.points[1].x, n.points[1].y);
+  for (const NearestPoints& pair : answer.pairs) text += "    " + nearest_line(scene, pair);
+  return text;
+}
+
+int run_clearance(const ClearanceArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  ClearanceOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const Clearance answer = within_file(arguments.scene.path, [&] { return clearance(scene, options); });
+  print_text(arguments.json ? clearance_json(scene, answer) + "\n" : clearance_text(scene, answer));
+  if (!answer.reason.empty()) return exit_undecided;
+  return answer.nearest && !(answer.nearest->hi > 0) ? exit_contact : exit_free;
+}
+
+}  // namespace
+
+void add_clearance(const Command& app, Action& action) {
+  const Command command = app.add_command("clearance", "Say how close bodies come, with a certain bracket");
+  const auto arguments = std::make_shared<ClearanceArguments>();
+  add_scene(command, arguments->scene);
+  command.add_option("--tolerance", arguments->options.relative, "how wide the bracket may be, relative to it; 1e-9")
+      .value("X");
+  const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
+  command.add_choice("--pairs", {"first", "all"}, pairs, "first: the pair that comes closest; all: every pair");
+  command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
+      .value("S")
+      .not_negative();
+  command.add_flag("--json", arguments->json, "print one JSON object");
+  command.footer(
+      "Example:\n"
+      "  taut clearance scene.json --pairs all\n"
+      "\n"
+      "Prints the least distance over the scene's time, when, and between which points. Exit codes: 0, or 1 if bodies\n"
+      "touch, 2 bad input, 3 undecided, 4 internal error.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_clearance(*arguments); }; });
+}
+
+}  // namespace taut::cli

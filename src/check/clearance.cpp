@@ -1,0 +1,191 @@
+#include "taut/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "check/run.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/validate_world.hpp"
+#include "sign/witness.hpp"
+#include "spacetime/clearance.hpp"
+#include "taut/error.hpp"
+#include "world/pair_search.hpp"
+#include "world/swept_box.hpp"
+
+namespace taut {
+namespace {
+
+/// A lower bound of the distance of two boxes.
+double distance_of(const SweptBox& a, const SweptBox& b) {
+  const double x = std::max({0.0, a.lo_x - b.hi_x, b.lo_x - a.hi_x});
+  const double y = std::max({0.0, a.lo_y - b.hi_y, b.lo_y - a.hi_y});
+  return std::sqrt(x * x + y * y) * (1 - 0x1p-45);
+}
+
+/// The nearest points of two edges that do not cross.
+std::array<Point, 2> nearest_points(const Point& a, const Point& b, const Point& c, const Point& d) {
+  std::array<Point, 2> best{a, c};
+  double least = INFINITY;
+  const auto attempt = [&](const Point& v, const Point& from, const Point& to, bool first) {
+    const double ex = to.x - from.x, ey = to.y - from.y;
+    const double share = std::clamp(((v.x - from.x) * ex + (v.y - from.y) * ey) / (ex * ex + ey * ey), 0.0, 1.0);
+    const Point foot{from.x + share * ex, from.y + share * ey};
+    const double distance = length(v.x - foot.x, v.y - foot.y);
+    if (!(distance < least)) return;
+    least = distance;
+    best = first ? std::array<Point, 2>{v, foot} : std::array<Point, 2>{foot, v};
+  };
+  attempt(a, c, d, true);
+  attempt(b, c, d, true);
+  attempt(c, a, b, false);
+  attempt(d, a, b, false);
+  return best;
+}
+
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
+      : scene_(scene), options_(options), plan_(scene), best_(INFINITY) {
+    // A little less than what is allowed: the rest is for rounding.
+    double largest = 0;
+    for (const WorldBody& body : plan_.bodies()) {
+      const Bounds& b = body.rings->bounds();
+      largest = std::max({largest, -b.lo.x, -b.lo.y, b.hi.x, b.hi.y});
+    }
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * largest};
+    answer_.coverage = plan_.coverage();
+  }
+
+  Clearance run() {
+    const std::vector<BoxedPair> pairs = pairs_by_distance();
+    answer_.coverage.checked = 0;
+    for (const BoxedPair& pair : pairs) {
+      if (!options_.all_pairs && pair.bound > tolerance_.least(best_)) break;
+      ++answer_.coverage.checked;
+      search(pair);
+    }
+    answer_.coverage.apart =
+        answer_.coverage.pairs - answer_.coverage.ignored - answer_.coverage.at_rest - answer_.coverage.checked;
+    std::sort(answer_.pairs.begin(), answer_.pairs.end(),
+              [](const NearestPoints& a, const NearestPoints& b) { return a.pair < b.pair; });
+    return std::move(answer_);
+  }
+
+ private:
+  struct BoxedPair {
+    double bound;
+    int a, b;
+  };
+
+  /// All pairs, those first whose boxes come nearest.
+  std::vector<BoxedPair> pairs_by_distance() const {
+    constexpr int windows = 16;
+    const double length = plan_.end() - plan_.start();
+    std::vector<std::vector<SweptBox>> boxes;
+    for (const WorldBody& body : plan_.bodies()) {
+      boxes.emplace_back();
+      for (int k = 0; k < windows; ++k) {
+        const double to = k + 1 == windows ? plan_.end() : plan_.start() + length * (k + 1) / windows;
+        boxes.back().push_back(swept_box(body, plan_.start() + length * k / windows, to));
+      }
+    }
+    std::vector<BoxedPair> pairs;
+    const int n = static_cast<int>(boxes.size());
+    for (int a = 0; a < n; ++a) {
+      for (int b = a + 1; b < n; ++b) {
+        interruption_point();
+        if (!plan_.asked(a, b)) continue;
+        double bound = INFINITY;
+        for (std::size_t k = 0; k < windows; ++k)
+          bound = std::min(bound,
+                           distance_of(boxes[static_cast<std::size_t>(a)][k], boxes[static_cast<std::size_t>(b)][k]));
+        pairs.push_back({bound, a, b});
+      }
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const BoxedPair& x, const BoxedPair& y) { return x.bound < y.bound; });
+    return pairs;
+  }
+
+  void search(const BoxedPair& pair) {
+    const PairSearch search(plan_, pair.a, pair.b, false);
+    NearestPoints found;
+    found.pair = {pair.a, pair.b};
+    if (!touching(search, found)) {
+      spacetime::Nearest nearest;
+      nearest.distance = options_.all_pairs ? INFINITY : best_;
+      const double before = nearest.distance;
+      spacetime::find_nearest(search.geometry, search.trees(), search.legs, tolerance_, nearest);
+      if (!options_.all_pairs && !(nearest.distance < before)) return;
+      describe(search, nearest, found);
+    }
+    if (options_.all_pairs) answer_.pairs.push_back(found);
+    if (answer_.nearest && !(found.hi < answer_.nearest->hi)) return;
+    answer_.nearest = found;
+    best_ = std::ldexp(found.hi, plan_.exponent());
+  }
+
+  /// Bodies that touch have no distance.
+  bool touching(const PairSearch& search, NearestPoints& found) const {
+    const Leg& first = search.legs[0];
+    if (spacetime::overlapping(search.geometry, search.trees(), first, plan_.start())) {
+      found.time = {plan_.start(), plan_.start()};
+      return true;
+    }
+    const spacetime::SpacetimeResult contact = spacetime::first_contact(search.geometry, search.trees(), search.legs);
+    if (contact.outcome == spacetime::SpacetimeResult::free) return false;
+    if (contact.outcome == spacetime::SpacetimeResult::undecided) throw Undecidable{"whether bodies touch"};
+    const Leg& leg = search.legs[contact.leg];
+    const Contact said = Witness(search.plan, search.geometry, false)
+                             .contact({contact.vertex, contact.edge, contact.lo, contact.hi}, leg);
+    found.time = said.time;
+    found.points = {said.point, said.point};
+    return true;
+  }
+
+  void describe(const PairSearch& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
+    const Leg& leg = search.legs[nearest.leg];
+    const Witness witness(search.plan, search.geometry, false);
+    const auto at = [&](VertexId v) { return witness.world(v, leg, nearest.parameter); };
+    found.points = nearest_points(at(nearest.edge_p), at(search.geometry.next(nearest.edge_p)), at(nearest.edge_q),
+                                  at(search.geometry.next(nearest.edge_q)));
+    found.edges = {witness.edge(nearest.edge_p), witness.edge(nearest.edge_q)};
+    if (found.edges[0].body != found.pair[0]) {
+      std::swap(found.points[0], found.points[1]);
+      std::swap(found.edges[0], found.edges[1]);
+    }
+    const double t = std::clamp(leg.time(nearest.parameter), plan_.start(), plan_.end());
+    found.time = {t, t};
+    found.hi = std::ldexp(nearest.distance, -plan_.exponent());
+    const double least = std::min(tolerance_.least(nearest.distance), nearest.unresolved);
+    found.lo = std::max(0.0, std::ldexp(least, -plan_.exponent()) * (1 - 0x1p-50));
+  }
+
+  const Scene& scene_;
+  const ClearanceOptions& options_;
+  WorldPlan plan_;
+  spacetime::ClearanceTolerance tolerance_;
+  double best_;  ///< internal units
+  Clearance answer_;
+};
+
+}  // namespace
+
+Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
+  if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  validate_world(scene);
+  Clearance answer;
+  try {
+    return ClearanceSearch(scene, options).run();
+  } catch (const Undecidable& limit) {
+    answer.reason = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    answer.reason = limit.reason;
+  }
+  return answer;
+}
+
+}  // namespace taut

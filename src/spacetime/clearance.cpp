@@ -1,0 +1,170 @@
+#include "spacetime/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "spacetime/box_separation.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+struct BoxPair {
+  std::uint32_t p, q;
+};
+
+/// The nearest points of two segments that do not cross.
+struct Closest {
+  Vector on_p, on_q;
+  double distance = INFINITY;
+};
+
+void try_point(Vector v, Vector a, Vector b, bool v_of_p, Closest& best) {
+  const Vector e = b - a, w = v - a;
+  const double share = std::clamp(dot(w, e) / dot(e, e), 0.0, 1.0);
+  const Vector foot{a.x + share * e.x, a.y + share * e.y}, way = v - foot;
+  const double d = std::sqrt(dot(way, way));
+  if (!(d < best.distance)) return;
+  best = v_of_p ? Closest{v, foot, d} : Closest{foot, v, d};
+}
+
+Closest closest(Vector a, Vector b, Vector c, Vector d) {
+  Closest best;
+  try_point(a, c, d, true, best);
+  try_point(b, c, d, true, best);
+  try_point(c, a, b, false, best);
+  try_point(d, a, b, false, best);
+  return best;
+}
+
+/// Boxes that move farther than this share of their size are left to shorter stretches of time.
+constexpr double patience = 0.75;
+/// In stretches shorter than this share of the leg, errors have become as small as they get.
+constexpr double shortest = 0x1p-30;
+
+class LegClearance {
+ public:
+  LegClearance(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, std::size_t index,
+               const ClearanceTolerance& tolerance, Nearest& best)
+      : geometry_(geometry),
+        trees_(trees),
+        leg_(leg),
+        index_(index),
+        tolerance_(tolerance),
+        best_(best),
+        polynomial_(leg) {}
+
+  void run() {
+    if (leg_.translation) return from_root(leg_.start, leg_.end);
+    for (double t = leg_.start;;) {
+      const double wanted = window_ ? 2 * window_->length() : leg_.end - leg_.start;
+      window_.emplace(leg_, t, leg_.end, std::min(wanted, leg_.end - leg_.start));
+      from_root(t, window_->end());
+      t = window_->end();
+      if (!(t < leg_.end)) break;
+    }
+  }
+
+ private:
+  void from_root(double from, double to) {
+    pairs_.assign(1, {0, 0});
+    cover(0, from, to, 0);
+  }
+  Stretch stretch(double from, double to) {
+    if (leg_.translation) return Stretch::of_translation(leg_, polynomial_, from, to);
+    return window_->smooth() ? Stretch::of_window(leg_, *window_, from, to) : Stretch::of_range(leg_, *window_);
+  }
+  /// All pairs from `first` on, throughout [from, to].
+  void cover(std::size_t first, double from, double to, int depth) {
+    const Stretch s = stretch(from, to);
+    const double middle = from + (to - from) / 2;
+    const bool divisible = from < middle && middle < to && depth < 60;
+    const std::size_t last = pairs_.size();
+    for (std::size_t i = first; i < last; ++i) {
+      todo_.assign(1, pairs_[i]);
+      while (!todo_.empty()) {
+        interruption_point();
+        const BoxPair pair = todo_.back();
+        todo_.pop_back();
+        look(s, pair, divisible);
+      }
+    }
+    if (pairs_.size() > last) {
+      cover(last, from, middle, depth + 1);
+      cover(last, middle, to, depth + 1);
+    }
+    pairs_.resize(last);
+  }
+  void look(const Stretch& s, const BoxPair& pair, bool divisible) {
+    const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
+    const bool leaf = p.count == 1 && q.count == 1;
+    const Path way = s.in_p.place(q.box.centre, p.box.centre);
+    Vector towards{way.x.a, way.y.a};
+    if (leaf) towards = measure(s, VertexId(p.first), VertexId(geometry_.np + q.first));
+    if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return;
+    if (leaf || motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius)) {
+      if (divisible && !(leaf && is_resolved(s, p.box, q.box, towards))) pairs_.push_back(pair);
+      if (!divisible) best_.unresolved = 0;
+    } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
+      descend({p.right, pair.q}, {p.left, pair.q}, s);
+    } else {
+      descend({pair.p, q.right}, {pair.p, q.left}, s);
+    }
+  }
+  /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
+  /// shorter stretches would not help, and what is certain is noted.
+  bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
+    if (s.r > shortest * (leg_.end - leg_.start)) return false;
+    for (const double errors : {1, 2, 4, 8}) {
+      const double margin = tolerance_.least(best_.distance) - errors * s.in_p.error;
+      if (!farther(s, p, q, towards, margin)) continue;
+      best_.unresolved = std::min(best_.unresolved, std::max(0.0, margin));
+      return true;
+    }
+    return false;
+  }
+  /// The nearer one first: it may spare the other.
+  void descend(const BoxPair& a, const BoxPair& b, const Stretch& s) {
+    const auto distance = [&](const BoxPair& pair) {
+      const Path way = s.in_p.place(trees_.q.node(pair.q).box.centre, trees_.p.node(pair.p).box.centre);
+      return way.x.a * way.x.a + way.y.a * way.y.a;
+    };
+    const bool first = distance(a) < distance(b);
+    todo_.push_back(first ? b : a);
+    todo_.push_back(first ? a : b);
+  }
+  /// The distance of two edges in the middle of the stretch; the direction of the shortest way, in P's frame.
+  Vector measure(const Stretch& s, VertexId of_p, VertexId of_q) {
+    const auto point = [&](VertexId v) { return Vector{geometry_.point(v).x, geometry_.point(v).y}; };
+    const auto placed = [&](VertexId v) {
+      const Path path = s.in_p.place(point(v), {0, 0});
+      return Vector{path.x.a, path.y.a};
+    };
+    const Closest found = closest(point(of_p), point(geometry_.next(of_p)), placed(of_q), placed(geometry_.next(of_q)));
+    // No direction is wrong by more than the stretch's error, so neither is the distance.
+    const double distance = found.distance * (1 + 0x1p-48) + s.in_p.error;
+    if (distance < best_.distance) best_ = {distance, index_, s.middle, of_p, of_q, best_.unresolved};
+    return found.on_q - found.on_p;
+  }
+
+  const PairGeometry& geometry_;
+  TreePair trees_;
+  const Leg& leg_;
+  std::size_t index_;
+  ClearanceTolerance tolerance_;
+  Nearest& best_;
+  TranslationPolynomial polynomial_;
+  std::optional<FrameWindow> window_;
+  std::vector<BoxPair> pairs_, todo_;
+};
+
+}  // namespace
+
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                  const ClearanceTolerance& tolerance, Nearest& best) {
+  for (std::size_t i = 0; i < legs.size(); ++i) LegClearance(geometry, trees, legs[i], i, tolerance, best).run();
+}
+
+}  // namespace taut::spacetime

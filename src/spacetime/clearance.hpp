@@ -1,0 +1,33 @@
+// How close do two bodies come? Branch and bound over time and pairs of boxes.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "spacetime/first_contact.hpp"
+
+namespace taut::spacetime {
+
+/// The least distance found so far, in internal units, and where.
+struct Nearest {
+  double distance = 0;  ///< certainly not less than the bodies' distance at that instant
+  std::size_t leg = 0;
+  double parameter = 0;
+  VertexId edge_p, edge_q;  ///< the edges that come so close, by their first vertices
+  /// No distance is less than this where doubles did not tell as well as was asked for; infinite if they always did.
+  double unresolved = INFINITY;
+};
+
+/// What a distance may be wrong by: `relative` of it, and `absolute`.
+struct ClearanceTolerance {
+  double relative = 0, absolute = 0;
+  double least(double distance) const { return distance * (1 - relative) - absolute; }
+};
+
+/// Lowers `best` to the least distance of the two bodies along the legs, where that is less: afterwards, no distance is
+/// less than the smaller one of tolerance.least(best.distance) and best.unresolved. The bodies must not touch at any
+/// time.
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                  const ClearanceTolerance& tolerance, Nearest& best);
+
+}  // namespace taut::spacetime
