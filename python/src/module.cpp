@@ -3,6 +3,7 @@
 // Work is done on a thread of its own, without the interpreter's lock, while the calling thread looks for signals:
 // Ctrl-C then ends a check within moments, and other threads of Python go on meanwhile.
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <atomic>
 #include <chrono>
@@ -68,11 +69,7 @@ taut::CheckOptions check_options(const RunOptions& given, const std::atomic<bool
                                          {"both", EngineChoice::both},
                                          {"either", EngineChoice::either}});
   options.all_pairs = chosen<bool>("pairs", given.pairs, {{"first", false}, {"all", true}});
-  if (given.max_seconds) {
-    if (!(*given.max_seconds >= 0))
-      throw taut::InputError("max_seconds", "the limit is negative, or not a number", "give seconds, 0 or more");
-    if (*given.max_seconds < options.max_seconds) options.max_seconds = *given.max_seconds;
-  }
+  if (given.max_seconds) options.max_seconds = *given.max_seconds;
   if (given.max_events) options.max_events = *given.max_events;
   options.stop = &stop;
   return options;
@@ -184,7 +181,7 @@ void validate(const SceneText& text) {
 }
 
 /// Whether it is a scene by its form; what the shapes and the motions are is looked at later.
-void read(const SceneText& text) {
+void read_form(const SceneText& text) {
   attended<bool>([&](const std::atomic<bool>&) {
     text.read();
     return true;
@@ -225,6 +222,6 @@ PYBIND11_MODULE(_taut2d, module) {
     return verify(text, log, max_seconds);
   });
   module.def("validate", &validate);
-  module.def("read", &read);
+  module.def("read", &read_form);
   module.def("version", [] { return TAUT_VERSION; });
 }

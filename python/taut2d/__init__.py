@@ -27,6 +27,7 @@ import os
 from typing import Any, Optional, Union
 
 from . import _taut2d
+from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError
@@ -44,15 +45,19 @@ __all__ = [
 __version__: str = _taut2d.version()
 
 
+def _seconds(limit: Optional[float]) -> Optional[float]:
+    if limit is None or limit == float("inf"):
+        return None
+    seconds = number(limit, "max_seconds")
+    if seconds < 0:
+        raise InputError("max_seconds", "the limit is negative", "give seconds, 0 or more")
+    return seconds
+
+
 def _options(touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int]) -> Any:
     for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
         if not isinstance(value, str):
             raise InputError(name, f"expected a word, found {type(value).__name__}")
-    if max_seconds is not None:
-        try:
-            max_seconds = float(max_seconds)
-        except (TypeError, ValueError) as error:
-            raise InputError("max_seconds", f"expected a number, found {type(max_seconds).__name__}") from error
     if max_events is not None:
         try:
             max_events = min(max_events.__index__(), 2**64 - 1)
@@ -60,7 +65,7 @@ def _options(touch: str, engine: str, pairs: str, max_seconds: Optional[float], 
             raise InputError("max_events", f"expected a whole number, found {type(max_events).__name__}") from error
         if max_events < 0:
             raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
-    return _taut2d.RunOptions(touch, engine, pairs, max_seconds, max_events)
+    return _taut2d.RunOptions(touch, engine, pairs, _seconds(max_seconds), max_events)
 
 
 def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
@@ -107,6 +112,6 @@ def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
     else:
         with open(proof, "rb") as file:
             log = file.read()
-    limit = _options("open", "kinetic", "first", max_seconds, None) and max_seconds
+    limit = _seconds(max_seconds)
     with _plain_places():
-        return verified_from_json(_taut2d.verify(scene._text(), log, None if limit is None else float(limit)))
+        return verified_from_json(_taut2d.verify(scene._text(), log, limit))

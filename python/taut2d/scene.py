@@ -120,15 +120,20 @@ def _wkt_parts(text: str, place: str) -> tuple[Part, ...]:
 
 
 def _is_number(value: Any) -> bool:
-    return not isinstance(value, (str, bytes)) and hasattr(value, "__float__")
+    # An array of numpy, which offers __float__ as well, is none.
+    return getattr(value, "ndim", 0) == 0 and not isinstance(value, (str, bytes)) and hasattr(value, "__float__")
 
 
 def _is_ring(value: Any) -> bool:
-    """Do pairs of numbers stand in it, or something that is to be said wrong as such?"""
+    """Does it begin as a list of points does? What is wrong further on is then wrong with a point."""
     if hasattr(value, "ndim"):
-        return value.ndim == 2
-    return all(not isinstance(p, (str, bytes, Part, WktFile, GeojsonFile)) and not hasattr(p, "__geo_interface__")
-               and (_is_number(p) or (isinstance(p, Iterable) and all(map(_is_number, p)))) for p in value)
+        return bool(value.ndim == 2)
+    if not value:
+        return True
+    first = value[0]
+    if isinstance(first, (str, bytes, Mapping, Part, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
+        return False
+    return _is_number(first) or (isinstance(first, Iterable) and all(map(_is_number, first)))
 
 
 def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
