@@ -94,7 +94,7 @@ def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
 
 @pytest.mark.parametrize("make, place, problem", [
     (lambda: Body("lid", 7), "lid: shape", "expected a shape, found int"),
-    (lambda: Body("lid", [(0, 0), (1, 0), (0, "x")]), "lid: shape[2]", "found str"),
+    (lambda: Body("lid", [(0, 0), (1, 0), (0, "x")]), "lid: shape[2][1]", "found str"),
     (lambda: Body("lid", [(0, 0), (1, 0), (0, 1, 2)]), "lid: shape[2]", "expected two numbers, found 3"),
     (lambda: Body("lid", [(0, 0), (1, 0), (0, math.nan)]), "lid: shape[2][1]", "nan is not a finite number"),
     (lambda: Body("lid", {"type": "Point", "coordinates": [0, 0]}), "lid: shape", "found Point"),
