@@ -6,7 +6,7 @@ IEEE doubles and are taken exactly; what is written in degrees or by keyframes i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
@@ -18,8 +18,9 @@ __all__ = [
     "Pieces", "Polynomial", "Rotation", "Sweep", "Turn", "Velocity",
 ]
 
-Point = tuple[float, float]
-Coefficients = tuple[float, ...]
+# What is accepted; once made, fields hold tuples of floats.
+Point = Sequence[float]
+Coefficients = Sequence[float]
 
 
 def _set(instance: Any, **values: Any) -> None:
@@ -91,9 +92,10 @@ def _keyframe(given: Any, place: str) -> Union[Keyframe, Turn, Arc]:
     hint = "write Keyframe(t, x, y, angle_deg), or (t, x, y) or (t, x, y, angle_deg), or Turn(...) or Arc(...)"
     try:
         if isinstance(given, Mapping):
-            for key, leg in (("turn", Turn), ("arc", Arc)):
-                if key in given:
-                    return leg(given["t"], **given[key])
+            if "turn" in given:
+                return Turn(given["t"], **given["turn"])
+            if "arc" in given:
+                return Arc(given["t"], **given["arc"])
             return Keyframe(**given)
         values = tuple(given)
         if len(values) not in (3, 4):
@@ -108,10 +110,10 @@ class Keyframes:
     """Poses at times that ascend, linear in between; the body rests before the first and after the last.
 
     ``keyframes`` are Keyframe, Turn or Arc, tuples (t, x, y) or (t, x, y, angle_deg), dictionaries with these keys, or a
-    numpy array with 3 or 4 columns. ``pivot`` is what the body turns about, in its own coordinates; None is (0, 0).
+    numpy array with 3 or 4 columns; once made, a tuple of the three. ``pivot`` is what the body turns about, in its own coordinates; None is (0, 0).
     """
 
-    keyframes: tuple[Union[Keyframe, Turn, Arc], ...]
+    keyframes: Any
     pivot: Optional[Point] = None
 
     def __post_init__(self) -> None:
@@ -266,11 +268,10 @@ class Polynomial:
 class Pieces:
     """Polynomials one after the other, each until its ``until``. Time is absolute throughout."""
 
-    pieces: tuple[Polynomial, ...]
+    pieces: Sequence[Polynomial]
 
     def __post_init__(self) -> None:
-        pieces: Iterable[Any] = self.pieces
-        _set(self, pieces=tuple(pieces))
+        _set(self, pieces=tuple(self.pieces))
         for i, piece in enumerate(self.pieces):
             if not isinstance(piece, Polynomial):
                 raise InputError(f"pieces[{i}]", f"expected a Polynomial, found {type(piece).__name__}")
@@ -280,7 +281,6 @@ class Pieces:
 
 
 Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces]
-_kinds = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces)
 
 
 def _rotation_from_json(value: Any) -> Optional[Rotation]:
@@ -288,12 +288,16 @@ def _rotation_from_json(value: Any) -> Optional[Rotation]:
         return None
     if "direction" in value:
         return Direction(**value["direction"])
-    (key, coefficients), = value.items()
-    return {"angle": Angle, "half_angle_tangent": HalfAngleTangent, "cosine": Cosine}[key](coefficients)
+    if "angle" in value:
+        return Angle(value["angle"])
+    if "cosine" in value:
+        return Cosine(value["cosine"])
+    return HalfAngleTangent(value["half_angle_tangent"])
 
 
 def _piece_from_json(value: dict[str, Any]) -> Polynomial:
-    return Polynomial(**{**value, "rotation": _rotation_from_json(value.get("rotation"))})
+    return Polynomial(value.get("x", ()), value.get("y", ()), _rotation_from_json(value.get("rotation")),
+                      value.get("pivot"), value.get("until"))
 
 
 def motion_from_json(value: Any) -> Optional[Motion]:

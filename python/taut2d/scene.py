@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Optional, Union
 
@@ -38,8 +38,8 @@ class Part:
     columns: the vertices in order, in either orientation, the first one not repeated. Holes lie inside the outline, and
     none touches it or another one."""
 
-    outline: Ring
-    holes: tuple[Ring, ...] = ()
+    outline: Any
+    holes: Any = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "outline", _ring(self.outline, "outline"))
@@ -246,11 +246,11 @@ class Scene:
     Bodies that move alike at all times are never asked about with each other, unless the scene has only these two.
     """
 
-    bodies: tuple[Body, ...]
-    time: Point
-    ignore: tuple[tuple[str, str], ...] = ()
+    bodies: Sequence[Body]
+    time: Sequence[float]
+    ignore: Sequence[Sequence[str]] = ()
     id: Any = None
-    folder: str = field(default=".", compare=False)
+    folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
 
     def __post_init__(self) -> None:
         bodies = (self.bodies,) if isinstance(self.bodies, Body) else tuple(self.bodies)
@@ -307,8 +307,8 @@ class Scene:
         # The library knows the format, and says what is wrong; after that, there is nothing left to doubt here.
         _taut2d.read(_taut2d.SceneText(text, name, folder))
         object = json.loads(text)
-        return cls([_body_from_json(body) for body in object["bodies"]], object["time"],
-                   [tuple(pair) for pair in object.get("ignore", ())], object.get("id"), folder)
+        return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
+                   object.get("id"), folder)
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes to_json() and a line break into a file. Paths of files that bodies name stay as they are."""
@@ -322,7 +322,7 @@ class Scene:
             _taut2d.validate(self._text())
 
     def _text(self) -> Any:
-        return _taut2d.SceneText(self.to_json(), _unnamed, self.folder)
+        return _taut2d.SceneText(self.to_json(), _unnamed, os.fspath(self.folder))
 
 
 # What stands for the text of a scene that was not read from a file; where it is in that text helps nobody.

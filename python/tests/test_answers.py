@@ -1,6 +1,7 @@
 import dataclasses
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -177,3 +178,12 @@ def test_help_has_words_for_everything():
     for name in taut2d.__all__:
         doc = getattr(taut2d, name).__doc__
         assert doc and not doc.startswith(name + "("), name
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
+def test_types_are_right_for_the_package_and_its_users(tmp_path):
+    user = tmp_path / "user.py"
+    user.write_text(LONG + "answer: taut2d.Answer = taut2d.check(scene)\nscene.bodies[0].name.upper()\n")
+    run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
+                          str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
+    assert run.returncode == 0, run.stdout
