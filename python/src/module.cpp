@@ -188,6 +188,12 @@ void read_form(const SceneText& text) {
   });
 }
 
+/// Text that names files may be no UTF-8; Python then has it as os.fsdecode() gives it.
+py::object text_of(const std::string& text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
+}
+
 /// Sets an exception of the package, looked up when it is needed.
 template <class... Arguments>
 void raise(const char* name, Arguments&&... arguments) {
@@ -200,11 +206,11 @@ void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const taut::InputError& error) {
-    raise("InputError", error.place(), error.problem(), error.hint());
+    raise("InputError", text_of(error.place()), text_of(error.problem()), text_of(error.hint()));
   } catch (const taut::InternalError& error) {
-    raise("InternalError", error.what());
+    raise("InternalError", text_of(error.what()));
   } catch (const taut::Error& error) {
-    raise("TautError", error.what());
+    raise("TautError", text_of(error.what()));
   }
 }
 

@@ -1,7 +1,7 @@
 from typing import Optional
 
 class SceneText:
-    def __init__(self, json: str, name: str, folder: str) -> None: ...
+    def __init__(self, json: bytes, name: bytes, folder: bytes) -> None: ...
 
 class RunOptions:
     def __init__(

@@ -287,7 +287,7 @@ class Scene:
     def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> Scene:
         """The scene that a JSON text in the format taut-scene/1 describes; files that it names are looked up in
         ``folder``. Raises InputError with line and column if it is not such a text."""
-        return cls._read(text, "scene", os.fspath(folder))
+        return cls._read(text, "scene", folder)
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike[str]]) -> Scene:
@@ -300,12 +300,12 @@ class Scene:
             text = data.decode("utf-8")
         except UnicodeDecodeError as error:
             raise InputError(path, "the file is not UTF-8") from error
-        return cls._read(text, path, os.path.dirname(path) or ".")
+        return cls._read(text, path, os.path.dirname(path) or os.curdir)
 
     @classmethod
-    def _read(cls, text: str, name: str, folder: str) -> Scene:
+    def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Scene:
         # The library knows the format, and says what is wrong; after that, there is nothing left to doubt here.
-        _taut2d.read(_taut2d.SceneText(text, name, folder))
+        _taut2d.read(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
                    object.get("id"), folder)
@@ -321,8 +321,18 @@ class Scene:
         with _plain_places():
             _taut2d.validate(self._text())
 
-    def _text(self) -> Any:
-        return _taut2d.SceneText(self.to_json(), _unnamed, os.fspath(self.folder))
+    def _text(self) -> _taut2d.SceneText:
+        return _scene_text(self.to_json(), _unnamed, self.folder)
+
+
+def _scene_text(text: str, name: str, folder: Union[str, os.PathLike[str]]) -> _taut2d.SceneText:
+    if not isinstance(text, str):
+        raise InputError("", f"expected text, found {type(text).__name__}", "give the JSON of a scene as a str")
+    try:
+        data = text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise InputError("", f"half of a surrogate pair is no character: {text[error.start]!r}") from error
+    return _taut2d.SceneText(data, os.fsencode(name), os.fsencode(folder))
 
 
 # What stands for the text of a scene that was not read from a file; where it is in that text helps nobody.

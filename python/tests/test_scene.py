@@ -104,6 +104,9 @@ def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
     (lambda: Scene([Body("a", SQUARE)], (0, 1), ["ab"]), "ignore[0]", "expected two names"),
     (lambda: Scene.from_json('{"format": "taut-scene/1"}'), "scene:1:1", '"time"'),
     (lambda: Scene([Body("a", SQUARE), Body("b", SQUARE[:2])], (0, 1)).validate(), "b", "vertices"),
+    (lambda: Scene.from_json(b"{}"), "", "expected text, found bytes"),
+    (lambda: taut2d.check(Scene([Body("\ud800", SQUARE), Body("b", OTHER)], (0, 1))), "", "surrogate"),
+    (lambda: taut2d.check(Scene([Body("a", SQUARE), Body("b", OTHER, id={1, 2})], (0, 1))), "id", "set"),
     (lambda: taut2d.check(Scene([Body("a", SQUARE), Body("a", OTHER)], (0, 1))), "bodies", "two bodies"),
 ])
 def test_errors_say_where_and_what(make, place, problem):
@@ -111,7 +114,7 @@ def test_errors_say_where_and_what(make, place, problem):
         make()
     assert caught.value.place == place
     assert problem in caught.value.problem
-    assert str(caught.value).startswith(f"{place}: {caught.value.problem}")
+    assert str(caught.value).startswith(f"{place}: {caught.value.problem}" if place else caught.value.problem)
 
 
 def test_an_error_has_a_hint():
@@ -123,3 +126,22 @@ def test_an_error_has_a_hint():
     assert (error.place, error.hint[:17]) == ("bow", "list the vertices")
     assert error.problem == "the boundary is not simple: edges 0-1 and 2-3 cross at (0.5, 0.5)"
     assert str(error) == f"bow: {error.problem}\nhint: {error.hint}"
+
+
+def test_wkt_that_is_none_is_an_error_with_a_hint():
+    pytest.importorskip("shapely")
+    for text, problem in [("POLYGON ((0 0, 1", "this is not WKT"), ("POINT (0 0)", "found Point"),
+                          ("POLYGON EMPTY", "empty")]:
+        with pytest.raises(InputError) as caught:
+            Body("a", text)
+        assert problem in caught.value.problem
+
+
+def test_names_of_files_may_be_any_bytes(tmp_path):
+    import os
+    path = os.fsdecode(os.path.join(os.fsencode(tmp_path), b"\xff.json"))
+    with open(path, "w") as file:
+        file.write("{}")
+    with pytest.raises(InputError) as caught:
+        Scene.load(path)
+    assert caught.value.place == path + ":1:1"
