@@ -68,6 +68,13 @@ def _options(touch: str, engine: str, pairs: str, max_seconds: Optional[float], 
     return _taut2d.RunOptions(touch, engine, pairs, _seconds(max_seconds), max_events)
 
 
+def _text(scene: Scene) -> _taut2d.SceneText:
+    if not isinstance(scene, Scene):
+        raise InputError("scene", f"expected a Scene, found {type(scene).__name__}",
+                         "Scene.load(path) reads a file, and Scene.from_json(text) the text of one")
+    return scene._text()
+
+
 def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None) -> Answer:
     """Decides whether and when bodies of the scene first collide.
@@ -84,7 +91,7 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: 
     """
     options = _options(touch, engine, pairs, max_seconds, max_events)
     with _plain_places():
-        return answer_from_json(_taut2d.check(scene._text(), options))
+        return answer_from_json(_taut2d.check(_text(scene), options))
 
 
 def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None,
@@ -93,7 +100,7 @@ def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = N
     and errors are those of check(). An undecided run proves what it has done."""
     options = _options(touch, "kinetic", "first", max_seconds, max_events)
     with _plain_places():
-        answer, log, name = _taut2d.prove(scene._text(), options)
+        answer, log, name = _taut2d.prove(_text(scene), options)
     return Proof(answer_from_json(answer), log, name)
 
 
@@ -114,4 +121,4 @@ def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
             log = file.read()
     limit = _seconds(max_seconds)
     with _plain_places():
-        return verified_from_json(_taut2d.verify(scene._text(), log, limit))
+        return verified_from_json(_taut2d.verify(_text(scene), log, limit))

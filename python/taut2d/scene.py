@@ -182,7 +182,7 @@ class Body:
     ``motion``: one of taut2d.motions, or None: it rests.
     ``relative_to``: the name of another body, in whose frame the motion is seen: an arm's second link, from the first.
     Chains have at most 16 bodies.
-    ``id``: any JSON value, which answers hand through.
+    ``id``: any JSON value, which answers hand through; None is no id.
 
     Raises InputError for what is not a shape or a number; that a boundary does not cross itself, and the like, is looked
     at by check() and Scene.validate().
@@ -240,7 +240,7 @@ class Scene:
     ``bodies``: one or more Body.
     ``time``: (start, end), in the unit of the motions.
     ``ignore``: pairs of names that are not asked about, [("door", "pin"), ("chassis", "*")]; "*" is every other body.
-    ``id``: any JSON value, which the answer hands through.
+    ``id``: any JSON value, which the answer hands through; None is no id.
     ``folder``: where the files that bodies name are looked up; they must lie below it.
 
     Bodies that move alike at all times are never asked about with each other, unless the scene has only these two.

@@ -104,6 +104,7 @@ def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
     (lambda: Scene([Body("a", SQUARE)], (0, 1), ["ab"]), "ignore[0]", "expected two names"),
     (lambda: Scene.from_json('{"format": "taut-scene/1"}'), "scene:1:1", '"time"'),
     (lambda: Scene([Body("a", SQUARE), Body("b", SQUARE[:2])], (0, 1)).validate(), "b", "vertices"),
+    (lambda: taut2d.check("lid.json"), "scene", "expected a Scene, found str"),
     (lambda: Scene.from_json(b"{}"), "", "expected text, found bytes"),
     (lambda: taut2d.check(Scene([Body("\ud800", SQUARE), Body("b", OTHER)], (0, 1))), "", "surrogate"),
     (lambda: taut2d.check(Scene([Body("a", SQUARE), Body("b", OTHER, id={1, 2})], (0, 1))), "id", "set"),
