@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterable
 from typing import Any
 
@@ -38,3 +39,11 @@ def point(value: Any, place: str) -> tuple[float, float]:
     if len(found) != 2:
         raise InputError(place, f"expected two numbers, found {len(found)}", "write (x, y)")
     return found[0], found[1]
+
+
+def path_text(value: Any, place: str) -> str:
+    """The name of a file, as a str."""
+    try:
+        return os.fsdecode(value)
+    except TypeError as error:
+        raise InputError(place, f"expected the path of a file, found {type(value).__name__}") from error

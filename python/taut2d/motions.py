@@ -6,12 +6,13 @@ IEEE doubles and are taken exactly; what is written in degrees or by keyframes i
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 from .errors import InputError
-from ._numbers import number, numbers, point
+from ._numbers import number, numbers, path_text, point
 
 __all__ = [
     "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
@@ -133,11 +134,11 @@ class CsvKeyframes:
     """Keyframes from a CSV file, whose first line names the columns t, x, y, angle_deg in any order; ``t`` must be
     there. ``path`` is relative to the scene's folder, and must lie below it."""
 
-    path: str
+    path: Union[str, os.PathLike[str]]
     pivot: Optional[Point] = None
 
     def __post_init__(self) -> None:
-        _set(self, pivot=_pivot(self.pivot))
+        _set(self, path=path_text(self.path, "path"), pivot=_pivot(self.pivot))
 
     def _json(self) -> dict[str, Any]:
         return {"csv": self.path, **_pivot_json(self.pivot)}

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any, Optional, Union
 
 from . import _taut2d
-from ._numbers import number, point
+from ._numbers import number, path_text, point
 from .errors import InputError
 from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
 
@@ -55,7 +55,10 @@ class Part:
 class WktFile:
     """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
 
-    path: str
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
 
     def _json(self) -> Any:
         return {"wkt": self.path}
@@ -66,7 +69,10 @@ class GeojsonFile:
     """An outline from a file with a GeoJSON Polygon. ``path`` is relative to the scene's folder, and must lie below
     it."""
 
-    path: str
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
 
     def _json(self) -> Any:
         return {"geojson": self.path}

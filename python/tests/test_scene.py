@@ -1,5 +1,7 @@
 import json
 import math
+import os
+import pathlib
 
 import pytest
 import taut2d
@@ -87,7 +89,7 @@ def test_keyframes_in_every_form():
 def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
     (tmp_path / "a.wkt").write_text("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))")
     (tmp_path / "drive.csv").write_text("t,x,y\n0,10,0\n10,0,0\n")
-    scene = Scene([Body("a", taut2d.WktFile("a.wkt")), Body("b", SQUARE, taut2d.CsvKeyframes("drive.csv"))], (0, 10),
+    scene = Scene([Body("a", taut2d.WktFile(pathlib.Path("a.wkt"))), Body("b", SQUARE, taut2d.CsvKeyframes("drive.csv"))], (0, 10),
                   folder=tmp_path)
     assert taut2d.check(scene).contact.t[0] == 6
 
@@ -104,6 +106,7 @@ def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
     (lambda: Scene([Body("a", SQUARE)], (0, 1), ["ab"]), "ignore[0]", "expected two names"),
     (lambda: Scene.from_json('{"format": "taut-scene/1"}'), "scene:1:1", '"time"'),
     (lambda: Scene([Body("a", SQUARE), Body("b", SQUARE[:2])], (0, 1)).validate(), "b", "vertices"),
+    (lambda: taut2d.CsvKeyframes(7), "path", "found int"),
     (lambda: taut2d.check("lid.json"), "scene", "expected a Scene, found str"),
     (lambda: Scene.from_json(b"{}"), "", "expected text, found bytes"),
     (lambda: taut2d.check(Scene([Body("\ud800", SQUARE), Body("b", OTHER)], (0, 1))), "", "surrogate"),
@@ -139,7 +142,6 @@ def test_wkt_that_is_none_is_an_error_with_a_hint():
 
 
 def test_names_of_files_may_be_any_bytes(tmp_path):
-    import os
     path = os.fsdecode(os.path.join(os.fsencode(tmp_path), b"\xff.json"))
     with open(path, "w") as file:
         file.write("{}")
