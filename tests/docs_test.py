@@ -87,6 +87,7 @@ def console_parts(lines):
 class Runner:
     def __init__(self, taut, root, update):
         self.taut, self.root, self.update = taut, root, update
+        self.package = os.path.join(root, "build/python/package")
         self.failures = 0
         self.counts = {}
         with open(os.path.join(root, "docs/taut-scene-1.schema.json")) as file:
@@ -98,8 +99,12 @@ class Runner:
         with tempfile.TemporaryDirectory() as self.folder, open(os.path.join(self.root, path)) as file:
             self.path, self.replaced = path, {}
             self.lines = file.read().split("\n")
+            blocks = blocks_of(self.lines)
+            if any(block.kind == "python" for block in blocks) and not glob.glob(self.package + "/taut2d/_taut2d*.so"):
+                print("skipped: %s: the Python package has not been built (./dev python)" % path)
+                return
             self.set_up()
-            for block in blocks_of(self.lines):
+            for block in blocks:
                 self.block(block)
         if self.update and self.replaced:
             for first in sorted(self.replaced, reverse=True):
@@ -115,6 +120,8 @@ class Runner:
         for name in ("taut", "taut-verify"):
             # A copy: the viewer's page that may have been built is not found from here.
             shutil.copy(os.path.join(os.path.dirname(self.taut), name), os.path.join(self.folder, "bin", name))
+        # The one that the package is built for; another one may come first in the path.
+        os.symlink("/usr/bin/python3", os.path.join(self.folder, "bin", "python3"))
         os.makedirs(os.path.join(self.folder, "build"))
         os.symlink(os.path.join(self.folder, "bin"), os.path.join(self.folder, "build/release"))
         # `./dev run` builds, then runs; the build has been done.
@@ -131,7 +138,8 @@ class Runner:
     def block(self, block):
         kind = "skip" if "skip" in block.notes else block.kind
         self.counts[kind] = self.counts.get(kind, 0) + 1
-        check = {"skip": lambda b: None, "console": self.console, "json": self.json, "csv": self.store, "cpp": self.cpp,
+        check = {"skip": lambda b: None, "console": self.console, "json": self.json, "csv": self.store, "python": self.store,
+                 "cpp": self.cpp,
                  "cmake": self.cmake, "text": self.text}.get(kind)
         if check is None:
             self.fail(block, "a block of the kind \"%s\" has no test: see CONTRIBUTING.md" % kind)
@@ -139,7 +147,8 @@ class Runner:
             check(block)
 
     def run(self, command):
-        env = dict(os.environ, PATH=os.path.join(self.folder, "bin") + ":" + os.environ["PATH"], LC_ALL="C.UTF-8")
+        env = dict(os.environ, PATH=os.path.join(self.folder, "bin") + ":" + os.environ["PATH"], LC_ALL="C.UTF-8",
+                   PYTHONPATH=self.package)
         return subprocess.run(["bash", "-c", command], cwd=self.folder, env=env, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, timeout=120, stdin=subprocess.DEVNULL)
 

@@ -44,9 +44,9 @@ class Tree {
 };
 
 /// One question with all that it is asked about.
-class Question {
+class SpacetimeQuestion {
  public:
-  Question(const Scene& scene, Touch touch)
+  SpacetimeQuestion(const Scene& scene, Touch touch)
       : scene_(scene),
         touch_(touch),
         plan_(plan_pair(scene, validated_facts(scene))),
@@ -149,7 +149,7 @@ class SpacetimeRun final : public Run {
   }
 
   InterruptionScope scope_;
-  std::optional<Question> question_;
+  std::optional<SpacetimeQuestion> question_;
   Answer answer_;
   bool done_ = false;
 };

@@ -1,0 +1,124 @@
+"""Answers with certainty when moving shapes first touch, or proves that they never do.
+
+    import taut2d
+
+    scene = taut2d.Scene(
+        time=(0, 10),
+        bodies=[
+            taut2d.Body("anvil", [(0, 0), (4, 0), (4, 1), (0, 1)]),
+            taut2d.Body("hammer", [(1, 5), (3, 5), (2, 6)], taut2d.Velocity((0, -0.5))),
+        ],
+    )
+    answer = taut2d.check(scene)
+    print(answer.outcome, answer.contact.t)     # contact (8.0, 8.000000000000002)
+
+Scene, Body and Part say what there is; Keyframes, Sweep, Velocity, Polynomial and Pieces how it moves. check() gives an
+Answer; prove() gives a Proof besides, which verify() checks. "free" and "contact" are proofs, not samples: there is no
+step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
+anything with __geo_interface__ (shapely, geopandas), or WKT.
+
+Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
+moments. Functions may be called from several threads, which then run at the same time.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Optional, Union
+
+from . import _taut2d
+from ._numbers import number
+from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
+                      verified_from_json)
+from .errors import InputError, InternalError, TautError
+from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
+                      Polynomial, Sweep, Turn, Velocity)
+from .scene import Body, GeojsonFile, Part, Scene, WktFile, _plain_places
+
+__all__ = [
+    "Angle", "Answer", "Arc", "Body", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction", "EdgeRef",
+    "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "Keyframes", "PairAnswer", "Part",
+    "Pieces", "Polynomial", "Proof", "Scene", "Sweep", "TautError", "Turn", "Velocity", "Verified", "VertexRef",
+    "WktFile", "check", "prove", "verify",
+]
+
+__version__: str = _taut2d.version()
+
+
+def _seconds(limit: Optional[float]) -> Optional[float]:
+    if limit is None or limit == float("inf"):
+        return None
+    seconds = number(limit, "max_seconds")
+    if seconds < 0:
+        raise InputError("max_seconds", "the limit is negative", "give seconds, 0 or more")
+    return seconds
+
+
+def _options(touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int]) -> Any:
+    for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
+        if not isinstance(value, str):
+            raise InputError(name, f"expected a word, found {type(value).__name__}")
+    if max_events is not None:
+        try:
+            max_events = min(max_events.__index__(), 2**64 - 1)
+        except AttributeError as error:
+            raise InputError("max_events", f"expected a whole number, found {type(max_events).__name__}") from error
+        if max_events < 0:
+            raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
+    return _taut2d.RunOptions(touch, engine, pairs, _seconds(max_seconds), max_events)
+
+
+def _text(scene: Scene) -> _taut2d.SceneText:
+    if not isinstance(scene, Scene):
+        raise InputError("scene", f"expected a Scene, found {type(scene).__name__}",
+                         "Scene.load(path) reads a file, and Scene.from_json(text) the text of one")
+    return scene._text()
+
+
+def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
+          max_seconds: Optional[float] = None, max_events: Optional[int] = None) -> Answer:
+    """Decides whether and when bodies of the scene first collide.
+
+    ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
+    ``engine``: "kinetic", "spacetime", "both" (compared), or "either" (in turn; the first answer).
+    ``pairs``: "first": up to the first contact of any pair; "all": each pair's own first contact, in Answer.pairs.
+    ``max_seconds``, ``max_events``: stop with "undecided" after so much wall time, or so many events of the kinetic
+    engine; None is no limit.
+
+    "free" and "contact" are proofs for every instant of the scene's time. The same scene gives the same answer
+    everywhere, unless ``max_seconds`` ends it. Raises InputError if the scene or an option is not valid, InternalError
+    for a defect of taut, KeyboardInterrupt on Ctrl-C.
+    """
+    options = _options(touch, engine, pairs, max_seconds, max_events)
+    with _plain_places():
+        return answer_from_json(_taut2d.check(_text(scene), options))
+
+
+def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None,
+          max_events: Optional[int] = None) -> Proof:
+    """As check(), by the kinetic engine, with a log that proves the answer: about 13 bytes an event, in memory. Options
+    and errors are those of check(). An undecided run proves what it has done."""
+    options = _options(touch, "kinetic", "first", max_seconds, max_events)
+    with _plain_places():
+        answer, log, name = _taut2d.prove(_text(scene), options)
+    return Proof(answer_from_json(answer), log, name)
+
+
+def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
+           max_seconds: Optional[float] = None) -> Verified:
+    """What a log proves about a scene, by a verifier that contains neither engine.
+
+    ``proof``: what prove() gave, or the bytes of a log, or the path of a file. The result is true where the log is valid;
+    its outcome says what is proved. Raises InputError if the scene is not valid, OSError if the file cannot be read,
+    KeyboardInterrupt on Ctrl-C; a log that proves nothing is no exception.
+    """
+    if isinstance(proof, Proof):
+        log = proof.log
+    elif isinstance(proof, (bytes, bytearray, memoryview)):
+        log = bytes(proof)
+    else:
+        with open(proof, "rb") as file:
+            log = file.read()
+    limit = _seconds(max_seconds)
+    with _plain_places():
+        return verified_from_json(_taut2d.verify(_text(scene), log, limit))

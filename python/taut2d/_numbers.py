@@ -1,0 +1,49 @@
+"""Numbers and points as people hand them over, made plain: floats, and tuples of floats."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable
+from typing import Any
+
+from .errors import InputError
+
+
+def number(value: Any, place: str) -> float:
+    """A finite double: what float() makes of it, which for numpy's numbers and for whole numbers up to 2**53 is the
+    same number."""
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        result = float(value)
+    except OverflowError:
+        result = math.inf
+    except (TypeError, ValueError) as error:
+        raise InputError(place, f"expected a number, found {type(value).__name__}") from error
+    if not math.isfinite(result):
+        raise InputError(place, f"{result} is not a finite number")
+    return result
+
+
+def numbers(values: Any, place: str) -> tuple[float, ...]:
+    """A sequence of finite doubles."""
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(place, f"expected numbers, found {type(values).__name__}", "give a list of numbers")
+    return tuple(number(value, f"{place}[{i}]") for i, value in enumerate(values))
+
+
+def point(value: Any, place: str) -> tuple[float, float]:
+    """Two finite doubles."""
+    found = numbers(value, place)
+    if len(found) != 2:
+        raise InputError(place, f"expected two numbers, found {len(found)}", "write (x, y)")
+    return found[0], found[1]
+
+
+def path_text(value: Any, place: str) -> str:
+    """The name of a file, as a str."""
+    try:
+        return os.fsdecode(value)
+    except TypeError as error:
+        raise InputError(place, f"expected the path of a file, found {type(value).__name__}") from error

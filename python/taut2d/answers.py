@@ -1,0 +1,247 @@
+"""Answers: what is known about the first contact, and proofs of it."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, Optional, Union
+
+__all__ = ["Answer", "Contact", "Coverage", "EdgeRef", "PairAnswer", "Proof", "VertexRef", "Verified"]
+
+Interval = tuple[float, float]
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class VertexRef:
+    """Vertex ``index`` of a body, as its shape lists them, from 0: of ring ``ring`` (0 is the outline, k the k-th hole)
+    of part ``part``."""
+
+    body: str
+    index: int
+    part: int = 0
+    ring: int = 0
+    id: Any = None
+
+
+@dataclass(frozen=True)
+class EdgeRef:
+    """The edge of a body from vertex ``index`` to the next one of the same ring."""
+
+    body: str
+    index: int
+    part: int = 0
+    ring: int = 0
+    id: Any = None
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What meets what, when and where.
+
+    ``t``: (lo, hi), which certainly contains the time; a few units in the last place wide, unless ``grazing``.
+    ``vertex``, ``edge``: what meets, as the scene names them.
+    ``point``: where, in the world's coordinates; ``normal``: the unit normal of the edge, out of its body. Both are
+    rounded, good to a few units in the last place.
+    ``grazing``: overlapping and touching cannot be told apart all over ``t``.
+    ``angle_deg``: of a sweep, (lo, hi), which certainly contains the angle in degrees; else None.
+    """
+
+    t: Interval
+    vertex: VertexRef
+    edge: EdgeRef
+    point: Point
+    normal: Point
+    grazing: bool = False
+    angle_deg: Optional[Interval] = None
+
+
+@dataclass(frozen=True)
+class PairAnswer:
+    """What is known of one pair of bodies. ``outcome`` as in Answer; ``free_until`` and ``reason`` are there if it is
+    "undecided"."""
+
+    bodies: tuple[str, str]
+    outcome: str
+    contact: Optional[Contact] = None
+    free_until: Optional[float] = None
+    reason: Optional[str] = None
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """Of how many pairs an answer speaks: ``pairs`` is the sum of the others. ``ignored`` as the scene says; ``at_rest``
+    do not move against each other; ``apart`` were told apart by boxes alone, or not reached before the first contact;
+    ``checked`` were looked at by an engine."""
+
+    pairs: int
+    ignored: int
+    at_rest: int
+    apart: int
+    checked: int
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What check() found out.
+
+    ``outcome``: "free", "contact", "overlap_at_start" or "undecided". "free" and "contact" are proved.
+    ``contact``: the first contact, if the outcome is "contact".
+    ``touching``: of a "free" answer with open touching, where the bodies touch for the first time without overlapping.
+    ``touching_undecided``: why that is not known, if it is not.
+    ``overlap_point``: of "overlap_at_start", a point that certainly lies inside both bodies, where one was found.
+    ``free_until``, ``reason``: of "undecided", up to when the motion is proved free, and which limit was hit.
+    ``pair``: the names of the bodies that the outcome is about, unless it is "free".
+    ``also``: pairs whose first contacts come so close to this one that their order is not told.
+    ``coverage``: of a scene that is not two bodies, of how many pairs the answer speaks.
+    ``pairs``: with ``pairs="all"``, of each pair that was asked about.
+    ``engine``: who answered; ``events``, ``certificates_initial``, ``certificates_max``: of the kinetic engine.
+    ``touch``, ``bodies``, ``time``: what the answer is about.
+    ``id``: the id of the scene.
+    ``json``: the answer as ``taut check --json`` prints it, byte for byte, without the line break.
+    """
+
+    outcome: str
+    contact: Optional[Contact]
+    touching: Optional[Contact]
+    touching_undecided: Optional[str]
+    overlap_point: Optional[Point]
+    free_until: Optional[float]
+    reason: Optional[str]
+    pair: Optional[tuple[str, str]]
+    also: tuple[PairAnswer, ...]
+    coverage: Optional[Coverage]
+    pairs: Optional[tuple[PairAnswer, ...]]
+    engine: str
+    events: int
+    certificates_initial: int
+    certificates_max: int
+    touch: str
+    bodies: tuple[str, ...]
+    time: Interval
+    id: Any
+    json: str = field(repr=False)
+
+    @property
+    def free(self) -> bool:
+        """Proved free of collisions over the whole time. "undecided" is never free."""
+        return self.outcome == "free"
+
+
+@dataclass(frozen=True)
+class Proof:
+    """An answer with a log that proves it, which verify() and the program taut-verify check.
+
+    ``answer``: as check() gives it. ``log``: the proof; empty if there is nothing to prove, since the bodies overlap at
+    the start or nothing was decided. ``scene_sha256``: names what was proved about, the scene's exact numbers and the
+    reading of touching.
+    """
+
+    answer: Answer
+    log: bytes = field(repr=False)
+    scene_sha256: str
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
+        if not self.log:
+            raise ValueError(f"there is no proof: the answer is {self.answer.outcome}")
+        with open(path, "wb") as file:
+            file.write(self.log)
+
+
+@dataclass(frozen=True)
+class Verified:
+    """What a log proves about a scene.
+
+    ``valid``: True: it proves the rest of this. False: it proves nothing, for the ``reason`` given. None: the time was
+    up.
+    ``outcome``: "free": on the whole interval. "contact": ``contact`` is the first one. "undecided": free before
+    ``free_until``, no more.
+    ``contact_at``: "start", "motion", or "joint": in the jump between two pieces of a motion that rounding leaves.
+    """
+
+    valid: Optional[bool]
+    reason: Optional[str] = None
+    outcome: Optional[str] = None
+    free_until: Optional[float] = None
+    contact: Optional[Contact] = None
+    contact_at: Optional[str] = None
+    touch: Optional[str] = None
+    events: Optional[int] = None
+    scene_sha256: Optional[str] = None
+
+    def __bool__(self) -> bool:
+        return self.valid is True
+
+
+def _pair(values: list[str]) -> tuple[str, str]:
+    return values[0], values[1]
+
+
+def _floats(values: list[Any]) -> tuple[float, float]:
+    """JSON writes a double that is a whole number as such."""
+    return float(values[0]), float(values[1])
+
+
+def _float(value: Any) -> Optional[float]:
+    return None if value is None else float(value)
+
+
+def _contact(object: dict[str, Any]) -> Optional[Contact]:
+    """From the members "t", "grazing" and "contact" of an object."""
+    if "contact" not in object:
+        return None
+    c = object["contact"]
+    angle = c.get("angle_deg")
+    return Contact(_floats(object["t"]), VertexRef(**c["vertex"]), EdgeRef(**c["edge"]), _floats(c["point"]),
+                   _floats(c["normal"]), object.get("grazing", False), None if angle is None else _floats(angle))
+
+
+def _pair_answer(object: dict[str, Any]) -> PairAnswer:
+    return PairAnswer(_pair(object["bodies"]), object["outcome"], _contact(object), _float(object.get("free_until")),
+                      object.get("reason"))
+
+
+def answer_from_json(text: str) -> Answer:
+    """The answer that ``taut check --json`` has printed."""
+    object = json.loads(text)
+    scope, certificates = object["scope"], object["certificates"]
+    touching = object.get("touching")
+    if touching is not None:
+        touching = _contact({**touching, "grazing": object.get("grazing", False)})
+    pairs = object.get("pairs")
+    bodies = scope["bodies"]
+    pair = _pair(object["pair"]) if "pair" in object else None
+    if pair is None and object["outcome"] != "free" and len(bodies) == 2:
+        pair = _pair(bodies)
+    return Answer(
+        outcome=object["outcome"],
+        contact=_contact(object),
+        touching=touching,
+        touching_undecided=object.get("touching_undecided"),
+        overlap_point=_floats(object["overlap"]["point"]) if "overlap" in object else None,
+        free_until=_float(object.get("free_until")),
+        reason=object.get("reason"),
+        pair=pair,
+        also=tuple(map(_pair_answer, object.get("also", ()))),
+        coverage=Coverage(**object["coverage"]) if "coverage" in object else None,
+        pairs=None if pairs is None else tuple(map(_pair_answer, pairs)),
+        engine=object["engine"],
+        events=object["events"],
+        certificates_initial=certificates["initial"],
+        certificates_max=certificates["max"],
+        touch=scope["touch"],
+        bodies=tuple(bodies),
+        time=_floats(scope["time"]),
+        id=object.get("id"),
+        json=text,
+    )
+
+
+def verified_from_json(text: str) -> Verified:
+    """What the library says of a log."""
+    object = json.loads(text)
+    return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
+                    _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
+                    object.get("scene_sha256"))

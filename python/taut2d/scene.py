@@ -1,0 +1,357 @@
+"""Scenes: bodies, how they move, and the time interval in question."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Optional, Union
+
+from . import _taut2d
+from ._numbers import number, path_text, point
+from .errors import InputError
+from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
+
+__all__ = ["Body", "GeojsonFile", "Part", "Scene", "WktFile"]
+
+Point = tuple[float, float]
+Ring = tuple[Point, ...]
+
+_motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces)
+
+
+def _ring(values: Any, place: str) -> Ring:
+    """Points from a sequence of pairs, or from a numpy array with two columns."""
+    if hasattr(values, "tolist"):
+        # Python's own floats, many times faster than one by one.
+        values = values.tolist()
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(place, f"expected points, found {type(values).__name__}",
+                         "give a list of (x, y), or a numpy array with two columns")
+    return tuple(point(value, f"{place}[{i}]") for i, value in enumerate(values))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
+    columns: the vertices in order, in either orientation, the first one not repeated. Holes lie inside the outline, and
+    none touches it or another one."""
+
+    outline: Any
+    holes: Any = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "outline", _ring(self.outline, "outline"))
+        holes = tuple(_ring(hole, f"holes[{i}]") for i, hole in enumerate(self.holes))
+        object.__setattr__(self, "holes", holes)
+
+    def _json(self) -> Any:
+        outline = [list(p) for p in self.outline]
+        return {"outline": outline, "holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else outline
+
+
+@dataclass(frozen=True)
+class WktFile:
+    """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
+
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
+
+    def _json(self) -> Any:
+        return {"wkt": self.path}
+
+
+@dataclass(frozen=True)
+class GeojsonFile:
+    """An outline from a file with a GeoJSON Polygon. ``path`` is relative to the scene's folder, and must lie below
+    it."""
+
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
+
+    def _json(self) -> Any:
+        return {"geojson": self.path}
+
+
+OnePart = Union[Part, WktFile, GeojsonFile]
+Shape = Union[OnePart, tuple[OnePart, ...]]
+
+_shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
+               "__geo_interface__, or WKT")
+
+
+def _geo_ring(values: Any) -> Ring:
+    """As GeoJSON has it: the first vertex is repeated at the end, and heights may follow x and y."""
+    ring = tuple((number(p[0], "x"), number(p[1], "y")) for p in values)
+    return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+
+
+def _geo_parts(geometry: Mapping[str, Any], place: str) -> tuple[Part, ...]:
+    kind = geometry.get("type")
+    if kind == "Feature":
+        return _geo_parts(geometry.get("geometry") or {}, place)
+    if kind == "FeatureCollection":
+        return tuple(part for f in geometry["features"] for part in _geo_parts(f, place))
+    if kind == "Polygon":
+        polygons = [geometry["coordinates"]]
+    elif kind == "MultiPolygon":
+        polygons = geometry["coordinates"]
+    else:
+        raise InputError(place, f"expected a Polygon or a MultiPolygon, found {kind}",
+                         "bodies are areas: buffer a line, say, or take the polygons out of a collection")
+    parts = tuple(Part(_geo_ring(rings[0]), tuple(_geo_ring(ring) for ring in rings[1:]))
+                  for rings in polygons if len(rings) > 0 and len(rings[0]) > 0)
+    if not parts:
+        raise InputError(place, "the geometry is empty")
+    return parts
+
+
+def _wkt_parts(text: str, place: str) -> tuple[Part, ...]:
+    try:
+        from shapely import wkt
+        from shapely.errors import ShapelyError
+    except ImportError as error:
+        raise InputError(place, "WKT is read by shapely, which is not installed",
+                         "install shapely, or give points, or WktFile(path)") from error
+    try:
+        geometry = wkt.loads(text)
+    except ShapelyError as error:
+        raise InputError(place, "this is not WKT", 'write "POLYGON ((0 0, 1 0, 0 1, 0 0))"') from error
+    return _geo_parts(geometry.__geo_interface__, place)
+
+
+def _is_number(value: Any) -> bool:
+    # An array of numpy, which offers __float__ as well, is none.
+    return getattr(value, "ndim", 0) == 0 and not isinstance(value, (str, bytes)) and hasattr(value, "__float__")
+
+
+def _is_ring(value: Any) -> bool:
+    """Does it begin as a list of points does? What is wrong further on is then wrong with a point."""
+    if hasattr(value, "ndim"):
+        return bool(value.ndim == 2)
+    if not value:
+        return True
+    first = value[0]
+    if isinstance(first, (str, bytes, Mapping, Part, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
+        return False
+    return _is_number(first) or (isinstance(first, Iterable) and all(map(_is_number, first)))
+
+
+def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
+    """The parts that a value stands for, and whether they were written as a list of parts."""
+    if isinstance(value, (Part, WktFile, GeojsonFile)):
+        return (value,), False
+    if isinstance(value, str):
+        return _wkt_parts(value, place), False
+    if hasattr(value, "__geo_interface__"):
+        return _geo_parts(value.__geo_interface__, place), False
+    if isinstance(value, Mapping):
+        if "outline" in value:
+            return (Part(value["outline"], tuple(value.get("holes", ()))),), False
+        return _geo_parts(value, place), False
+    if isinstance(value, bytes) or not isinstance(value, Iterable):
+        raise InputError(place, f"expected a shape, found {type(value).__name__}", _shape_hint)
+    if not hasattr(value, "ndim"):
+        value = list(value)
+    if _is_ring(value):
+        return (Part(_ring(value, place)),), False
+    return tuple(part for i, v in enumerate(value) for part in _parts(v, f"{place}[{i}]")[0]), True
+
+
+def _shape(value: Any, place: str) -> Shape:
+    parts, listed = _parts(value, place)
+    # A list of one part stays one: its vertices are then named with their part.
+    return parts if listed or len(parts) != 1 else parts[0]
+
+
+def _name(value: Any, place: str) -> str:
+    if not isinstance(value, str):
+        raise InputError(place, f"expected a name, found {type(value).__name__}", 'name the body, "lid", say')
+    return value
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body.
+
+    ``name``: what answers call it; all bodies of a scene have different names.
+    ``shape``: a list of (x, y) or a numpy array with two columns, vertices in order, the first one not repeated; a Part,
+    which may have holes; a list of shapes, which move together and may overlap; any object with ``__geo_interface__``
+    (a Polygon or MultiPolygon of shapely, a feature of geopandas), or the GeoJSON dictionary itself; a string of WKT,
+    POLYGON or MULTIPOLYGON, if shapely is installed; WktFile or GeojsonFile. Afterwards it is a Part, a file, or a
+    tuple of these.
+    ``motion``: one of taut2d.motions, or None: it rests.
+    ``relative_to``: the name of another body, in whose frame the motion is seen: an arm's second link, from the first.
+    Chains have at most 16 bodies.
+    ``id``: any JSON value, which answers hand through; None is no id.
+
+    Raises InputError for what is not a shape or a number; that a boundary does not cross itself, and the like, is looked
+    at by check() and Scene.validate().
+    """
+
+    name: str
+    shape: Any
+    motion: Optional[Motion] = None
+    relative_to: Optional[str] = None
+    id: Any = None
+
+    def __post_init__(self) -> None:
+        _name(self.name, "name")
+        try:
+            object.__setattr__(self, "shape", _shape(self.shape, "shape"))
+        except InputError as error:
+            raise InputError(f"{self.name}: {error.place}", error.problem, error.hint) from error
+        if self.motion is not None and not isinstance(self.motion, _motions):
+            raise InputError(f"{self.name}: motion", f"expected a motion, found {type(self.motion).__name__}",
+                             "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, or None")
+
+    def _json(self) -> dict[str, Any]:
+        object: dict[str, Any] = {"name": self.name}
+        if self.id is not None:
+            object["id"] = self.id
+        if isinstance(self.shape, tuple):
+            object["parts"] = [part._json() for part in self.shape]
+        else:
+            object["polygon"] = self.shape._json()
+        if self.relative_to is not None:
+            object["relative_to"] = _name(self.relative_to, f"{self.name}: relative_to")
+        if self.motion is not None:
+            object["motion"] = self.motion._json()
+        return object
+
+
+def _body_from_json(value: dict[str, Any]) -> Body:
+    def part(given: Any) -> OnePart:
+        if isinstance(given, dict):
+            if "wkt" in given:
+                return WktFile(given["wkt"])
+            if "geojson" in given:
+                return GeojsonFile(given["geojson"])
+            return Part(given["outline"], tuple(given.get("holes", ())))
+        return Part(given)
+
+    shape: Any = [part(p) for p in value["parts"]] if "parts" in value else part(value["polygon"])
+    return Body(value["name"], shape, motion_from_json(value.get("motion")), value.get("relative_to"), value.get("id"))
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Bodies and a closed time interval: when do two of the bodies first touch?
+
+    ``bodies``: one or more Body.
+    ``time``: (start, end), in the unit of the motions.
+    ``ignore``: pairs of names that are not asked about, [("door", "pin"), ("chassis", "*")]; "*" is every other body.
+    ``id``: any JSON value, which the answer hands through; None is no id.
+    ``folder``: where the files that bodies name are looked up; they must lie below it.
+
+    Bodies that move alike at all times are never asked about with each other, unless the scene has only these two.
+    """
+
+    bodies: Sequence[Body]
+    time: Sequence[float]
+    ignore: Sequence[Sequence[str]] = ()
+    id: Any = None
+    folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
+
+    def __post_init__(self) -> None:
+        bodies = (self.bodies,) if isinstance(self.bodies, Body) else tuple(self.bodies)
+        for i, body in enumerate(bodies):
+            if not isinstance(body, Body):
+                raise InputError(f"bodies[{i}]", f"expected a Body, found {type(body).__name__}",
+                                 "write Body(name, shape, motion)")
+        object.__setattr__(self, "bodies", bodies)
+        object.__setattr__(self, "time", point(self.time, "time"))
+        pairs = []
+        for i, given in enumerate(self.ignore):
+            pair = (given,) if isinstance(given, str) else tuple(given)
+            if len(pair) != 2:
+                raise InputError(f"ignore[{i}]", "expected two names", 'write ("door", "pin"), or ("door", "*")')
+            pairs.append((_name(pair[0], f"ignore[{i}][0]"), _name(pair[1], f"ignore[{i}][1]")))
+        object.__setattr__(self, "ignore", tuple(pairs))
+        object.__setattr__(self, "folder", os.fspath(self.folder))
+
+    def to_json(self) -> str:
+        """The scene in the format taut-scene/1, on one line: what ``taut check`` reads. Every number reads back as the
+        same double. Raises InputError if an id is no JSON value."""
+        object: dict[str, Any] = {"format": "taut-scene/1", "time": list(self.time)}
+        if self.id is not None:
+            object["id"] = self.id
+        object["bodies"] = [body._json() for body in self.bodies]
+        if self.ignore:
+            object["ignore"] = [list(pair) for pair in self.ignore]
+        try:
+            return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+        except (TypeError, ValueError) as error:
+            raise InputError("id", str(error), "an id is a JSON value: a string, a number, a list, a dict") from error
+
+    @classmethod
+    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> Scene:
+        """The scene that a JSON text in the format taut-scene/1 describes; files that it names are looked up in
+        ``folder``. Raises InputError with line and column if it is not such a text."""
+        return cls._read(text, "scene", folder)
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike[str]]) -> Scene:
+        """Reads a scene file. Files that it names are found relative to its folder. Raises InputError with line and
+        column if it is not right, and OSError if it cannot be read."""
+        path = os.fspath(path)
+        with open(path, "rb") as file:
+            data = file.read()
+        try:
+            text = data.decode("utf-8")
+        except UnicodeDecodeError as error:
+            raise InputError(path, "the file is not UTF-8") from error
+        return cls._read(text, path, os.path.dirname(path) or os.curdir)
+
+    @classmethod
+    def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Scene:
+        # The library knows the format, and says what is wrong; after that, there is nothing left to doubt here.
+        _taut2d.read(_scene_text(text, name, folder))
+        object = json.loads(text)
+        return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
+                   object.get("id"), folder)
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes to_json() and a line break into a file. Paths of files that bodies name stay as they are."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_json() + "\n")
+
+    def validate(self) -> None:
+        """Raises InputError for everything that check() would refuse: boundaries that cross themselves, motions that
+        jump, names that are not there."""
+        with _plain_places():
+            _taut2d.validate(self._text())
+
+    def _text(self) -> _taut2d.SceneText:
+        return _scene_text(self.to_json(), _unnamed, self.folder)
+
+
+def _scene_text(text: str, name: str, folder: Union[str, os.PathLike[str]]) -> _taut2d.SceneText:
+    if not isinstance(text, str):
+        raise InputError("", f"expected text, found {type(text).__name__}", "give the JSON of a scene as a str")
+    try:
+        data = text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise InputError("", f"half of a surrogate pair is no character: {text[error.start]!r}") from error
+    return _taut2d.SceneText(data, os.fsencode(name), os.fsencode(folder))
+
+
+# What stands for the text of a scene that was not read from a file; where it is in that text helps nobody.
+_unnamed = "\x01"
+
+
+class _plain_places:
+    """Errors about a scene that was made here name no line and no column of a text that nobody has seen."""
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
+        if isinstance(error, InputError) and error.place.startswith(_unnamed):
+            place = error.place.partition(": ")[2]
+            raise InputError(place, error.problem, error.hint) from None

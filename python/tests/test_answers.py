@@ -1,0 +1,189 @@
+import dataclasses
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+import taut2d
+from taut2d import Body, Scene
+
+root = pathlib.Path(__file__).resolve().parents[2]
+worlds = root.parent / "shared" / "worlds"
+ANVIL = Body("anvil", [(0, 0), (4, 0), (4, 1), (0, 1)])
+HAMMER = Body("hammer", [(1, 5), (3, 5), (2, 6)], taut2d.Velocity((0, -0.5)))
+
+# Ten million turns of two squares, with many events in each: nobody waits for the end.
+LONG = """
+import taut2d
+square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+scene = taut2d.Scene([taut2d.Body("a", square, taut2d.Velocity(spin_deg=360)),
+                      taut2d.Body("b", [(x + 4, y) for x, y in square], taut2d.Velocity(spin_deg=-333, pivot=(4, 0)))],
+                     (0, 1e7))
+"""
+
+
+def answers_of_the_command(taut, path, *options):
+    run = subprocess.run([taut, "check", "--json", *options, str(path)], stdout=subprocess.PIPE, text=True, timeout=120)
+    return run.stdout
+
+
+def scenes(folder):
+    return sorted(p for p in folder.glob("*.json") if not p.name.endswith(".answer.json"))
+
+
+@pytest.mark.parametrize("path", scenes(root / "examples") + scenes(root / "examples" / "continents"),
+                         ids=lambda p: p.stem)
+def test_examples_have_the_bytes_of_the_command(taut, path):
+    scene = Scene.load(path)
+    assert taut2d.check(scene).json + "\n" == answers_of_the_command(taut, path)
+    assert taut2d.check(scene, touch="closed", engine="spacetime").json + "\n" == \
+        answers_of_the_command(taut, path, "--touch", "closed", "--engine", "spacetime")
+
+
+@pytest.mark.skipif(not worlds.is_dir(), reason="the scenes of worlds are not there")
+@pytest.mark.parametrize("path", scenes(worlds), ids=lambda p: p.stem)
+def test_worlds_have_the_bytes_of_the_command(taut, path):
+    expected = answers_of_the_command(taut, path, "--engine", "spacetime", "--pairs", "all")
+    if not expected:
+        with pytest.raises(taut2d.InputError):
+            taut2d.check(Scene.load(path), engine="spacetime", pairs="all")
+        return
+    answer = taut2d.check(Scene.load(path), engine="spacetime", pairs="all")
+    assert answer.json + "\n" == expected
+    assert len(answer.bodies) == 2 or answer.coverage.pairs == len(answer.bodies) * (len(answer.bodies) - 1) / 2
+
+
+def test_an_answer_has_what_its_json_has():
+    answer = taut2d.check(Scene([ANVIL, HAMMER], (0, 10)))
+    assert (answer.outcome, answer.free, answer.pair) == ("contact", False, ("anvil", "hammer"))
+    contact = answer.contact
+    assert contact.t == (8.0, 8.000000000000002)
+    assert contact.vertex == taut2d.VertexRef("hammer", 0)
+    assert contact.edge == taut2d.EdgeRef("anvil", 2)
+    assert (contact.point, contact.normal, contact.grazing, contact.angle_deg) == ((1, 1), (0, 1), False, None)
+    assert (answer.touch, answer.time, answer.bodies) == ("open", (0, 10), ("anvil", "hammer"))
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        answer.outcome = "free"
+
+
+def test_touching_and_overlap_and_limits():
+    touching = taut2d.check(Scene([ANVIL, HAMMER], (0, 8)))
+    assert touching.free and touching.touching.vertex.body == "hammer"
+    overlap = taut2d.check(Scene([ANVIL, Body("b", [(1, 0.5), (2, 0.5), (1, 3)])], (0, 1)))
+    assert overlap.outcome == "overlap_at_start" and len(overlap.overlap_point) == 2
+    limited = taut2d.check(Scene.load(root / "examples" / "gears.json"), max_events=5)
+    assert limited.outcome == "undecided" and limited.reason == "the limit of 5 events was reached"
+    assert 0 < limited.free_until < 1
+    assert taut2d.check(Scene.load(root / "examples" / "gears.json"), max_seconds=0).outcome == "undecided"
+
+
+def test_three_bodies_name_pair_coverage_and_parts():
+    base = Body("base", taut2d.Part([(-9, -9), (9, -9), (9, 9), (-9, 9)], [[(-5, -5), (-5, 5), (5, 5), (5, -5)]]))
+    ball = Body("ball", [(-1, -1), (1, -1), (1, 1), (-1, 1)], taut2d.Velocity((1, 0)), id=7)
+    far = Body("far", [(50, 0), (51, 0), (50, 1)])
+    answer = taut2d.check(Scene([base, ball, far], (0, 10), [("far", "*")], id="q"), pairs="all", engine="spacetime")
+    assert answer.pair == ("base", "ball") and answer.id == "q"
+    assert answer.coverage == taut2d.Coverage(pairs=3, ignored=2, at_rest=0, apart=0, checked=1)
+    assert answer.pairs[0].contact.edge == taut2d.EdgeRef("base", answer.contact.edge.index, 0, 1)
+    assert answer.contact.vertex.id == 7
+    assert answer.contact.t[0] == 4
+
+
+def test_options_are_checked():
+    scene = Scene([ANVIL, HAMMER], (0, 10))
+    for options, place in [({"touch": "ajar"}, "touch"), ({"engine": "steam"}, "engine"), ({"pairs": "some"}, "pairs"),
+                           ({"max_seconds": -1}, "max_seconds"), ({"max_events": -1}, "max_events"),
+                           ({"max_events": 0.5}, "max_events"), ({"touch": None}, "touch")]:
+        with pytest.raises(taut2d.InputError) as caught:
+            taut2d.check(scene, **options)
+        assert caught.value.place == place
+
+
+def test_a_proof_is_verified(tmp_path):
+    scene = Scene.load(root / "examples" / "gears_thick_tooth.json")
+    proof = taut2d.prove(scene)
+    assert proof.answer == taut2d.check(scene)
+    path = tmp_path / "gears.proof"
+    proof.save(path)
+    verified = taut2d.verify(scene, proof)
+    assert verified and verified == taut2d.verify(scene, proof.log) == taut2d.verify(scene, path)
+    assert verified.outcome == "contact" and verified.contact.vertex == proof.answer.contact.vertex
+    assert (verified.events, verified.scene_sha256) == (proof.answer.events, proof.scene_sha256)
+    damaged = taut2d.verify(scene, proof.log[:-20])
+    assert not damaged and damaged.valid is False and damaged.reason
+    other = dataclasses.replace(scene, time=(0, 0.5))
+    assert taut2d.verify(other, proof).valid is False
+
+
+def test_the_command_accepts_a_proof(taut, tmp_path):
+    path = root / "examples" / "lid.json"
+    taut2d.prove(Scene.load(path)).save(tmp_path / "lid.proof")
+    run = subprocess.run([taut, "verify", str(path), str(tmp_path / "lid.proof")], stdout=subprocess.PIPE, text=True)
+    assert run.returncode == 0 and re.match("VALID", run.stdout)
+
+
+@pytest.mark.parametrize("call", ["check(scene)", "check(scene, engine='spacetime')", "prove(scene)"])
+def test_control_c_ends_a_check(call):
+    program = LONG + f"print('begun', flush=True)\ntaut2d.{call}\n"
+    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        assert child.stdout.readline() == "begun\n"
+        time.sleep(0.5)
+        assert child.poll() is None, child.stderr.read()
+        sent = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        _, errors = child.communicate(timeout=30)
+        assert time.monotonic() - sent < 1
+        assert errors.rstrip().endswith("KeyboardInterrupt")
+    finally:
+        child.kill()
+
+
+def test_checks_run_in_several_threads():
+    paths = scenes(root / "examples")
+    expected = [taut2d.check(Scene.load(path)).json for path in paths]
+    found = [None] * 4
+
+    def work(k):
+        found[k] = [taut2d.check(Scene.load(path)).json for path in paths]
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(len(found))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [expected] * len(found)
+
+
+def test_other_threads_go_on_during_a_check():
+    names = {}
+    exec(LONG, names)
+    done = threading.Event()
+    thread = threading.Thread(target=lambda: (taut2d.check(names["scene"], max_seconds=0.5), done.set()))
+    thread.start()
+    turns = 0
+    while not done.is_set():
+        turns += 1
+        time.sleep(0.01)
+    thread.join()
+    assert turns > 10
+
+
+def test_help_has_words_for_everything():
+    for name in taut2d.__all__:
+        doc = getattr(taut2d, name).__doc__
+        assert doc and not doc.startswith(name + "("), name
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
+def test_types_are_right_for_the_package_and_its_users(tmp_path):
+    user = tmp_path / "user.py"
+    user.write_text(LONG + "answer: taut2d.Answer = taut2d.check(scene)\nscene.bodies[0].name.upper()\n")
+    run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
+                          str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
+    assert run.returncode == 0, run.stdout
