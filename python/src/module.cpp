@@ -173,6 +173,35 @@ std::string verify(const SceneText& text, const std::string& log, std::optional<
   });
 }
 
+std::string intervals(const SceneText& text, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions how = check_options(options, stop);
+    const taut::Scene scene = text.read();
+    return taut::intervals_json(scene, taut::intervals(scene, how), how.touch);
+  });
+}
+
+std::string free_range(const SceneText& text, double from, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions how = check_options(options, stop);
+    const taut::Scene scene = text.read();
+    return taut::range_json(scene, from, taut::range(scene, from, how), how.touch);
+  });
+}
+
+std::string clearance(const SceneText& text, double tolerance, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions given = check_options(options, stop);
+    taut::ClearanceOptions how;
+    how.relative = tolerance;
+    how.all_pairs = given.all_pairs;
+    how.max_seconds = given.max_seconds;
+    how.stop = &stop;
+    const taut::Scene scene = text.read();
+    return taut::clearance_json(scene, taut::clearance(scene, how));
+  });
+}
+
 void validate(const SceneText& text) {
   attended<bool>([&](const std::atomic<bool>&) {
     taut::validate(text.read());
@@ -223,6 +252,9 @@ PYBIND11_MODULE(_taut2d, module) {
   py::class_<RunOptions>(module, "RunOptions")
       .def(py::init<std::string, std::string, std::string, std::optional<double>, std::optional<std::uint64_t>>());
   module.def("check", &check);
+  module.def("intervals", &intervals);
+  module.def("range", &free_range);
+  module.def("clearance", &clearance);
   module.def("prove", &prove);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {
     return verify(text, log, max_seconds);

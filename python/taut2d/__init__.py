@@ -17,6 +17,9 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
+clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
+without.
+
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
 """
@@ -33,13 +36,16 @@ from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Ver
 from .errors import InputError, InternalError, TautError
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
+from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInterval, Range, clearance_from_json,
+                        intervals_from_json, range_from_json)
 from .scene import Body, GeojsonFile, Part, Scene, WktFile, _plain_places
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction", "EdgeRef",
-    "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Keyframe", "Keyframes", "PairAnswer", "Part",
-    "Pieces", "Polynomial", "Proof", "Scene", "Sweep", "TautError", "Turn", "Velocity", "Verified", "VertexRef",
-    "WktFile", "check", "prove", "verify",
+    "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction", "EdgeRef",
+    "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "Keyframes",
+    "Meeting", "NearestPoints", "OverlapInterval", "PairAnswer", "Part",
+    "Pieces", "Polynomial", "Proof", "Range", "Scene", "Sweep", "TautError", "Turn", "Velocity", "Verified", "VertexRef",
+    "WktFile", "check", "clearance", "intervals", "prove", "range", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -92,6 +98,40 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: 
     options = _options(touch, engine, pairs, max_seconds, max_events)
     with _plain_places():
         return answer_from_json(_taut2d.check(_text(scene), options))
+
+
+def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None) -> Intervals:
+    """All maximal intervals of time in which bodies of the scene overlap, for each pair that is asked about.
+
+    ``touch``: with "open", an instant at which bodies only touch is no interval; with "closed" it is one.
+    ``max_seconds``: pairs that are not done by then are listed as undecided. Errors are those of check().
+    """
+    options = _options(touch, "spacetime", "first", max_seconds, None)
+    with _plain_places():
+        return intervals_from_json(_taut2d.intervals(_text(scene), options))
+
+
+def range(scene: Scene, around: float, *, touch: str = "open", max_seconds: Optional[float] = None) -> Range:
+    """The maximal interval of time around an instant in which no two bodies that are asked about overlap.
+
+    Raises InputError if the instant is outside of the scene's time, or bodies overlap then; else as check().
+    """
+    options = _options(touch, "spacetime", "first", max_seconds, None)
+    with _plain_places():
+        return range_from_json(_taut2d.range(_text(scene), number(around, "around"), options))
+
+
+def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
+              max_seconds: Optional[float] = None) -> Clearance:
+    """How close bodies come over the scene's time: a bracket that certainly holds the least distance of their closures.
+
+    ``tolerance``: how wide the bracket may be, as a share of it, and 1e-12 of the largest coordinate besides.
+    ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. Errors are those of
+    check().
+    """
+    options = _options("open", "spacetime", pairs, max_seconds, None)
+    with _plain_places():
+        return clearance_from_json(_taut2d.clearance(_text(scene), number(tolerance, "tolerance"), options))
 
 
 def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None,

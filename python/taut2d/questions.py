@@ -1,0 +1,148 @@
+"""The answers to questions beyond the first contact."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+from .answers import Coverage, EdgeRef, Interval, PairAnswer, Point, VertexRef, _floats, _pair, _pair_answer
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """What meets when an overlap begins, or parts when it ends; ``point`` is rounded, in the world's coordinates."""
+
+    vertex: VertexRef
+    edge: EdgeRef
+    point: Point
+
+
+@dataclass(frozen=True)
+class OverlapInterval:
+    """A maximal interval of time in which two bodies overlap.
+
+    ``start``, ``end``: (lo, hi), which certainly contain its ends; exact where they are those of the scene's time.
+    ``start_deg``, ``end_deg``: the same as angles in degrees, if one of the two sweeps.
+    ``enter``, ``exit``: what meets and parts there; None at the start and the end of the scene.
+    """
+
+    pair: tuple[str, str]
+    start: Interval
+    end: Interval
+    start_deg: Optional[Interval] = None
+    end_deg: Optional[Interval] = None
+    enter: Optional[Meeting] = None
+    exit: Optional[Meeting] = None
+
+
+@dataclass(frozen=True)
+class Intervals:
+    """All intervals of overlap, pair by pair, each pair's in order of time. Nothing is claimed about pairs in
+    ``undecided``. ``json`` is what ``taut intervals --json`` prints."""
+
+    intervals: tuple[OverlapInterval, ...]
+    undecided: tuple[PairAnswer, ...]
+    coverage: Coverage
+    json: str = field(repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class Range:
+    """The maximal interval of time around an instant in which nothing overlaps.
+
+    ``start``, ``end``: (lo, hi), which certainly contain its ends; None where these are the scene's own.
+    ``before``, ``after``: the overlaps there. ``reason``: why it is not decided; else None.
+    ``json`` is what ``taut range --json`` prints.
+    """
+
+    start: Optional[Interval]
+    end: Optional[Interval]
+    start_deg: Optional[Interval]
+    end_deg: Optional[Interval]
+    before: Optional[OverlapInterval]
+    after: Optional[OverlapInterval]
+    reason: Optional[str]
+    json: str = field(repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class NearestPoints:
+    """How close a pair of bodies comes.
+
+    ``lo``, ``hi``: the least distance over the scene's time certainly lies between them; both 0 if the bodies touch.
+    ``t``: (lo, hi), a time at which the distance is at most ``hi``; ``angle_deg``: the same of a sweep.
+    ``points``, ``edges``: the nearest points, rounded, one on each body, and on which edges; None where they touch.
+    """
+
+    lo: float
+    hi: float
+    t: Interval
+    pair: tuple[str, str]
+    angle_deg: Optional[Interval] = None
+    points: Optional[tuple[Point, Point]] = None
+    edges: Optional[tuple[EdgeRef, EdgeRef]] = None
+
+
+@dataclass(frozen=True)
+class Clearance:
+    """How close bodies come. ``nearest``: of the closest pair; None if no pair is asked about, or nothing was decided:
+    ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``json`` is what
+    ``taut clearance --json`` prints."""
+
+    nearest: Optional[NearestPoints]
+    pairs: tuple[NearestPoints, ...]
+    reason: Optional[str]
+    coverage: Coverage
+    json: str = field(repr=False, compare=False)
+
+
+def _interval(value: Any) -> Optional[Interval]:
+    return None if value is None else _floats(value)
+
+
+def _meeting(value: Any) -> Optional[Meeting]:
+    if value is None:
+        return None
+    return Meeting(VertexRef(**value["vertex"]), EdgeRef(**value["edge"]), _floats(value["point"]))
+
+
+def _overlap(value: Any) -> Optional[OverlapInterval]:
+    if value is None:
+        return None
+    return OverlapInterval(_pair(value["pair"]), _floats(value["from"]), _floats(value["to"]),
+                           _interval(value.get("from_deg")), _interval(value.get("to_deg")),
+                           _meeting(value.get("enter")), _meeting(value.get("exit")))
+
+
+def _nearest(value: Any) -> Optional[NearestPoints]:
+    if value is None:
+        return None
+    points, edges = value.get("points"), value.get("edges")
+    return NearestPoints(float(value["lo"]), float(value["hi"]), _floats(value["t"]), _pair(value["pair"]),
+                         _interval(value.get("angle_deg")),
+                         None if points is None else (_floats(points[0]), _floats(points[1])),
+                         None if edges is None else (EdgeRef(**edges[0]), EdgeRef(**edges[1])))
+
+
+def intervals_from_json(text: str) -> Intervals:
+    """What ``taut intervals --json`` has printed."""
+    value = json.loads(text)
+    found = tuple(o for o in map(_overlap, value["intervals"]) if o is not None)
+    return Intervals(found, tuple(map(_pair_answer, value["undecided"])), Coverage(**value["coverage"]), text)
+
+
+def range_from_json(text: str) -> Range:
+    """What ``taut range --json`` has printed."""
+    value = json.loads(text)
+    ends = value["range"] or {}
+    return Range(_interval(ends.get("from")), _interval(ends.get("to")), _interval(ends.get("from_deg")),
+                 _interval(ends.get("to_deg")), _overlap(value.get("before")), _overlap(value.get("after")),
+                 value.get("reason"), text)
+
+
+def clearance_from_json(text: str) -> Clearance:
+    """What ``taut clearance --json`` has printed."""
+    value = json.loads(text)
+    pairs = tuple(n for n in map(_nearest, value.get("pairs", ())) if n is not None)
+    return Clearance(_nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text)
