@@ -67,8 +67,13 @@ void add_piece(Hasher& hash, const MotionPiece& piece) {
   hash.number(piece.until);
   hash.polynomial(piece.x);
   hash.polynomial(piece.y);
+  if (orbits(piece)) {
+    hash.byte(5);
+    hash.point(piece.orbit.centre);
+    hash.polynomial(piece.orbit.angle);
+  }
   std::visit(RotationHasher{hash}, piece.rotation);
-  if (turns(piece)) hash.point(piece.pivot);
+  if (turns(piece) || orbits(piece)) hash.point(piece.pivot);
 }
 
 void add_body(Hasher& hash, const Body& body, const Scene& scene) {
