@@ -50,11 +50,11 @@ void compare_world_contact(const Scene& scene, const json& want, Outcome outcome
   if (!want.value("generic", false) || !want.contains("features")) return;
   const Feature vertex = feature_got(scene, contact->vertex), edge = feature_got(scene, contact->edge);
   const json& features = want["features"];
-  EXPECT_TRUE(std::any_of(features.begin(), features.end(), [&](const json& f) {
-    return feature_wanted(f["vertex"]) == vertex && feature_wanted(f["edge"]) == edge;
-  })) << "vertex "
-      << contact->vertex.index << " of " << std::get<0>(vertex) << ", edge " << contact->edge.index << " of "
-      << std::get<0>(edge);
+  EXPECT_TRUE(std::any_of(
+      features.begin(), features.end(),
+      [&](const json& f) { return feature_wanted(f["vertex"]) == vertex && feature_wanted(f["edge"]) == edge; }))
+      << "vertex " << contact->vertex.index << " of " << std::get<0>(vertex) << ", edge " << contact->edge.index
+      << " of " << std::get<0>(edge);
 }
 
 /// The pair that comes first, and no other one, is named; so are those that come with it.
