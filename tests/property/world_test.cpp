@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/motions.hpp"
+#include "taut/proof.hpp"
 
 namespace taut::testing {
 namespace {
@@ -659,6 +661,38 @@ TEST(Worlds, TwoBodiesAsBothEnginesSay) {
       }
     }
   }
+}
+
+/// Legs around a centre, of two plain bodies: both engines, the definition, and a proof.
+TEST(Worlds, ArcsOfTwoBodies) {
+  WorldCounts counts;
+  CheckOptions options;
+  options.engine = EngineChoice::both;
+  for (std::uint64_t seed = 8000; seed < 8000 + effort(200); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    MadeWorld world;
+    for (int i = 0; i < 2; ++i) {
+      const Point at{3.0 * i, 0};
+      MadeBody body;
+      body.name = i == 0 ? "first" : "second";
+      body.parts = {star_part(rng, at, 1.4, 0)};
+      body.pivot = rng.chance(0.7) ? at : Point{};
+      if (i == 0 || rng.chance(0.7)) body.keyframes = random_keyframes(rng, world.end, 4, at);
+      world.bodies.push_back(body);
+    }
+    const Scene scene = scene_of(world);
+    const Answer answer = check(scene, options);
+    expect_apart_before(world, {{0, 1}, answer.outcome, answer.contact, answer.free_until, answer.reason}, counts);
+    std::ostringstream log;
+    const Answer proved = prove(scene, log);
+    EXPECT_STREQ(to_string(proved.outcome), to_string(answer.outcome));
+    if (answer.outcome == Outcome::overlap_at_start) continue;
+    std::istringstream in(log.str());
+    EXPECT_STREQ(to_string(verify(scene, in).outcome), to_string(answer.outcome));
+  }
+  EXPECT_GE(counts.contact, static_cast<int>(enough(60)));
+  EXPECT_GE(counts.free, static_cast<int>(enough(40)));
 }
 
 /// Each pair of a world of plain bodies that do not turn, by the oracle that decides exactly.
