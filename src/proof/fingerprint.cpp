@@ -3,8 +3,10 @@
 
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
 #include "proof/sha256.hpp"
+#include "taut/error.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
 
@@ -88,6 +90,9 @@ void add_body(Hasher& hash, const Body& body, const Scene& scene) {
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
+  if (is_world(scene))
+    throw InputError("bodies", "fingerprints are of scenes of two bodies, each one polygon in the world's frame",
+                     "`check` takes worlds; proofs are about two bodies");
   Hasher hash("taut scene 2");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);

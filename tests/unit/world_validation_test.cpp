@@ -6,6 +6,7 @@
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "taut/proof.hpp"
 #include "taut/separator.hpp"
 #include "taut/simulation.hpp"
 
@@ -152,6 +153,7 @@ TEST(WorldValidation, OthersRefuseWorlds) {
   Scene scene = world_with_holes({square_of(1, 1, 1)});
   EXPECT_THROW(Simulation simulation(scene), InputError);
   EXPECT_THROW(separator(scene, 0), InputError);
+  EXPECT_THROW(scene_fingerprint(scene, Touch::open), InputError);
   scene.bodies.pop_back();
   EXPECT_THROW(Simulation simulation(scene), InputError);
   EXPECT_THROW(separator(scene, 0), InputError);
