@@ -360,6 +360,8 @@ for command in draw view separator "prove -o world.proof"; do
   expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' $command world.json
 done
 [ -e world.proof ] && { echo "FAILED: a proof about a world"; failures=$((failures + 1)); }
+world '{"name":"b","parts":[[[0,0],[1,0],[1,1]],[[5,0],[6,0],[5,1]]]}'
+expect 1 'when the motion starts$' '' check world.json
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[10,3],[4,4]]]}}'
 expect 2 '' 'world\.json: b: edge 1-2 of the outline meets edge' check world.json
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[13,3],[14,3],[14,4]]]}}'
