@@ -350,6 +350,32 @@ echo 'password:hunter2' >inner/secret
 expect 2 '' 'secret:1:9: expected POLYGON' check inner/peeping.json
 grep -qi 'hunter\|password' err && { echo "FAILED: an error quotes an outline" && cat err; failures=$((failures + 1)); }
 rm -rf inner
+# Worlds: what is wrong is said with its place; what takes two polygons says so, and writes nothing.
+world() { echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","polygon":[[0,0],[1,0],[0,1]]},'"$1"']'"${2:-}"'}' >world.json; }
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
+expect 0 '^FREE' '' check world.json
+expect 0 '"pairs":\[{"bodies":\["a","b"\],"outcome":"free"}\]' '' check --json --pairs all world.json
+for command in draw view separator "prove -o world.proof"; do
+  # shellcheck disable=SC2086
+  expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' $command world.json
+done
+[ -e world.proof ] && { echo "FAILED: a proof about a world"; failures=$((failures + 1)); }
+world '{"name":"b","parts":[[[0,0],[1,0],[1,1]],[[5,0],[6,0],[5,1]]]}'
+expect 1 'when the motion starts$' '' check world.json
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[10,3],[4,4]]]}}'
+expect 2 '' 'world\.json: b: edge 1-2 of the outline meets edge' check world.json
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[13,3],[14,3],[14,4]]]}}'
+expect 2 '' 'world\.json: b: hole 1: the hole lies outside of the outline' check world.json
+world '{"name":"b","parts":[]}'
+expect 2 '' 'bodies\[1\]\.parts: there are no parts' check world.json
+world '{"name":"b","relative_to":"c","polygon":[[0,0],[1,0],[0,1]]}'
+expect 2 '' 'b: there is no body "c" for it to be relative to' check world.json
+world '{"name":"b","relative_to":"b","polygon":[[0,0],[1,0],[0,1]]}'
+expect 2 '' 'b: it is relative to itself' check world.json
+world '{"name":"b","polygon":[[0,0],[1,0],[0,1]]}' ',"ignore":[["a","lid"]]'
+expect 2 '' 'ignore\[0\]: there is no body "lid"' check world.json
+world '{"name":"a","polygon":[[0,0],[1,0],[0,1]]}'
+expect 2 '' 'two bodies are called "a"' check world.json
 sed 's/"time"/"tiem"/' hit.json >bad.json
 expect 2 '' 'bad\.json:1:26: unknown key "tiem"' check bad.json
 expect 2 '' 'did you mean "time"' check --json bad.json

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "pair/pair_plan.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
-#include "taut/validate.hpp"
 #include "viewer_page.hpp"
 
 namespace taut::cli {
@@ -21,7 +21,7 @@ struct ViewArguments {
 int run_view(const ViewArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   try {
-    validate(scene);
+    validated_facts(scene);  // the page has two bodies
   } catch (const InputError& error) {
     throw error.within(display_name(arguments.scene.path));
   }

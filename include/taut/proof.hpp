@@ -47,8 +47,9 @@ struct Verified {
 Verified verify(const Scene& scene, std::istream& log);
 
 /// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.
-/// What means nothing does not enter: names, the sign of a zero, a pivot without a rotation, zeros that are a
-/// polynomial's last coefficients, pieces of a motion outside of the scene's time.
+/// What means nothing does not enter: names, the sign of a zero, a pivot without a rotation or an orbit, zeros that are
+/// a polynomial's last coefficients, pieces of a motion outside of the scene's time. Throws InputError for what is not
+/// two bodies of one polygon each, in the world's frame.
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch);
 
 /// In 64 hexadecimal digits.

@@ -54,7 +54,7 @@ Rotation read_rotation(const JsonDocument& document, std::size_t token, const st
 }
 
 const char* const motion_shape = R"(a motion as {"x":[c0,c1,...],"y":[c0,...],"rotation":{"angle":[a0,a1,...]}})";
-const std::vector<std::string> piece_keys = {"x", "y", "rotation", "until", "pivot"};
+const std::vector<std::string> piece_keys = {"x", "y", "rotation", "until", "pivot", "orbit"};
 const std::vector<std::string> form_keys = {"keyframes", "csv", "velocity", "spin_deg", "sweep"};
 
 Point read_pair(const JsonDocument& document, std::size_t token, const std::string& path) {
@@ -69,6 +69,15 @@ Point read_pivot(const JsonDocument& document, const JsonObject& object) {
   return pivot ? read_pair(document, *pivot, object.path("pivot")) : Point{};
 }
 
+Orbit read_orbit(const JsonDocument& document, std::size_t token, const std::string& path) {
+  const std::string shape = R"({"center": [x, y], "angle": [a0, a1, ...]})";
+  const JsonObject object(document, token, path, {"center", "angle"}, shape);
+  const auto centre = read_numbers(document, object.get("center"), object.path("center"), shape, 2, "write " + shape);
+  if (centre.size() != 2)
+    throw document.error(object.get("center"), object.path("center"), "expected two numbers", "write " + shape);
+  return {{centre[0], centre[1]}, read_coefficients(document, object.get("angle"), object.path("angle"))};
+}
+
 MotionPiece read_piece(const JsonDocument& document, std::size_t token, const std::string& path) {
   const JsonObject object(document, token, path, piece_keys, motion_shape);
   MotionPiece piece;
@@ -76,6 +85,7 @@ MotionPiece read_piece(const JsonDocument& document, std::size_t token, const st
   if (const auto x = object.find("x")) piece.x = read_coefficients(document, *x, object.path("x"));
   if (const auto y = object.find("y")) piece.y = read_coefficients(document, *y, object.path("y"));
   if (const auto r = object.find("rotation")) piece.rotation = read_rotation(document, *r, object.path("rotation"));
+  if (const auto orbit = object.find("orbit")) piece.orbit = read_orbit(document, *orbit, object.path("orbit"));
   if (const auto until = object.find("until")) piece.until = read_number(document, *until, object.path("until"));
   return piece;
 }

@@ -29,6 +29,10 @@ std::string piece_text(const MotionPiece& piece) {
   if (!piece.y.empty()) member("y", io::array_text(piece.y));
   const std::string rotation = rotation_text(piece.rotation);
   if (!rotation.empty()) member("rotation", rotation);
+  if (!piece.orbit.angle.empty()) {
+    const std::string centre = io::point_text(piece.orbit.centre);
+    member("orbit", "{\"center\":" + centre + ",\"angle\":" + io::array_text(piece.orbit.angle) + "}");
+  }
   if (piece.pivot != Point{}) member("pivot", io::point_text(piece.pivot));
   if (piece.until != std::numeric_limits<double>::infinity()) member("until", io::number_text(piece.until));
   return "{" + s + "}";
@@ -42,16 +46,52 @@ std::string motion_text(const Motion& motion) {
   return s + "]";
 }
 
-std::string body_text(const Body& body) {
-  std::string s = "  {\"name\":" + io::string_text(body.name) + ",\n   \"polygon\":[";
+std::string polygon_text(const Polygon& polygon) {
+  std::string s = "[";
   const char* separator = "";
-  for (const Point& p : polygon_of(body)) {
+  for (const Point& p : polygon) {
     s += separator + io::point_text(p);
     separator = ",";
   }
-  s += "],\n   \"motion\":" + motion_text(body.motion);
+  return s + "]";
+}
+
+std::string part_text(const Part& part) {
+  if (part.holes.empty()) return polygon_text(part.outline);
+  std::string s = "{\"outline\":" + polygon_text(part.outline) + ",\n    \"holes\":[";
+  const char* separator = "";
+  for (const Polygon& hole : part.holes) {
+    s += separator + polygon_text(hole);
+    separator = ",\n     ";
+  }
+  return s + "]}";
+}
+
+std::string parts_text(const std::vector<Part>& parts) {
+  std::string s = "[";
+  for (const Part& part : parts) s += (s.size() > 1 ? ",\n    " : "") + part_text(part);
+  return s + "]";
+}
+
+std::string body_text(const Body& body) {
+  std::string s = "  {\"name\":" + io::string_text(body.name);
+  if (body.parts.empty())
+    s += ",\n   \"polygon\":" + polygon_text(polygon_of(body));
+  else if (body.parts.size() == 1)
+    s += ",\n   \"polygon\":" + part_text(body.parts[0]);
+  else
+    s += ",\n   \"parts\":" + parts_text(body.parts);
+  if (!body.relative_to.empty()) s += ",\n   \"relative_to\":" + io::string_text(body.relative_to);
+  s += ",\n   \"motion\":" + motion_text(body.motion);
   if (!body.id.empty()) s += ",\n   \"id\":" + body.id;
   return s + "}";
+}
+
+std::string ignored_text(const Scene& scene) {
+  std::string s;
+  for (const auto& pair : scene.ignore)
+    s += (s.empty() ? "[" : ",[") + io::string_text(pair[0]) + "," + io::string_text(pair[1]) + "]";
+  return "[" + s + "]";
 }
 
 }  // namespace
@@ -61,6 +101,7 @@ std::string write_scene(const Scene& scene) {
       "{\"format\":\"taut-scene/1\",\n \"time\":" + io::array_text({scene.start, scene.end}) + ",\n \"bodies\":[\n";
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene.bodies[i]);
   s += "\n ]";
+  if (!scene.ignore.empty()) s += ",\n \"ignore\":" + ignored_text(scene);
   if (!scene.id.empty()) s += ",\n \"id\":" + scene.id;
   return s + "}\n";
 }

@@ -3,8 +3,10 @@
 
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
 #include "proof/sha256.hpp"
+#include "taut/error.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
 
@@ -67,8 +69,13 @@ void add_piece(Hasher& hash, const MotionPiece& piece) {
   hash.number(piece.until);
   hash.polynomial(piece.x);
   hash.polynomial(piece.y);
+  if (orbits(piece)) {
+    hash.byte(5);
+    hash.point(piece.orbit.centre);
+    hash.polynomial(piece.orbit.angle);
+  }
   std::visit(RotationHasher{hash}, piece.rotation);
-  if (turns(piece)) hash.point(piece.pivot);
+  if (turns(piece) || orbits(piece)) hash.point(piece.pivot);
 }
 
 void add_body(Hasher& hash, const Body& body, const Scene& scene) {
@@ -83,6 +90,9 @@ void add_body(Hasher& hash, const Body& body, const Scene& scene) {
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
+  if (is_world(scene))
+    throw InputError("bodies", "fingerprints are of scenes of two bodies, each one polygon in the world's frame",
+                     "`check` takes worlds; proofs are about two bodies");
   Hasher hash("taut scene 2");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);

@@ -134,7 +134,8 @@ void Symbolic::add_product(const Term& a, const Term& b) {
   Key key{a.key.angle ? a.key.angle : b.key.angle, a.key.angle ? a.key.sine : b.key.sine,
           static_cast<std::uint8_t>(a.key.roots ^ b.key.roots)};
   if (a.key.angle == 0 || b.key.angle == 0) return add(key, std::move(p));
-  const DyadicPolynomial &x = leg_->angle(a.key.angle), &y = leg_->angle(b.key.angle);
+  // Copies: a new angle moves those that the leg has.
+  const DyadicPolynomial x = leg_->angle(a.key.angle), y = leg_->angle(b.key.angle);
   p = halved(p);
   const auto add_of = [&](const DyadicPolynomial& angle, double sign) {
     Symbolic sine, cosine;

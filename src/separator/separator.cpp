@@ -9,6 +9,7 @@
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/pair_plan.hpp"
 #include "pair/placement.hpp"
 #include "separator/arena.hpp"
 #include "separator/curve.hpp"
@@ -170,7 +171,7 @@ std::array<Polygon, 2> placed(const Scene& scene, double t) {
 }
 
 Separator separator(const Scene& scene, double t) {
-  validate(scene);
+  validated_facts(scene);
   if (!(t >= scene.start && t <= scene.end)) {
     throw InputError("", "the instant " + std::to_string(t) + " is outside the scene's time", "choose one within");
   }

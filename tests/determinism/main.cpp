@@ -89,7 +89,7 @@ std::vector<std::string> scene_files(const fs::path& root, const std::string& fo
 }
 
 void for_each_scene(const fs::path& root, const std::function<void(const std::string&, const Scene&)>& visit) {
-  for (const char* folder : {"examples", "examples/continents", "tests/corpus"}) {
+  for (const char* folder : {"examples", "examples/continents", "examples/worlds", "tests/corpus"}) {
     for (const std::string& name : scene_files(root, folder)) visit(name, read_scene((root / name).string()));
   }
   int number = 0;

@@ -52,6 +52,13 @@ TEST(Fingerprint, ChangesWithEveryNumber) {
   EXPECT_NE(id_after([](Scene& s) { s.bodies[1].motion.pieces[0].x[1] += 1e-12; }), original);
   EXPECT_NE(id_after([](Scene& s) { s.bodies[1].motion.pieces[0].pivot.y += 1e-12; }), original);
   EXPECT_NE(id_after([](Scene& s) { s.bodies[1].motion.pieces[0].rotation = HalfAngleRotation{{0, 0.5}}; }), original);
+  EXPECT_NE(id_after([](Scene& s) { s.bodies[1].motion.pieces[0].orbit = {{3, 0}, {0, 0.5}}; }), original);
+  EXPECT_NE(id_after([](Scene& s) {
+              s.bodies[1].motion.pieces[0].orbit = {{3, 0}, {0, 0.5}};
+            }),
+            id_after([](Scene& s) {
+              s.bodies[1].motion.pieces[0].orbit = {{3, 1e-12}, {0, 0.5}};
+            }));
   EXPECT_NE(id_after([](Scene& s) { std::swap(s.bodies[0], s.bodies[1]); }), original);
 }
 

@@ -63,6 +63,8 @@ const std::vector<Example> examples = {
     always("rotor.json", is_free),
     always("rotor_long_tooth.json", touches_at(0.6663450654749891)),
     always("spiral.json", is_free),
+    always("worlds/arm.json", touches_at(0.2472470685612692)),
+    always("worlds/room.json", touches_at(2.283653104061214)),
 };
 
 const std::filesystem::path examples_folder = "examples";

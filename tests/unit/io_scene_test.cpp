@@ -64,6 +64,40 @@ TEST(SceneText, RoundTripIsExact) {
   expect_same(parse_scene(write_scene(scene)), scene);
 }
 
+TEST(SceneText, WorldsRoundTrip) {
+  Scene scene;
+  scene.end = 2;
+  const Polygon outline{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, first{{1, 1}, {2, 1}, {1, 2}}, second{{5, 5}, {6, 5}, {5, 6}};
+  Body ring, parts, arm;
+  ring.name = "ring";
+  ring.parts = {{outline, {first, second}}};
+  parts.name = "parts";
+  parts.parts = {{first, {}}, {outline, {second}}};
+  arm.name = "arm";
+  arm.polygon = second;
+  arm.relative_to = "parts";
+  arm.motion.pieces = {{{1}, {0, 2}, NoRotation{}, 1, {0.1, 3}, {{4, -0.1}, {0, 0.7}}}, {}};
+  scene.bodies = {ring, parts, arm};
+  scene.ignore = {{"ring", "*"}, {"arm", "parts"}};
+  const Scene again = parse_scene(write_scene(scene));
+  EXPECT_EQ(write_scene(again), write_scene(scene));
+  EXPECT_EQ(again.ignore, scene.ignore);
+  ASSERT_EQ(again.bodies.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Body &a = again.bodies[i], &b = scene.bodies[i];
+    EXPECT_EQ(a.relative_to, b.relative_to);
+    EXPECT_EQ(a.polygon, b.polygon);
+    ASSERT_EQ(a.parts.size(), b.parts.size());
+    for (std::size_t k = 0; k < a.parts.size(); ++k) {
+      EXPECT_EQ(a.parts[k].outline, b.parts[k].outline);
+      EXPECT_EQ(a.parts[k].holes, b.parts[k].holes);
+    }
+  }
+  const Orbit& orbit = again.bodies[2].motion.pieces[0].orbit;
+  EXPECT_EQ(orbit.centre, (Point{4, -0.1}));
+  EXPECT_EQ(orbit.angle, (Coefficients{0, 0.7}));
+}
+
 TEST(SceneText, IdsOfAnyKindAreHandedThrough) {
   const std::string id = R"({"job":[1.0,12345678901234567890,-0e0,true,null,"a \"b\" é"],"e":{},"f":[]})";
   const std::string spaced = R"({ "job" : [1.0, 12345678901234567890,

@@ -1,0 +1,735 @@
+// Worlds of many bodies against their definition: bodies are posed and compared by arithmetic that shares nothing with
+// the library, and the same world told in other words has the same answer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/effort.hpp"
+#include "support/exact_oracle.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "taut/check.hpp"
+#include "taut/motions.hpp"
+#include "taut/proof.hpp"
+
+namespace taut::testing {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A body as it was made up: what the scene is written from, and what poses are computed from.
+struct MadeBody {
+  std::string name;
+  std::vector<Part> parts;
+  std::vector<Keyframe> keyframes;  ///< empty: at rest
+  Point pivot;
+  int parent = -1;
+};
+
+struct MadeWorld {
+  double end = 4;
+  std::vector<MadeBody> bodies;
+  std::vector<std::array<int, 2>> ignore;  ///< -1 is every other body
+};
+
+Scene scene_of(const MadeWorld& world) {
+  Scene scene;
+  scene.end = world.end;
+  for (const MadeBody& made : world.bodies) {
+    Body body;
+    body.name = made.name;
+    if (made.parts.size() == 1 && made.parts[0].holes.empty())
+      body.polygon = made.parts[0].outline;
+    else
+      body.parts = made.parts;
+    if (!made.keyframes.empty()) body.motion = from_keyframes(made.keyframes, made.pivot);
+    if (made.parent >= 0) body.relative_to = world.bodies[static_cast<std::size_t>(made.parent)].name;
+    scene.bodies.push_back(body);
+  }
+  const auto name = [&](int i) { return i < 0 ? std::string("*") : world.bodies[static_cast<std::size_t>(i)].name; };
+  for (const auto& pair : world.ignore) scene.ignore.push_back({name(pair[0]), name(pair[1])});
+  return scene;
+}
+
+// Poses.
+
+/// z is at o + x z.
+struct MadePose {
+  Complex o = 0, x = 1;
+  Complex at(const Point& p) const { return o + x * Complex(p.x, p.y); }
+};
+
+/// Where the pivot is, and by how many degrees the body is turned.
+struct PivotPlace {
+  Complex at;
+  double deg = 0;
+};
+
+Complex unit(double deg) { return std::polar(1.0, deg * std::acos(-1.0) / 180); }
+
+/// From `from`, a share of the way to the keyframe.
+PivotPlace on_the_way(const PivotPlace& from, const Keyframe& to, double share, const Complex& pivot) {
+  if (to.way == Way::straight) {
+    const Complex end = pivot + Complex(to.x, to.y);
+    return {from.at + share * (end - from.at), from.deg + share * (to.angle_deg - from.deg)};
+  }
+  const Complex centre(to.centre.x, to.centre.y);
+  return {centre + unit(share * to.by_deg) * (from.at - centre),
+          from.deg + (to.way == Way::turn ? share * to.by_deg : 0)};
+}
+
+MadePose own_pose(const MadeBody& body, double t) {
+  if (body.keyframes.empty()) return {};
+  const Complex pivot(body.pivot.x, body.pivot.y);
+  PivotPlace place = on_the_way({pivot, 0}, body.keyframes[0], 1, pivot);
+  for (std::size_t k = 1; k < body.keyframes.size() && t > body.keyframes[k - 1].t; ++k) {
+    const double from = body.keyframes[k - 1].t, to = body.keyframes[k].t;
+    place = on_the_way(place, body.keyframes[k], std::min(1.0, (t - from) / (to - from)), pivot);
+  }
+  const Complex x = unit(place.deg);
+  return {place.at - x * pivot, x};
+}
+
+MadePose pose_of(const MadeWorld& world, int body, double t) {
+  const MadeBody& made = world.bodies[static_cast<std::size_t>(body)];
+  const MadePose own = own_pose(made, t);
+  if (made.parent < 0) return own;
+  const MadePose frame = pose_of(world, made.parent, t);
+  return {frame.o + frame.x * own.o, frame.x * own.x};
+}
+
+// Overlap by definition.
+
+using PosedRing = std::vector<Complex>;
+/// Outline, then holes.
+using PosedPart = std::vector<PosedRing>;
+using PosedBody = std::vector<PosedPart>;
+
+PosedBody posed(const MadeWorld& world, int body, double t) {
+  const MadePose pose = pose_of(world, body, t);
+  const auto ring = [&](const Polygon& polygon) {
+    PosedRing points;
+    for (const Point& p : polygon) points.push_back(pose.at(p));
+    return points;
+  };
+  PosedBody result;
+  for (const Part& part : world.bodies[static_cast<std::size_t>(body)].parts) {
+    PosedPart rings{ring(part.outline)};
+    for (const Polygon& hole : part.holes) rings.push_back(ring(hole));
+    result.push_back(rings);
+  }
+  return result;
+}
+
+double cross_of(const Complex& a, const Complex& b) { return (std::conj(a) * b).imag(); }
+
+/// How far c lies to the left of the line from a to b.
+double left_of(const Complex& a, const Complex& b, const Complex& c) {
+  return cross_of(b - a, c - a) / std::abs(b - a);
+}
+
+double to_segment(const Complex& p, const Complex& a, const Complex& b) {
+  const Complex d = b - a;
+  const double share = std::clamp((std::conj(d) * (p - a)).real() / std::norm(d), 0.0, 1.0);
+  return std::abs(p - (a + share * d));
+}
+
+template <class Visit>
+void each_edge(const PosedPart& part, Visit visit) {
+  for (const PosedRing& ring : part) {
+    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
+  }
+}
+
+/// Do the two edges cross, each end farther than the margin from the other one's line?
+bool cross_clearly(const Complex& a, const Complex& b, const Complex& c, const Complex& d, double margin) {
+  const double l = left_of(a, b, c), m = left_of(a, b, d), n = left_of(c, d, a), o = left_of(c, d, b);
+  return std::min(std::fabs(l), std::fabs(m)) > margin && std::min(std::fabs(n), std::fabs(o)) > margin &&
+         (l > 0) != (m > 0) && (n > 0) != (o > 0);
+}
+
+/// Inside the part, and farther than the margin from its rings? Rings are counted by turns, in either orientation.
+bool lies_clearly_inside(const PosedPart& part, const Complex& p, double margin) {
+  bool near = false;
+  each_edge(part, [&](const Complex& a, const Complex& b) { near = near || to_segment(p, a, b) <= margin; });
+  if (near) return false;
+  const auto winds = [&](const PosedRing& ring) {
+    double turned = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) turned += std::arg((ring[(i + 1) % ring.size()] - p) / (ring[i] - p));
+    return std::fabs(turned) > 3;
+  };
+  return winds(part[0]) && std::none_of(part.begin() + 1, part.end(), winds);
+}
+
+/// Parts that have an edge crossed, or a vertex of the other one inside, overlap it.
+bool parts_overlap_clearly(const PosedPart& p, const PosedPart& q, double margin) {
+  bool crossing = false;
+  each_edge(p, [&](const Complex& a, const Complex& b) {
+    each_edge(q, [&](const Complex& c, const Complex& d) { crossing = crossing || cross_clearly(a, b, c, d, margin); });
+  });
+  if (crossing) return true;
+  const auto has_vertex_of = [&](const PosedPart& outer, const PosedPart& inner) {
+    return std::any_of(inner[0].begin(), inner[0].end(),
+                       [&](const Complex& v) { return lies_clearly_inside(outer, v, margin); });
+  };
+  return has_vertex_of(p, q) || has_vertex_of(q, p);
+}
+
+bool overlap_clearly(const PosedBody& p, const PosedBody& q, double margin) {
+  for (const PosedPart& a : p) {
+    for (const PosedPart& b : q) {
+      if (parts_overlap_clearly(a, b, margin)) return true;
+    }
+  }
+  return false;
+}
+
+/// Of the boundaries; not 0 where they cross.
+double between_rings(const PosedBody& p, const PosedBody& q) {
+  double least = INFINITY;
+  const auto from_vertices = [&](const PosedBody& vertices, const PosedBody& edges) {
+    for (const PosedPart& part : vertices) {
+      for (const PosedPart& other : edges) {
+        each_edge(part, [&](const Complex& v, const Complex&) {
+          each_edge(other, [&](const Complex& a, const Complex& b) { least = std::min(least, to_segment(v, a, b)); });
+        });
+      }
+    }
+  };
+  from_vertices(p, q);
+  from_vertices(q, p);
+  return least;
+}
+
+// Random worlds.
+
+double sixteenths(Rng& rng, double lo, double hi) {
+  return rng.between(static_cast<int>(lo * 16), static_cast<int>(hi * 16)) / 16.0;
+}
+
+/// Directions in order around, no gap of half a turn.
+std::vector<Complex> star_directions(Rng& rng, int n) {
+  std::vector<Complex> directions;
+  const double begin = rng.real(0, 360);
+  for (int i = 0; i < n; ++i) directions.push_back(unit(begin + 360 * (i + rng.real(0, 0.4)) / n));
+  return directions;
+}
+
+Polygon star_ring(const std::vector<Complex>& directions, const std::vector<double>& radii, const Point& centre) {
+  Polygon ring;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    ring.push_back({centre.x + radii[i] * directions[i].real(), centre.y + radii[i] * directions[i].imag()});
+  return ring;
+}
+
+std::vector<double> random_radii(Rng& rng, std::size_t n, double lo, double hi) {
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < n; ++i) radii.push_back(rng.real(lo, hi));
+  return radii;
+}
+
+/// A star around the centre, of at most that radius; with a hole where `hole` is its share of the radius.
+Part star_part(Rng& rng, const Point& centre, double radius, double hole) {
+  const auto directions = star_directions(rng, rng.between(hole > 0 ? 5 : 3, 7));
+  const auto radii = random_radii(rng, directions.size(), hole > 0 ? 0.85 * radius : 0.5 * radius, radius);
+  Part part{star_ring(directions, radii, centre), {}};
+  if (hole > 0) {
+    auto inner = radii;
+    for (double& r : inner) r *= hole;
+    part.holes.push_back(star_ring(directions, inner, centre));
+    if (rng.chance(0.5)) std::reverse(part.holes[0].begin(), part.holes[0].end());
+  }
+  if (rng.chance(0.3)) std::reverse(part.outline.begin(), part.outline.end());
+  return part;
+}
+
+std::vector<Keyframe> random_keyframes(Rng& rng, double end, double reach, const Point& at) {
+  Keyframe last;
+  if (rng.chance(0.1)) last = {0, sixteenths(rng, -3, 3), sixteenths(rng, -3, 3), 0};
+  std::vector<Keyframe> keyframes{last};
+  const int legs = rng.between(1, 3);
+  for (int i = 1; i <= legs; ++i) {
+    Keyframe k;
+    k.t = end * i / legs;
+    k.way = rng.pick(std::vector<Way>{Way::straight, Way::straight, Way::turn, Way::arc});
+    // A straight leg after one around a centre has no jump: its place is that of its end.
+    k.x = sixteenths(rng, -reach, reach);
+    k.y = sixteenths(rng, -reach, reach);
+    k.angle_deg = rng.chance(0.5) ? last.angle_deg : rng.between(-120, 120);
+    k.centre = {at.x + sixteenths(rng, -reach, reach), at.y + sixteenths(rng, -reach, reach)};
+    k.by_deg = rng.between(-150, 150);
+    if (k.way != Way::straight) k.x = k.y = k.angle_deg = 0;
+    keyframes.push_back(last = k);
+  }
+  return keyframes;
+}
+
+MadeBody random_body(Rng& rng, const Point& at, const std::string& name, double hole) {
+  MadeBody body;
+  body.name = name;
+  const double radius = rng.real(0.6, 1.6);
+  if (hole > 0) {
+    body.parts = {star_part(rng, at, 1.9, hole)};
+  } else {
+    const int parts = rng.chance(0.25) ? rng.between(2, 3) : 1;
+    for (int i = 0; i < parts; ++i) {
+      const Point off = i == 0 ? at : Point{at.x + rng.real(-1, 1), at.y + rng.real(-1, 1)};
+      body.parts.push_back(star_part(rng, off, i == 0 ? radius : 0.7, 0));
+    }
+  }
+  body.pivot = rng.chance(0.7) ? at : Point{};
+  return body;
+}
+
+/// 2 to 12 bodies in cells of 4 by 4; some have another one in a hole.
+MadeWorld random_world(std::uint64_t seed) {
+  Rng rng(seed);
+  MadeWorld world;
+  const int n = rng.between(2, 12);
+  const double moving = rng.real(0.3, 0.9), reach = rng.real(1, 6);
+  for (int cell = 0; static_cast<int>(world.bodies.size()) < n; ++cell) {
+    const Point at{-6.0 + 4 * (cell % 4), -4.0 + 4 * (cell / 4)};
+    const bool ring = rng.chance(0.25);
+    const auto add = [&](MadeBody body) {
+      const int index = static_cast<int>(world.bodies.size());
+      if (rng.chance(moving)) body.keyframes = random_keyframes(rng, world.end, reach, at);
+      if (index > 0 && rng.chance(0.3)) body.parent = rng.below(index);
+      world.bodies.push_back(body);
+    };
+    add(random_body(rng, at, "b" + std::to_string(world.bodies.size()), ring ? 0.75 : 0));
+    if (ring && rng.chance(0.6)) {
+      MadeBody inner;
+      inner.name = "in" + std::to_string(world.bodies.size());
+      inner.parts = {star_part(rng, at, 0.4, 0)};
+      inner.pivot = at;
+      add(inner);
+      // It stays in the ring, and is now and then carried by it.
+      if (rng.chance(0.5)) {
+        const MadeBody& host = world.bodies[world.bodies.size() - 2];
+        world.bodies.back().parent = rng.chance(0.5) ? static_cast<int>(world.bodies.size()) - 2 : host.parent;
+        world.bodies.back().keyframes = rng.chance(0.5) ? host.keyframes : std::vector<Keyframe>{};
+      }
+    }
+  }
+  if (rng.chance(0.4)) {
+    const int count = static_cast<int>(world.bodies.size());
+    world.ignore.push_back({rng.below(count), rng.chance(0.2) ? -1 : rng.below(count)});
+  }
+  return world;
+}
+
+/// Asked about, as far as the list of ignored pairs goes.
+bool not_ignored(const MadeWorld& world, int a, int b) {
+  return std::none_of(world.ignore.begin(), world.ignore.end(), [&](const std::array<int, 2>& pair) {
+    const auto names = [&](int i, int k) { return pair[0] == i && (pair[1] == k || pair[1] < 0); };
+    const auto other_way = [&](int i, int k) { return pair[1] == i && pair[0] < 0 && i != k; };
+    return names(a, b) || names(b, a) || other_way(a, b) || other_way(b, a);
+  });
+}
+
+/// Do they never move against each other, however that is written?
+bool move_alike(const MadeWorld& world, int a, int b) {
+  for (const double t : {0.0, 0.31, 0.9, 1.3, 1.7, 2.1, 2.6, 2.9, 3.3, 4.0}) {
+    const MadePose p = pose_of(world, a, t), q = pose_of(world, b, t);
+    if (std::abs(p.o - q.o) > 1e-9 || std::abs(p.x - q.x) > 1e-9) return false;
+  }
+  return true;
+}
+
+struct WorldCounts {
+  int free = 0, contact = 0, overlap = 0, entered = 0;
+};
+
+Complex vertex_at(const PosedBody& body, int part, int ring, int index) {
+  const PosedRing& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
+  return points[static_cast<std::size_t>(index) % points.size()];
+}
+
+/// The vertex lies on the edge, and the two bodies are those of the pair.
+void expect_witness(const MadeWorld& world, const std::array<BodyId, 2>& pair, const Contact& contact) {
+  const int v = contact.vertex.body, e = contact.edge.body;
+  EXPECT_TRUE((v == pair[0] && e == pair[1]) || (v == pair[1] && e == pair[0]));
+  const double t = contact.time.lo + (contact.time.hi - contact.time.lo) / 2;
+  const PosedBody vertex = posed(world, v, t), edge = posed(world, e, t);
+  const VertexRef& at = contact.vertex;
+  const EdgeRef& on = contact.edge;
+  const double distance =
+      to_segment(vertex_at(vertex, at.part, at.ring, at.index), vertex_at(edge, on.part, on.ring, on.index),
+                 vertex_at(edge, on.part, on.ring, on.index + 1));
+  EXPECT_LE(distance, 1e-8 + 1e3 * (contact.time.hi - contact.time.lo));
+}
+
+/// No clear overlap before the answer's time, at many instants and just before it.
+void expect_apart_before(const MadeWorld& world, const PairAnswer& pair, WorldCounts& counts) {
+  const int a = pair.bodies[0], b = pair.bodies[1];
+  if (pair.outcome == Outcome::overlap_at_start) {
+    ++counts.overlap;
+    const PosedBody p = posed(world, a, 0), q = posed(world, b, 0);
+    EXPECT_TRUE(overlap_clearly(p, q, 0) || between_rings(p, q) < 1e-9);
+    return;
+  }
+  const bool meets = pair.outcome == Outcome::contact;
+  ASSERT_TRUE(meets || pair.outcome == Outcome::free) << pair.reason;
+  ++(meets ? counts.contact : counts.free);
+  const double until = meets ? pair.contact->time.lo : world.end;
+  std::vector<double> instants{until, until - 1e-9, until - 1e-6, until - 1e-3};
+  for (int i = 0; i < 48; ++i) instants.push_back(until * i / 48);
+  for (const double t : instants) {
+    if (t < 0) continue;
+    EXPECT_FALSE(overlap_clearly(posed(world, a, t), posed(world, b, t), 1e-7)) << "at " << t;
+  }
+  if (!meets) return;
+  expect_witness(world, pair.bodies, *pair.contact);
+  const double after = pair.contact->time.hi + 1e-4;
+  if (overlap_clearly(posed(world, a, after), posed(world, b, after), 0)) ++counts.entered;
+}
+
+/// Neither ignored pairs, nor of those that are written alike, are asked about; all that move against each other are.
+void expect_all_asked(const MadeWorld& world, const std::vector<PairAnswer>& pairs) {
+  const int n = static_cast<int>(world.bodies.size());
+  auto next = pairs.begin();
+  for (int a = 0; a < n; ++a) {
+    for (int b = a + 1; b < n; ++b) {
+      const bool asked = next != pairs.end() && next->bodies == std::array<BodyId, 2>{a, b};
+      if (asked) ++next;
+      const MadeBody &p = world.bodies[static_cast<std::size_t>(a)], &q = world.bodies[static_cast<std::size_t>(b)];
+      const bool rest = p.keyframes.empty() && q.keyframes.empty() && p.parent == q.parent;
+      if (!not_ignored(world, a, b) || (n > 2 && rest)) {
+        EXPECT_FALSE(asked) << a << " and " << b;
+      } else if (n == 2 || !move_alike(world, a, b)) {
+        EXPECT_TRUE(asked) << a << " and " << b;
+      }
+    }
+  }
+  EXPECT_EQ(next, pairs.end());
+}
+
+/// The world's answer is that of its first pair.
+void expect_headline(const Answer& headline, const std::vector<PairAnswer>& pairs) {
+  double first = INFINITY;
+  bool overlap = false;
+  for (const PairAnswer& pair : pairs) {
+    overlap = overlap || pair.outcome == Outcome::overlap_at_start;
+    if (pair.contact) first = std::min(first, pair.contact->time.lo);
+  }
+  if (overlap) {
+    EXPECT_EQ(headline.outcome, Outcome::overlap_at_start);
+  } else if (first < INFINITY) {
+    ASSERT_EQ(headline.outcome, Outcome::contact);
+    EXPECT_NEAR(headline.contact->time.lo, first, 1e-11);
+  } else {
+    EXPECT_EQ(headline.outcome, Outcome::free);
+  }
+}
+
+Answer answer_to(const Scene& scene, Touch touch = Touch::open, bool all = false) {
+  CheckOptions options;
+  options.touch = touch;
+  options.engine = EngineChoice::spacetime;
+  options.all_pairs = all;
+  options.tell_touching = false;
+  return check(scene, options);
+}
+
+TEST(Worlds, AnswersFitTheDefinition) {
+  WorldCounts counts;
+  for (std::uint64_t seed = 0; seed < effort(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MadeWorld world = random_world(seed);
+    const Scene scene = scene_of(world);
+    const Answer all = answer_to(scene, Touch::open, true);
+    ASSERT_TRUE(all.pairs);
+    expect_all_asked(world, *all.pairs);
+    for (const PairAnswer& pair : *all.pairs) {
+      SCOPED_TRACE(scene.bodies[static_cast<std::size_t>(pair.bodies[0])].name + " and " +
+                   scene.bodies[static_cast<std::size_t>(pair.bodies[1])].name);
+      expect_apart_before(world, pair, counts);
+    }
+    expect_headline(all, *all.pairs);
+    const Answer alone = answer_to(scene);
+    expect_headline(alone, *all.pairs);
+    const Answer closed = answer_to(scene, Touch::closed, true);
+    expect_headline(closed, *closed.pairs);
+    ASSERT_EQ(closed.pairs->size(), all.pairs->size());
+    for (std::size_t i = 0; i < all.pairs->size(); ++i) {
+      const PairAnswer &loose = (*all.pairs)[i], &strict = (*closed.pairs)[i];
+      if (!loose.contact) continue;
+      ASSERT_TRUE(strict.contact || strict.outcome == Outcome::overlap_at_start);
+      if (strict.contact) {
+        EXPECT_LE(strict.contact->time.lo, loose.contact->time.hi);
+      }
+    }
+  }
+  EXPECT_GE(counts.contact, static_cast<int>(enough(800)));
+  EXPECT_GE(counts.free, static_cast<int>(enough(800)));
+  EXPECT_GE(counts.overlap, static_cast<int>(enough(10)));
+  // Nearly all enter, a few graze.
+  EXPECT_GE(counts.entered, counts.contact * 9 / 10);
+  RecordProperty("contacts", counts.contact);
+}
+
+// The same in other words.
+
+/// Same outcome, times that enclose one instant, and the same bodies.
+void expect_same_answer(const Scene& first, const Scene& second, const char* what, Touch touch = Touch::open) {
+  SCOPED_TRACE(what);
+  const Answer a = answer_to(first, touch), b = answer_to(second, touch);
+  ASSERT_STREQ(to_string(a.outcome), to_string(b.outcome));
+  if (a.outcome == Outcome::free) return;
+  if (a.contact) {
+    EXPECT_LE(a.contact->time.lo, b.contact->time.hi + 1e-9);
+    EXPECT_GE(a.contact->time.hi, b.contact->time.lo - 1e-9);
+  }
+  // The pair, unless several come together.
+  if (a.also.empty() && b.also.empty() && a.pair && b.pair && a.contact) {
+    const auto name = [](const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
+    std::array<std::string, 2> p{name(first, (*a.pair)[0]), name(first, (*a.pair)[1])},
+        q{name(second, (*b.pair)[0]), name(second, (*b.pair)[1])};
+    std::sort(p.begin(), p.end());
+    std::sort(q.begin(), q.end());
+    EXPECT_EQ(p, q);
+  }
+}
+
+TEST(Worlds, OrderOfBodiesDoesNotMatter) {
+  for (std::uint64_t seed = 1000; seed < 1000 + effort(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = scene_of(random_world(seed));
+    Rng rng(seed);
+    Scene shuffled = scene;
+    for (std::size_t i = shuffled.bodies.size(); i > 1; --i)
+      std::swap(shuffled.bodies[i - 1], shuffled.bodies[static_cast<std::size_t>(rng.below(static_cast<int>(i)))]);
+    expect_same_answer(scene, shuffled, "shuffled");
+  }
+}
+
+TEST(Worlds, FarBodiesChangeNothing) {
+  for (std::uint64_t seed = 2000; seed < 2000 + effort(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MadeWorld world = random_world(seed);
+    MadeWorld larger = world;
+    for (int i = 0; i < 3; ++i) {
+      Rng rng(seed + static_cast<std::uint64_t>(i));
+      const Point at{500.0 + 100 * i, -300};
+      MadeBody far;
+      far.name = "far" + std::to_string(i);
+      far.parts = {star_part(rng, at, 2, 0.5)};
+      far.pivot = at;
+      if (i > 0) far.keyframes = random_keyframes(rng, world.end, 5, at);
+      larger.bodies.push_back(far);
+    }
+    const Scene scene = scene_of(world);
+    // With two bodies all pairs are asked, whatever moves; with more, only what moves against each other.
+    if (world.bodies.size() > 2) expect_same_answer(scene, scene_of(larger), "with far bodies");
+  }
+}
+
+/// All that stands in the world's frame is put on something that moves.
+TEST(Worlds, CarriedAsAWhole) {
+  for (std::uint64_t seed = 3000; seed < 3000 + effort(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MadeWorld world = random_world(seed);
+    if (world.bodies.size() == 2) continue;
+    Rng rng(seed);
+    MadeWorld carried = world;
+    MadeBody carrier;
+    carrier.name = "carrier";
+    carrier.parts = {star_part(rng, {0, 0}, 1, 0)};
+    carrier.keyframes = random_keyframes(rng, world.end, 5, {0, 0});
+    const int index = static_cast<int>(carried.bodies.size());
+    for (MadeBody& body : carried.bodies) {
+      if (body.parent < 0) body.parent = index;
+    }
+    carried.bodies.push_back(carrier);
+    carried.ignore.push_back({index, -1});
+    expect_same_answer(scene_of(world), scene_of(carried), "carried");
+  }
+}
+
+/// Seen from one of the bodies, whose velocity is taken from all others.
+TEST(Worlds, SeenFromAMovingBody) {
+  for (std::uint64_t seed = 4000; seed < 4000 + effort(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    MadeWorld world = random_world(seed);
+    if (world.bodies.size() == 2) continue;
+    for (MadeBody& body : world.bodies) body.keyframes.clear();
+    Rng rng(seed);
+    Scene scene = scene_of(world), seen = scene;
+    std::vector<Point> velocities;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+      velocities.push_back({sixteenths(rng, -2, 2), sixteenths(rng, -2, 2)});
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const Point v = velocities[i];
+      const double spin = rng.chance(0.5) ? 0 : rng.between(-60, 60);
+      scene.bodies[i].motion = from_velocity(v, spin, world.bodies[i].pivot);
+      const bool root = world.bodies[i].parent < 0;
+      seen.bodies[i].motion =
+          from_velocity(root ? Point{v.x - velocities[0].x, v.y - velocities[0].y} : v, spin, world.bodies[i].pivot);
+    }
+    expect_same_answer(scene, seen, "from the first body");
+  }
+}
+
+double twice_area(const Polygon& p) {
+  double twice = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point &a = p[i], &b = p[(i + 1) % p.size()];
+    twice += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
+  }
+  return twice;
+}
+
+/// Corner i of the hole is on the ray to corner i of the outline, once both go the same way round from there.
+Polygon hole_along_outline(const Part& part) {
+  Polygon hole = part.holes[0];
+  if ((twice_area(hole) > 0) != (twice_area(part.outline) > 0)) std::reverse(hole.begin(), hole.end());
+  const Point& first = part.outline[0];
+  const auto distance = [&](const Point& p) { return std::hypot(p.x - first.x, p.y - first.y); };
+  const auto nearest = std::min_element(hole.begin(), hole.end(),
+                                        [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
+  std::rotate(hole.begin(), nearest, hole.end());
+  return hole;
+}
+
+/// A ring in two arcs, a star around `centre` in two wedges, cut from corner 0 and from corner `at`.
+std::array<Part, 2> cut_in_two(const Part& part, const Point& centre, std::size_t at) {
+  const std::size_t n = part.outline.size();
+  Polygon first, second;
+  for (std::size_t i = 0; i <= at; ++i) first.push_back(part.outline[i]);
+  for (std::size_t i = at; i <= n; ++i) second.push_back(part.outline[i % n]);
+  if (part.holes.empty()) {
+    first.push_back(centre);
+    second.push_back(centre);
+  } else {
+    const Polygon hole = hole_along_outline(part);
+    for (std::size_t i = at + 1; i-- > 0;) first.push_back(hole[i]);
+    for (std::size_t i = n + 1; i-- > at;) second.push_back(hole[i % n]);
+  }
+  return {Part{first, {}}, Part{second, {}}};
+}
+
+/// The same bodies, in touching pieces.
+TEST(Worlds, SeamsDoNotMatter) {
+  int cut = 0;
+  for (std::uint64_t seed = 5000; seed < 5000 + effort(200); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const MadeWorld world = random_world(seed);
+    MadeWorld pieces = world;
+    Rng rng(seed);
+    for (MadeBody& body : pieces.bodies) {
+      // The pivot, where it is not the origin, is the star's centre.
+      const Part whole = body.parts[0];
+      if (body.parts.size() > 1 || (whole.holes.empty() && (body.pivot == Point{} || whole.outline.size() < 4)))
+        continue;
+      const int n = static_cast<int>(whole.outline.size());
+      const auto two = cut_in_two(whole, body.pivot, static_cast<std::size_t>(rng.between(1, n - 1)));
+      body.parts = {two[0], two[1]};
+      ++cut;
+    }
+    const Scene whole = scene_of(world), pieced = scene_of(pieces);
+    expect_same_answer(whole, pieced, "open");
+    expect_same_answer(whole, pieced, "closed", Touch::closed);
+  }
+  EXPECT_GE(cut, static_cast<int>(enough(300)));
+}
+
+// Two plain bodies.
+
+TEST(Worlds, TwoBodiesAsBothEnginesSay) {
+  CheckOptions ordinary;
+  ordinary.engine = EngineChoice::both;
+  for (const bool grid : {false, true}) {
+    for (const Family family : all_families) {
+      for (std::uint64_t seed = 0; seed < effort(10); ++seed) {
+        SCOPED_TRACE(std::string(to_string(family)) + " seed " + std::to_string(seed) + (grid ? " grid" : ""));
+        SceneOptions options;
+        options.grid = grid;
+        const Scene scene = random_scene(7000 + seed, family, options);
+        for (const Touch touch : {Touch::open, Touch::closed}) {
+          ordinary.touch = touch;
+          const Answer two = check(scene, ordinary), world = answer_to(scene, touch, true);
+          ASSERT_STREQ(to_string(two.outcome), to_string(world.outcome));
+          if (!two.contact) continue;
+          EXPECT_LE(two.contact->time.lo, world.contact->time.hi + 1e-12);
+          EXPECT_GE(two.contact->time.hi, world.contact->time.lo - 1e-12);
+        }
+      }
+    }
+  }
+}
+
+/// Legs around a centre, of two plain bodies: both engines, the definition, and a proof.
+TEST(Worlds, ArcsOfTwoBodies) {
+  WorldCounts counts;
+  CheckOptions options;
+  options.engine = EngineChoice::both;
+  for (std::uint64_t seed = 8000; seed < 8000 + effort(200); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    MadeWorld world;
+    for (int i = 0; i < 2; ++i) {
+      const Point at{3.0 * i, 0};
+      MadeBody body;
+      body.name = i == 0 ? "first" : "second";
+      body.parts = {star_part(rng, at, 1.4, 0)};
+      body.pivot = rng.chance(0.7) ? at : Point{};
+      if (i == 0 || rng.chance(0.7)) body.keyframes = random_keyframes(rng, world.end, 4, at);
+      world.bodies.push_back(body);
+    }
+    const Scene scene = scene_of(world);
+    const Answer answer = check(scene, options);
+    expect_apart_before(world, {{0, 1}, answer.outcome, answer.contact, answer.free_until, answer.reason}, counts);
+    std::ostringstream log;
+    const Answer proved = prove(scene, log);
+    EXPECT_STREQ(to_string(proved.outcome), to_string(answer.outcome));
+    if (answer.outcome == Outcome::overlap_at_start) continue;
+    std::istringstream in(log.str());
+    EXPECT_STREQ(to_string(verify(scene, in).outcome), to_string(answer.outcome));
+  }
+  EXPECT_GE(counts.contact, static_cast<int>(enough(60)));
+  EXPECT_GE(counts.free, static_cast<int>(enough(40)));
+}
+
+/// Each pair of a world of plain bodies that do not turn, by the oracle that decides exactly.
+TEST(Worlds, PairsAsTheExactOracleSays) {
+  int compared = 0;
+  for (std::uint64_t seed = 6000; seed < 6000 + effort(40); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    Scene scene;
+    scene.end = 4;
+    for (int i = 0; i < 4; ++i) {
+      const Part star = star_part(rng, {4.0 * (i % 2), 4.0 * (i / 2)}, 1.5, 0);
+      Body body;
+      body.name = "b" + std::to_string(i);
+      for (const Point& p : star.outline)
+        body.polygon.push_back({std::round(p.x * 64) / 64, std::round(p.y * 64) / 64});
+      body.motion = from_velocity({sixteenths(rng, -2, 2), sixteenths(rng, -2, 2)});
+      scene.bodies.push_back(body);
+    }
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      const Answer world = answer_to(scene, touch, true);
+      for (const PairAnswer& pair : *world.pairs) {
+        Scene two = scene;
+        two.bodies = {scene.bodies[static_cast<std::size_t>(pair.bodies[0])],
+                      scene.bodies[static_cast<std::size_t>(pair.bodies[1])]};
+        const exact::ExactAnswer truth = exact::first_contact(two, touch);
+        if (truth.verdict == exact::Verdict::beyond) continue;
+        ++compared;
+        EXPECT_STREQ(to_string(pair.outcome), exact::to_string(truth.verdict));
+        if (truth.verdict != exact::Verdict::contact || !pair.contact) continue;
+        EXPECT_GE(truth.time.hi(), pair.contact->time.lo - 1e-12);
+        EXPECT_LE(truth.time.lo(), pair.contact->time.hi + 1e-12);
+      }
+    }
+  }
+  EXPECT_GE(compared, static_cast<int>(enough(200)));
+}
+
+}  // namespace
+}  // namespace taut::testing
