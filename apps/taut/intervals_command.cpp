@@ -22,10 +22,10 @@ struct IntervalArguments {
   bool json = false;
 };
 
-std::string name_of(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
+std::string body_called(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
 
 std::string names_of(const Scene& scene, const OverlapInterval& o) {
-  return name_of(scene, o.pair[0]) + " x " + name_of(scene, o.pair[1]);
+  return body_called(scene, o.pair[0]) + " x " + body_called(scene, o.pair[1]);
 }
 
 /// The angle of the body that sweeps, if one of the pair does.
@@ -38,11 +38,11 @@ std::string degrees_at(const Scene& scene, const OverlapInterval& o, const TimeI
 }
 
 std::string features_text(const char* what, const Contact& c, const Scene& scene) {
-  return fmt::format("    {}: vertex {} of {} and edge {} of {}\n", what, c.vertex.index, name_of(scene, c.vertex.body),
-                     c.edge.index, name_of(scene, c.edge.body));
+  return fmt::format("    {}: vertex {} of {} and edge {} of {}\n", what, c.vertex.index,
+                     body_called(scene, c.vertex.body), c.edge.index, body_called(scene, c.edge.body));
 }
 
-std::string text_of(const Scene& scene, const OverlapInterval& o) {
+std::string text_of_answer(const Scene& scene, const OverlapInterval& o) {
   std::string text = fmt::format("  {}   t = {}{} to {}{}\n", names_of(scene, o), time_text(o.from),
                                  degrees_at(scene, o, o.from), time_text(o.to), degrees_at(scene, o, o.to));
   if (o.enter) text += features_text("enter", *o.enter, scene);
@@ -50,18 +50,18 @@ std::string text_of(const Scene& scene, const OverlapInterval& o) {
   return text;
 }
 
-std::string text_of(const Scene& scene, const Intervals& answer) {
+std::string text_of_answer(const Scene& scene, const Intervals& answer) {
   const std::size_t n = answer.intervals.size();
   std::string text = n == 0 ? std::string("NO OVERLAP") : fmt::format("{} INTERVAL{} OF OVERLAP", n, n == 1 ? "" : "S");
   text += fmt::format("   on [{}, {}]\n", scene.start, scene.end);
-  for (const OverlapInterval& o : answer.intervals) text += text_of(scene, o);
+  for (const OverlapInterval& o : answer.intervals) text += text_of_answer(scene, o);
   for (const PairAnswer& pair : answer.undecided)
-    text += fmt::format("  UNDECIDED  {} x {}: {}\n", name_of(scene, pair.bodies[0]), name_of(scene, pair.bodies[1]),
-                        pair.reason);
+    text += fmt::format("  UNDECIDED  {} x {}: {}\n", body_called(scene, pair.bodies[0]),
+                        body_called(scene, pair.bodies[1]), pair.reason);
   return text;
 }
 
-std::string text_of(const Scene& scene, double t, const Range& answer) {
+std::string text_of_answer(const Scene& scene, double t, const Range& answer) {
   if (!answer.decided) return "UNDECIDED\n  " + answer.reason + "\n";
   const std::string from = answer.from ? time_text(*answer.from) + degrees_at(scene, *answer.before, *answer.from)
                                        : fmt::format("{}, the start", scene.start);
@@ -78,7 +78,7 @@ int run_intervals(const IntervalArguments& arguments) {
   CheckOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Intervals answer = within_file(arguments.scene.path, [&] { return intervals(scene, options); });
-  print_text(arguments.json ? intervals_json(scene, answer, options.touch) + "\n" : text_of(scene, answer));
+  print_text(arguments.json ? intervals_json(scene, answer, options.touch) + "\n" : text_of_answer(scene, answer));
   if (!answer.undecided.empty()) return exit_undecided;
   return answer.intervals.empty() ? exit_free : exit_contact;
 }
@@ -89,7 +89,7 @@ int run_range(const IntervalArguments& arguments) {
   options.stop = stop_on_signals();
   const Range answer = within_file(arguments.scene.path, [&] { return range(scene, arguments.from, options); });
   print_text(arguments.json ? range_json(scene, arguments.from, answer, options.touch) + "\n"
-                            : text_of(scene, arguments.from, answer));
+                            : text_of_answer(scene, arguments.from, answer));
   return answer.decided ? exit_free : exit_undecided;
 }
 

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-std::string edge_text(const Scene& scene, const EdgeRef& edge) {
+std::string nearest_edge_text(const Scene& scene, const EdgeRef& edge) {
   const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
   std::string s = "{\"body\":" + io::string_text(body.name);
   if (!body.parts.empty()) s += ",\"part\":" + std::to_string(edge.part) + ",\"ring\":" + std::to_string(edge.ring);
@@ -27,7 +27,7 @@ std::string nearest_text(const Scene& scene, const NearestPoints& n) {
   }
   if (!(n.hi > 0)) return s + "}";
   return s + ",\"points\":[" + io::point_text(n.points[0]) + "," + io::point_text(n.points[1]) + "],\"edges\":[" +
-         edge_text(scene, n.edges[0]) + "," + edge_text(scene, n.edges[1]) + "]}";
+         nearest_edge_text(scene, n.edges[0]) + "," + nearest_edge_text(scene, n.edges[1]) + "]}";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string degrees_text(const Scene& scene, const std::array<BodyId, 2>& pair, 
   return "";
 }
 
-std::string scope_text(const Scene& scene, Touch touch) {
+std::string question_scope(const Scene& scene, Touch touch) {
   return ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) +
          "\"}";
 }
@@ -34,24 +34,24 @@ std::string overlap_text(const Scene& scene, const OverlapInterval& o) {
   return s + "}";
 }
 
-std::string head(const Scene& scene) { return scene.id.empty() ? "{" : "{\"id\":" + scene.id + ","; }
+std::string id_and_brace(const Scene& scene) { return scene.id.empty() ? "{" : "{\"id\":" + scene.id + ","; }
 
 }  // namespace
 
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch) {
-  std::string s = head(scene) + "\"intervals\":[";
+  std::string s = id_and_brace(scene) + "\"intervals\":[";
   for (std::size_t i = 0; i < answer.intervals.size(); ++i)
     s += (i ? "," : "") + overlap_text(scene, answer.intervals[i]);
   s += "],\"undecided\":[";
   for (std::size_t i = 0; i < answer.undecided.size(); ++i)
     s += (i ? "," : "") + io::pair_answer_json(scene, answer.undecided[i]);
-  return s + "],\"coverage\":" + io::coverage_json(answer.coverage) + scope_text(scene, touch) + "}";
+  return s + "],\"coverage\":" + io::coverage_json(answer.coverage) + question_scope(scene, touch) + "}";
 }
 
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch) {
-  std::string s = head(scene);
+  std::string s = id_and_brace(scene);
   if (!answer.decided)
-    return s + "\"range\":null,\"reason\":" + io::string_text(answer.reason) + scope_text(scene, touch) + "}";
+    return s + "\"range\":null,\"reason\":" + io::string_text(answer.reason) + question_scope(scene, touch) + "}";
   const auto end = [](const std::optional<TimeInterval>& t) { return t ? interval_text(*t) : std::string("null"); };
   s += "\"range\":{\"from\":" + end(answer.from) + ",\"to\":" + end(answer.to);
   if (answer.before) s += degrees_text(scene, answer.before->pair, "from_deg", *answer.from);
@@ -59,7 +59,7 @@ std::string range_json(const Scene& scene, double from, const Range& answer, Tou
   s += "},\"around\":" + io::number_text(from);
   if (answer.before) s += ",\"before\":" + overlap_text(scene, *answer.before);
   if (answer.after) s += ",\"after\":" + overlap_text(scene, *answer.after);
-  return s + scope_text(scene, touch) + "}";
+  return s + question_scope(scene, touch) + "}";
 }
 
 }  // namespace taut

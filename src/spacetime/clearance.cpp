@@ -11,7 +11,7 @@
 namespace taut::spacetime {
 namespace {
 
-struct BoxPair {
+struct NodePair {
   std::uint32_t p, q;
 };
 
@@ -40,7 +40,7 @@ Closest closest(Vector a, Vector b, Vector c, Vector d) {
 }
 
 /// Boxes that move farther than this share of their size are left to shorter stretches of time.
-constexpr double patience = 0.75;
+constexpr double patience_of_clearance = 0.75;
 /// In stretches shorter than this share of the leg, errors have become as small as they get.
 constexpr double shortest = 0x1p-30;
 
@@ -86,7 +86,7 @@ class LegClearance {
       todo_.assign(1, pairs_[i]);
       while (!todo_.empty()) {
         interruption_point();
-        const BoxPair pair = todo_.back();
+        const NodePair pair = todo_.back();
         todo_.pop_back();
         look(s, pair, divisible);
       }
@@ -97,14 +97,14 @@ class LegClearance {
     }
     pairs_.resize(last);
   }
-  void look(const Stretch& s, const BoxPair& pair, bool divisible) {
+  void look(const Stretch& s, const NodePair& pair, bool divisible) {
     const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
     const bool leaf = p.count == 1 && q.count == 1;
     const Path way = s.in_p.place(q.box.centre, p.box.centre);
     Vector towards{way.x.a, way.y.a};
     if (leaf) towards = measure(s, VertexId(p.first), VertexId(geometry_.np + q.first));
     if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return;
-    if (leaf || motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius)) {
+    if (leaf || motion(s, p.box, q.box) > patience_of_clearance * (p.box.radius + q.box.radius)) {
       if (divisible && !(leaf && is_resolved(s, p.box, q.box, towards))) pairs_.push_back(pair);
       if (!divisible) best_.unresolved = 0;
     } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
@@ -126,8 +126,8 @@ class LegClearance {
     return false;
   }
   /// The nearer one first: it may spare the other.
-  void descend(const BoxPair& a, const BoxPair& b, const Stretch& s) {
-    const auto distance = [&](const BoxPair& pair) {
+  void descend(const NodePair& a, const NodePair& b, const Stretch& s) {
+    const auto distance = [&](const NodePair& pair) {
       const Path way = s.in_p.place(trees_.q.node(pair.q).box.centre, trees_.p.node(pair.p).box.centre);
       return way.x.a * way.x.a + way.y.a * way.y.a;
     };
@@ -157,7 +157,7 @@ class LegClearance {
   Nearest& best_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
-  std::vector<BoxPair> pairs_, todo_;
+  std::vector<NodePair> pairs_, todo_;
 };
 
 }  // namespace
