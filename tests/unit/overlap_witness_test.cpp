@@ -36,7 +36,7 @@ Scene of_two(const Polygon& p, const Polygon& q, const Motion& motion = {}) {
   return scene;
 }
 
-Polygon box(double left, double low, double right, double high) {
+Polygon box_body(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
@@ -66,26 +66,26 @@ void expect_inside(const Scene& scene, const Point& shift, const char* what) {
 }
 
 TEST(OverlapWitness, LiesInsideBothBodies) {
-  expect_inside(of_two(box(0, 0, 2, 2), box(1, 1, 3, 3)), {}, "corners");
-  expect_inside(of_two(box(0, 0, 8, 8), box(3, 3, 4, 4)), {}, "one inside the other");
-  expect_inside(of_two(box(3, 3, 4, 4), box(0, 0, 8, 8)), {}, "the other way round");
-  expect_inside(of_two(box(0, 0, 1, 9), box(-4, 4, 5, 5)), {}, "a cross");
-  expect_inside(of_two(box(0, 0, 1, 1), box(0, 0, 1, 1)), {}, "the same");
+  expect_inside(of_two(box_body(0, 0, 2, 2), box_body(1, 1, 3, 3)), {}, "corners");
+  expect_inside(of_two(box_body(0, 0, 8, 8), box_body(3, 3, 4, 4)), {}, "one inside the other");
+  expect_inside(of_two(box_body(3, 3, 4, 4), box_body(0, 0, 8, 8)), {}, "the other way round");
+  expect_inside(of_two(box_body(0, 0, 1, 9), box_body(-4, 4, 5, 5)), {}, "a cross");
+  expect_inside(of_two(box_body(0, 0, 1, 1), box_body(0, 0, 1, 1)), {}, "the same");
   const Motion away{{{{4, 1}, {-0.1}, NoRotation{}}}};
-  expect_inside(of_two(box(0, 0, 2, 2), box(-3, 1, -2.5, 7), away), {4, -0.1}, "moved");
+  expect_inside(of_two(box_body(0, 0, 2, 2), box_body(-3, 1, -2.5, 7), away), {4, -0.1}, "moved");
 }
 
 /// Between the lines that are looked along first: beside the edges that cross.
 TEST(OverlapWitness, IsFoundInATinyCornerOfALongOverlap) {
   const Polygon needle{{-1e-7, 4.1}, {-9, 0}, {-9, 9}};
-  expect_inside(of_two(box(-1e-7 - 1e-9, -90, 90, 90), needle), {}, "a tip");
+  expect_inside(of_two(box_body(-1e-7 - 1e-9, -90, 90, 90), needle), {}, "a tip");
   const Polygon comb{{100, -50}, {100, 50}, {0, 50}, {0, -49}, {-1e-9, -49.00001}, {0, -49.00002}, {0, -50}};
-  expect_inside(of_two(comb, box(-100, -50, -5e-10, 50)), {}, "a tooth");
+  expect_inside(of_two(comb, box_body(-100, -50, -5e-10, 50)), {}, "a tooth");
 }
 
 TEST(OverlapWitness, IsThereAsLongAsADoubleLiesInBoth) {
-  expect_inside(of_two(box(0, 0, 1, 1), box(1 - 0x1p-52, 0, 2, 1)), {}, "one double between them");
-  const Scene none = of_two(box(0, 0, 1, 1), box(1 - 0x1p-53, 0, 2, 1));
+  expect_inside(of_two(box_body(0, 0, 1, 1), box_body(1 - 0x1p-52, 0, 2, 1)), {}, "one double between them");
+  const Scene none = of_two(box_body(0, 0, 1, 1), box_body(1 - 0x1p-53, 0, 2, 1));
   EXPECT_FALSE(witness_of(none, Touch::open));
   EXPECT_FALSE(witness_of(none, Touch::closed));
 }
@@ -93,7 +93,7 @@ TEST(OverlapWitness, IsThereAsLongAsADoubleLiesInBoth) {
 TEST(OverlapWitness, OfTurnedBodiesIsInsideByMoreThanTheTurnIsRoundedBy) {
   for (int k = 0; k < 24; ++k) {
     const Motion turned = from_velocity({0, 0}, 15, {});
-    Scene scene = of_two(box(0, 0, 4, 1), box(-2, -2, 2, 2), turned);
+    Scene scene = of_two(box_body(0, 0, 4, 1), box_body(-2, -2, 2, 2), turned);
     scene.start = k;
     scene.end = k + 1;
     const std::optional<Point> point = witness_of(scene, Touch::open);
@@ -106,7 +106,7 @@ TEST(OverlapWitness, OfTurnedBodiesIsInsideByMoreThanTheTurnIsRoundedBy) {
 }
 
 TEST(OverlapWitness, IsNotThereWhereBodiesOnlyTouch) {
-  const Scene scene = of_two(box(0, 0, 1, 1), box(1, 0, 2, 1));
+  const Scene scene = of_two(box_body(0, 0, 1, 1), box_body(1, 0, 2, 1));
   CheckOptions options;
   options.touch = Touch::closed;
   const Answer answer = check(scene, options);
