@@ -47,7 +47,7 @@ std::array<Point, 2> nearest_points(const Point& a, const Point& b, const Point&
 class ClearanceSearch {
  public:
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
-      : scene_(scene), options_(options), plan_(scene), best_(INFINITY) {
+      : options_(options), plan_(scene), best_(INFINITY) {
     // A little less than what is allowed: the rest is for rounding.
     double largest = 0;
     for (const WorldBody& body : plan_.bodies()) {
@@ -163,7 +163,6 @@ class ClearanceSearch {
     found.lo = std::max(0.0, std::ldexp(least, -plan_.exponent()) * (1 - 0x1p-50));
   }
 
-  const Scene& scene_;
   const ClearanceOptions& options_;
   WorldPlan plan_;
   spacetime::ClearanceTolerance tolerance_;

@@ -42,7 +42,7 @@ Closest closest(Vector a, Vector b, Vector c, Vector d) {
 /// Boxes that move farther than this share of their size are left to shorter stretches of time.
 constexpr double patience_of_clearance = 0.75;
 /// In stretches shorter than this share of the leg, errors have become as small as they get.
-constexpr double shortest = 0x1p-30;
+constexpr double shortest_of_clearance = 0x1p-30;
 
 class LegClearance {
  public:
@@ -116,7 +116,7 @@ class LegClearance {
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
   /// shorter stretches would not help, and what is certain is noted.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
-    if (s.r > shortest * (leg_.end - leg_.start)) return false;
+    if (s.r > shortest_of_clearance * (leg_.end - leg_.start)) return false;
     for (const double errors : {1, 2, 4, 8}) {
       const double margin = tolerance_.least(best_.distance) - errors * s.in_p.error;
       if (!farther(s, p, q, towards, margin)) continue;
@@ -135,7 +135,8 @@ class LegClearance {
     todo_.push_back(first ? b : a);
     todo_.push_back(first ? a : b);
   }
-  /// The distance of two edges in the middle of the stretch; the direction of the shortest way, in P's frame.
+  /// The distance of two edges in the middle of the stretch; the direction of the shortest_of_clearance way, in P's
+  /// frame.
   Vector measure(const Stretch& s, VertexId of_p, VertexId of_q) {
     const auto point = [&](VertexId v) { return Vector{geometry_.point(v).x, geometry_.point(v).y}; };
     const auto placed = [&](VertexId v) {
