@@ -84,7 +84,9 @@ export function explanation(answer: Answer, scene: Scene, freeUntil: number, run
       return [
         `Vertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-${(edge.index + 1) % size} of ${edge.body} ` +
           `at (${roundText(point[0], 9)}, ${roundText(point[1], 9)}).`,
-        ...(answer.grazing ? [`Grazing: whether they overlap or just touch is too close to tell until t = ${answer.t![1]}.`] : []),
+        ...(answer.grazing
+          ? [`Grazing: whether they overlap or just touch is too close to tell until t = ${answer.t![1]}.`]
+          : []),
         `Proved free on [${start}, ${answer.t![0]})${touch}. The scene's time ends at ${end}.`,
       ];
     }
