@@ -83,6 +83,7 @@ std::string audit_tilings(const Scene& scene, const CheckOptions& options) {
   return {};
 }
 
+/// Of the kind of log that the engine in the options writes.
 std::string audit_proof(const Scene& scene, const CheckOptions& options) {
   std::stringstream log;
   const Answer answer = prove(scene, log, options);
@@ -183,6 +184,9 @@ Finding look(const Scene& scene, Touch touch, const Looks& looks, std::string* r
   std::string fault;
   if (looks.tilings && !(fault = audit_tilings(scene, options)).empty()) return {FindingKind::tiling, fault};
   if (looks.proofs && !(fault = audit_proof(scene, options)).empty()) return {FindingKind::proof, fault};
+  options.engine = EngineChoice::spacetime;
+  if (looks.proofs && !(fault = audit_proof(scene, options)).empty()) return {FindingKind::proof, fault};
+  options.engine = EngineChoice::kinetic;
   if (looks.queries && !(fault = audit_queries(scene, answer, options)).empty()) return {FindingKind::query, fault};
   if (looks.plan_changes && !(fault = audit_plan_changes(scene, answer, options)).empty())
     return {FindingKind::plan_change, fault};

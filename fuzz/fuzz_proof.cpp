@@ -1,8 +1,8 @@
 // Whatever bytes a proof log has, what the verifier accepts is true.
 //
 // The first byte chooses a scene with known answers, the second how the rest is read: as a log; as the records after a
-// true tiling; or as a list of changes to a true log. Checksum and, but for the first reading, the header are set
-// right: otherwise no input would get far.
+// true tiling; or as a list of changes to a true log, of a tiling or of separations. Checksum and, but for the first
+// reading, the header are set right: otherwise no input would get far.
 #include <array>
 #include <sstream>
 #include <vector>
@@ -22,8 +22,18 @@ namespace {
 struct Specimen {
   Scene scene;
   testing::Truth truth;
-  std::array<LogParts, 2> logs;  ///< for open, closed
+  std::array<LogParts, 2> logs;            ///< for open, closed
+  std::array<std::string, 2> separations;  ///< without their checksums
 };
+
+std::string separations_of(const Scene& scene, Touch touch) {
+  CheckOptions options;
+  options.touch = touch;
+  options.engine = EngineChoice::spacetime;
+  std::ostringstream log;
+  prove(scene, log, options);
+  return log.str().substr(0, log.str().size() - 8);
+}
 
 /// A contact, a pass, a start in contact, turns, and a motion in pieces, all with few events.
 const char* const scenes[] = {
@@ -42,10 +52,12 @@ std::vector<Specimen> make_specimens() {
     const Scene scene =
         parse_scene(std::string(R"({"format":"taut-scene/1","time":[0,10],"bodies":[)") + anvil + "," + body + "]}");
     const auto vertices = static_cast<std::uint32_t>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
-    Specimen s{scene, testing::Truth(scene), {}};
-    for (const Touch touch : {Touch::open, Touch::closed})
-      s.logs[touch == Touch::closed ? 1 : 0] =
-          testing::take_apart(testing::prove_in_memory(scene, touch).log, vertices);
+    Specimen s{scene, testing::Truth(scene), {}, {}};
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      const std::size_t mode = touch == Touch::closed ? 1 : 0;
+      s.logs[mode] = testing::take_apart(testing::prove_in_memory(scene, touch).log, vertices);
+      s.separations[mode] = separations_of(scene, touch);
+    }
     all.push_back(std::move(s));
   }
   return all;
@@ -102,7 +114,12 @@ std::string log_of(fuzz::Bytes& bytes, const Specimen& specimen) {
   const int touch = bytes.below(2);
   LogParts parts = specimen.logs[static_cast<std::size_t>(touch)];
   const LogParts& other = specimen.logs[static_cast<std::size_t>(1 - touch)];
-  switch (bytes.below(4)) {
+  switch (bytes.below(5)) {
+    case 4: {
+      std::string log = specimen.separations[static_cast<std::size_t>(touch)];
+      while (!bytes.empty()) change_bytes(bytes, log);
+      return testing::sealed(log);
+    }
     case 0:
       return bytes.below(2) ? bytes.rest() : testing::sealed(bytes.rest());
     case 1:

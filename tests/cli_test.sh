@@ -98,7 +98,8 @@ tr -d '\n' <with_id.json >with_id.jsonl
 expect 1 '^\{"scene":"with_id.jsonl:1","id":\{"job":\[1,2\.50\]\},"outcome":"contact"' '' check --json --lines with_id.jsonl
 sed 's/"bodies":\[/&{"name":"third","polygon":[[9,9],[10,9],[9,10]]},/' hit.json >three.json
 expect 1 'CONTACT  anvil x hammer' '' check three.json
-expect 2 '' 'three.json: bodies: this takes scenes of two bodies' prove three.json -o three.proof
+expect 1 'proof in three.proof' '' prove three.json -o three.proof
+expect 0 'separations' '' verify three.json three.proof --expect contact
 expect 0 '"outcome":"free"' '' check --json --touch open touch.json
 expect 1 '"outcome":"contact".*"touch":"closed"' '' check --json --touch closed touch.json
 expect 1 '"timing":\{"read":' '' check --json --timing hit.json
@@ -355,11 +356,14 @@ world() { echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","pol
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
 expect 0 '^FREE' '' check world.json
 expect 0 '"pairs":\[{"bodies":\["a","b"\],"outcome":"free"}\]' '' check --json --pairs all world.json
-for command in draw view separator "prove -o world.proof"; do
-  # shellcheck disable=SC2086
-  expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' $command world.json
+for command in draw view separator; do
+  expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' "$command" world.json
 done
-[ -e world.proof ] && { echo "FAILED: a proof about a world"; failures=$((failures + 1)); }
+expect 0 'proof in world.proof' '' prove -o world.proof world.json
+expect 0 '^VALID' '' verify world.json world.proof --expect free
+expect 1 'NOT VALID' '' verify three.json world.proof
+expect 0 'proof in two.proof' '' prove --engine spacetime -o two.proof free.json
+expect 0 '"separations":' '' verify --json free.json two.proof --expect free
 world '{"name":"b","parts":[[[0,0],[1,0],[1,1]],[[5,0],[6,0],[5,1]]]}'
 expect 1 'when the motion starts$' '' check world.json
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[10,3],[4,4]]]}}'

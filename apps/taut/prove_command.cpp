@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "io/terminal_text.hpp"
 #include "report.hpp"
+#include "scene_argument.hpp"
 #include "taut/proof.hpp"
 #include "terminal.hpp"
 #include "watched_run.hpp"
@@ -48,11 +49,15 @@ void add_prove(const Command& app, Action& action) {
   const Command command = app.add_command("prove", "Check a scene and write a proof of the answer");
   const auto arguments = std::make_shared<ProveArguments>();
   add_run(command, arguments->scene, arguments->options);
+  add_engine(command, arguments->options.engine);
   command.add_option("-o,--output", arguments->output, "the proof log to write").required().value("FILE");
   command.add_flag("--json", arguments->json, "print the answer as one JSON object");
   command.footer(
       "Example:\n"
       "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
+      "\n"
+      "The proof of two bodies is the way of a tiling by default. --engine spacetime, and scenes of more bodies, give\n"
+      "one of separations; --engine either the one of the engine that answers first.\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_prove(*arguments); }; });

@@ -4,47 +4,17 @@
 
 #include <algorithm>
 
+#include "feature_text.hpp"
 #include "taut/motions.hpp"
-#include "taut/shape.hpp"
 
 namespace taut::cli {
 
 namespace {
 
-/// Which ring of a body of several; empty for others.
-template <class Ref>
-std::string ring_text(const Body& body, const Ref& feature) {
-  std::string text;
-  if (feature.ring > 0) text += fmt::format("hole {} of ", feature.ring);
-  if (body.parts.size() > 1) text += fmt::format("part {} of ", feature.part);
-  return text + body.name;
-}
-
-std::size_t ring_size(const Body& body, const EdgeRef& edge) {
-  if (body.parts.empty()) return polygon_of(body).size();
-  const Part& part = body.parts[static_cast<std::size_t>(edge.part)];
-  return edge.ring == 0 ? part.outline.size() : part.holes[static_cast<std::size_t>(edge.ring - 1)].size();
-}
-
-std::string edge_text(const Scene& scene, const EdgeRef& edge) {
-  const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
-  const std::size_t next = (static_cast<std::size_t>(edge.index) + 1) % ring_size(body, edge);
-  return fmt::format("edge {}-{} of {}", edge.index, next, ring_text(body, edge));
-}
-
 /// Of a sweep.
 std::string angle_text(const Scene& scene, const Contact& contact) {
   const auto angle = contact_angle(scene, contact);
   return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
-}
-
-/// The pair that the outcome is about, or how many there are.
-std::string subject(const Scene& scene, const Answer& answer) {
-  const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
-  if (answer.pair) return name((*answer.pair)[0]) + " x " + name((*answer.pair)[1]);
-  if (scene.bodies.size() == 2) return name(0) + " x " + name(1);
-  if (scene.bodies.size() == 1) return name(0);
-  return fmt::format("{} bodies", scene.bodies.size());
 }
 
 /// Of a world: what was asked, and what was not.
@@ -57,7 +27,7 @@ std::string coverage_text(const Coverage& c) {
 }
 
 std::string headline(const Scene& scene, const Answer& answer) {
-  const std::string pair = subject(scene, answer);
+  const std::string pair = subject_text(scene, answer.pair);
   switch (answer.outcome) {
     case Outcome::free:
       return "FREE  " + pair;
@@ -75,9 +45,8 @@ const char* const grazing_means =
     "  grazing: how deep they are then, or whether they just touch, is below 2^-150 of their size\n";
 
 std::string witness(const Scene& scene, const Contact& contact) {
-  const Body& body = scene.bodies[static_cast<std::size_t>(contact.vertex.body)];
-  return fmt::format("  vertex {} of {} meets {} at ({:.9g}, {:.9g})\n", contact.vertex.index,
-                     ring_text(body, contact.vertex), edge_text(scene, contact.edge), contact.point.x, contact.point.y);
+  return fmt::format("  {} meets {} at ({:.9g}, {:.9g})\n", vertex_text(scene, contact.vertex),
+                     edge_text(scene, contact.edge), contact.point.x, contact.point.y);
 }
 
 /// Of bodies that stay free.

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "base/interruption.hpp"
+#include "feature_text.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/regular_file.hpp"
@@ -18,16 +19,6 @@ namespace taut::cli {
 namespace {
 
 enum : int { exit_proved = 0, exit_not_proved = 1, exit_time_is_up = 3 };
-
-std::string vertex_text(const Scene& scene, const VertexRef& f) {
-  return fmt::format("vertex {} of {}", f.index, scene.bodies[static_cast<std::size_t>(f.body)].name);
-}
-
-std::string edge_text(const Scene& scene, const EdgeRef& f) {
-  const Body& body = scene.bodies[static_cast<std::size_t>(f.body)];
-  return fmt::format("edge {}-{} of {}", f.index, (static_cast<std::size_t>(f.index) + 1) % body.polygon.size(),
-                     body.name);
-}
 
 /// When the contact is, as far as that was proved.
 std::string contact_time(const Verified& v) {
@@ -58,12 +49,18 @@ const char* name_of(ContactAt at) {
   return at == ContactAt::start ? "start" : at == ContactAt::joint ? "joint" : "motion";
 }
 
-std::string pair_text(const Scene& scene) { return scene.bodies[0].name + " x " + scene.bodies[1].name; }
+/// How long the proof is.
+std::string length_text(const Verified& v) {
+  const bool steps = v.kind == ProofKind::separations;
+  const std::uint64_t n = steps ? v.separations : v.events;
+  return fmt::format("{} {}{}", n, steps ? "separation" : "event", n == 1 ? "" : "s");
+}
+
+std::string pair_text(const Scene& scene) { return subject_text(scene, std::nullopt); }
 
 std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
-  std::string text =
-      fmt::format("VALID  {}\n  {}\n  touch {}, {} event{}, scene {:.16}\n", pair_text(scene), claim(scene, v),
-                  to_string(v.touch), v.events, v.events == 1 ? "" : "s", to_hex(v.fingerprint));
+  std::string text = fmt::format("VALID  {}\n  {}\n  touch {}, {}, scene {:.16}\n", pair_text(scene), claim(scene, v),
+                                 to_string(v.touch), length_text(v), to_hex(v.fingerprint));
   if (!met) text += fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
   return text;
 }
@@ -73,8 +70,9 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
                               to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)));
   if (v.contact)
     s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
-  s += fmt::format(",\"touch\":\"{}\",\"events\":{},\"scene_sha256\":\"{}\"", to_string(v.touch), v.events,
-                   to_hex(v.fingerprint));
+  s += fmt::format(",\"touch\":\"{}\",\"events\":{}", to_string(v.touch), v.events);
+  if (v.kind == ProofKind::separations) s += fmt::format(",\"separations\":{}", v.separations);
+  s += fmt::format(",\"scene_sha256\":\"{}\"", to_hex(v.fingerprint));
   if (expected.any())
     s += fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met);
   return s + "}\n";

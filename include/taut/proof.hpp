@@ -10,9 +10,15 @@
 
 namespace taut {
 
-/// Answers as check() does (by the kinetic engine), and writes a proof log for `free` and `contact`, and for what an
-/// `undecided` run has proved; nothing useful for `overlap_at_start`. The log is written event by event, so that
-/// memory does not grow with it. Format: docs/proof-format.md. Throws InputError.
+/// Answers as check() does, and writes a proof log for `free` and `contact`, and for what an `undecided` run has
+/// proved; nothing useful for `overlap_at_start`.
+///
+/// By the kinetic engine (EngineChoice::kinetic and ::both, for two bodies of one polygon each), the log is of a
+/// tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime engine,
+/// and for any other scene, it is of separations, written when it is complete; where none was found, the answer is
+/// `undecided`, and says so: docs/separation-logs.md. EngineChoice::either takes the engine that answers first. Of
+/// worlds, the first contact is proved, whatever CheckOptions::all_pairs says. Throws InputError, and
+/// EngineDisagreement with ::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// A SHA-256 digest.
@@ -25,8 +31,15 @@ enum class ContactAt : std::uint8_t {
   joint,   ///< in the jump between two pieces, which rounding leaves: at their joint
 };
 
+/// What a log is made of.
+enum class ProofKind : std::uint8_t {
+  tiling,       ///< the way of a tiling around two bodies: docs/proof-format.md
+  separations,  ///< what is between the bodies, and when: docs/separation-logs.md
+};
+
 /// What a log proves about the scene that it was checked against.
 struct Verified {
+  ProofKind kind = ProofKind::tiling;
   /// free: on the whole interval. contact: `contact` is the first one. undecided: free before `free_until`, no more.
   Outcome outcome = Outcome::undecided;
   Touch touch = Touch::open;
@@ -34,22 +47,23 @@ struct Verified {
   /// Of the contact, if there is one.
   ContactAt contact_at = ContactAt::motion;
   double free_until = 0;
-  std::uint64_t events = 0;
+  /// Of a log of a tiling, its events; of a log of separations, how many it has.
+  std::uint64_t events = 0, separations = 0;
   /// Identifies what was proved about: see scene_fingerprint().
   Fingerprint fingerprint{};
 };
 
-/// Checks a log: that the tiling at the start is one of pseudo-triangles around both bodies, that every corner of it
-/// keeps its sign until an event changes the corner, and that each event turns one such tiling into the next. It
-/// accepts any such tiling, whoever made it. Throws ProofError if the proof fails, InputError if the scene is not
-/// valid. A Verified result is a proof, as far as this function, the validation of scenes and the arithmetic of
-/// src/numeric, src/geometry and src/motion can be trusted; src/tiling and src/kinetic are not used.
+/// Checks a log, of either kind, whoever made it. Of a tiling: that it is one of pseudo-triangles around both bodies,
+/// that every corner of it keeps its sign until an event changes the corner, and that each event turns one such tiling
+/// into the next. Of separations: that what it names separates all pairs of edges of all pairs of bodies that are asked
+/// about. Throws ProofError if the proof fails, InputError if the scene is not valid. A Verified result is a proof, as
+/// far as this function, the validation of scenes, and the arithmetic and the description of motion below src/sign and
+/// src/world can be trusted; src/tiling, src/kinetic, src/spacetime and src/search are not used.
 Verified verify(const Scene& scene, std::istream& log);
 
 /// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.
 /// What means nothing does not enter: names, the sign of a zero, a pivot without a rotation or an orbit, zeros that are
-/// a polynomial's last coefficients, pieces of a motion outside of the scene's time. Throws InputError for what is not
-/// two bodies of one polygon each, in the world's frame.
+/// a polynomial's last coefficients, pieces of a motion outside of the scene's time. The scene must be valid.
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch);
 
 /// In 64 hexadecimal digits.

@@ -8,10 +8,10 @@
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
+#include "search/pair_search.hpp"
 #include "sign/witness.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/error.hpp"
-#include "world/pair_search.hpp"
 #include "world/swept_box.hpp"
 
 namespace taut {

@@ -7,8 +7,8 @@
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
+#include "search/overlap_intervals.hpp"
 #include "taut/error.hpp"
-#include "world/overlap_intervals.hpp"
 #include "world/swept_box.hpp"
 
 namespace taut {

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "pair/crossing_edges.hpp"
 #include "pair/placement.hpp"
+#include "proof/header.hpp"
 #include "sign/precise_triple.hpp"
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
@@ -67,11 +68,8 @@ void ProofWriter::to_leg(std::size_t leg) {
 }
 
 void ProofWriter::header(Shapes shapes) {
-  for (const char c : proof::magic) out_.u8(static_cast<std::uint8_t>(c));
-  out_.u8(static_cast<std::uint8_t>(proof::version));
-  for (const std::uint8_t byte : scene_fingerprint(scene_, touch_)) out_.u8(byte);
-  out_.u8(touch_ == Touch::closed);
-  out_.u8(static_cast<std::uint8_t>(shapes));
+  proof::write_header(
+      out_, {proof::of_tilings, scene_fingerprint(scene_, touch_), touch_, static_cast<std::uint8_t>(shapes)});
 }
 
 void ProofWriter::tiling(const PlanarMap& map) {
@@ -96,7 +94,7 @@ void ProofWriter::contact_at_start(const Session& session) {
   out_.u32(crossing->q.value);
 }
 
-Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options) {
   ProofWriter writer(scene, options.touch, log);
   return run_kinetic(scene, options, writer);
 }

@@ -33,4 +33,7 @@ class ProofWriter : public RunWatcher {
   const PairGeometry* geometry_ = nullptr;  ///< of the session that is watched
 };
 
+/// By the kinetic data structure: a log of a tiling. Two bodies of one polygon each. Throws InputError.
+Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options);
+
 }  // namespace taut

@@ -1,12 +1,11 @@
-// Many bodies, one answer.
+#include "check/world_run.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
-#include "check/run.hpp"
 #include "pair/validate_world.hpp"
-#include "world/world_search.hpp"
 
 namespace taut {
 namespace {
@@ -72,74 +71,61 @@ std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairR
   return all;
 }
 
-class WorldRun final : public Run {
- public:
-  WorldRun(const Scene& scene, const CheckOptions& options)
-      : scene_(scene), options_(options), scope_(options.stop, options.max_seconds) {
-    answer_.engine = EngineName::spacetime;
-    answer_.free_until = scene.start;
-  }
-
-  bool work(std::uint64_t) override {
-    const Clock::time_point start = Clock::now();
-    try {
-      validate_world(scene_);
-      plan_.emplace(scene_);
-      search_.emplace(*plan_, options_.touch, options_.all_pairs);
-      answer_.build_seconds = seconds_since(start);
-      if (search_->start()) search_->run();
-      answer_.outcome = Outcome::free;
-      answer_.free_until = scene_.end;
-    } catch (const Interrupted& limit) {
-      stopped_ = limit.reason;
-    }
-    conclude();
-    answer_.run_seconds = seconds_since(start) - answer_.build_seconds;
-    return true;
-  }
-  const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return search_ && search_->precise() == 0; }
-
- private:
-  void conclude() {
-    std::vector<PairAnswer> events;
-    std::vector<PairResult> results;
-    if (search_) results = search_->results();
-    for (const PairResult& r : results) {
-      if (r.outcome != Outcome::free) events.push_back(answer_of(r));
-    }
-    if (plan_) {
-      if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, results);
-      if (scene_.bodies.size() != 2) answer_.coverage = coverage();
-    }
-    if (!stopped_.empty()) {
-      // What was found so far may not be the first.
-      const double proved = search_ ? search_->proved() : scene_.start;
-      std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < proved); });
-      answer_.outcome = Outcome::undecided;
-      answer_.free_until = proved;
-      answer_.reason = stopped_;
-    }
-    take_headline(events, answer_);
-    if (scene_.bodies.size() == 2) answer_.pair.reset();
-  }
-  Coverage coverage() const {
-    Coverage c = plan_->coverage();
-    c.checked = search_ ? search_->checked() : 0;
-    c.apart = c.pairs - c.ignored - c.at_rest - c.checked;
-    return c;
-  }
-
-  const Scene& scene_;
-  const CheckOptions& options_;
-  InterruptionScope scope_;
-  std::optional<WorldPlan> plan_;
-  std::optional<WorldSearch> search_;
-  Answer answer_;
-  std::string stopped_;
-};
-
 }  // namespace
+
+WorldRun::WorldRun(const Scene& scene, const CheckOptions& options)
+    : scene_(scene), options_(options), scope_(options.stop, options.max_seconds) {
+  answer_.engine = EngineName::spacetime;
+  answer_.free_until = scene.start;
+}
+
+bool WorldRun::work(std::uint64_t) {
+  const Clock::time_point start = Clock::now();
+  try {
+    validate_world(scene_);
+    plan_.emplace(scene_);
+    search_.emplace(*plan_, options_.touch, options_.all_pairs);
+    answer_.build_seconds = seconds_since(start);
+    if (search_->start()) search_->run();
+    answer_.outcome = Outcome::free;
+    answer_.free_until = scene_.end;
+  } catch (const Interrupted& limit) {
+    stopped_ = limit.reason;
+  }
+  conclude();
+  answer_.run_seconds = seconds_since(start) - answer_.build_seconds;
+  return true;
+}
+
+void WorldRun::conclude() {
+  std::vector<PairAnswer> events;
+  std::vector<PairResult> results;
+  if (search_) results = search_->results();
+  for (const PairResult& r : results) {
+    if (r.outcome != Outcome::free) events.push_back(answer_of(r));
+  }
+  if (plan_) {
+    if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, results);
+    if (scene_.bodies.size() != 2) answer_.coverage = coverage();
+  }
+  if (!stopped_.empty()) {
+    // What was found so far may not be the first.
+    const double proved = search_ ? search_->proved() : scene_.start;
+    std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < proved); });
+    answer_.outcome = Outcome::undecided;
+    answer_.free_until = proved;
+    answer_.reason = stopped_;
+  }
+  take_headline(events, answer_);
+  if (scene_.bodies.size() == 2) answer_.pair.reset();
+}
+
+Coverage WorldRun::coverage() const {
+  Coverage c = plan_->coverage();
+  c.checked = search_ ? search_->checked() : 0;
+  c.apart = c.pairs - c.ignored - c.at_rest - c.checked;
+  return c;
+}
 
 Answer run_world(const Scene& scene, const CheckOptions& options) {
   WorldRun run(scene, options);

@@ -3,15 +3,20 @@
 
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "pair/ring_set.hpp"
 #include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
 #include "proof/sha256.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
+#include "world/ignored_pairs.hpp"
 
 namespace taut {
 namespace {
+
+/// Stands for the index of a parent where there is none.
+constexpr std::size_t no_parent = 0xffffffffu;
 
 class Hasher {
  public:
@@ -78,26 +83,60 @@ void add_piece(Hasher& hash, const MotionPiece& piece) {
   if (turns(piece) || orbits(piece)) hash.point(piece.pivot);
 }
 
-void add_body(Hasher& hash, const Body& body, const Scene& scene) {
-  const Polygon& polygon = polygon_of(body);
-  hash.count(polygon.size());
-  for (const Point& v : polygon) hash.point(v);
+void add_ring(Hasher& hash, const Polygon& ring) {
+  hash.count(ring.size());
+  for (const Point& v : ring) hash.point(v);
+}
+
+void add_motion(Hasher& hash, const Body& body, const Scene& scene) {
   const std::vector<MotionPiece> pieces = given_pieces_between(body.motion, scene.start, scene.end);
   hash.count(pieces.size());
   for (const MotionPiece& piece : pieces) add_piece(hash, piece);
 }
 
+void add_body(Hasher& hash, const Body& body, const Scene& scene) {
+  add_ring(hash, polygon_of(body));
+  add_motion(hash, body, scene);
+}
+
+/// All bodies with their parts and parents, then the pairs that are not asked about.
+void add_world(Hasher& hash, const Scene& scene) {
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  const IgnoredPairs ignored(scene);
+  hash.count(scene.bodies.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const std::vector<Part> parts = parts_of(body);
+    hash.count(parts.size());
+    for (const Part& part : parts) {
+      hash.count(1 + part.holes.size());
+      add_ring(hash, part.outline);
+      for (const Polygon& hole : part.holes) add_ring(hash, hole);
+    }
+    hash.count(body.relative_to.empty() ? no_parent : static_cast<std::size_t>(by_name.at(body.relative_to)));
+    add_motion(hash, body, scene);
+    hash.byte(ignored.has_all(static_cast<int>(i)) ? 1 : 0);
+  }
+  hash.count(ignored.pairs().size());
+  for (const auto& [a, b] : ignored.pairs()) {
+    hash.count(static_cast<std::size_t>(a));
+    hash.count(static_cast<std::size_t>(b));
+  }
+}
+
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
-  if (is_world(scene))
-    throw InputError("bodies", "fingerprints are of scenes of two bodies, each one polygon in the world's frame",
-                     "`check` takes worlds; proofs are about two bodies");
-  Hasher hash("taut scene 2");
+  const bool world = is_world(scene);
+  Hasher hash(world ? "taut world 1" : "taut scene 2");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);
   hash.number(scene.end);
-  for (const Body& body : scene.bodies) add_body(hash, body, scene);
+  if (world) {
+    add_world(hash, scene);
+  } else {
+    for (const Body& body : scene.bodies) add_body(hash, body, scene);
+  }
   return hash.finish();
 }
 

@@ -7,8 +7,8 @@
 namespace taut::proof {
 
 inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
-/// Follows the magic number. Version 1 had a checksum of 64 bits for the scene.
-inline constexpr char version = '2';
+/// Follows the magic number: what the log is made of. Version 1 had a checksum of 64 bits for the scene.
+inline constexpr char of_tilings = '2', of_separations = '3';
 
 /// The second byte after the fingerprint: which polygons the tiling surrounds.
 enum class Shapes : std::uint8_t { inwards, outwards };
@@ -25,6 +25,14 @@ enum class Record : std::uint8_t {
   free,            ///< no event until the end of the scene. The log ends.
   free_until,      ///< no event before a time (f64, of the leg's parameter). The log ends.
   touching,        ///< the outward shapes overlap at the start, where two edges (u32 each) cross. The log ends.
+};
+
+/// What a log of separations says, the second byte after the fingerprint.
+enum class Claim : std::uint8_t {
+  free,        ///< on the whole interval
+  contact,     ///< pair (u32, u32), leg, vertex, edge (u32 each), four times (f64 each), and the pair's separations
+  touching,    ///< pair (u32, u32): the shapes displaced outwards overlap at the start, and how (u8, u32, u32)
+  free_until,  ///< up to a time (f64)
 };
 
 /// Stands for the origin of a half-edge that is not in use.

@@ -48,15 +48,15 @@ bool Lifetimes::enclose(const FastFunction& f, int sign, Instant& root) {
   return root.lo >= cell.start && root.hi <= cell.end;
 }
 
-/// From t back towards the corner's birth; t becomes how far it came. True if that is all the way.
-bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& t) {
-  const bool from_root = corner.birth.concerns(corner.u, corner.v, corner.w);
-  const double stop = corner.birth.lo;
+/// From t back towards the form's birth; t becomes how far it came. True if that is all the way.
+bool Lifetimes::holds_back(const FastFunction& f, const SignedForm& form, double& t) {
+  const bool from_root = form.from_root;
+  const double stop = form.birth.lo;
   for (int step = 0; step < patience; ++step) {
     interruption_point();
     const FrameSample& side = clock_.at(t, f.pp);
     const Bounded v = f.value(side), d = f.slope(side);
-    const double a = corner.sign * v.value - v.error;
+    const double a = form.sign * v.value - v.error;
     if (!(a > 0)) return false;
     if (t <= stop) return !from_root;
     double reached = t;
@@ -64,7 +64,7 @@ bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& 
       if (cell->start >= reached) continue;
       const double limit = t - std::max(cell->start, stop);
       const Bounded k = f.curvature(cell->curvature(f.pp));
-      const double slope = corner.sign * d.value, bend = corner.sign * k.value;
+      const double slope = form.sign * d.value, bend = form.sign * k.value;
       // Growing since its birth at a root.
       if (from_root && cell->start <= stop && slope - d.error - (bend + k.error) * limit > 0) return true;
       const double h = positive_until(a, -slope - d.error, bend - k.error, limit);
@@ -80,12 +80,12 @@ bool Lifetimes::holds_back(const FastFunction& f, const Corner& corner, double& 
 }
 
 /// Before the root, the function certainly falls since `since`: up to the root, the sign is that at `since`.
-bool Lifetimes::falls_to_root(const FastFunction& f, const Corner& corner, const Instant& root, double& since) {
+bool Lifetimes::falls_to_root(const FastFunction& f, int sign, const Instant& root, double& since) {
   const double t = root.hi;
   const Bounded d = f.slope(clock_.at(t, f.pp));
   const ClockCell& cell = clock_.cell(below(t));
   const Bounded k = f.curvature(cell.curvature(f.pp));
-  const double falling = -corner.sign * d.value - d.error, turning = k.error - corner.sign * k.value;
+  const double falling = -sign * d.value - d.error, turning = k.error - sign * k.value;
   if (!(falling > 0)) return false;
   const double limit = t - cell.start;
   const double length = turning > 0 ? std::min(limit, falling / turning * (1 - 0x1p-48)) : limit;
@@ -94,40 +94,52 @@ bool Lifetimes::falls_to_root(const FastFunction& f, const Corner& corner, const
 }
 
 bool Lifetimes::holds(const Corner& c, const Instant& until) {
-  const Form t = form(c.u, c.v, c.w);
-  const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
+  return holds({form(c.u, c.v, c.w), c.sign, c.birth, c.birth.concerns(c.u, c.v, c.w)}, until,
+               until.concerns(c.u, c.v, c.w));
+}
+
+bool Lifetimes::holds(const SignedForm& form, const Instant& until, bool own) {
   // What is certain in doubles is certain; the rest, from the birth on, is left to high precision.
   Instant rest = until;
+  return holds_in_doubles(form, until, own, rest) || holds_precisely(form, rest, own && rest.event);
+}
+
+bool Lifetimes::holds_in_doubles(const SignedForm& form, const Instant& until, bool own) {
+  Instant rest = until;
+  return holds_in_doubles(form, until, own, rest);
+}
+
+bool Lifetimes::holds_in_doubles(const SignedForm& form, const Instant& until, bool own, Instant& rest) {
   const auto done = [&](const FastFunction& f) {
     double reached = rest.hi;
     if (own && rest.event) {
-      if (!falls_to_root(f, c, until, reached)) return false;
-      if (c.birth.lo >= reached) return !from_root;
+      if (!falls_to_root(f, form.sign, until, reached)) return false;
+      if (form.birth.lo >= reached) return !form.from_root;
     }
     const double from = reached;
-    if (holds_back(f, c, reached)) return true;
+    if (holds_back(f, form, reached)) return true;
     if (reached < from) rest = Instant::exactly(reached);
     return false;
   };
-  if (done(FastFunction::level_zero(leg(), geometry_, t))) return true;
+  if (done(FastFunction::level_zero(leg(), geometry_, form.form))) return true;
+  // The first order in the displacement is that of an orientation.
   FastFunction first_order;
-  if (FastFunction::level_one(leg(), geometry_, t, first_order) && done(first_order)) return true;
-  return holds_precisely(c, rest);
+  return form.form.measure == Measure::orientation &&
+         FastFunction::level_one(leg(), geometry_, form.form, first_order) && done(first_order);
 }
 
-bool Lifetimes::holds_precisely(const Corner& c, const Instant& until) {
-  const bool own = until.concerns(c.u, c.v, c.w), from_root = c.birth.concerns(c.u, c.v, c.w);
-  const PreciseTriple f = precise(form(c.u, c.v, c.w));
+bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bool own) {
+  const PreciseTriple f = precise(form.form);
   for (int stage = 0; stage < precise_stages; ++stage) {
     PreciseTime birth, end;
-    if (!at_stage(c.birth, stage, birth) || !at_stage(until, stage, end)) continue;
+    if (!at_stage(form.birth, stage, birth) || !at_stage(until, stage, end)) continue;
     birth.stage = stage;
-    if (!from_root) {
+    if (!form.from_root) {
       const int s = f.sign_at(birth, stage);
-      if (s == -c.sign) return false;
+      if (s == -form.sign) return false;
       if (s == 0) continue;
     }
-    const std::optional<PreciseTime> root = f.first_failure(c.sign, birth, until.hi);
+    const std::optional<PreciseTime> root = f.first_failure(form.sign, birth, until.hi);
     if (!root) return !own;
     // The first root since the birth: with its own vertices it must be the very instant, and an enclosure holds one.
     if (own) return !root->certainly_before(end) && !end.certainly_before(*root);

@@ -15,6 +15,15 @@ struct Corner {
   Instant birth;
 };
 
+/// A form with the sign that it has from `birth` on. Where that is a root of the form itself, the sign is the one
+/// after it.
+struct SignedForm {
+  Form form;
+  int sign = 0;
+  Instant birth;
+  bool from_root = false;
+};
+
 /// Answers about one leg at a time. Every sign is certified: in doubles with bounds, else at high precision. Where that
 /// does not suffice, it throws Undecidable.
 class Lifetimes {
@@ -30,6 +39,10 @@ class Lifetimes {
   /// Does the corner keep its sign from its birth up to `until`, that included? Where its own three vertices are those
   /// of `until`: up to then, not included.
   bool holds(const Corner& corner, const Instant& until);
+  /// The same for any form. `own`: `until` is a root of this form.
+  bool holds(const SignedForm& form, const Instant& until, bool own);
+  /// The same, as far as doubles can tell: nothing is known where they cannot.
+  bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own);
   /// Is `a` certainly before `b`, or are they one?
   bool in_order(const Instant& a, const Instant& b);
   /// A failure enclosed within a few units in the last place, if that can be done.
@@ -43,9 +56,10 @@ class Lifetimes {
   /// The instant at a stage; false if that cannot enclose it.
   bool at_stage(const Instant& i, int stage, PreciseTime& t) const;
   bool enclose(const FastFunction& f, int sign, Instant& root);
-  bool falls_to_root(const FastFunction& f, const Corner& corner, const Instant& root, double& since);
-  bool holds_back(const FastFunction& f, const Corner& corner, double& t);
-  bool holds_precisely(const Corner& corner, const Instant& until);
+  bool falls_to_root(const FastFunction& f, int sign, const Instant& root, double& since);
+  bool holds_back(const FastFunction& f, const SignedForm& form, double& t);
+  bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own, Instant& rest);
+  bool holds_precisely(const SignedForm& form, const Instant& until, bool own);
   int sign_at(const Form& form, const Instant& now);
 
   const PairGeometry& geometry_;

@@ -1,4 +1,4 @@
-// Goes through a log event by event. What a valid log proves, and why: docs/proof-format.md.
+// Goes through a log of a tiling event by event. What a valid log proves, and why: docs/proof-format.md.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,9 +7,12 @@
 #include "base/interruption.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/validate_world.hpp"
+#include "proof/header.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
 #include "proof/stretch_of_legs.hpp"
+#include "proof/verify_separations.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
 #include "sign/witness.hpp"
@@ -19,37 +22,20 @@ namespace taut {
 namespace proof {
 namespace {
 
-struct Header {
-  Fingerprint fingerprint{};
-  Touch touch = Touch::open;
-  Shapes shapes = Shapes::inwards;
-};
-
-Header read_header(ByteReader& in, const Scene& scene) {
-  for (const char c : magic) {
-    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
-  }
-  if (in.u8() != static_cast<std::uint8_t>(version))
-    throw ProofError("the log is of another version of the format than 2, which this program checks: prove again");
-  Header header;
-  for (std::uint8_t& byte : header.fingerprint) byte = in.u8();
-  const std::uint8_t touch = in.u8(), shapes = in.u8();
-  if (touch > 1 || shapes > 1) throw ProofError("the log's header makes no sense");
-  header.touch = touch ? Touch::closed : Touch::open;
-  header.shapes = shapes ? Shapes::outwards : Shapes::inwards;
-  if (header.fingerprint != scene_fingerprint(scene, header.touch))
-    throw ProofError("the log belongs to another scene, or to another touch mode");
-  return header;
+Shapes shapes_of(const Header& header) {
+  if (header.kind > 1) throw ProofError("the log's header makes no sense");
+  return header.kind ? Shapes::outwards : Shapes::inwards;
 }
 
 class Verifier {
  public:
-  Verifier(const Scene& scene, std::istream& log)
+  Verifier(const Scene& scene, ByteReader& in, const Header& header)
       : scene_(scene),
-        in_(log),
-        header_(read_header(in_, scene)),
+        in_(in),
+        header_(header),
+        shapes_(shapes_of(header)),
         plan_(plan_pair(scene)),
-        geometry_(displaced_pair(plan_, header_.shapes == Shapes::inwards)),
+        geometry_(displaced_pair(plan_, shapes_ == Shapes::inwards)),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
         map_(in_, Placement(geometry_, legs_[0], scene.start)),
         lifetimes_(geometry_),
@@ -74,7 +60,7 @@ class Verifier {
 
  private:
   const Leg& leg() const { return legs_[current_]; }
-  Witness witness() const { return {plan_, geometry_, header_.shapes == Shapes::inwards}; }
+  Witness witness() const { return {plan_, geometry_, shapes_ == Shapes::inwards}; }
 
   /// One record; false after the last.
   bool record() {
@@ -105,7 +91,7 @@ class Verifier {
   }
 
   /// Polygons displaced outwards must stay apart for `closed`; inwards will do for `open`.
-  bool claims_motion() const { return (header_.touch == Touch::closed) == (header_.shapes == Shapes::outwards); }
+  bool claims_motion() const { return (header_.touch == Touch::closed) == (shapes_ == Shapes::outwards); }
 
   void enter(std::size_t leg) {
     current_ = leg;
@@ -211,7 +197,7 @@ class Verifier {
 
   /// The inward shapes do not overlap at the start, as the tiling shows; two edges of the outward ones do cross.
   void touching(VertexId e, VertexId f) {
-    if (header_.touch != Touch::closed || header_.shapes != Shapes::inwards || result_.events > 0 || current_ > 0)
+    if (header_.touch != Touch::closed || shapes_ != Shapes::inwards || result_.events > 0 || current_ > 0)
       throw ProofError("a contact at the start needs a tiling around the inward shapes, and nothing else");
     if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
       throw ProofError("the edges that cross do not exist");
@@ -267,8 +253,9 @@ class Verifier {
   }
 
   const Scene& scene_;
-  ByteReader in_;
-  Header header_;
+  ByteReader& in_;
+  const Header& header_;
+  Shapes shapes_;
   PairPlan plan_;
   PairGeometry geometry_;
   std::vector<Leg> legs_;
@@ -287,9 +274,16 @@ class Verifier {
 }  // namespace proof
 
 Verified verify(const Scene& scene, std::istream& log) {
-  validate(scene);
+  if (is_world(scene)) {
+    validate_world(scene);
+  } else {
+    validate(scene);
+  }
   try {
-    return proof::Verifier(scene, log).run();
+    proof::ByteReader in(log);
+    const proof::Header header = proof::read_header(in, scene);
+    if (header.version == proof::of_separations) return proof::verify_separations(scene, in, header);
+    return proof::Verifier(scene, in, header).run();
   } catch (const Undecidable& limit) {
     throw ProofError(not_decided(limit));
   }

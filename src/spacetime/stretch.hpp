@@ -3,23 +3,10 @@
 
 #include <cmath>
 
+#include "geometry/vector.hpp"
 #include "spacetime/frame_window.hpp"
 
 namespace taut::spacetime {
-
-/// A point or a direction; products are those of complex numbers.
-struct Vector {
-  double x = 0, y = 0;
-};
-inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-inline Vector operator-(Vector a) { return {-a.x, -a.y}; }
-inline Vector operator*(Vector a, Vector b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-inline Vector conj(Vector a) { return {a.x, -a.y}; }
-/// By +90 degrees.
-inline Vector turned(Vector a) { return {-a.y, a.x}; }
-inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-inline double size(Vector a) { return std::fabs(a.x) + std::fabs(a.y); }
 
 /// A coordinate or a distance as a function of the time h from the stretch's middle: a + b h + c h^2.
 struct Parabola {

@@ -16,12 +16,6 @@ int index_of(const Scene& scene, const std::map<std::string, int>& by_name, cons
   return found == by_name.end() ? static_cast<int>(scene.bodies.size()) : found->second;
 }
 
-std::map<std::string, int> bodies_by_name(const Scene& scene) {
-  std::map<std::string, int> by_name;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) by_name.emplace(scene.bodies[i].name, static_cast<int>(i));
-  return by_name;
-}
-
 bool rests(const std::vector<MotionPiece>& pieces) {
   return std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); });
 }
@@ -47,10 +41,9 @@ std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
 }  // namespace
 
-WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end) {
+WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
   add_bodies(scene);
   find_groups();
-  find_ignored(scene);
   count_pairs();
 }
 
@@ -101,32 +94,9 @@ void WorldPlan::find_groups() {
   }
 }
 
-void WorldPlan::find_ignored(const Scene& scene) {
-  const std::map<std::string, int> by_name = bodies_by_name(scene);
-  ignores_all_.assign(bodies_.size(), false);
-  for (const auto& [first, second] : scene.ignore) {
-    if (first == "*" && second == "*") {
-      ignores_all_.assign(bodies_.size(), true);
-    } else if (first == "*" || second == "*") {
-      ignores_all_[static_cast<std::size_t>(by_name.at(first == "*" ? second : first))] = true;
-    } else {
-      const int a = by_name.at(first), b = by_name.at(second);
-      if (a != b) ignored_.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  }
-  std::sort(ignored_.begin(), ignored_.end());
-  ignored_.erase(std::unique(ignored_.begin(), ignored_.end()), ignored_.end());
-}
-
-bool WorldPlan::ignored(int a, int b) const {
-  if (ignores_all_[static_cast<std::size_t>(a)] || ignores_all_[static_cast<std::size_t>(b)]) return true;
-  return !ignored_.empty() &&
-         std::binary_search(ignored_.begin(), ignored_.end(), std::pair(std::min(a, b), std::max(a, b)));
-}
-
 bool WorldPlan::asked(int a, int b) const {
   const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
-  return (!together || bodies_.size() == 2) && !ignored(a, b);
+  return (!together || bodies_.size() == 2) && !ignored_.has(a, b);
 }
 
 void WorldPlan::count_pairs() {
@@ -134,15 +104,15 @@ void WorldPlan::count_pairs() {
   std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
   std::uint64_t listening = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (ignores_all_[i]) continue;
+    if (ignored_.has_all(static_cast<int>(i))) continue;
     ++listening;
     ++size[static_cast<std::size_t>(bodies_[i].group)];
   }
   coverage_.pairs = pairs_of(n);
   coverage_.ignored = pairs_of(n) - pairs_of(listening);
   for (const std::uint64_t s : size) coverage_.at_rest += pairs_of(s);
-  for (const auto& [a, b] : ignored_) {
-    if (ignores_all_[static_cast<std::size_t>(a)] || ignores_all_[static_cast<std::size_t>(b)]) continue;
+  for (const auto& [a, b] : ignored_.pairs()) {
+    if (ignored_.has_all(a) || ignored_.has_all(b)) continue;
     ++coverage_.ignored;
     if (bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group) --coverage_.at_rest;
   }

@@ -9,6 +9,7 @@
 #include "pair/pair_plan.hpp"
 #include "relative/make_legs.hpp"
 #include "taut/check.hpp"
+#include "world/ignored_pairs.hpp"
 
 namespace taut {
 
@@ -45,17 +46,14 @@ class WorldPlan {
  private:
   void add_bodies(const Scene& scene);
   void find_groups();
-  void find_ignored(const Scene& scene);
   void count_pairs();
-  bool ignored(int a, int b) const;
 
   double start_, end_;
   int exponent_ = 0;
   double extent_ = 0;
   std::vector<WorldBody> bodies_;
   int groups_ = 0;
-  std::vector<bool> ignores_all_;
-  std::vector<std::pair<int, int>> ignored_;  ///< in order, each with the smaller index first
+  IgnoredPairs ignored_;
   Coverage coverage_;
 };
 

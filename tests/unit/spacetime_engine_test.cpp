@@ -29,7 +29,6 @@ using spacetime::hierarchy_of_q;
 using spacetime::Parabola;
 using spacetime::Stretch;
 using spacetime::TranslationPolynomial;
-using spacetime::Vector;
 
 struct Setting {
   PairGeometry geometry;

@@ -1,12 +1,12 @@
-#include "world/overlap_intervals.hpp"
+#include "search/overlap_intervals.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "search/pair_search.hpp"
 #include "sign/witness.hpp"
 #include "spacetime/first_contact.hpp"
-#include "world/pair_search.hpp"
 
 namespace taut {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/pair_search.hpp"
+#include "search/pair_search.hpp"
 
 namespace taut {
 namespace {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sign/contact_bracket.hpp"
 #include "spacetime/first_contact.hpp"
 #include "world/swept_box.hpp"
 
@@ -21,6 +22,11 @@ struct PairResult {
   std::optional<Contact> contact;
   double free_until = 0;
   std::string reason;
+  /// Of a contact, in the terms of the pair's geometry: what was found, and on which leg; or how the shapes displaced
+  /// outwards overlap at the start.
+  std::optional<FoundContact> found;
+  std::size_t leg = 0;
+  std::optional<spacetime::StartOverlap> touching;
 };
 
 /// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window

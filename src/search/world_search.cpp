@@ -1,4 +1,4 @@
-#include "world/world_search.hpp"
+#include "search/world_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,12 @@
 
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
+#include "search/pair_search.hpp"
 #include "sign/witness.hpp"
-#include "world/pair_search.hpp"
 
 namespace taut {
 namespace {
 
-/// A window is short enough for a body whose box it makes at most so many times larger.
-constexpr double patience = 1.5;
 constexpr int deepest = 30;
 
 }  // namespace
@@ -105,6 +103,7 @@ void WorldSearch::start_of(Pair& pair) {
     const PairGeometry inner = displaced_pair(pair.plan, true);
     if (spacetime::overlapping(inner, pair.legs[0], t)) return;
     pair.result.outcome = Outcome::contact;
+    pair.result.touching = overlap;
     const Witness witness(pair.plan, pair.geometry, inwards_);
     pair.result.contact = overlap->crossing
                               ? witness.contact_of_crossing(overlap->edge_p, overlap->edge_q, pair.legs[0], t)
@@ -126,8 +125,7 @@ void WorldSearch::run() {
 /// Would shorter windows help to tell the two apart?
 bool WorldSearch::wants_halves(int a, int b, const SweptBox& box_a, const SweptBox& box_b, int depth) const {
   if (depth >= deepest) return false;
-  const double size_a = sizes_[static_cast<std::size_t>(a)], size_b = sizes_[static_cast<std::size_t>(b)];
-  return box_a.longest() + box_b.longest() > patience * (size_a + size_b);
+  return is_long(box_a, box_b, sizes_[static_cast<std::size_t>(a)] + sizes_[static_cast<std::size_t>(b)]);
 }
 
 void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth) {
@@ -181,8 +179,9 @@ void WorldSearch::settle(Pair& pair, double from, double to) {
   result.free_until = std::clamp(leg.time(found.lo), plan_.start(), plan_.end());
   if (found.outcome == spacetime::SpacetimeResult::contact) {
     result.outcome = Outcome::contact;
-    result.contact =
-        Witness(pair.plan, pair.geometry, inwards_).contact({found.vertex, found.edge, found.lo, found.hi}, leg);
+    result.found = FoundContact{found.vertex, found.edge, found.lo, found.hi};
+    result.leg = found.leg;
+    result.contact = Witness(pair.plan, pair.geometry, inwards_).contact(*result.found, leg);
     result.contact->time.lo = std::max(result.contact->time.lo, plan_.start());
     result.free_until = result.contact->time.lo;
     stop_ = std::min(stop_, result.contact->time.hi);

@@ -1,0 +1,107 @@
+#include "check/apart_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+using proof::Aside;
+
+/// Ranges that move farther than this share of their size are left to shorter stretches of time.
+constexpr double patience_of_proofs = 0.75;
+/// A margin as small as this, beside the coordinates, is left to multi-precision.
+constexpr double doubtful = 0x1p-44;
+
+/// What keeps a vertex from an edge in the middle of the window, by about how much, the most first.
+std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
+                                                const proof::Sight& sight) {
+  const auto at = [&g](VertexId v) { return Vector{g.point(v).x, g.point(v).y}; };
+  const Vector a = at(i.edge), b = at(g.next(i.edge)), v = sight.shift + sight.turn * at(i.vertex), edge = b - a;
+  const double side = dot(turned(edge), v - a);
+  std::array<std::pair<double, Aside>, 4> all{{{side, Aside::left},
+                                               {-side, Aside::right},
+                                               {-dot(edge, v - a), Aside::behind_first},
+                                               {dot(edge, v - b), Aside::behind_second}}};
+  std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+  return all;
+}
+
+}  // namespace
+
+void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+  interruption_point();
+  if (until_ && time.from >= until_->hi) return step(proof::step::later);
+  const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
+  const proof::MotionWindow& window = windows_.at(time);
+  if (const auto named = proof::separating_step(window, p, q)) return step(*named);
+  const bool far = proof::motion_in(window, q) > patience_of_proofs * (p.radius() + q.radius());
+  if (far && time.divisible()) return halve_time(ranges, time);
+  if (!pair_.single(ranges)) return halve_range(ranges, time);
+  if (const auto why = ends_apart(ranges, time)) {
+    step(proof::step::ends_apart);
+    return step(*why);
+  }
+  if (!time.divisible()) throw Undecidable{"what keeps two edges apart"};
+  halve_time(ranges, time);
+}
+
+void ApartWriter::halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+  step(proof::step::halve_time);
+  visit(ranges, time.first());
+  visit(ranges, time.second());
+}
+
+void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+  const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
+  const bool of_p = q.single() || (!p.single() && p.radius() >= q.radius());
+  step(of_p ? proof::step::halve_p : proof::step::halve_q);
+  for (const std::uint32_t half : of_p ? p.halves : q.halves)
+    visit(of_p ? proof::RangePair{half, ranges.q} : proof::RangePair{ranges.p, half}, time);
+}
+
+std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+  const proof::MotionWindow window = windows_.at(time);
+  const auto onto_p = reason(pair_.onto_p(ranges), window.from_p(), time);
+  if (!onto_p) return std::nullopt;
+  const auto onto_q = reason(pair_.onto_q(ranges), window.from_q(), time);
+  if (!onto_q) return std::nullopt;
+  return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
+}
+
+std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::Sight& sight,
+                                         const proof::HalvedTime& time) {
+  const Instant end = proof::end_of(time, until_);
+  const auto candidates = margins(pair_.geometry, incidence, sight);
+  const double doubt = doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
+  for (const auto& [margin, why] : candidates) {
+    if (margin < -doubt) break;
+    if (proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end)) return why;
+  }
+  // Shorter windows make more of doubles, but not where the largest margin is none in them.
+  if (candidates[0].first > doubtful * (1 + sight.size) && time.divisible()) return std::nullopt;
+  for (const auto& [margin, why] : candidates) {
+    if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
+  }
+  for (int why = static_cast<int>(Aside::beyond_line_before); why < proof::reasons; ++why) {
+    if (stays_aside(incidence, static_cast<Aside>(why), time, end)) return static_cast<Aside>(why);
+  }
+  return std::nullopt;
+}
+
+/// Where it cannot be decided, another reason may do, or a shorter stretch of time.
+bool ApartWriter::stays_aside(const proof::Incidence& incidence, Aside why, const proof::HalvedTime& time,
+                              const Instant& end) {
+  try {
+    return proof::stays_aside(pair_.geometry, lifetimes_, incidence, why, time.from, end);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+}  // namespace taut

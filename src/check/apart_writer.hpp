@@ -1,0 +1,40 @@
+// Finds the trees of separations that a log of a world consists of.
+#pragma once
+
+#include <string>
+
+#include "proof/apart_checker.hpp"
+
+namespace taut {
+
+/// One pair on one stretch of one leg, of which it is known that nothing meets before `until`. Time is halved where the
+/// ranges move far beside their size, else the larger range is, until something separates them. All that is written
+/// down has been shown by the functions that check it.
+class ApartWriter {
+ public:
+  ApartWriter(const proof::RangedPair& pair, proof::Lifetimes& lifetimes, const std::optional<Instant>& until,
+              std::string& out)
+      : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), windows_(lifetimes.leg()) {}
+
+  /// Throws Undecidable where nothing separates two edges.
+  void write(double from, double to) { visit({}, {from, to}); }
+
+ private:
+  void step(std::uint8_t named) { out_.push_back(static_cast<char>(named)); }
+  void visit(const proof::RangePair& ranges, const proof::HalvedTime& time);
+  void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time);
+  void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time);
+  std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::Sight& sight,
+                                     const proof::HalvedTime& time);
+  bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
+                   const Instant& end);
+  std::optional<std::uint8_t> ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time);
+
+  const proof::RangedPair& pair_;
+  proof::Lifetimes& lifetimes_;
+  const std::optional<Instant>& until_;
+  std::string& out_;
+  proof::HalvedWindows windows_;
+};
+
+}  // namespace taut

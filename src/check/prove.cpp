@@ -1,0 +1,25 @@
+#include "base/errors.hpp"
+#include "check/proof_writer.hpp"
+#include "check/separations_writer.hpp"
+#include "pair/validate_world.hpp"
+#include "taut/proof.hpp"
+
+namespace taut {
+
+Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  if (is_world(scene)) return prove_by_separations(scene, log, options);
+  switch (options.engine) {
+    case EngineChoice::kinetic:
+      return prove_by_tiling(scene, log, options);
+    case EngineChoice::spacetime:
+      return prove_by_separations(scene, log, options);
+    case EngineChoice::either:
+      // The engine that has answered first will find its proof in about the same time.
+      return run_either(scene, options).engine == EngineName::kinetic ? prove_by_tiling(scene, log, options)
+                                                                      : prove_by_separations(scene, log, options);
+    default:
+      return agreed(prove_by_tiling(scene, log, options), run_spacetime(scene, options));
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,14 @@
+// Writes down why bodies stay apart. Format: docs/proof-format.md.
+#pragma once
+
+#include <iosfwd>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// By the spacetime engine, for any scene: first the answer, then the log, which is written when it is complete. An
+/// answer for which no log was found is `undecided`. Throws InputError.
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options);
+
+}  // namespace taut

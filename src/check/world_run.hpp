@@ -1,0 +1,38 @@
+// Many bodies, one answer.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/interruption.hpp"
+#include "check/run.hpp"
+#include "search/world_search.hpp"
+
+namespace taut {
+
+/// The search for the first contact of any pair, and what it comes to.
+class WorldRun final : public Run {
+ public:
+  WorldRun(const Scene& scene, const CheckOptions& options);
+
+  bool work(std::uint64_t effort) override;
+  const Answer& answer() const override { return answer_; }
+  bool doubles_sufficed() const override { return search_ && search_->precise() == 0; }
+  /// None if it was stopped before there was one.
+  const std::optional<WorldPlan>& plan() const { return plan_; }
+  const std::optional<WorldSearch>& search() const { return search_; }
+
+ private:
+  void conclude();
+  Coverage coverage() const;
+
+  const Scene& scene_;
+  const CheckOptions& options_;
+  InterruptionScope scope_;
+  std::optional<WorldPlan> plan_;
+  std::optional<WorldSearch> search_;
+  Answer answer_;
+  std::string stopped_;
+};
+
+}  // namespace taut

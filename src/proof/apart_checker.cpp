@@ -1,0 +1,61 @@
+#include "proof/apart_checker.hpp"
+
+#include "base/interruption.hpp"
+#include "taut/error.hpp"
+
+namespace taut::proof {
+
+const MotionWindow& HalvedWindows::at(const HalvedTime& time) {
+  if (windows_.size() >= most) windows_.clear();
+  return windows_.try_emplace(time.number, leg_, time.from, time.to).first->second;
+}
+
+Instant end_of(const HalvedTime& time, const std::optional<Instant>& until) {
+  return until && until->lo <= time.to ? *until : Instant::exactly(time.to);
+}
+
+void ApartChecker::visit(const RangePair& ranges, const HalvedTime& time) {
+  interruption_point();
+  const EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
+  const std::uint8_t named = in_.u8();
+  switch (named) {
+    case step::halve_time:
+      if (!time.divisible()) throw ProofError("time is halved too often");
+      visit(ranges, time.first());
+      visit(ranges, time.second());
+      return;
+    case step::halve_p:
+      if (p.single()) throw ProofError("a single edge is halved");
+      for (const std::uint32_t half : p.halves) visit({half, ranges.q}, time);
+      return;
+    case step::halve_q:
+      if (q.single()) throw ProofError("a single edge is halved");
+      for (const std::uint32_t half : q.halves) visit({ranges.p, half}, time);
+      return;
+    case step::later:
+      if (!until_ || time.from < until_->hi) throw ProofError("a stretch of time before the contact is left out");
+      return;
+    case step::ends_apart:
+      check_ends(ranges, time);
+      break;
+    default:
+      if (!separates(named, windows_.at(time), p, q))
+        throw ProofError("two ranges of edges are not separated as the log says");
+  }
+  ++separations_;
+}
+
+void ApartChecker::check_ends(const RangePair& ranges, const HalvedTime& time) {
+  if (!pair_.single(ranges)) throw ProofError("single edges are spoken of where there are several");
+  const std::uint8_t why = in_.u8();
+  check_incidence(pair_.onto_p(ranges), why & 15, time);
+  check_incidence(pair_.onto_q(ranges), why >> 4, time);
+}
+
+void ApartChecker::check_incidence(const Incidence& incidence, int why, const HalvedTime& time) {
+  if (why >= reasons) throw ProofError("an unknown reason why two edges stay apart");
+  if (!stays_aside(pair_.geometry, lifetimes_, incidence, static_cast<Aside>(why), time.from, end_of(time, until_)))
+    throw ProofError("a vertex does not stay aside of an edge");
+}
+
+}  // namespace taut::proof

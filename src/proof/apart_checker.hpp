@@ -1,0 +1,65 @@
+// Checks a tree of separations: that two bodies' boundaries do not meet over a stretch of a leg.
+#pragma once
+
+#include <unordered_map>
+
+#include "proof/bytes.hpp"
+#include "proof/separation.hpp"
+
+namespace taut::proof {
+
+/// A stretch of a leg's parameter that came of halving a longer one; the number tells all of them apart.
+struct HalvedTime {
+  double from, to;
+  std::uint64_t number = 1;
+
+  static constexpr std::uint64_t deepest = std::uint64_t{1} << 62;
+  double middle() const { return from + (to - from) / 2; }
+  bool divisible() const { return number < deepest && from < middle() && middle() < to; }
+  HalvedTime first() const { return {from, middle(), 2 * number}; }
+  HalvedTime second() const { return {middle(), to, 2 * number + 1}; }
+};
+
+/// The windows of one stretch and its halves, each made once.
+class HalvedWindows {
+ public:
+  explicit HalvedWindows(const Leg& leg) : leg_(leg) {}
+  /// Valid until the next call.
+  const MotionWindow& at(const HalvedTime& time);
+
+ private:
+  /// So many are kept.
+  static constexpr std::size_t most = 1 << 14;
+  const Leg& leg_;
+  std::unordered_map<std::uint64_t, MotionWindow> windows_;
+};
+
+/// One pair on one stretch of one leg. The log has a tree of steps, in preorder: time is halved, or one of the ranges,
+/// until what is left is apart. Throws ProofError where it is not as the log says.
+class ApartChecker {
+ public:
+  /// `lifetimes` is on that leg. What comes after `until` does not matter.
+  ApartChecker(const RangedPair& pair, Lifetimes& lifetimes, const std::optional<Instant>& until, ByteReader& in)
+      : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), windows_(lifetimes.leg()) {}
+
+  void check(double from, double to) { visit({}, {from, to}); }
+  /// How many pairs of ranges, or of edges, were shown to be apart.
+  std::uint64_t separations() const { return separations_; }
+
+ private:
+  void visit(const RangePair& ranges, const HalvedTime& time);
+  void check_ends(const RangePair& ranges, const HalvedTime& time);
+  void check_incidence(const Incidence& incidence, int why, const HalvedTime& time);
+
+  const RangedPair& pair_;
+  Lifetimes& lifetimes_;
+  const std::optional<Instant>& until_;
+  ByteReader& in_;
+  HalvedWindows windows_;
+  std::uint64_t separations_ = 0;
+};
+
+/// The end of the stretch, or `until` if that is before.
+Instant end_of(const HalvedTime& time, const std::optional<Instant>& until);
+
+}  // namespace taut::proof

@@ -1,0 +1,110 @@
+#include "proof/edge_ranges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::proof {
+namespace {
+
+/// What rounding adds to a projection, relative to the coordinates, with what makes the directions unit vectors.
+constexpr double projection_rounding = 0x1p-46;
+
+/// Grows around points, along a direction and across it.
+class RectangleAround {
+ public:
+  explicit RectangleAround(Vector along) : along_(along) {}
+
+  void add(Vector p) {
+    const double s = dot(along_, p), t = dot(turned(along_), p);
+    lo_ = {std::fmin(lo_.x, s), std::fmin(lo_.y, t)};
+    hi_ = {std::fmax(hi_.x, s), std::fmax(hi_.y, t)};
+    largest_ = std::fmax(largest_, size(p));
+  }
+  EdgeRange range() const {
+    const double room = projection_rounding * largest_ + displacement_room;
+    EdgeRange r;
+    r.along = along_;
+    r.half_length = (hi_.x - lo_.x) / 2 + room;
+    r.half_width = (hi_.y - lo_.y) / 2 + room;
+    r.centre = along_ * Vector{lo_.x + (hi_.x - lo_.x) / 2, lo_.y + (hi_.y - lo_.y) / 2};
+    return r;
+  }
+
+ private:
+  Vector along_, lo_{INFINITY, INFINITY}, hi_{-INFINITY, -INFINITY};
+  double largest_ = 0;
+};
+
+Vector at(const DisplacedPoint& p) { return {p.x, p.y}; }
+
+/// From one point to another; along the first axis where they are one.
+Vector direction(Vector from, Vector to) {
+  const Vector d = to - from;
+  const double length = std::sqrt(dot(d, d));
+  return length > 0 ? Vector{d.x / length, d.y / length} : Vector{1, 0};
+}
+
+/// Twice the middle of the ring's box, along one axis.
+double middle(const DisplacedPolygon& body, const RingSpan& ring, bool along_x) {
+  double lo = INFINITY, hi = -INFINITY;
+  for (std::uint32_t i = ring.first; i < ring.first + ring.count; ++i) {
+    const double c = along_x ? body.points[i].x : body.points[i].y;
+    lo = std::min(lo, c);
+    hi = std::max(hi, c);
+  }
+  return lo + hi;
+}
+
+}  // namespace
+
+EdgeRanges::EdgeRanges(const DisplacedPolygon& body) {
+  ranges_.reserve(2 * body.points.size());
+  std::vector<RingSpan> rings = body.rings;
+  if (rings.empty()) rings.push_back({0, static_cast<std::uint32_t>(body.points.size()), false});
+  add_rings(body, rings);
+}
+
+std::uint32_t EdgeRanges::add_rings(const DisplacedPolygon& body, std::span<RingSpan> rings) {
+  if (rings.size() == 1) return add_run(body, rings[0], 0, rings[0].count);
+  RectangleAround box(Vector{1, 0});
+  std::uint32_t count = 0;
+  for (const RingSpan& ring : rings) {
+    for (std::uint32_t i = 0; i < ring.count; ++i) box.add(at(body.points[ring.first + i]));
+    count += ring.count;
+  }
+  const auto index = static_cast<std::uint32_t>(ranges_.size());
+  ranges_.push_back(box.range());
+  ranges_[index].count = count;
+  const bool along_x = ranges_[index].half_length >= ranges_[index].half_width;
+  std::vector<std::pair<double, RingSpan>> order;
+  for (const RingSpan& ring : rings) order.emplace_back(middle(body, ring, along_x), ring);
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second.first < b.second.first;
+  });
+  for (std::size_t i = 0; i < rings.size(); ++i) rings[i] = order[i].second;
+  const std::size_t half = rings.size() / 2;
+  const std::uint32_t left = add_rings(body, rings.first(half)), right = add_rings(body, rings.subspan(half));
+  ranges_[index].halves[0] = left;
+  ranges_[index].halves[1] = right;
+  return index;
+}
+
+std::uint32_t EdgeRanges::add_run(const DisplacedPolygon& body, const RingSpan& ring, std::uint32_t first,
+                                  std::uint32_t count) {
+  const auto point = [&](std::uint32_t k) { return at(body.points[ring.first + k % ring.count]); };
+  RectangleAround box(direction(point(first), point(first + count)));
+  for (std::uint32_t k = first; k <= first + count; ++k) box.add(point(k));
+  const auto index = static_cast<std::uint32_t>(ranges_.size());
+  ranges_.push_back(box.range());
+  ranges_[index].first = ring.first + first;
+  ranges_[index].count = count;
+  if (count > 1) {
+    const std::uint32_t half = count / 2, left = add_run(body, ring, first, half),
+                        right = add_run(body, ring, first + half, count - half);
+    ranges_[index].halves[0] = left;
+    ranges_[index].halves[1] = right;
+  }
+  return index;
+}
+
+}  // namespace taut::proof

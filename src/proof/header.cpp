@@ -1,0 +1,36 @@
+#include "proof/header.hpp"
+
+#include "pair/validate_world.hpp"
+
+namespace taut::proof {
+
+Header read_header(ByteReader& in, const Scene& scene) {
+  for (const char c : magic) {
+    if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
+  }
+  Header header;
+  header.version = static_cast<char>(in.u8());
+  if (header.version != of_tilings && header.version != of_separations)
+    throw ProofError(
+        "the log is of another version of the format than 2 and 3, which this program checks: prove again");
+  if (header.version == of_tilings && is_world(scene))
+    throw ProofError("the log is of a tiling around two bodies, and the scene is another one");
+  for (std::uint8_t& byte : header.fingerprint) byte = in.u8();
+  const std::uint8_t touch = in.u8();
+  header.kind = in.u8();
+  if (touch > 1) throw ProofError("the log's header makes no sense");
+  header.touch = touch ? Touch::closed : Touch::open;
+  if (header.fingerprint != scene_fingerprint(scene, header.touch))
+    throw ProofError("the log belongs to another scene, or to another touch mode");
+  return header;
+}
+
+void write_header(ByteWriter& out, const Header& header) {
+  for (const char c : magic) out.u8(static_cast<std::uint8_t>(c));
+  out.u8(static_cast<std::uint8_t>(header.version));
+  for (const std::uint8_t byte : header.fingerprint) out.u8(byte);
+  out.u8(header.touch == Touch::closed ? 1 : 0);
+  out.u8(header.kind);
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,37 @@
+// How one body moves as seen from the other, over a window of a leg's parameter.
+#pragma once
+
+#include "geometry/vector.hpp"
+#include "relative/leg.hpp"
+
+namespace taut::proof {
+
+/// The law: at the window's middle + h, |h| <= half, the moving body's point v is seen at
+///   shift + h shift_rate + (turn + h turn_rate) v + e, where |e| <= shift_error + turn_error |v|,
+/// and the other body's own points at (1 + e') a, where |e'| <= scale_error. |(x, y)| is |x| + |y|. What rounding adds
+/// in a few further operations is covered by 2^-44 of `size`, and of the points.
+struct Sight {
+  Vector shift, shift_rate, turn, turn_rate;
+  double shift_error = 0, turn_error = 0, scale_error = 0;
+  double size = 0;  ///< of everything that was added
+};
+
+/// The first order of the motion about the middle, with a bound of the rest: a window half as long has a quarter of the
+/// rest. Where the motion is singular, its range over the window takes the place of both.
+class MotionWindow {
+ public:
+  MotionWindow(const Leg& leg, double from, double to);
+
+  double from() const { return from_; }
+  double to() const { return to_; }
+  double half() const { return half_; }
+  /// Q's points in P's frame, and P's points in Q's frame.
+  const Sight& from_p() const { return from_p_; }
+  const Sight& from_q() const { return from_q_; }
+
+ private:
+  double from_, to_, half_;
+  Sight from_p_, from_q_;
+};
+
+}  // namespace taut::proof

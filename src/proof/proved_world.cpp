@@ -1,0 +1,91 @@
+#include "proof/proved_world.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/interruption.hpp"
+#include "pair/placement.hpp"
+
+namespace taut::proof {
+
+const EdgeRanges& ProvedWorld::ranges(const RingSet& body) {
+  std::unique_ptr<EdgeRanges>& made = ranges_[static_cast<std::size_t>(body.body())];
+  if (!made) made = std::make_unique<EdgeRanges>(*body.displaced(inwards_));
+  return *made;
+}
+
+ProvedPair& ProvedWorld::pair(int a, int b) {
+  std::unique_ptr<ProvedPair>& place = pairs_[{a, b}];
+  if (place) return *place;
+  PairPlan plan = plan_.pair(a, b);
+  PairGeometry geometry = displaced_pair(plan, inwards_);
+  std::vector<Leg> legs = plan_.legs(plan);
+  const EdgeRanges &p = ranges(*plan.rings[0]), &q = ranges(*plan.rings[1]);
+  place = std::make_unique<ProvedPair>(std::move(plan), std::move(geometry), std::move(legs), p, q);
+  return *place;
+}
+
+/// A sweep along x.
+std::vector<std::pair<int, int>> ProvedWorld::meeting(const WorldTime& time) const {
+  BoxesOver boxes(plan_, time);
+  std::vector<int> order(plan_.bodies().size()), active;
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(boxes.of(i).lo_x, i) < std::pair(boxes.of(j).lo_x, j); });
+  std::vector<std::pair<int, int>> found;
+  for (const int i : order) {
+    std::erase_if(active, [&](int j) { return boxes.of(j).hi_x < boxes.of(i).lo_x; });
+    for (const int j : active) {
+      interruption_point();
+      if (boxes.meet({i, j}) && plan_.asked(i, j)) found.emplace_back(std::min(i, j), std::max(i, j));
+    }
+    active.push_back(i);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time) {
+  std::vector<LegStretch> found;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    if (leg.bridge) {
+      if (leg.joint > time.from && leg.joint <= time.to) found.push_back({i, leg.start, leg.end});
+      continue;
+    }
+    const double from = std::max(leg.start, time.from), to = std::min(leg.end, time.to);
+    if (from < to || (from == to && time.first && i == 0)) found.push_back({i, from, to});
+  }
+  return found;
+}
+
+/// How often the other body's rings wind around it: outlines once, unless a hole around it takes that back. A ray along
+/// the plane sweep's "up" crosses them one way or the other.
+bool inside_the_other(const Placement& place, VertexId vertex) {
+  const PairGeometry& g = place.geometry();
+  const std::uint32_t first = g.in_p(vertex) ? g.np : 0, count = g.in_p(vertex) ? g.nq : g.np;
+  int winds = 0;
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    interruption_point();
+    const VertexId a(k), b = g.next(a);
+    const bool forwards = place.before(a, vertex);
+    if (forwards == place.before(b, vertex)) continue;
+    if (place.orientation(forwards ? a : b, forwards ? b : a, vertex) < 0) winds += forwards ? -1 : 1;
+  }
+  return winds > 0;
+}
+
+bool one_inside_the_other(const ProvedPair& pair, const Leg& leg, double t) {
+  const MotionWindow instant(leg, t, t);
+  if (separating_step(instant, pair.ranges.p[EdgeRanges::all], pair.ranges.q[EdgeRanges::all])) return false;
+  const Placement place(pair.geometry, leg, t, Positions::on_demand);
+  const auto any_outline = [&](const DisplacedPolygon& body, std::uint32_t first) {
+    if (body.rings.empty()) return inside_the_other(place, VertexId(first));
+    return std::any_of(body.rings.begin(), body.rings.end(), [&](const RingSpan& ring) {
+      return !ring.hole && inside_the_other(place, VertexId(first + ring.first));
+    });
+  };
+  return any_outline(*pair.geometry.p(), 0) || any_outline(*pair.geometry.q(), pair.geometry.np);
+}
+
+}  // namespace taut::proof

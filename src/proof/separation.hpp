@@ -1,0 +1,97 @@
+// What keeps two ranges of edges, or two edges, apart over a window of time: the steps of a log of separations.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "proof/edge_ranges.hpp"
+#include "proof/lifetime.hpp"
+#include "proof/motion_window.hpp"
+
+namespace taut::proof {
+
+/// One byte for each step on the way down: docs/proof-format.md.
+namespace step {
+inline constexpr std::uint8_t halve_time = 0, halve_p = 1, halve_q = 2;
+/// Two edges, of which neither end of one meets the other: a byte with what keeps them apart follows.
+inline constexpr std::uint8_t ends_apart = 3;
+/// The window is after the contact.
+inline constexpr std::uint8_t later = 4;
+/// A direction separates the two ranges: one of four along P's rectangle, then Q's, then 64 in P's frame.
+inline constexpr std::uint8_t along_p = 8, along_q = 12, direction = 64, directions = 64;
+}  // namespace step
+
+/// Why a vertex does not meet an edge. The first four are of the edge itself: on which side of its line the vertex
+/// stays, or that it is behind one of its ends. Where a vertex comes to a vertex, all of these may change at once, and
+/// a line next to them tells more: that of the edge before or after, which has the edge on its one side and the vertex
+/// on the other; or that of an edge at the vertex, which has all of the edge on one side.
+enum class Aside : std::uint8_t {
+  left,
+  right,
+  behind_first,
+  behind_second,
+  beyond_line_before,
+  beyond_line_after,
+  right_of_arriving,
+  right_of_leaving,
+  left_of_arriving,
+  left_of_leaving,
+};
+inline constexpr int reasons = 10;
+
+/// A form that keeps its sign.
+struct KeptForm {
+  Form form;
+  int sign = 0;
+};
+
+/// A vertex of one body and an edge of the other, by its first vertex.
+struct Incidence {
+  VertexId vertex, edge;
+
+  Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
+};
+
+/// The forms that keep their signs, for that reason; none where it is no reason for this edge. One or two.
+struct KeptForms {
+  std::array<KeptForm, 2> forms;
+  int count = 0;
+};
+KeptForms kept_forms(const PairGeometry& geometry, const Incidence& incidence, Aside why);
+
+/// Does the vertex stay aside, for that reason, over all of [from, until]? Where a form is that of `until`, not at that
+/// very instant: there the vertex has come to the other edge. Throws Undecidable.
+bool stays_aside(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from,
+                 const Instant& until);
+/// The same, as far as doubles tell.
+bool stays_aside_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why,
+                            double from, const Instant& until);
+
+/// Two ranges of edges by their numbers in their bodies' trees.
+struct RangePair {
+  std::uint32_t p = EdgeRanges::all, q = EdgeRanges::all;
+};
+
+/// One pair of bodies, with their ranges of edges.
+struct RangedPair {
+  const PairGeometry& geometry;
+  const EdgeRanges &p, &q;
+
+  bool single(const RangePair& r) const { return p[r.p].single() && q[r.q].single(); }
+  /// Each edge stands for its first vertex: the vertex that may meet the other edge, of Q and of P.
+  Incidence onto_p(const RangePair& r) const { return {VertexId(geometry.np + q[r.q].first), VertexId(p[r.p].first)}; }
+  Incidence onto_q(const RangePair& r) const { return {VertexId(p[r.p].first), VertexId(geometry.np + q[r.q].first)}; }
+};
+
+/// Does the direction that a step names certainly have all of one range beyond all of the other, all over the window?
+bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& p, const EdgeRange& q);
+
+/// The step whose direction does, or nothing: the sides of both rectangles are tried, and the direction between the
+/// centres.
+std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q);
+
+/// About how far the ranges move relative to each other within the window.
+double motion_in(const MotionWindow& window, const EdgeRange& q);
+
+}  // namespace taut::proof

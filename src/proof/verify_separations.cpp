@@ -1,0 +1,195 @@
+// Goes through a log of separations: windows of time, pairs in them, trees in these. What a valid log proves, and why:
+// docs/proof-format.md.
+#include "proof/verify_separations.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/interruption.hpp"
+#include "pair/placement.hpp"
+#include "proof/proved_world.hpp"
+#include "sign/witness.hpp"
+
+namespace taut::proof {
+namespace {
+
+/// How often a window may be halved.
+constexpr int deepest_window = 60;
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+class Verifier {
+ public:
+  Verifier(const Scene& scene, ByteReader& in, const Header& header)
+      : scene_(scene),
+        in_(in),
+        header_(header),
+        claim_(claim_of(header)),
+        plan_(scene),
+        world_(plan_, header.touch == Touch::open || claim_ == Claim::touching) {}
+
+  Verified run() {
+    result_.kind = ProofKind::separations;
+    result_.touch = header_.touch;
+    result_.fingerprint = header_.fingerprint;
+    result_.outcome = claim_ == Claim::free         ? Outcome::free
+                      : claim_ == Claim::free_until ? Outcome::undecided
+                                                    : Outcome::contact;
+    try {
+      check();
+    } catch (const ProofError& error) {
+      throw ProofError("before byte " + std::to_string(in_.offset()) + ": " + error.what());
+    }
+    in_.close();
+    return result_;
+  }
+
+ private:
+  static Claim claim_of(const Header& header) {
+    if (header.kind > static_cast<std::uint8_t>(Claim::free_until)) throw ProofError("the log's header makes no sense");
+    return static_cast<Claim>(header.kind);
+  }
+
+  void check() {
+    result_.free_until = scene_.end;
+    if (claim_ == Claim::free_until) result_.free_until = in_.f64();
+    if (claim_ == Claim::contact) contact();
+    if (claim_ == Claim::touching) touching();
+    if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
+      throw ProofError("the end of the proof is not within the scene's time");
+    const WorldTime all{scene_.start, result_.free_until, true};
+    windows(all, world_.meeting(all), 0);
+  }
+
+  /// Two bodies that are asked about; the next two numbers.
+  std::pair<int, int> read_pair() {
+    const std::uint32_t a = in_.u32(), b = in_.u32(), n = static_cast<std::uint32_t>(scene_.bodies.size());
+    if (!(a < b && b < n) || !plan_.asked(static_cast<int>(a), static_cast<int>(b)))
+      throw ProofError("a pair of bodies that is not asked about");
+    return {static_cast<int>(a), static_cast<int>(b)};
+  }
+
+  /// Every pair whose boxes meet is shown to be apart over the window, or is left to its halves.
+  void windows(const WorldTime& time, const Pairs& pairs, int depth) {
+    BoxesOver boxes(plan_, time);
+    Pairs left;
+    for (const auto& pair : pairs) {
+      interruption_point();
+      if (pair == contact_pair_ || !boxes.meet(pair)) continue;
+      const std::uint8_t now = in_.u8();
+      if (now > 1) throw ProofError("neither a pair's separations nor shorter windows");
+      if (now == 0) {
+        left.push_back(pair);
+      } else {
+        section(world_.pair(pair.first, pair.second), stretches(world_.pair(pair.first, pair.second).legs, time),
+                time.first, {});
+      }
+    }
+    if (left.empty()) return;
+    if (depth >= deepest_window || !time.divisible()) throw ProofError("a window is halved too often");
+    windows({time.from, time.middle(), time.first}, left, depth + 1);
+    windows({time.middle(), time.to, false}, left, depth + 1);
+  }
+
+  /// The pair does not meet on these stretches of its legs, the last one up to `until` only if that is set.
+  void section(const ProvedPair& pair, const std::vector<LegStretch>& stretches, bool from_start,
+               const std::optional<Instant>& until) {
+    Lifetimes lifetimes(pair.geometry);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      lifetimes.enter(pair.legs[stretches[i].leg]);
+      const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
+      ApartChecker apart(pair.ranges, lifetimes, last, in_);
+      apart.check(stretches[i].from, stretches[i].to);
+      result_.separations += apart.separations();
+    }
+    if (from_start && one_inside_the_other(pair, pair.legs[0], scene_.start))
+      throw ProofError("one body lies inside the other at the start");
+  }
+
+  /// A vertex reaches an edge from outside, and has not met it before; and the two bodies have separations of their
+  /// own.
+  void contact() {
+    contact_pair_ = read_pair();
+    const ProvedPair& pair = world_.pair(contact_pair_.first, contact_pair_.second);
+    const std::uint32_t leg = in_.u32();
+    const Incidence hit{read_vertex(pair), read_vertex(pair)};
+    const double since = in_.f64(), about = in_.f64(), end = in_.f64();
+    result_.free_until = in_.f64();
+    if (leg >= pair.legs.size() || pair.geometry.same_body(hit.vertex, hit.edge))
+      throw ProofError("a contact that cannot be");
+    const Leg& last = pair.legs[leg];
+    Lifetimes lifetimes(pair.geometry);
+    lifetimes.enter(last);
+    // The material is to the left of its edges.
+    const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, Instant::exactly(since)};
+    if (!(since >= last.start && since <= about)) throw ProofError("a contact before its leg");
+    const Instant now = lifetimes.failure(corner, about);
+    if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
+    if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
+    std::vector<LegStretch> way;
+    for (std::size_t i = 0; i < leg; ++i) way.push_back({i, pair.legs[i].start, pair.legs[i].end});
+    way.push_back({leg, last.start, end});
+    section(pair, way, true, now);
+    conclude(pair, hit, last, lifetimes.tightened(now));
+  }
+
+  VertexId read_vertex(const ProvedPair& pair) {
+    const VertexId v(in_.u32());
+    if (v.value >= pair.geometry.size()) throw ProofError("there is no such vertex");
+    return v;
+  }
+
+  void conclude(const ProvedPair& pair, const Incidence& hit, const Leg& leg, const Instant& tight) {
+    result_.contact = Witness(pair.plan, pair.geometry, world_.inwards())
+                          .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, leg.end)}, leg);
+    TimeInterval& time = result_.contact->time;
+    time.lo = std::max(time.lo, scene_.start);
+    result_.contact_at = leg.bridge ? ContactAt::joint : time.hi <= scene_.start ? ContactAt::start : ContactAt::motion;
+    // All pairs are shown to be free up to this one instant.
+    if (!(result_.free_until <= leg.time(tight.hi))) throw ProofError("free beyond the contact");
+    time.lo = std::min(time.lo, result_.free_until);
+    result_.free_until = time.lo;
+  }
+
+  /// Shapes displaced inwards are apart at the start, as the windows show; those displaced outwards are not.
+  void touching() {
+    if (header_.touch != Touch::closed) throw ProofError("a contact at the start without a motion");
+    const auto [a, b] = read_pair();
+    const ProvedPair& pair = world_.pair(a, b);
+    const std::uint8_t how = in_.u8();
+    const VertexId e = read_vertex(pair), f = read_vertex(pair);
+    const PairGeometry outer = displaced_pair(pair.plan, false);
+    const Placement place(outer, pair.legs[0], scene_.start, Positions::on_demand);
+    const Witness witness(pair.plan, outer, false);
+    if (how == 0) {
+      const VertexId e2 = outer.next(e), f2 = outer.next(f);
+      if (outer.same_body(e, f) || place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
+          place.orientation(f, f2, e) == place.orientation(f, f2, e2))
+        throw ProofError("the edges do not cross");
+      result_.contact =
+          witness.contact_of_crossing(outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, pair.legs[0], scene_.start);
+    } else {
+      if (!inside_the_other(place, e)) throw ProofError("the vertex is not inside the other body");
+      result_.contact = witness.contact_of_vertex(e, pair.legs[0], scene_.start);
+    }
+    result_.contact_at = ContactAt::start;
+    result_.free_until = scene_.start;
+  }
+
+  const Scene& scene_;
+  ByteReader& in_;
+  const Header& header_;
+  Claim claim_;
+  WorldPlan plan_;
+  ProvedWorld world_;
+  std::pair<int, int> contact_pair_{-1, -1};  ///< whose separations are not in the windows
+  Verified result_;
+};
+
+}  // namespace
+
+Verified verify_separations(const Scene& scene, ByteReader& in, const Header& header) {
+  return Verifier(scene, in, header).run();
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,301 @@
+// Logs of separations: what prove() writes with the spacetime engine, and about worlds, is accepted and proves what
+// check() says; damaged logs are rejected, or what they still prove is true.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "log_text.hpp"
+#include "pair/validate_world.hpp"
+#include "support/effort.hpp"
+#include "support/made_world.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "taut/io.hpp"
+
+namespace taut::testing {
+namespace {
+
+struct SeparationCounts {
+  int free = 0, contact = 0, at_start = 0;
+  std::uint64_t separations = 0, bytes = 0;
+};
+
+CheckOptions by_spacetime(Touch touch) {
+  CheckOptions options;
+  options.touch = touch;
+  options.engine = EngineChoice::spacetime;
+  return options;
+}
+
+Proved prove_by_spacetime(const Scene& scene, Touch touch) {
+  std::ostringstream out;
+  Proved proved;
+  proved.answer = prove(scene, out, by_spacetime(touch));
+  proved.log = out.str();
+  return proved;
+}
+
+void expect_separations_prove(const Scene& scene, Touch touch, SeparationCounts& counts) {
+  const Answer answer = check(scene, by_spacetime(touch));
+  const Proved proved = prove_by_spacetime(scene, touch);
+  ASSERT_STREQ(to_string(proved.answer.outcome), to_string(answer.outcome)) << proved.answer.reason;
+  if (answer.outcome == Outcome::overlap_at_start) {
+    EXPECT_TRUE(proved.log.empty());
+    return;
+  }
+  std::istringstream in(proved.log);
+  const Verified v = verify(scene, in);
+  ASSERT_STREQ(to_string(v.outcome), to_string(answer.outcome));
+  ASSERT_EQ(v.touch, touch);
+  ASSERT_EQ(v.fingerprint, scene_fingerprint(scene, touch));
+  counts.separations += v.separations;
+  counts.bytes += proved.log.size();
+  if (v.outcome == Outcome::free) {
+    ++counts.free;
+    ASSERT_EQ(v.free_until, scene.end);
+    return;
+  }
+  ++(v.contact->time.hi == scene.start ? counts.at_start : counts.contact);
+  ASSERT_LE(v.contact->time.lo, answer.contact->time.hi);
+  ASSERT_GE(v.contact->time.hi, answer.contact->time.lo);
+  ASSERT_EQ(v.free_until, v.contact->time.lo);
+  if (is_world(scene) && v.contact->time.hi > scene.start) {
+    ASSERT_EQ(v.contact->vertex, answer.contact->vertex);
+    ASSERT_EQ(v.contact->edge, answer.contact->edge);
+  }
+}
+
+/// `out_of_reach`: scenes for which no proof is looked for.
+void expect_all_proved(const std::filesystem::path& folder, SeparationCounts& counts,
+                       const std::vector<std::string>& out_of_reach = {}) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".answer") continue;
+    if (std::count(out_of_reach.begin(), out_of_reach.end(), entry.path().stem().string())) continue;
+    SCOPED_TRACE(entry.path().string());
+    const Scene scene = read_scene(entry.path().string());
+    for (const Touch touch : {Touch::open, Touch::closed})
+      ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, touch, counts));
+  }
+}
+
+TEST(SeparationLogs, Examples) {
+  SeparationCounts counts;
+  expect_all_proved("examples", counts);
+  expect_all_proved("examples/worlds", counts);
+  EXPECT_GT(counts.free + counts.contact, 20);
+}
+
+TEST(SeparationLogs, CertifiedWorlds) {
+  if (!std::filesystem::exists("../shared/worlds"))
+    GTEST_SKIP() << "the worlds with certified answers are not here (../shared/worlds)";
+  SeparationCounts counts;
+  expect_all_proved("../shared/worlds", counts);
+  EXPECT_GE(counts.free + counts.contact + counts.at_start, 120);
+}
+
+TEST(SeparationLogs, CertifiedScenes) {
+  if (!std::filesystem::exists("../shared/scenes"))
+    GTEST_SKIP() << "the scenes with certified answers are not here (../shared/scenes)";
+  SeparationCounts counts;
+  // It begins to turn at the start with infinite speed while two faces touch: its proof takes minutes.
+  expect_all_proved("../shared/scenes", counts, {"degenerate_cosine_start_touch"});
+  EXPECT_GE(counts.free + counts.contact + counts.at_start, 290);
+}
+
+TEST(SeparationLogs, RandomScenes) {
+  SeparationCounts counts;
+  for (std::uint64_t seed = 0; seed < effort(300); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    SceneOptions options;
+    options.grid = seed % 2 == 0;
+    const Scene scene = random_scene(7000 + seed, all_families[seed % std::size(all_families)], options);
+    ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, seed % 4 == 3 ? Touch::closed : Touch::open, counts));
+  }
+  EXPECT_GE(counts.free, static_cast<int>(enough(60)));
+  EXPECT_GE(counts.contact, static_cast<int>(enough(40)));
+  std::cout << counts.separations << " separations, " << counts.bytes << " bytes\n";
+}
+
+TEST(SeparationLogs, RandomWorlds) {
+  SeparationCounts counts;
+  for (std::uint64_t seed = 40000; seed < 40000 + effort(300); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = scene_of(random_world(seed));
+    ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, seed % 4 == 3 ? Touch::closed : Touch::open, counts));
+  }
+  EXPECT_GE(counts.free, static_cast<int>(enough(30)));
+  EXPECT_GE(counts.contact, static_cast<int>(enough(60)));
+  std::cout << counts.separations << " separations, " << counts.bytes << " bytes\n";
+}
+
+/// A log is small: no more than a byte or two for each step, and the steps are few.
+TEST(SeparationLogs, AreShort) {
+  const Scene scene = read_scene("examples/worlds/room.json");
+  const Proved proved = prove_by_spacetime(scene, Touch::open);
+  std::istringstream in(proved.log);
+  EXPECT_LE(proved.log.size(), 200 + 4 * verify(scene, in).separations);
+}
+
+// Damage.
+
+struct DamagedSpecimen {
+  Scene scene;
+  Touch touch;
+  std::string log;                ///< without its checksum
+  std::array<Answer, 2> answers;  ///< of both touch modes
+};
+
+constexpr std::size_t checksum_bytes = 8, header_bytes = 42;
+
+/// Empty if what a damaged log claims is so.
+std::string refutation_of(const DamagedSpecimen& specimen, const Verified& v) {
+  const Answer& a = specimen.answers[v.touch == Touch::closed ? 1 : 0];
+  if (a.outcome == Outcome::overlap_at_start) return "bodies overlap at the start";
+  if (a.contact && v.free_until > a.contact->time.hi) return "free beyond the contact";
+  if (v.outcome == Outcome::undecided) return {};
+  if (v.outcome != a.outcome) return "another outcome";
+  if (v.outcome == Outcome::free) return {};
+  if (a.contact->time.hi < v.contact->time.lo || v.contact->time.hi < a.contact->time.lo) return "another time";
+  return {};
+}
+
+class DamagedSeparations : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    for (std::uint64_t seed = 90000; specimens().size() < effort(40); ++seed) {
+      const Scene scene = seed % 3 == 0 ? random_scene(seed, all_families[seed % std::size(all_families)], {})
+                                        : scene_of(random_world(seed));
+      const Touch touch = seed % 4 == 3 ? Touch::closed : Touch::open;
+      const Proved proved = prove_by_spacetime(scene, touch);
+      if (proved.log.size() < header_bytes + 20 || proved.log.size() > 3000) continue;
+      specimens().push_back({scene, touch, proved.log.substr(0, proved.log.size() - checksum_bytes), {}});
+      for (const Touch mode : {Touch::open, Touch::closed})
+        specimens().back().answers[mode == Touch::closed ? 1 : 0] = check(scene, by_spacetime(mode));
+    }
+  }
+  static void TearDownTestSuite() {
+    int tried = 0;
+    for (const auto& [name, count] : counts()) {
+      std::cout << name << ": " << count[0] << " damaged logs, " << count[1] << " still proofs\n";
+      tried += count[0];
+    }
+    EXPECT_GE(static_cast<std::uint64_t>(tried), enough(10000));
+  }
+  static std::vector<DamagedSpecimen>& specimens() {
+    static std::vector<DamagedSpecimen> all;
+    return all;
+  }
+  static std::map<std::string, std::array<int, 2>>& counts() {
+    static std::map<std::string, std::array<int, 2>> all;
+    return all;
+  }
+
+  static bool judge(const std::string& name, const DamagedSpecimen& specimen, const std::string& bytes) {
+    ++counts()[name][0];
+    std::istringstream in(sealed(bytes));
+    try {
+      const Verified v = verify(specimen.scene, in);
+      ++counts()[name][1];
+      EXPECT_EQ(refutation_of(specimen, v), "") << name;
+      return true;
+    } catch (const ProofError&) {
+      return false;
+    }
+  }
+};
+
+TEST_F(DamagedSeparations, NothingDamagedIsAccepted) {
+  for (const DamagedSpecimen& specimen : specimens()) EXPECT_TRUE(judge("nothing", specimen, specimen.log));
+  counts().erase("nothing");
+}
+
+/// Every step becomes every other kind of step.
+TEST_F(DamagedSeparations, Steps) {
+  for (const DamagedSpecimen& specimen : specimens()) {
+    for (std::size_t i = header_bytes; i < specimen.log.size(); ++i) {
+      for (const int other : {0, 1, 2, 3, 4, 9, 15, 70}) {
+        if (specimen.log[i] == static_cast<char>(other) || (i * 7 + static_cast<std::size_t>(other)) % 5 != 0) continue;
+        std::string bytes = specimen.log;
+        bytes[i] = static_cast<char>(other);
+        judge("a step", specimen, bytes);
+      }
+    }
+  }
+}
+
+TEST_F(DamagedSeparations, BytesMissingOrTwice) {
+  for (const DamagedSpecimen& specimen : specimens()) {
+    for (std::size_t i = header_bytes; i < specimen.log.size(); i += 3) {
+      judge("a byte less", specimen, specimen.log.substr(0, i) + specimen.log.substr(i + 1));
+      judge("a byte more", specimen, specimen.log.substr(0, i) + specimen.log[i] + specimen.log.substr(i));
+      judge("cut off", specimen, specimen.log.substr(0, i));
+    }
+  }
+}
+
+/// Other numbers in what the log claims: a pair, a leg, a vertex, an edge, times.
+TEST_F(DamagedSeparations, Claims) {
+  Rng rng(5);
+  for (const DamagedSpecimen& specimen : specimens()) {
+    for (int claim = 0; claim < 4; ++claim) {
+      std::string bytes = specimen.log;
+      bytes[header_bytes - 1] = static_cast<char>(claim);
+      if (bytes != specimen.log) judge("another claim", specimen, bytes);
+    }
+    for (int i = 0; i < 60; ++i) {
+      std::string bytes = specimen.log;
+      const std::size_t at = header_bytes + static_cast<std::size_t>(rng.below(52));
+      if (at >= bytes.size()) continue;
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 << rng.below(8)));
+      judge("a number of the claim", specimen, bytes);
+    }
+  }
+}
+
+/// A pair less, or a stretch of time: whole runs of steps are taken out, or exchanged.
+TEST_F(DamagedSeparations, RunsOfSteps) {
+  Rng rng(6);
+  for (const DamagedSpecimen& specimen : specimens()) {
+    const int size = static_cast<int>(specimen.log.size() - header_bytes);
+    for (int i = 0; i < 60; ++i) {
+      const auto at = static_cast<std::size_t>(rng.below(size)), length = static_cast<std::size_t>(rng.between(2, 40));
+      const std::size_t from = header_bytes + at, to = std::min(specimen.log.size(), from + length);
+      judge("steps missing", specimen, specimen.log.substr(0, from) + specimen.log.substr(to));
+      std::string turned = specimen.log;
+      std::reverse(turned.begin() + static_cast<std::ptrdiff_t>(from),
+                   turned.begin() + static_cast<std::ptrdiff_t>(to));
+      if (turned != specimen.log) judge("steps turned around", specimen, turned);
+    }
+  }
+}
+
+/// A log is about one scene.
+TEST_F(DamagedSeparations, OtherScenes) {
+  for (const DamagedSpecimen& specimen : specimens()) {
+    Scene other = specimen.scene;
+    std::swap(other.bodies[0].motion, other.bodies[1].motion);
+    if (scene_fingerprint(other, specimen.touch) == scene_fingerprint(specimen.scene, specimen.touch)) continue;
+    std::istringstream in(sealed(specimen.log));
+    EXPECT_THROW(verify(other, in), ProofError);
+  }
+}
+
+/// The list of ignored pairs is part of what is proved.
+TEST(SeparationLogs, IgnoredPairsArePartOfTheScene) {
+  Scene scene = scene_of(random_world(40003));
+  const Fingerprint all = scene_fingerprint(scene, Touch::open);
+  scene.ignore.push_back({scene.bodies[0].name, scene.bodies[1].name});
+  EXPECT_NE(scene_fingerprint(scene, Touch::open), all);
+  std::swap(scene.ignore.back()[0], scene.ignore.back()[1]);
+  const Fingerprint turned = scene_fingerprint(scene, Touch::open);
+  std::swap(scene.ignore.back()[0], scene.ignore.back()[1]);
+  EXPECT_EQ(scene_fingerprint(scene, Touch::open), turned);
+}
+
+}  // namespace
+}  // namespace taut::testing

@@ -1,0 +1,208 @@
+// What the checking of separations rests on: ranges contain their edges, windows contain the motion, boxes contain the
+// bodies. In exact rationals, in 960 bits, and by poses that share nothing with the library.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "proof/edge_ranges.hpp"
+#include "proof/motion_window.hpp"
+#include "proof/separation.hpp"
+#include "support/effort.hpp"
+#include "support/made_world.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "world/swept_box.hpp"
+#include "world/world_plan.hpp"
+
+namespace taut::testing {
+namespace {
+
+using proof::EdgeRange;
+using proof::EdgeRanges;
+using proof::MotionWindow;
+using proof::Sight;
+
+/// Is the point in the rectangle? Exactly: the rectangle's directions need not be unit vectors.
+bool contains(const EdgeRange& r, const DisplacedPoint& p) {
+  const mpq_class ux(r.along.x), uy(r.along.y), square = ux * ux + uy * uy;
+  const mpq_class x = mpq_class(p.x) + mpq_class(p.dx) - mpq_class(r.centre.x),
+                  y = mpq_class(p.y) + mpq_class(p.dy) - mpq_class(r.centre.y);
+  const mpq_class s = (ux * x + uy * y) / square, t = (ux * y - uy * x) / square;
+  return abs(s) <= mpq_class(r.half_length) && abs(t) <= mpq_class(r.half_width);
+}
+
+/// Every range with all of its edges; how many edges the ranges of one edge have in all.
+void expect_contained(const DisplacedPolygon& body, const EdgeRanges& ranges, std::uint32_t index,
+                      std::vector<int>& seen) {
+  const EdgeRange& range = ranges[index];
+  const auto next = [&](std::uint32_t k) {
+    return body.next.empty() ? (k + 1) % static_cast<std::uint32_t>(body.points.size()) : body.next[k];
+  };
+  if (range.single()) {
+    ++seen[range.first];
+    EXPECT_TRUE(contains(range, body.points[range.first]) && contains(range, body.points[next(range.first)]));
+    return;
+  }
+  std::vector<int> below(body.points.size(), 0);
+  for (const std::uint32_t half : range.halves) expect_contained(body, ranges, half, below);
+  std::uint32_t count = 0;
+  for (std::uint32_t k = 0; k < below.size(); ++k) {
+    if (below[k] == 0) continue;
+    ++count;
+    ++seen[k];
+    ASSERT_TRUE(contains(range, body.points[k]) && contains(range, body.points[next(k)]));
+  }
+  EXPECT_EQ(count, range.count);
+}
+
+TEST(SeparationLaws, RangesContainTheirEdges) {
+  for (std::uint64_t seed = 100; seed < 100 + effort(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = scene_of(random_world(seed));
+    const WorldPlan plan(scene);
+    for (const WorldBody& body : plan.bodies()) {
+      for (const bool inwards : {false, true}) {
+        const DisplacedPolygon& displaced = *body.rings->displaced(inwards);
+        std::vector<int> seen(displaced.points.size(), 0);
+        expect_contained(displaced, EdgeRanges(displaced), EdgeRanges::all, seen);
+        for (const int times : seen) EXPECT_EQ(times, 1);
+      }
+    }
+  }
+}
+
+using Exact = Ball<Real960>;
+
+struct ExactVectorBall {
+  Exact x, y;
+};
+ExactVectorBall operator*(const ExactVectorBall& a, const ExactVectorBall& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+ExactVectorBall operator+(const ExactVectorBall& a, const ExactVectorBall& b) { return {a.x + b.x, a.y + b.y}; }
+ExactVectorBall operator-(const ExactVectorBall& a, const ExactVectorBall& b) { return {a.x - b.x, a.y - b.y}; }
+ExactVectorBall exactly(Vector v) { return {Exact::exact(v.x), Exact::exact(v.y)}; }
+ExactVectorBall with_offset(const Leg& leg, bool of_p, Vector v) {
+  ExactVectorBall r = exactly(v);
+  add_offset(leg, of_p, r.x, r.y);
+  return r;
+}
+
+/// The most that |x| + |y| can be.
+double size_of(const ExactVectorBall& v) {
+  return std::fabs(v.x.mid.convert_to<double>()) + v.x.rad + std::fabs(v.y.mid.convert_to<double>()) + v.y.rad;
+}
+
+/// The law of a Sight for a moving point v and a fixed point a, at one instant.
+void expect_law(const Leg& leg, const Sight& sight, bool from_p, double middle, double t, Vector v, Vector a) {
+  const auto [pp, qq] = frame_values(leg, Exact::exact(t));
+  const auto& f = from_p ? pp : qq;
+  ExactVectorBall shift{f[1], f[2]}, turn{f[3], f[4]};
+  if (!from_p) {
+    shift = ExactVectorBall{Exact::exact(0), Exact::exact(0)} - shift;
+    turn.y = Exact::exact(0) - turn.y;
+  }
+  const ExactVectorBall scale{f[0], Exact::exact(0)};
+  // Relative to the fixed point, as both are.
+  const ExactVectorBall truly = shift + turn * with_offset(leg, !from_p, v) - scale * with_offset(leg, from_p, a);
+  const Exact h = Exact::exact(t) - Exact::exact(middle);
+  const ExactVectorBall by{h, Exact::exact(0)};
+  const ExactVectorBall said = exactly(sight.shift) + by * exactly(sight.shift_rate) +
+                               (exactly(sight.turn) + by * exactly(sight.turn_rate)) * exactly(v) - exactly(a);
+  const double allowed = sight.shift_error + sight.turn_error * size(v) + sight.scale_error * size(a) +
+                         0x1p-44 * (sight.size * (1 + size(v)) + size(a));
+  if (!std::isfinite(allowed)) return;
+  EXPECT_LE(size_of(truly - said), allowed * (1 + 0x1p-30)) << "at " << t;
+}
+
+void expect_windows_contain(const std::vector<Leg>& legs, Rng& rng) {
+  for (const Leg& leg : legs) {
+    for (int i = 0; i < 6; ++i) {
+      const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(30));
+      const double from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length),
+                   to = std::min(leg.end, from + length);
+      if (!(from >= leg.start && from <= to)) continue;
+      const MotionWindow window(leg, from, to);
+      const double middle = from + (to - from) / 2;
+      for (const double t : {from, to, middle, from + rng.real(0, 1) * (to - from)}) {
+        if (t < from || t > to) continue;
+        const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, a{rng.real(-1, 1), rng.real(-1, 1)};
+        expect_law(leg, window.from_p(), true, middle, t, v, a);
+        expect_law(leg, window.from_q(), false, middle, t, v, a);
+      }
+    }
+  }
+}
+
+TEST(SeparationLaws, WindowsContainTheMotion) {
+  for (std::uint64_t seed = 300; seed < 300 + effort(120); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    SceneOptions options;
+    options.grid = seed % 3 == 0;
+    const Scene scene = seed % 4 == 0 ? scene_of(random_world(seed))
+                                      : random_scene(seed, all_families[seed % std::size(all_families)], options);
+    const WorldPlan plan(scene);
+    for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); a += 2)
+      expect_windows_contain(plan.legs(plan.pair(a, a + 1)), rng);
+  }
+}
+
+TEST(SeparationLaws, SweptBoxesContainTheBodies) {
+  for (std::uint64_t seed = 500; seed < 500 + effort(80); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const MadeWorld world = random_world(seed);
+    const WorldPlan plan(scene_of(world));
+    const double scale = std::ldexp(1.0, plan.exponent());
+    for (std::size_t i = 0; i < plan.bodies().size(); ++i) {
+      const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
+      const SweptBox box = swept_box(plan.bodies()[i], from, to);
+      for (int k = 0; k <= 8; ++k) {
+        for (const PosedPart& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
+          for (const Complex& p : part[0]) {
+            const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
+            ASSERT_TRUE(x >= box.lo_x - rounding && x <= box.hi_x + rounding);
+            ASSERT_TRUE(y >= box.lo_y - rounding && y <= box.hi_y + rounding);
+          }
+        }
+      }
+      // No more than a window's motion larger than need be.
+      const SweptBox now = swept_box(plan.bodies()[i], from, from);
+      EXPECT_LE(now.longest(), 3 * diagonal(plan.bodies()[i].rings->bounds()) + 1e-9);
+    }
+  }
+}
+
+/// A direction that separates does so at every instant, for every point of both ranges.
+TEST(SeparationLaws, DirectionsSeparate) {
+  int separated = 0;
+  for (std::uint64_t seed = 700; seed < 700 + effort(100); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const MadeWorld world = random_world(seed);
+    const WorldPlan plan(scene_of(world));
+    const double scale = std::ldexp(1.0, plan.exponent());
+    for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); ++a) {
+      const PairPlan pair = plan.pair(a, a + 1);
+      const EdgeRanges p(*pair.rings[0]->displaced(true)), q(*pair.rings[1]->displaced(true));
+      for (const Leg& leg : plan.legs(pair)) {
+        if (leg.bridge) continue;
+        const double length = (leg.end - leg.start) / 16, from = rng.real(leg.start, leg.end - length);
+        if (!proof::separating_step(MotionWindow(leg, from, from + length), p[EdgeRanges::all], q[EdgeRanges::all]))
+          continue;
+        ++separated;
+        for (int k = 0; k <= 4; ++k) {
+          const double t = from + length * k / 4;
+          const PosedBody first = posed(world, a, t), second = posed(world, a + 1, t);
+          EXPECT_FALSE(overlap_clearly(first, second, 1e-9 / scale));
+        }
+      }
+    }
+  }
+  EXPECT_GE(separated, static_cast<int>(enough(100)));
+}
+
+}  // namespace
+}  // namespace taut::testing
