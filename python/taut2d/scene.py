@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Optional, Union
 
 from . import _taut2d
@@ -79,7 +79,7 @@ class GeojsonFile:
 
 
 OnePart = Union[Part, WktFile, GeojsonFile]
-Shape = Union[OnePart, tuple[OnePart, ...]]
+Parts = Union[OnePart, tuple[OnePart, ...]]
 
 _shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
                "__geo_interface__, or WKT")
@@ -163,7 +163,12 @@ def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
     return tuple(part for i, v in enumerate(value) for part in _parts(v, f"{place}[{i}]")[0]), True
 
 
-def _shape(value: Any, place: str) -> Shape:
+def parts_of_value(value: Any, place: str) -> tuple[OnePart, ...]:
+    """The parts of a shape in any form that Body takes."""
+    return _parts(value, place)[0]
+
+
+def _shape(value: Any, place: str) -> Parts:
     parts, listed = _parts(value, place)
     # A list of one part stays one: its vertices are then named with their part.
     return parts if listed or len(parts) != 1 else parts[0]
@@ -182,7 +187,7 @@ class Body:
     ``name``: what answers call it; all bodies of a scene have different names.
     ``shape``: a list of (x, y) or a numpy array with two columns, vertices in order, the first one not repeated; a Part,
     which may have holes; a list of shapes, which move together and may overlap; any object with ``__geo_interface__``
-    (a Polygon or MultiPolygon of shapely, a feature of geopandas), or the GeoJSON dictionary itself; a string of WKT,
+    (a Polygon or MultiPolygon of shapely, a feature of geopandas, a Shape), or the GeoJSON dictionary itself; a string of WKT,
     POLYGON or MULTIPOLYGON, if shapely is installed; WktFile or GeojsonFile. Afterwards it is a Part, a file, or a
     tuple of these.
     ``motion``: one of taut2d.motions, or None: it rests.
@@ -321,6 +326,12 @@ class Scene:
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.to_json() + "\n")
 
+    def with_motion(self, name: str, motion: Optional[Motion]) -> Scene:
+        """The same scene, in which one body moves in another way. Raises InputError if there is no such body."""
+        if all(body.name != name for body in self.bodies):
+            raise InputError("bodies", f"there is no body {name!r}", "bodies are called " + _names(self))
+        return replace(self, bodies=[replace(b, motion=motion) if b.name == name else b for b in self.bodies])
+
     def validate(self) -> None:
         """Raises InputError for everything that check() would refuse: boundaries that cross themselves, motions that
         jump, names that are not there."""
@@ -329,6 +340,10 @@ class Scene:
 
     def _text(self) -> _taut2d.SceneText:
         return _scene_text(self.to_json(), _unnamed, self.folder)
+
+
+def _names(scene: Scene) -> str:
+    return ", ".join(repr(body.name) for body in scene.bodies)
 
 
 def _scene_text(text: str, name: str, folder: Union[str, os.PathLike[str]]) -> _taut2d.SceneText:
@@ -352,6 +367,6 @@ class _plain_places:
         pass
 
     def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
-        if isinstance(error, InputError) and error.place.startswith(_unnamed):
-            place = error.place.partition(": ")[2]
-            raise InputError(place, error.problem, error.hint) from None
+        if isinstance(error, InputError) and _unnamed in error.place:
+            row, _, rest = error.place.partition(_unnamed)
+            raise InputError(row + rest.partition(": ")[2], error.problem, error.hint) from None
