@@ -11,6 +11,7 @@
 #include "attended.hpp"
 #include "base/interruption.hpp"
 #include "bindings.hpp"
+#include "rings.hpp"
 #include "shape.hpp"
 
 namespace py = pybind11;
@@ -58,25 +59,25 @@ py::bytes bytes_of(const taut::Polygon& ring) {
   return py::bytes(reinterpret_cast<const char*>(ring.data()), ring.size() * sizeof(taut::Point));
 }
 
-py::list rings_of(const Shape& shape) {
-  py::list parts;
-  for (const taut::Part& part : shape.parts) {
+}  // namespace
+
+py::list rings_of(const std::vector<taut::Part>& parts) {
+  py::list found;
+  for (const taut::Part& part : parts) {
     py::list rings;
     rings.append(bytes_of(part.outline));
     for (const taut::Polygon& hole : part.holes) rings.append(bytes_of(hole));
-    parts.append(rings);
+    found.append(rings);
   }
-  return parts;
+  return found;
 }
-
-}  // namespace
 
 void bind_shapes(py::module_& module) {
   py::class_<Shape, std::shared_ptr<Shape>>(module, "Shape")
       .def(py::init([](const py::sequence& parts, const std::string& name) {
         return std::make_shared<Shape>(shape_of(parts, name));
       }))
-      .def("rings", &rings_of);
+      .def("rings", [](const Shape& shape) { return rings_of(shape.parts); });
 }
 
 }  // namespace taut_python

@@ -39,6 +39,7 @@ from .many import KeyframeRows, Outcome, VelocityRows, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
 from .options import run_options, scene_text, seconds
+from .pictures import Pose
 from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInterval, Range, clearance_from_json,
                         intervals_from_json, range_from_json)
 from .scene import Body, GeojsonFile, Part, Scene, WktFile, _plain_places
@@ -48,7 +49,7 @@ __all__ = [
     "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
     "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
     "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
-    "Pieces", "Polynomial", "Proof", "Range", "Scene", "Shape", "Sweep", "TautError", "Turn", "Velocity",
+    "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "TautError", "Turn", "Velocity",
     "VelocityRows", "Verified", "VertexRef", "WktFile", "answer_dtype", "check", "check_many", "clearance",
     "intervals", "prove", "range", "verify",
 ]

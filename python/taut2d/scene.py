@@ -8,10 +8,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Optional, Union
 
-from . import _taut2d
+from . import _taut2d, pictures
 from ._numbers import number, path_text, point
+from .answers import Answer, Contact
 from .errors import InputError
 from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
+from .pictures import Pose
 
 __all__ = ["Body", "GeojsonFile", "Part", "Scene", "WktFile"]
 
@@ -337,6 +339,34 @@ class Scene:
         jump, names that are not there."""
         with _plain_places():
             _taut2d.validate(self._text())
+
+    def poses(self, t: float) -> dict[str, Pose]:
+        """Where every body is at an instant, seen from the world: parents are composed. Rounded, good for pictures and
+        no part of a proof. Raises InputError if the scene is not valid, or the instant outside of its time."""
+        with _plain_places():
+            found = pictures.poses(self, [number(t, "t")])[0]
+        return {body.name: pose for body, pose in zip(self.bodies, found)}
+
+    def plot(self, ax: Any = None, at: Union[None, float, Answer, Contact] = None) -> Any:
+        """Draws the bodies at an instant by matplotlib, and returns the axes.
+
+        ``ax``: axes to draw into; None makes a new figure. ``at``: a time; or an Answer or a Contact, which is marked,
+        with the normal of its edge; None is the start. Raises ImportError if matplotlib is missing, InputError if the
+        scene is not valid or the instant outside of its time.
+        """
+        with _plain_places():
+            return pictures.plot(self, ax, at)
+
+    def animate(self, ax: Any = None, until: Union[None, float, Answer, Contact] = None, *, frames: int = 120,
+                seconds: float = 6.0) -> Any:
+        """Draws the motion by matplotlib, as a FuncAnimation, which must be kept until it is shown or saved:
+        ``scene.animate().save("motion.gif")``, or ``.to_jshtml()`` in a notebook.
+
+        ``until``: a time; or an Answer or a Contact, which is marked in the last frame; None is the end. ``frames``:
+        how many, 2 or more, which ``seconds`` pass evenly. ``ax`` and errors as in plot().
+        """
+        with _plain_places():
+            return pictures.animate(self, ax, until, frames, seconds)
 
     def _text(self) -> _taut2d.SceneText:
         return _scene_text(self.to_json(), _unnamed, self.folder)
