@@ -10,8 +10,8 @@
 namespace taut {
 namespace {
 
-using Placed = Jet<double>;
-const Pose<double> at_rest{Placed::constant(0.0), Placed::constant(0.0), Placed::constant(1.0), Placed::constant(0.0)};
+const Pose<double> resting_pose{Jet<double>::constant(0.0), Jet<double>::constant(0.0), Jet<double>::constant(1.0),
+                                Jet<double>::constant(0.0)};
 
 Pose<double> own_pose(const Motion& motion, double t) {
   return pose(piece_at(motion.pieces, t), Ball<double>::exact(t));
@@ -30,7 +30,7 @@ class Placement {
     if (poses_[i]) return *poses_[i];
     const Body& body = scene_.bodies[i];
     const Motion& motion = body.motion;
-    Pose<double> p = motion.pieces.empty() ? at_rest : own_pose(motion, t_);
+    Pose<double> p = motion.pieces.empty() ? resting_pose : own_pose(motion, t_);
     if (!body.relative_to.empty()) p = compose(of(parent(body, depth), depth + 1), p);
     poses_[i] = p;
     return *poses_[i];

@@ -136,9 +136,9 @@ TEST(SvgWorld, NamesThePairThatMeetsOrOverlaps) {
   contact.point = {18, 0};
   contact.normal = {-1, 0};
   options.contacts = {contact};
-  const std::string touching = draw_world_svg(crank_scene(), 0, options);
-  EXPECT_TRUE(well_formed(touching));
-  EXPECT_NE(touching.find(">contact: rod x room<"), std::string::npos) << touching;
+  const std::string met = draw_world_svg(crank_scene(), 0, options);
+  EXPECT_TRUE(well_formed(met));
+  EXPECT_NE(met.find(">contact: rod x room<"), std::string::npos) << met;
   options.contacts.clear();
   options.overlaps = {{0, 1}};
   const std::string overlapping = draw_world_svg(crank_scene(), 0, options);
