@@ -22,7 +22,7 @@ void put(const taut::Contact& contact, AnswerRow& row) {
 }  // namespace
 
 AnswerRow answer_row(const taut::Answer& answer, std::size_t bodies) {
-  AnswerRow row{NAN, NAN, answer.free_until, {NAN, NAN}, {NAN, NAN}, answer.events, {-1, -1}, {}, {}, 0, 0, 0};
+  AnswerRow row{NAN, NAN, answer.free_until, {NAN, NAN}, {NAN, NAN}, answer.events, {-1, -1}, {}, {}, 0, 0, 0, {}};
   row.outcome = static_cast<std::uint8_t>(answer.outcome);
   if (answer.pair) {
     row.pair[0] = (*answer.pair)[0];

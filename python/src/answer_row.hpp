@@ -12,7 +12,7 @@ struct FeatureRow {
   std::int32_t body = -1, part = -1, ring = -1, index = -1;
 };
 
-/// Numbers are NaN, and indices -1, where there is nothing to say. Its layout is that of ANSWER_DTYPE in
+/// Numbers are NaN, and indices -1, where there is nothing to say. Its layout is that of answer_dtype() in
 /// taut2d/many.py.
 struct AnswerRow {
   double t_lo, t_hi;
@@ -24,6 +24,7 @@ struct AnswerRow {
   std::uint8_t outcome;   ///< as taut::Outcome counts
   std::uint8_t touching;  ///< free, and the rest of the row is about a touch
   std::uint8_t grazing;
+  std::uint8_t unused[5];  ///< all bytes of a row are known: equal answers are equal bytes
 };
 
 AnswerRow answer_row(const taut::Answer& answer, std::size_t bodies);

@@ -73,7 +73,7 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: 
     """
     options = run_options(touch, engine, pairs, max_seconds, max_events)
     with _plain_places():
-        return answer_from_json(_taut2d.check(scene_text(scene), options))
+        return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
 
 
 def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None) -> Intervals:
@@ -117,7 +117,7 @@ def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = N
     options = run_options(touch, "kinetic", "first", max_seconds, max_events)
     with _plain_places():
         answer, log, name = _taut2d.prove(scene_text(scene), options)
-    return Proof(answer_from_json(answer), log, name)
+    return Proof(answer_from_json(answer, scene), log, name)
 
 
 def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,

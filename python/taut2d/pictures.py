@@ -13,9 +13,11 @@ from .errors import InputError
 if TYPE_CHECKING:
     from .scene import Scene
 
-# Fills and lines of bodies in turn; the first two are those of the library's own pictures.
-_FILLS = ("#2f5d8a", "#b3622a", "#5b8c5a", "#8a5a8c", "#c2a03a", "#4f9aa8", "#a84f5b", "#7a7a7a")
-_LINES = ("#12304d", "#5e2d0c", "#274a26", "#46264a", "#6e5610", "#1d4c56", "#561d26", "#3a3a3a")
+# Fills and lines of bodies in turn, those of the library's own pictures.
+_FILLS = ("#2a6f9e", "#e59345", "#159185", "#f0d762", "#683b6a", "#7abee4", "#966042", "#f5accc", "#1e4070", "#6ca45a",
+          "#838a8f", "#daeaa8")
+_LINES = ("#032e4b", "#683e15", "#00423c", "#675b1e", "#341c35", "#2e5366", "#472b1b", "#6d4758", "#0f203a", "#2c4923",
+          "#3a3d40", "#5b6342")
 _MARK = "#d7191c"
 
 Instant = Union[None, float, Answer, Contact]
@@ -49,7 +51,7 @@ def poses(scene: Scene, times: list[float]) -> list[list[Pose]]:
     return [found[i * bodies:(i + 1) * bodies] for i in range(len(times))]
 
 
-def _instant(scene: Scene, at: Instant) -> tuple[float, Optional[Contact], Optional[tuple[float, float]]]:
+def instant(scene: Scene, at: Instant) -> tuple[float, Optional[Contact], Optional[tuple[float, float]]]:
     """When that is, with the contact and the point in the overlap that are to be marked."""
     if isinstance(at, Contact):
         return at.t[0], at, None
@@ -76,7 +78,8 @@ class _Drawn:
             rings = [numpy.frombuffer(ring).reshape(-1, 2) for part in parts for ring in part]
             self._points.append(numpy.vstack(rings))
             for part in parts:
-                patch = PathPatch(_compound(part), facecolor=_FILLS[i % 8], edgecolor=_LINES[i % 8], alpha=0.9,
+                patch = PathPatch(_compound(part), facecolor=_FILLS[i % len(_FILLS)],
+                                  edgecolor=_LINES[i % len(_LINES)], alpha=0.9,
                                   linewidth=1, label=scene.bodies[i].name if part is parts[0] else None)
                 patch.taut2d_body = i
                 self._patches.append(axes.add_patch(patch))
@@ -143,7 +146,7 @@ def _frame(axes: Any, scene: Scene, bounds: Any) -> None:
 
 def plot(scene: Scene, axes: Any = None, at: Instant = None) -> Any:
     """See Scene.plot()."""
-    t, contact, overlap = _instant(scene, at)
+    t, contact, overlap = instant(scene, at)
     placed = poses(scene, [t])[0]
     axes = _new_axes(axes)
     drawn = _Drawn(scene, axes)
@@ -158,7 +161,7 @@ def animate(scene: Scene, axes: Any = None, until: Instant = None, frames: int =
     """See Scene.animate()."""
     if frames < 2:
         raise InputError("frames", f"{frames} are too few to show a motion", "give 2 or more")
-    end, contact, overlap = _instant(scene, scene.time[1] if until is None else until)
+    end, contact, overlap = instant(scene, scene.time[1] if until is None else until)
     begin = scene.time[0]
     times = [begin + (end - begin) * k / (frames - 1) for k in range(frames - 1)] + [end]
     placed = poses(scene, times)

@@ -368,6 +368,11 @@ class Scene:
         with _plain_places():
             return pictures.animate(self, ax, until, frames, seconds)
 
+    def _repr_html_(self) -> str:
+        """What Jupyter shows: the motion, or what is wrong with the scene."""
+        from .notebook import html_of_scene
+        return html_of_scene(self)
+
     def _text(self) -> _taut2d.SceneText:
         return _scene_text(self.to_json(), _unnamed, self.folder)
 

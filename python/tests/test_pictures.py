@@ -1,7 +1,11 @@
+import base64
+import dataclasses
 import math
 import pathlib
+import re
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 import pytest
 import taut2d
@@ -122,6 +126,39 @@ def test_an_animation_ends_with_the_contact(tmp_path):
 def test_what_cannot_be_drawn(call, message):
     with pytest.raises(InputError, match=message):
         call()
+
+
+def svg_in(page):
+    """The picture that a page holds, as a tree of elements."""
+    return ElementTree.fromstring(base64.b64decode(re.search(r'src="data:image/svg\+xml;base64,([^"]*)"', page)[1]))
+
+
+def text_in(svg):
+    return " ".join(filter(None, (e.text for e in svg.iter())))
+
+
+def test_notebooks_show_the_motion():
+    svg = svg_in(ARM._repr_html_())
+    assert svg.tag.endswith("svg") and any("animate" in e.tag for e in svg.iter())
+    assert all(name in text_in(svg) for name in ("upper", "lower", "shelf")) and "contact" not in text_in(svg)
+    answer = taut2d.check(ARM)
+    page = answer._repr_html_()
+    assert page.startswith("<div><b>contact at t = 0.28635</b>: lower &times; shelf<br/>vertex 2 of lower meets edge 0 of "
+                           f"shelf, t in [{answer.contact.t[0]!r}, {answer.contact.t[1]!r}]</div>")
+    assert "contact at t = 0.28635" in text_in(svg_in(page))
+
+
+def test_notebooks_show_every_outcome():
+    free = Scene([Body("a<b", LINK, taut2d.Velocity((0, -1))), Body("shelf", SHELF)], (0, 3))
+    assert taut2d.check(free)._repr_html_().startswith("<div><b>free</b></div><img")
+    overlap = taut2d.check(free.with_motion("a<b", Keyframes([(0, 0, 13, 0)])))
+    assert overlap._repr_html_().startswith("<div><b>overlap at the start</b>: a&lt;b &times; shelf</div><img")
+    limit = taut2d.check(Scene.load(root / "examples" / "gears.json"), max_events=5)
+    assert re.match(r"<div><b>undecided from t = 0\.\d+</b>.*the limit of 5 events was reached</div><img", limit._repr_html_())
+    bow = Scene([Body("bow", [(0, 0), (1, 1), (1, 0), (0, 1)])], (0, 1))
+    assert bow._repr_html_().startswith("<pre>InputError: bow: the boundary is not simple")
+    assert dataclasses.replace(limit, scene=None)._repr_html_().endswith("</div>")
+    assert svg_in(taut2d.check(Scene([Body("a", LINK), Body("b", SHELF)], (1, 1)))._repr_html_()) is not None
 
 
 def test_without_matplotlib_an_error_says_what_is_missing():
