@@ -39,10 +39,11 @@ from .many import KeyframeRows, Outcome, VelocityRows, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
 from .options import run_options, scene_text, seconds
+from .parts import GeojsonFile, Part, WktFile
 from .pictures import Pose
 from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInterval, Range, clearance_from_json,
                         intervals_from_json, range_from_json)
-from .scene import Body, GeojsonFile, Part, Scene, WktFile, _plain_places
+from .scene import Body, Scene, _plain_places
 from .shape import Shape
 
 __all__ = [

@@ -8,7 +8,7 @@ from typing import Any
 from . import _taut2d
 from ._numbers import doubles
 from .errors import InputError
-from .scene import Part, WktFile, GeojsonFile, parts_of_value
+from .parts import GeojsonFile, Part, WktFile, parts_of_value
 
 __all__ = ["Shape"]
 

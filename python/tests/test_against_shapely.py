@@ -20,7 +20,7 @@ from shapely.ops import unary_union  # noqa: E402
 
 SMALL = 1e-9
 # The same examples every time: a change is at fault, never the day.
-SETTINGS = settings(max_examples=120, deadline=None, derandomize=True,
+SETTINGS = settings(max_examples=60, deadline=None, derandomize=True,
                     suppress_health_check=list(hypothesis.HealthCheck))
 
 
