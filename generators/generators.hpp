@@ -22,6 +22,20 @@ struct GearOptions {
 };
 Scene make_gears(const GearOptions& options);
 
+/// A planetary gear, which is a world: the sun drives planets on a carrier inside a ring that stands. The carrier is
+/// behind them, so that its pairs are ignored.
+struct PlanetaryOptions {
+  int sun = 18;           ///< teeth
+  int planet = 18;        ///< teeth of each planet; the ring has sun + 2 planet
+  int planets = 3;        ///< sun + ring must be a multiple of it
+  double module = 1;      ///< pitch diameter / teeth
+  double backlash = 0.1;  ///< along the pitch circle, in modules
+  int flank_points = 4;   ///< vertices per flank
+  double turns = 1;       ///< revolutions of the sun, which takes time 1 for each
+  bool hit = false;       ///< one space of the ring is too narrow
+};
+Scene make_planetary(const PlanetaryOptions& options);
+
 /// Two interlocked combs: the upper one oscillates in the slots of the lower one until time 1, and is pulled out
 /// until time 2.
 struct CombOptions {

@@ -356,7 +356,7 @@ world() { echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","pol
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
 expect 0 '^FREE' '' check world.json
 expect 0 '"pairs":\[{"bodies":\["a","b"\],"outcome":"free"}\]' '' check --json --pairs all world.json
-for command in draw view separator; do
+for command in view separator; do
   expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' "$command" world.json
 done
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
@@ -449,6 +449,23 @@ expect 1 '' 'overlap at the start' draw overlap.json --animate
 expect 2 '' '--animate excludes --at|--at excludes --animate' draw free.json --animate --at 1
 "$taut" gen gears -n 600 | "$taut" draw - --animate -o moving.svg
 [ "$(stat -c %s moving.svg)" -lt 200000 ] || { echo "FAILED: a large moving picture"; failures=$((failures + 1)); }
+
+# Pictures of worlds.
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[8,3],[8,8],[3,8]]]}},
+  {"name":"c","polygon":[[4,4],[5,4],[5,5]],"motion":{"velocity":[6,0]}},
+  {"name":"d","polygon":[[6,4],[7,4],[7,5]],"relative_to":"c"}' ',"ignore":[["a","*"]]'
+expect 0 '<title>4 bodies, t = 0\.1</title>' '' draw world.json --at 0.1
+expect 0 '>contact: b x d<' '' draw world.json
+expect 0 '>ignored \(1\): a x every other body<' '' draw world.json
+expect 0 '>contact: b x d<' 'b x d touch at t = 0\.1666.*; drawing that instant' draw world.json --at 0.9
+expect 0 '>contact at t = 0\.16666[67]<' '' draw world.json --animate
+expect 2 '' '--at: 3 is outside' draw world.json --at 3
+expect 2 '' '--level: there is no tiling.*of a world' draw world.json --level 1
+world '{"name":"b","polygon":[[0.5,0],[9,0],[9,9]]},{"name":"c","polygon":[[20,4],[21,4],[21,5]],"motion":{"velocity":[6,0]},"relative_to":"b"}'
+expect 0 '<title>a, b, c, t = 1</title>' '' draw world.json
+sed -i 's/"name":"b"/&,"motion":{"velocity":[1,0]}/' world.json
+expect 0 '>overlap: a x b<' 'a x b overlap at the start; drawing that instant' draw world.json
+expect 0 '>overlap at the start<' 'a x b overlap at the start' draw world.json --animate
 
 # Demos.
 expect 0 'lid .*bin' '' demo

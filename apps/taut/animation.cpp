@@ -4,9 +4,11 @@
 
 #include <optional>
 
+#include "pair/validate_world.hpp"
 #include "report.hpp"
 #include "taut/motions.hpp"
 #include "taut/simulation.hpp"
+#include "world_pictures.hpp"
 
 namespace taut::cli {
 
@@ -44,6 +46,12 @@ std::string ending(const Scene& scene, const std::optional<Contact>& contact) {
 }  // namespace
 
 std::string animation(const Scene& scene, Touch touch, AnimateOptions options) {
+  if (is_world(scene)) {
+    CheckOptions asked;
+    asked.touch = touch;
+    asked.tell_touching = false;
+    return world_animation(scene, check(scene, asked), {.draw = {.width = options.width}});
+  }
   const std::optional<Contact> contact = first_contact(scene, touch);
   options.contact = contact ? &*contact : nullptr;
   options.ending = ending(scene, contact);

@@ -12,6 +12,7 @@
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
 #include "io/terminal_text.hpp"
+#include "pair/validate_world.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -52,13 +53,16 @@ const Demo demos[] = {
      [] { return write_scene(gen::make_jigsaw(gen::JigsawOptions())); }},
     {"combs", "interlocked combs swing within their play: free",
      [] { return write_scene(gen::make_combs(gen::CombOptions())); }},
+    {"room", "a robot drives around pillars in a room, and meets one of them", [] { return std::string(room_scene); }},
+    {"planetary", "a planetary gear, planets turning on a carrier inside a ring: free",
+     [] { return write_scene(gen::make_planetary(gen::PlanetaryOptions())); }},
     {"spiral", "a spiral is screwed along the groove of another: free",
      [] { return write_scene(gen::make_spiral(gen::SpiralOptions())); }},
 };
 
 std::string list() {
   std::string s = "Demos, for `taut demo NAME`:\n";
-  for (const Demo& demo : demos) s += fmt::format("  {:8}  {}\n", demo.name, demo.what);
+  for (const Demo& demo : demos) s += fmt::format("  {:9}  {}\n", demo.name, demo.what);
   return s;
 }
 
@@ -121,7 +125,7 @@ int run_demo(const DemoArguments& arguments) {
   fmt::print("{}.json  {}\n", shown, demo.what);
   write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
   fmt::print("{}.svg   the motion, to open in a browser\n", shown);
-  if (viewer_is_there()) {
+  if (viewer_is_there() && !is_world(scene)) {
     if (!arguments.force) require_new(stem + ".html");
     write_viewer(scene, {}, stem + ".html");
     fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", shown);

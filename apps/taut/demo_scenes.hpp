@@ -5,5 +5,6 @@ namespace taut::cli {
 
 extern const char* const lid_scene;
 extern const char* const parking_scene;
+extern const char* const room_scene;
 
 }  // namespace taut::cli

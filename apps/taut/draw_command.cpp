@@ -5,10 +5,14 @@
 
 #include "animation.hpp"
 #include "commands.hpp"
+#include "io/terminal_text.hpp"
+#include "pair/validate_world.hpp"
+#include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/simulation.hpp"
 #include "watched_run.hpp"
+#include "world_pictures.hpp"
 
 namespace taut::cli {
 
@@ -31,8 +35,29 @@ double instant(const DrawArguments& arguments, const Scene& scene) {
                    "choose an instant within");
 }
 
+/// Of more than two polygons there is no tiling, but all bodies.
+int draw_world(const DrawArguments& arguments, const Scene& scene) {
+  if (arguments.level)
+    throw InputError("--level", "there is no tiling, and so no geodesic cycle, of a world",
+                     "only of two bodies of one polygon each, without holes and parents");
+  std::optional<double> at;
+  if (arguments.at) at = instant(arguments, scene);
+  CheckOptions options;
+  options.touch = arguments.touch;
+  options.tell_touching = false;
+  const Answer answer = watched_run(scene, arguments.scene.path, options, check);
+  const std::string note = world_note(scene, answer, at);
+  if (!note.empty()) fmt::print(stderr, "taut: {}\n", io::line_for_terminal(note));
+  WorldDrawOptions drawn;
+  drawn.width = arguments.options.width;
+  write_output(arguments.output, arguments.animate ? world_animation(scene, answer, {.draw = drawn})
+                                                   : world_picture(scene, answer, at, drawn));
+  return exit_free;
+}
+
 int run_draw(DrawArguments arguments) {
   const Scene scene = load_scene(arguments.scene);
+  if (is_world(scene)) return draw_world(arguments, scene);
   auto simulation =
       within_file(arguments.scene.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
   if (simulation->state() == SimulationState::overlap_at_start) {
@@ -93,7 +118,8 @@ void add_draw(const Command& app, Action& action) {
       "  taut draw scene.json --at 0.5 -o scene.svg\n"
       "  taut draw scene.json --animate -o moving.svg\n"
       "\n"
-      "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n");
+      "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n"
+      "Of a world, every body is drawn in a colour of its own, with its number in the legend; there is no tiling.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });
 }
 

@@ -56,6 +56,23 @@ void add_gears(const Command& gen, Action& action) {
   kind.add_option("--turns", o->turns, "revolutions of the first gear (1)").value("R");
 }
 
+void add_planetary(const Command& gen, Action& action) {
+  const auto o = std::make_shared<gen::PlanetaryOptions>();
+  const Command kind =
+      add_kind(gen, action, "planetary", "a planetary gear: sun, planets on a carrier, ring",
+               "one space of the ring is too narrow", o, [](gen::PlanetaryOptions options, std::optional<int> n) {
+                 if (n) options.flank_points = std::max(2, (*n / options.planet - 2) / 2);
+                 return gen::make_planetary(options);
+               });
+  kind.add_option("--sun", o->sun, "teeth of the sun (18)").value("N");
+  kind.add_option("--planet", o->planet, "teeth of each planet (18)").value("N");
+  kind.add_option("--planets", o->planets, "how many planets (3)").value("N");
+  kind.add_option("--module", o->module, "pitch diameter per tooth (1)").value("M");
+  kind.add_option("--backlash", o->backlash, "along the pitch circle, in modules (0.1)").value("B");
+  kind.add_option("--flank-points", o->flank_points, "vertices per flank (4)").value("N");
+  kind.add_option("--turns", o->turns, "revolutions of the sun (1)").value("R");
+}
+
 void add_combs(const Command& gen, Action& action) {
   const auto o = std::make_shared<gen::CombOptions>();
   const Command kind =
@@ -155,6 +172,7 @@ void add_gen(const Command& app, Action& action) {
       "\n"
       "Every scene is free of contact, or has one with --hit. `taut gen KIND --help` tells each kind's options.\n");
   add_gears(gen, action);
+  add_planetary(gen, action);
   add_combs(gen, action);
   add_lock(gen, action);
   add_jigsaw(gen, action);

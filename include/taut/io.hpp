@@ -1,6 +1,7 @@
 // Reading scenes and outlines, writing answers and pictures.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <string>
@@ -114,6 +115,33 @@ struct AnimateOptions {
 /// frames; a body must turn by less than 180 degrees from one to the next. Who prefers reduced motion sees the last
 /// frame.
 std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, const AnimateOptions& options = {});
+
+/// What draw_world_svg() shows, and how.
+struct WorldDrawOptions {
+  int width = 800;  ///< pixels
+  bool legend = true;
+  std::string title = {};  ///< instead of the bodies' names, or their number, and the time
+  /// Contacts to mark, the pair named.
+  std::vector<Contact> contacts = {};
+  /// Pairs of bodies that overlap, to mark.
+  std::vector<std::array<BodyId, 2>> overlaps = {};
+};
+/// An SVG picture of all bodies of a scene at time t, parents composed: each in a colour of its own and, where there is
+/// room, with its number in the legend, which shows parents by indentation and lists the pairs that are ignored. There
+/// is no tiling in it. The scene must be valid, and t within its time.
+std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options = {});
+
+/// What animate_world_svg() shows, and how.
+struct WorldAnimateOptions {
+  WorldDrawOptions draw = {};  ///< contacts and overlaps are marked on the last frame
+  double seconds = 6;          ///< that the motion takes
+  double pause = 2;            ///< seconds on the last frame, before it begins anew
+  int frames = 120;            ///< between which bodies move straight and turn evenly; at least 2
+  std::string ending = {};     ///< shown with the last frame: how it ends, in words
+};
+/// The same as a picture that moves, without script, from the scene's start to `end` at an even pace, then from the
+/// beginning. Who prefers reduced motion sees the last frame.
+std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options = {});
 
 /// The answers of intervals() and range() as `taut intervals --json` and `taut range --json` print them.
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);

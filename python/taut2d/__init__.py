@@ -17,7 +17,8 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
-clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
+check_many() takes arrays of motions, or many scenes, and answers on all processors; Shape prepares a shape for many
+scenes. clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
 without.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
@@ -27,58 +28,34 @@ moments. Functions may be called from several threads, which then run at the sam
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Union
+from typing import Optional, Union
 
 from . import _taut2d
 from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError
+from .many import KeyframeRows, Outcome, VelocityRows, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
+from .options import run_options, scene_text, seconds
+from .parts import GeojsonFile, Part, WktFile
+from .pictures import Pose
 from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInterval, Range, clearance_from_json,
                         intervals_from_json, range_from_json)
-from .scene import Body, GeojsonFile, Part, Scene, WktFile, _plain_places
+from .scene import Body, Scene, _plain_places
+from .shape import Shape
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction", "EdgeRef",
-    "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "Keyframes",
-    "Meeting", "NearestPoints", "OverlapInterval", "PairAnswer", "Part",
-    "Pieces", "Polynomial", "Proof", "Range", "Scene", "Sweep", "TautError", "Turn", "Velocity", "Verified", "VertexRef",
-    "WktFile", "check", "clearance", "intervals", "prove", "range", "verify",
+    "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
+    "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
+    "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
+    "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "TautError", "Turn", "Velocity",
+    "VelocityRows", "Verified", "VertexRef", "WktFile", "answer_dtype", "check", "check_many", "clearance",
+    "intervals", "prove", "range", "verify",
 ]
 
 __version__: str = _taut2d.version()
-
-
-def _seconds(limit: Optional[float]) -> Optional[float]:
-    if limit is None or limit == float("inf"):
-        return None
-    seconds = number(limit, "max_seconds")
-    if seconds < 0:
-        raise InputError("max_seconds", "the limit is negative", "give seconds, 0 or more")
-    return seconds
-
-
-def _options(touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int]) -> Any:
-    for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
-        if not isinstance(value, str):
-            raise InputError(name, f"expected a word, found {type(value).__name__}")
-    if max_events is not None:
-        try:
-            max_events = min(max_events.__index__(), 2**64 - 1)
-        except AttributeError as error:
-            raise InputError("max_events", f"expected a whole number, found {type(max_events).__name__}") from error
-        if max_events < 0:
-            raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
-    return _taut2d.RunOptions(touch, engine, pairs, _seconds(max_seconds), max_events)
-
-
-def _text(scene: Scene) -> _taut2d.SceneText:
-    if not isinstance(scene, Scene):
-        raise InputError("scene", f"expected a Scene, found {type(scene).__name__}",
-                         "Scene.load(path) reads a file, and Scene.from_json(text) the text of one")
-    return scene._text()
 
 
 def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
@@ -95,9 +72,9 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: 
     everywhere, unless ``max_seconds`` ends it. Raises InputError if the scene or an option is not valid, InternalError
     for a defect of taut, KeyboardInterrupt on Ctrl-C.
     """
-    options = _options(touch, engine, pairs, max_seconds, max_events)
+    options = run_options(touch, engine, pairs, max_seconds, max_events)
     with _plain_places():
-        return answer_from_json(_taut2d.check(_text(scene), options))
+        return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
 
 
 def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None) -> Intervals:
@@ -106,9 +83,9 @@ def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float]
     ``touch``: with "open", an instant at which bodies only touch is no interval; with "closed" it is one.
     ``max_seconds``: pairs that are not done by then are listed as undecided. Errors are those of check().
     """
-    options = _options(touch, "spacetime", "first", max_seconds, None)
+    options = run_options(touch, "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return intervals_from_json(_taut2d.intervals(_text(scene), options))
+        return intervals_from_json(_taut2d.intervals(scene_text(scene), options))
 
 
 def range(scene: Scene, around: float, *, touch: str = "open", max_seconds: Optional[float] = None) -> Range:
@@ -116,9 +93,9 @@ def range(scene: Scene, around: float, *, touch: str = "open", max_seconds: Opti
 
     Raises InputError if the instant is outside of the scene's time, or bodies overlap then; else as check().
     """
-    options = _options(touch, "spacetime", "first", max_seconds, None)
+    options = run_options(touch, "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return range_from_json(_taut2d.range(_text(scene), number(around, "around"), options))
+        return range_from_json(_taut2d.range(scene_text(scene), number(around, "around"), options))
 
 
 def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
@@ -129,19 +106,19 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
     ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. Errors are those of
     check().
     """
-    options = _options("open", "spacetime", pairs, max_seconds, None)
+    options = run_options("open", "spacetime", pairs, max_seconds, None)
     with _plain_places():
-        return clearance_from_json(_taut2d.clearance(_text(scene), number(tolerance, "tolerance"), options))
+        return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
 
 
 def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None,
           max_events: Optional[int] = None) -> Proof:
     """As check(), by the kinetic engine, with a log that proves the answer: about 13 bytes an event, in memory. Options
     and errors are those of check(). An undecided run proves what it has done."""
-    options = _options(touch, "kinetic", "first", max_seconds, max_events)
+    options = run_options(touch, "kinetic", "first", max_seconds, max_events)
     with _plain_places():
-        answer, log, name = _taut2d.prove(_text(scene), options)
-    return Proof(answer_from_json(answer), log, name)
+        answer, log, name = _taut2d.prove(scene_text(scene), options)
+    return Proof(answer_from_json(answer, scene), log, name)
 
 
 def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
@@ -159,6 +136,6 @@ def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
     else:
         with open(proof, "rb") as file:
             log = file.read()
-    limit = _seconds(max_seconds)
+    limit = seconds(max_seconds)
     with _plain_places():
-        return verified_from_json(_taut2d.verify(_text(scene), log, limit))
+        return verified_from_json(_taut2d.verify(scene_text(scene), log, limit))

@@ -47,3 +47,22 @@ def path_text(value: Any, place: str) -> str:
         return os.fsdecode(value)
     except TypeError as error:
         raise InputError(place, f"expected the path of a file, found {type(value).__name__}") from error
+
+
+def numpy_for(purpose: str) -> Any:
+    """The module numpy, which not everything needs."""
+    try:
+        import numpy
+    except ImportError as error:
+        raise ImportError(f"{purpose} needs numpy, which is not installed: on Debian, python3-numpy") from error
+    return numpy
+
+
+def doubles(value: Any) -> Any:
+    """An array's numbers as doubles. Other numbers become the nearest ones; what is none is an InputError."""
+    if getattr(value, "dtype", None) == float:
+        return value
+    try:
+        return value.astype(float)
+    except (TypeError, ValueError, AttributeError) as error:
+        raise InputError("", f"expected an array of numbers, found {value!r:.40}") from error

@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 __all__ = ["Answer", "Contact", "Coverage", "EdgeRef", "PairAnswer", "Proof", "VertexRef", "Verified"]
 
@@ -99,6 +102,7 @@ class Answer:
     ``engine``: who answered; ``events``, ``certificates_initial``, ``certificates_max``: of the kinetic engine.
     ``touch``, ``bodies``, ``time``: what the answer is about.
     ``id``: the id of the scene.
+    ``scene``: the Scene that was asked about.
     ``json``: the answer as ``taut check --json`` prints it, byte for byte, without the line break.
     """
 
@@ -122,11 +126,17 @@ class Answer:
     time: Interval
     id: Any
     json: str = field(repr=False)
+    scene: Optional[Scene] = field(default=None, repr=False, compare=False)
 
     @property
     def free(self) -> bool:
         """Proved free of collisions over the whole time. "undecided" is never free."""
         return self.outcome == "free"
+
+    def _repr_html_(self) -> str:
+        """What Jupyter shows: the answer in words, and the motion up to there."""
+        from .notebook import html_of_answer
+        return html_of_answer(self)
 
 
 @dataclass(frozen=True)
@@ -203,7 +213,7 @@ def _pair_answer(object: dict[str, Any]) -> PairAnswer:
                       object.get("reason"))
 
 
-def answer_from_json(text: str) -> Answer:
+def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
     """The answer that ``taut check --json`` has printed."""
     object = json.loads(text)
     scope, certificates = object["scope"], object["certificates"]
@@ -236,6 +246,7 @@ def answer_from_json(text: str) -> Answer:
         time=_floats(scope["time"]),
         id=object.get("id"),
         json=text,
+        scene=scene,
     )
 
 

@@ -4,169 +4,21 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, Optional, Union
 
-from . import _taut2d
-from ._numbers import number, path_text, point
+from . import _taut2d, pictures
+from ._numbers import number, point
+from .answers import Answer, Contact
 from .errors import InputError
 from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
+from .parts import GeojsonFile, OnePart, Part, WktFile, shape_of_value
+from .pictures import Pose
 
-__all__ = ["Body", "GeojsonFile", "Part", "Scene", "WktFile"]
-
-Point = tuple[float, float]
-Ring = tuple[Point, ...]
+__all__ = ["Body", "Scene"]
 
 _motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces)
-
-
-def _ring(values: Any, place: str) -> Ring:
-    """Points from a sequence of pairs, or from a numpy array with two columns."""
-    if hasattr(values, "tolist"):
-        # Python's own floats, many times faster than one by one.
-        values = values.tolist()
-    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
-        raise InputError(place, f"expected points, found {type(values).__name__}",
-                         "give a list of (x, y), or a numpy array with two columns")
-    return tuple(point(value, f"{place}[{i}]") for i, value in enumerate(values))
-
-
-@dataclass(frozen=True)
-class Part:
-    """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
-    columns: the vertices in order, in either orientation, the first one not repeated. Holes lie inside the outline, and
-    none touches it or another one."""
-
-    outline: Any
-    holes: Any = ()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "outline", _ring(self.outline, "outline"))
-        holes = tuple(_ring(hole, f"holes[{i}]") for i, hole in enumerate(self.holes))
-        object.__setattr__(self, "holes", holes)
-
-    def _json(self) -> Any:
-        outline = [list(p) for p in self.outline]
-        return {"outline": outline, "holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else outline
-
-
-@dataclass(frozen=True)
-class WktFile:
-    """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
-
-    path: Union[str, os.PathLike[str]]
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "path", path_text(self.path, "path"))
-
-    def _json(self) -> Any:
-        return {"wkt": self.path}
-
-
-@dataclass(frozen=True)
-class GeojsonFile:
-    """An outline from a file with a GeoJSON Polygon. ``path`` is relative to the scene's folder, and must lie below
-    it."""
-
-    path: Union[str, os.PathLike[str]]
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "path", path_text(self.path, "path"))
-
-    def _json(self) -> Any:
-        return {"geojson": self.path}
-
-
-OnePart = Union[Part, WktFile, GeojsonFile]
-Shape = Union[OnePart, tuple[OnePart, ...]]
-
-_shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
-               "__geo_interface__, or WKT")
-
-
-def _geo_ring(values: Any) -> Ring:
-    """As GeoJSON has it: the first vertex is repeated at the end, and heights may follow x and y."""
-    ring = tuple((number(p[0], "x"), number(p[1], "y")) for p in values)
-    return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
-
-
-def _geo_parts(geometry: Mapping[str, Any], place: str) -> tuple[Part, ...]:
-    kind = geometry.get("type")
-    if kind == "Feature":
-        return _geo_parts(geometry.get("geometry") or {}, place)
-    if kind == "FeatureCollection":
-        return tuple(part for f in geometry["features"] for part in _geo_parts(f, place))
-    if kind == "Polygon":
-        polygons = [geometry["coordinates"]]
-    elif kind == "MultiPolygon":
-        polygons = geometry["coordinates"]
-    else:
-        raise InputError(place, f"expected a Polygon or a MultiPolygon, found {kind}",
-                         "bodies are areas: buffer a line, say, or take the polygons out of a collection")
-    parts = tuple(Part(_geo_ring(rings[0]), tuple(_geo_ring(ring) for ring in rings[1:]))
-                  for rings in polygons if len(rings) > 0 and len(rings[0]) > 0)
-    if not parts:
-        raise InputError(place, "the geometry is empty")
-    return parts
-
-
-def _wkt_parts(text: str, place: str) -> tuple[Part, ...]:
-    try:
-        from shapely import wkt
-        from shapely.errors import ShapelyError
-    except ImportError as error:
-        raise InputError(place, "WKT is read by shapely, which is not installed",
-                         "install shapely, or give points, or WktFile(path)") from error
-    try:
-        geometry = wkt.loads(text)
-    except ShapelyError as error:
-        raise InputError(place, "this is not WKT", 'write "POLYGON ((0 0, 1 0, 0 1, 0 0))"') from error
-    return _geo_parts(geometry.__geo_interface__, place)
-
-
-def _is_number(value: Any) -> bool:
-    # An array of numpy, which offers __float__ as well, is none.
-    return getattr(value, "ndim", 0) == 0 and not isinstance(value, (str, bytes)) and hasattr(value, "__float__")
-
-
-def _is_ring(value: Any) -> bool:
-    """Does it begin as a list of points does? What is wrong further on is then wrong with a point."""
-    if hasattr(value, "ndim"):
-        return bool(value.ndim == 2)
-    if not value:
-        return True
-    first = value[0]
-    if isinstance(first, (str, bytes, Mapping, Part, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
-        return False
-    return _is_number(first) or (isinstance(first, Iterable) and all(map(_is_number, first)))
-
-
-def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
-    """The parts that a value stands for, and whether they were written as a list of parts."""
-    if isinstance(value, (Part, WktFile, GeojsonFile)):
-        return (value,), False
-    if isinstance(value, str):
-        return _wkt_parts(value, place), False
-    if hasattr(value, "__geo_interface__"):
-        return _geo_parts(value.__geo_interface__, place), False
-    if isinstance(value, Mapping):
-        if "outline" in value:
-            return (Part(value["outline"], tuple(value.get("holes", ()))),), False
-        return _geo_parts(value, place), False
-    if isinstance(value, bytes) or not isinstance(value, Iterable):
-        raise InputError(place, f"expected a shape, found {type(value).__name__}", _shape_hint)
-    if not hasattr(value, "ndim"):
-        value = list(value)
-    if _is_ring(value):
-        return (Part(_ring(value, place)),), False
-    return tuple(part for i, v in enumerate(value) for part in _parts(v, f"{place}[{i}]")[0]), True
-
-
-def _shape(value: Any, place: str) -> Shape:
-    parts, listed = _parts(value, place)
-    # A list of one part stays one: its vertices are then named with their part.
-    return parts if listed or len(parts) != 1 else parts[0]
 
 
 def _name(value: Any, place: str) -> str:
@@ -182,7 +34,7 @@ class Body:
     ``name``: what answers call it; all bodies of a scene have different names.
     ``shape``: a list of (x, y) or a numpy array with two columns, vertices in order, the first one not repeated; a Part,
     which may have holes; a list of shapes, which move together and may overlap; any object with ``__geo_interface__``
-    (a Polygon or MultiPolygon of shapely, a feature of geopandas), or the GeoJSON dictionary itself; a string of WKT,
+    (a Polygon or MultiPolygon of shapely, a feature of geopandas, a Shape), or the GeoJSON dictionary itself; a string of WKT,
     POLYGON or MULTIPOLYGON, if shapely is installed; WktFile or GeojsonFile. Afterwards it is a Part, a file, or a
     tuple of these.
     ``motion``: one of taut2d.motions, or None: it rests.
@@ -203,7 +55,7 @@ class Body:
     def __post_init__(self) -> None:
         _name(self.name, "name")
         try:
-            object.__setattr__(self, "shape", _shape(self.shape, "shape"))
+            object.__setattr__(self, "shape", shape_of_value(self.shape, "shape"))
         except InputError as error:
             raise InputError(f"{self.name}: {error.place}", error.problem, error.hint) from error
         if self.motion is not None and not isinstance(self.motion, _motions):
@@ -321,14 +173,57 @@ class Scene:
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.to_json() + "\n")
 
+    def with_motion(self, name: str, motion: Optional[Motion]) -> Scene:
+        """The same scene, in which one body moves in another way. Raises InputError if there is no such body."""
+        if all(body.name != name for body in self.bodies):
+            raise InputError("bodies", f"there is no body {name!r}", "bodies are called " + _names(self))
+        return replace(self, bodies=[replace(b, motion=motion) if b.name == name else b for b in self.bodies])
+
     def validate(self) -> None:
         """Raises InputError for everything that check() would refuse: boundaries that cross themselves, motions that
         jump, names that are not there."""
         with _plain_places():
             _taut2d.validate(self._text())
 
+    def poses(self, t: float) -> dict[str, Pose]:
+        """Where every body is at an instant, seen from the world: parents are composed. Rounded, good for pictures and
+        no part of a proof. Raises InputError if the scene is not valid, or the instant outside of its time."""
+        with _plain_places():
+            found = pictures.poses(self, [number(t, "t")])[0]
+        return {body.name: pose for body, pose in zip(self.bodies, found)}
+
+    def plot(self, ax: Any = None, at: Union[None, float, Answer, Contact] = None) -> Any:
+        """Draws the bodies at an instant by matplotlib, and returns the axes.
+
+        ``ax``: axes to draw into; None makes a new figure. ``at``: a time; or an Answer or a Contact, which is marked,
+        with the normal of its edge; None is the start. Raises ImportError if matplotlib is missing, InputError if the
+        scene is not valid or the instant outside of its time.
+        """
+        with _plain_places():
+            return pictures.plot(self, ax, at)
+
+    def animate(self, ax: Any = None, until: Union[None, float, Answer, Contact] = None, *, frames: int = 120,
+                seconds: float = 6.0) -> Any:
+        """Draws the motion by matplotlib, as a FuncAnimation, which must be kept until it is shown or saved:
+        ``scene.animate().save("motion.gif")``, or ``.to_jshtml()`` in a notebook.
+
+        ``until``: a time; or an Answer or a Contact, which is marked in the last frame; None is the end. ``frames``:
+        how many, 2 or more, which ``seconds`` pass evenly. ``ax`` and errors as in plot().
+        """
+        with _plain_places():
+            return pictures.animate(self, ax, until, frames, seconds)
+
+    def _repr_html_(self) -> str:
+        """What Jupyter shows: the motion, or what is wrong with the scene."""
+        from .notebook import html_of_scene
+        return html_of_scene(self)
+
     def _text(self) -> _taut2d.SceneText:
         return _scene_text(self.to_json(), _unnamed, self.folder)
+
+
+def _names(scene: Scene) -> str:
+    return ", ".join(repr(body.name) for body in scene.bodies)
 
 
 def _scene_text(text: str, name: str, folder: Union[str, os.PathLike[str]]) -> _taut2d.SceneText:
@@ -352,6 +247,6 @@ class _plain_places:
         pass
 
     def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
-        if isinstance(error, InputError) and error.place.startswith(_unnamed):
-            place = error.place.partition(": ")[2]
-            raise InputError(place, error.problem, error.hint) from None
+        if isinstance(error, InputError) and _unnamed in error.place:
+            row, _, rest = error.place.partition(_unnamed)
+            raise InputError(row + rest.partition(": ")[2], error.problem, error.hint) from None

@@ -15,6 +15,8 @@ class SvgCanvas {
 
   double width() const { return width_; }
   double height() const { return height_; }
+  /// Pixels a unit of length.
+  double scale() const { return scale_; }
   /// World to pixels.
   Point pixel(const Point& p) const;
 

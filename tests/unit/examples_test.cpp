@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/io.hpp"
 
 namespace taut {
@@ -64,6 +65,11 @@ const std::vector<Example> examples = {
     always("rotor_long_tooth.json", touches_at(0.6663450654749891)),
     always("spiral.json", is_free),
     always("worlds/arm.json", touches_at(0.2472470685612692)),
+    always("worlds/conveyor.json", touches_at(7)),
+    always("worlds/drawer.json", touches_at(36)),
+    always("worlds/geneva.json", is_free),
+    always("worlds/planetary.json", is_free),
+    always("worlds/puzzle.json", is_free),
     always("worlds/room.json", touches_at(2.283653104061214)),
 };
 
@@ -88,6 +94,34 @@ TEST_P(Examples, AreDecidedAsStated) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Examples, ::testing::ValuesIn(examples));
+
+/// Bodies that never touch keep a distance, and it is that of the play that they were drawn with.
+TEST(ExampleWorlds, KeepTheirPlay) {
+  const auto least = [](const std::string& file) {
+    return clearance(read_scene((examples_folder / "worlds" / file).string())).nearest.value();
+  };
+  const auto geneva = least("geneva.json"), planetary = least("planetary.json"), puzzle = least("puzzle.json");
+  // The pin of radius 1 in a slot that is 2.16 wide.
+  EXPECT_GT(geneva.lo, 0.05);
+  EXPECT_LT(geneva.hi, 0.08);
+  EXPECT_GT(planetary.lo, 0.03);
+  EXPECT_LT(planetary.hi, 0.05);
+  // Two flanks of slope 2, one of them moved to the side by 0.1.
+  EXPECT_NEAR(puzzle.lo, 0.1 * 2 / std::sqrt(5.0), 1e-8);
+  EXPECT_NEAR(puzzle.hi, 0.1 * 2 / std::sqrt(5.0), 1e-8);
+}
+
+TEST(ExampleWorlds, NameThePairThatMeets) {
+  const auto pair = [](const std::string& file) {
+    const Scene scene = read_scene((examples_folder / "worlds" / file).string());
+    const auto [a, b] = check(scene).pair.value();
+    return scene.bodies[static_cast<std::size_t>(a)].name + " x " + scene.bodies[static_cast<std::size_t>(b)].name;
+  };
+  EXPECT_EQ(pair("arm.json"), "shelf x hand");
+  EXPECT_EQ(pair("conveyor.json"), "box 3 x gate");
+  EXPECT_EQ(pair("drawer.json"), "handle x radiator");
+  EXPECT_EQ(pair("room.json"), "pillars x robot");
+}
 
 TEST(ExamplesFolder, HoldsNoSceneThatIsNotStated) {
   std::vector<std::string> stated, found;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "generators/generators.hpp"
+#include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "unit/sampled_overlap.hpp"
@@ -101,6 +102,34 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"maze_even", with(gen::make_maze, {.passes = 7, .ship_points = 3, .seed = 0}), 1000},
         Kind{"maze_of_one", with(gen::make_maze, {.passes = 1})}),
     [](const ::testing::TestParamInfo<Kind>& kind) { return kind.param.name; });
+
+TEST(Planetary, MeshesAtEveryRatioThatFits) {
+  for (const gen::PlanetaryOptions& o :
+       {gen::PlanetaryOptions{}, gen::PlanetaryOptions{.sun = 12, .planet = 15, .planets = 3},
+        gen::PlanetaryOptions{.sun = 24, .planet = 12, .planets = 4, .turns = 0.4},
+        gen::PlanetaryOptions{.sun = 20, .planet = 13, .planets = 1, .module = 3, .flank_points = 9}}) {
+    const Scene scene = gen::make_planetary(o);
+    ASSERT_EQ(scene.bodies.size(), static_cast<std::size_t>(3 + o.planets));
+    const Answer answer = check(scene, {.touch = Touch::closed});
+    EXPECT_STREQ(to_string(answer.outcome), "free") << o.sun << ", " << o.planet;
+    EXPECT_EQ(write_scene(parse_scene(write_scene(scene))), write_scene(scene));
+  }
+}
+
+TEST(Planetary, HitsTheNarrowSpaceWhenToldSo) {
+  const Scene scene = gen::make_planetary({.hit = true});
+  const Answer answer = check(scene);
+  ASSERT_TRUE(answer.contact);
+  EXPECT_GT(answer.contact->time.lo, 0);
+  EXPECT_EQ(scene.bodies[static_cast<std::size_t>((*answer.pair)[0])].name, "ring");
+  EXPECT_EQ(scene.bodies[static_cast<std::size_t>((*answer.pair)[1])].relative_to, "carrier");
+}
+
+TEST(Planetary, RefusesTeethThatDoNotFit) {
+  EXPECT_THROW(gen::make_planetary({.planets = 5}), InputError);
+  EXPECT_THROW(gen::make_planetary({.planets = 9}), InputError);
+  EXPECT_THROW(gen::make_planetary({.sun = 3}), InputError);
+}
 
 TEST(Generators, AreTheSameForTheSameSeed) {
   EXPECT_EQ(write_scene(gen::make_lock({.seed = 5})), write_scene(gen::make_lock({.seed = 5})));

@@ -5,38 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "support/svg_text.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
 
 namespace taut {
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-/// The attributes of all elements <animate...>.
-std::vector<std::string> animations(const std::string& svg) {
-  std::vector<std::string> all;
-  for (std::size_t i = svg.find("<animate"); i != svg.npos; i = svg.find("<animate", i + 1))
-    all.push_back(svg.substr(i, svg.find("/>", i) - i));
-  return all;
-}
-
-std::string attribute(const std::string& element, const std::string& name) {
-  const std::size_t begin = element.find(" " + name + "=\"");
-  if (begin == element.npos) return "";
-  const std::size_t value = begin + name.size() + 3;
-  return element.substr(value, element.find('"', value) - value);
-}
+using testing::animations;
+using testing::attribute;
+using testing::split;
 
 const Polygon centred_square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 

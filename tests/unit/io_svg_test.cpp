@@ -5,45 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "support/svg_text.hpp"
 #include "taut/io.hpp"
 
 namespace taut {
 namespace {
 
-/// Tags nest, attributes are quoted, nothing forbidden stands between. Enough XML for what we write.
-::testing::AssertionResult well_formed(const std::string& s) {
-  std::vector<std::string> open;
-  std::size_t i = 0;
-  while (i < s.size()) {
-    if (s[i] != '<') {
-      if (s[i] == '&' && s.find(';', i) > i + 6) return ::testing::AssertionFailure() << "bare & at " << i;
-      if (s[i] == '>') return ::testing::AssertionFailure() << "bare > at " << i;
-      ++i;
-      continue;
-    }
-    const std::size_t end = s.find('>', i);
-    if (end == s.npos) return ::testing::AssertionFailure() << "tag without end";
-    const std::string tag = s.substr(i + 1, end - i - 1);
-    if (tag.find('<') != tag.npos) return ::testing::AssertionFailure() << "< in tag " << tag;
-    const std::string name = tag.substr(tag[0] == '/', tag.find_first_of(" /", 1) - (tag[0] == '/'));
-    if (tag[0] == '/') {
-      if (open.empty() || open.back() != tag.substr(1)) return ::testing::AssertionFailure() << "unexpected " << tag;
-      open.pop_back();
-    } else {
-      if (std::count(tag.begin(), tag.end(), '"') % 2 != 0) return ::testing::AssertionFailure() << "quotes in " << tag;
-      if (tag.back() != '/') open.push_back(tag.substr(0, tag.find(' ')));
-    }
-    i = end + 1;
-  }
-  if (!open.empty()) return ::testing::AssertionFailure() << open.back() << " is not closed";
-  return ::testing::AssertionSuccess();
-}
-
-std::size_t count(const std::string& s, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t i = s.find(part); i != s.npos; i = s.find(part, i + part.size())) ++n;
-  return n;
-}
+using testing::count;
+using testing::well_formed;
 
 /// Two triangles side by side with the three faces between them made up.
 struct Picture {

@@ -1,0 +1,91 @@
+#include "world_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report.hpp"
+#include "taut/motions.hpp"
+
+namespace taut::cli {
+
+namespace {
+
+/// Larger files are slow to load where pages show them as images.
+constexpr std::size_t largest_moving_world = 200000;
+constexpr int fewest_world_frames = 30;
+
+/// The last instant of which something is known.
+double end_of(const Scene& scene, const Answer& answer) {
+  switch (answer.outcome) {
+    case Outcome::contact:
+      return answer.contact->time.lo;
+    case Outcome::overlap_at_start:
+      return scene.start;
+    case Outcome::undecided:
+      return answer.free_until;
+    default:
+      return scene.end;
+  }
+}
+
+void mark(const Answer& answer, WorldDrawOptions& options) {
+  if (answer.contact) options.contacts.push_back(*answer.contact);
+  if (answer.outcome == Outcome::overlap_at_start) options.overlaps.push_back(answer.pair.value_or(std::array{0, 1}));
+  for (const PairAnswer& pair : answer.also) {
+    if (pair.contact) options.contacts.push_back(*pair.contact);
+    if (pair.outcome == Outcome::overlap_at_start) options.overlaps.push_back(pair.bodies);
+  }
+}
+
+std::string name_of(const Scene& scene, BodyId body) { return scene.bodies[static_cast<std::size_t>(body)].name; }
+
+std::string pair_of(const Scene& scene, const Answer& answer) {
+  const auto [a, b] = answer.pair.value_or(std::array{0, 1});
+  return name_of(scene, a) + " x " + name_of(scene, b);
+}
+
+std::string ending_of(const Scene& scene, const Answer& answer) {
+  switch (answer.outcome) {
+    case Outcome::contact:
+      return fmt::format("contact at t = {:.6g}", answer.contact->time.lo);
+    case Outcome::overlap_at_start:
+      return "overlap at the start";
+    case Outcome::undecided:
+      return fmt::format("undecided from t = {:.6g}", answer.free_until);
+    default:
+      return scene.bodies.size() == 1 ? "" : "free";
+  }
+}
+
+}  // namespace
+
+std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at,
+                          WorldDrawOptions options) {
+  const double end = end_of(scene, answer), t = std::min(at.value_or(end), end);
+  if (t == end) mark(answer, options);
+  return draw_world_svg(scene, t, options);
+}
+
+std::string world_animation(const Scene& scene, const Answer& answer, WorldAnimateOptions options) {
+  mark(answer, options.draw);
+  options.ending = ending_of(scene, answer);
+  std::string svg;
+  for (;; options.frames /= 2) {
+    svg = animate_world_svg(scene, end_of(scene, answer), options);
+    if (svg.size() <= largest_moving_world || options.frames / 2 < fewest_world_frames) return svg;
+  }
+}
+
+std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at) {
+  const double end = end_of(scene, answer);
+  if (answer.outcome == Outcome::overlap_at_start)
+    return fmt::format("{} overlap at the start; drawing that instant", pair_of(scene, answer));
+  if (answer.outcome == Outcome::undecided && at.value_or(scene.end) > end)
+    return fmt::format("undecided from t = {} on ({}); drawing that instant", end, answer.reason);
+  if (answer.outcome == Outcome::contact && at && *at > end)
+    return fmt::format("{} touch at t = {}; drawing that instant", pair_of(scene, answer), end);
+  return "";
+}
+
+}  // namespace taut::cli

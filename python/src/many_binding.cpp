@@ -1,0 +1,106 @@
+// check_many: arrays of Python's in, rows of answers into an array of Python's.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "attended.hpp"
+#include "bindings.hpp"
+#include "check_rows.hpp"
+
+namespace py = pybind11;
+
+namespace taut_python {
+namespace {
+
+/// Buffers that are held while rows point into them. They hold the interpreter's objects: made and let go with its
+/// lock.
+class Buffers {
+ public:
+  /// Doubles without gaps, as many as there are said to be; the callers in Python see to that.
+  double* doubles(const py::buffer& buffer, std::size_t count, bool writable = false) {
+    held_.push_back(buffer.request(writable));
+    const py::buffer_info& info = held_.back();
+    if (info.format != py::format_descriptor<double>::format() || static_cast<std::size_t>(info.size) != count)
+      throw py::value_error("the buffer is not as it must be");
+    return static_cast<double*>(info.ptr);
+  }
+  AnswerRow* answers(const py::buffer& buffer, std::size_t count) {
+    held_.push_back(buffer.request(true));
+    const py::buffer_info& info = held_.back();
+    if (static_cast<std::size_t>(info.itemsize) != sizeof(AnswerRow) || static_cast<std::size_t>(info.size) != count)
+      throw py::value_error("the buffer of answers is not as it must be");
+    return static_cast<AnswerRow*>(info.ptr);
+  }
+  PivotColumn pivots(const py::object& given, std::size_t rows) {
+    if (given.is_none()) return {};
+    const auto buffer = given.cast<py::buffer>();
+    const bool one_each = buffer.request().ndim == 2;
+    return {doubles(buffer, one_each ? 2 * rows : 2), one_each};
+  }
+
+ private:
+  std::vector<py::buffer_info> held_;
+};
+
+/// A template and its columns, for Python to fill in.
+class Template {
+ public:
+  Template(const SceneText& text, std::size_t rows) : rows_(rows) {
+    taut::Scene scene = attended<taut::Scene>([&](const std::atomic<bool>&) {
+      taut::Scene read = text.read();
+      prepare_bodies(read);
+      return read;
+    });
+    table_ = std::make_unique<TemplateRows>(std::move(scene), rows);
+  }
+  void keyframes(std::size_t body, const py::buffer& values, std::size_t count, std::size_t columns,
+                 const py::object& pivots) {
+    const double* found = buffers_.doubles(values, rows_ * count * columns);
+    table_->motions.emplace_back(KeyframeColumn{body, found, count, columns, buffers_.pivots(pivots, rows_)});
+  }
+  void velocities(std::size_t body, const py::buffer& values, const py::object& pivots) {
+    const double* found = buffers_.doubles(values, rows_ * 3);
+    table_->motions.emplace_back(VelocityColumn{body, found, buffers_.pivots(pivots, rows_)});
+  }
+  void shapes(std::size_t body, const std::vector<std::shared_ptr<Shape>>& shapes) {
+    table_->shapes.push_back({body, {shapes.begin(), shapes.end()}});
+  }
+  void times(const py::buffer& values) { table_->times = buffers_.doubles(values, rows_ * 2); }
+  const RowScenes& rows() const { return *table_; }
+
+ private:
+  std::size_t rows_;
+  Buffers buffers_;
+  std::unique_ptr<TemplateRows> table_;
+};
+
+void check_all(const RowScenes& rows, const RunOptions& options, std::size_t threads, const py::buffer& into) {
+  Buffers buffers;
+  AnswerRow* answers = buffers.answers(into, rows.size());
+  attended<bool>([&](const std::atomic<bool>& stop) {
+    check_rows(rows, check_options(options, stop), threads, answers);
+    return true;
+  });
+}
+
+}  // namespace
+
+void bind_many(py::module_& module) {
+  py::class_<Template>(module, "Template")
+      .def(py::init<const SceneText&, std::size_t>())
+      .def("keyframes", &Template::keyframes)
+      .def("velocities", &Template::velocities)
+      .def("shapes", &Template::shapes)
+      .def("times", &Template::times);
+  module.def("check_rows", [](const Template& rows, const RunOptions& options, std::size_t threads,
+                              const py::buffer& into) { check_all(rows.rows(), options, threads, into); });
+  module.def("check_texts", [](const std::vector<SceneText>& texts, const RunOptions& options, std::size_t threads,
+                               const py::buffer& into) { check_all(TextRows(texts), options, threads, into); });
+}
+
+}  // namespace taut_python

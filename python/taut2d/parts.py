@@ -1,0 +1,169 @@
+"""Parts: polygons with holes, from everything that people have them in."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Union
+
+from ._numbers import number, path_text, point
+from .errors import InputError
+
+__all__ = ["GeojsonFile", "OnePart", "Part", "Parts", "WktFile", "parts_of_value", "shape_of_value"]
+
+Point = tuple[float, float]
+Ring = tuple[Point, ...]
+
+
+def _ring(values: Any, place: str) -> Ring:
+    """Points from a sequence of pairs, or from a numpy array with two columns."""
+    if hasattr(values, "tolist"):
+        # Python's own floats, many times faster than one by one.
+        values = values.tolist()
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise InputError(place, f"expected points, found {type(values).__name__}",
+                         "give a list of (x, y), or a numpy array with two columns")
+    return tuple(point(value, f"{place}[{i}]") for i, value in enumerate(values))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
+    columns: the vertices in order, in either orientation, the first one not repeated. Holes lie inside the outline, and
+    none touches it or another one."""
+
+    outline: Any
+    holes: Any = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "outline", _ring(self.outline, "outline"))
+        holes = tuple(_ring(hole, f"holes[{i}]") for i, hole in enumerate(self.holes))
+        object.__setattr__(self, "holes", holes)
+
+    def _json(self) -> Any:
+        outline = [list(p) for p in self.outline]
+        return {"outline": outline, "holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else outline
+
+
+@dataclass(frozen=True)
+class WktFile:
+    """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
+
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
+
+    def _json(self) -> Any:
+        return {"wkt": self.path}
+
+
+@dataclass(frozen=True)
+class GeojsonFile:
+    """An outline from a file with a GeoJSON Polygon. ``path`` is relative to the scene's folder, and must lie below
+    it."""
+
+    path: Union[str, os.PathLike[str]]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "path", path_text(self.path, "path"))
+
+    def _json(self) -> Any:
+        return {"geojson": self.path}
+
+
+OnePart = Union[Part, WktFile, GeojsonFile]
+Parts = Union[OnePart, tuple[OnePart, ...]]
+
+_shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
+               "__geo_interface__, or WKT")
+
+
+def _geo_ring(values: Any) -> Ring:
+    """As GeoJSON has it: the first vertex is repeated at the end, and heights may follow x and y."""
+    ring = tuple((number(p[0], "x"), number(p[1], "y")) for p in values)
+    return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+
+
+def _geo_parts(geometry: Mapping[str, Any], place: str) -> tuple[Part, ...]:
+    kind = geometry.get("type")
+    if kind == "Feature":
+        return _geo_parts(geometry.get("geometry") or {}, place)
+    if kind == "FeatureCollection":
+        return tuple(part for f in geometry["features"] for part in _geo_parts(f, place))
+    if kind == "Polygon":
+        polygons = [geometry["coordinates"]]
+    elif kind == "MultiPolygon":
+        polygons = geometry["coordinates"]
+    else:
+        raise InputError(place, f"expected a Polygon or a MultiPolygon, found {kind}",
+                         "bodies are areas: buffer a line, say, or take the polygons out of a collection")
+    parts = tuple(Part(_geo_ring(rings[0]), tuple(_geo_ring(ring) for ring in rings[1:]))
+                  for rings in polygons if len(rings) > 0 and len(rings[0]) > 0)
+    if not parts:
+        raise InputError(place, "the geometry is empty")
+    return parts
+
+
+def _wkt_parts(text: str, place: str) -> tuple[Part, ...]:
+    try:
+        from shapely import wkt
+        from shapely.errors import ShapelyError
+    except ImportError as error:
+        raise InputError(place, "WKT is read by shapely, which is not installed",
+                         "install shapely, or give points, or WktFile(path)") from error
+    try:
+        geometry = wkt.loads(text)
+    except ShapelyError as error:
+        raise InputError(place, "this is not WKT", 'write "POLYGON ((0 0, 1 0, 0 1, 0 0))"') from error
+    return _geo_parts(geometry.__geo_interface__, place)
+
+
+def _is_number(value: Any) -> bool:
+    # An array of numpy, which offers __float__ as well, is none.
+    return getattr(value, "ndim", 0) == 0 and not isinstance(value, (str, bytes)) and hasattr(value, "__float__")
+
+
+def _is_ring(value: Any) -> bool:
+    """Does it begin as a list of points does? What is wrong further on is then wrong with a point."""
+    if hasattr(value, "ndim"):
+        return bool(value.ndim == 2)
+    if not value:
+        return True
+    first = value[0]
+    if isinstance(first, (str, bytes, Mapping, Part, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
+        return False
+    return _is_number(first) or (isinstance(first, Iterable) and all(map(_is_number, first)))
+
+
+def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
+    """The parts that a value stands for, and whether they were written as a list of parts."""
+    if isinstance(value, (Part, WktFile, GeojsonFile)):
+        return (value,), False
+    if isinstance(value, str):
+        return _wkt_parts(value, place), False
+    if hasattr(value, "__geo_interface__"):
+        return _geo_parts(value.__geo_interface__, place), False
+    if isinstance(value, Mapping):
+        if "outline" in value:
+            return (Part(value["outline"], tuple(value.get("holes", ()))),), False
+        return _geo_parts(value, place), False
+    if isinstance(value, bytes) or not isinstance(value, Iterable):
+        raise InputError(place, f"expected a shape, found {type(value).__name__}", _shape_hint)
+    if not hasattr(value, "ndim"):
+        value = list(value)
+    if _is_ring(value):
+        return (Part(_ring(value, place)),), False
+    return tuple(part for i, v in enumerate(value) for part in _parts(v, f"{place}[{i}]")[0]), True
+
+
+def parts_of_value(value: Any, place: str) -> tuple[OnePart, ...]:
+    """The parts of a shape in any form that Body takes."""
+    return _parts(value, place)[0]
+
+
+def shape_of_value(value: Any, place: str) -> Parts:
+    parts, listed = _parts(value, place)
+    # A list of one part stays one: its vertices are then named with their part.
+    return parts if listed or len(parts) != 1 else parts[0]

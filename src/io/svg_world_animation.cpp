@@ -1,0 +1,186 @@
+// A picture of any number of bodies that moves, by SMIL: no script, so that it also runs where a page shows it as an
+// image.
+//
+// A body is one path, moved by its middle and turned about it: between frames the middle runs straight, so that what
+// turns about a point of its own does not wobble.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "io/svg_style.hpp"
+#include "io/svg_track.hpp"
+#include "io/svg_world_legend.hpp"
+#include "io/world_marks.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+
+namespace {
+
+constexpr double world_bar_height = 34, world_margin = 24;
+/// Instants between two frames at which angles are looked at, so that a fast turn is not taken for a slow one.
+constexpr int looks_between = 8;
+
+class WorldAnimation {
+ public:
+  WorldAnimation(const Scene& scene, double end, const WorldAnimateOptions& options)
+      : scene_(scene),
+        end_(end),
+        options_(options),
+        shapes_(scene),
+        frames_(frames()),
+        legend_(scene, options.draw.width),
+        canvas_(all_points(), options.draw.width, io::title_height, world_bar_height + legend_height()),
+        loop_(options.seconds + options.pause) {}
+
+  std::string draw() const {
+    const std::string title = options_.draw.title.empty() ? io::world_title(scene_) : options_.draw.title;
+    std::string out = io::world_head(canvas_, title,
+                                     "<style>.still{display:none}@media (prefers-reduced-motion:reduce)"
+                                     "{.moving{display:none}.still{display:inline}}</style>\n");
+    out += "<g class=\"moving\">\n" + layers(true) + "</g>\n<g class=\"still\">\n" + layers(false) + "</g>\n";
+    if (options_.draw.legend) out += legend_.draw(canvas_.height() - legend_.height());
+    return out + "</svg>\n";
+  }
+
+ private:
+  /// Where the bodies are, and by which angles they have turned since the start.
+  struct Frame {
+    std::vector<BodyPose> poses;
+    std::vector<double> degrees;
+  };
+
+  double legend_height() const { return options_.draw.legend ? legend_.height() : 0; }
+
+  std::vector<Frame> frames() const {
+    const int count = std::max(options_.frames, 2), looks = (count - 1) * looks_between;
+    Frame now{poses_at(scene_, scene_.start), std::vector<double>(shapes_.size(), 0.0)};
+    std::vector<Frame> out{now};
+    for (int k = 1; k <= looks; ++k) {
+      const double t = k == looks ? end_ : scene_.start + (end_ - scene_.start) * k / looks;
+      const std::vector<BodyPose> next = poses_at(scene_, t);
+      for (std::size_t b = 0; b < next.size(); ++b) {
+        const Point &x = now.poses[b].axis, &y = next[b].axis;
+        now.degrees[b] += std::atan2(x.x * y.y - x.y * y.x, x.x * y.x + x.y * y.y) * 180 / std::numbers::pi;
+      }
+      now.poses = next;
+      if (k % looks_between == 0) out.push_back(now);
+    }
+    return out;
+  }
+
+  std::vector<Point> all_points() const {
+    std::vector<Point> points;
+    for (std::size_t b = 0; b < shapes_.size(); ++b) {
+      for (const std::vector<Polygon>& part : shapes_.parts(b)) {
+        for (const Point& p : part[0]) {
+          for (const Frame& frame : frames_) points.push_back(io::placed(frame.poses[b], p));
+        }
+      }
+    }
+    return points;
+  }
+
+  /// Moving, or the last frame alone.
+  std::string layers(bool moving) const {
+    std::string out;
+    for (const std::size_t body : shapes_.painting_order()) out += draw_body(body, moving);
+    for (const std::size_t body : shapes_.painting_order()) out += draw_number(body, moving);
+    const std::string marks = io::world_marks(scene_, shapes_, frames_.back().poses, canvas_, options_.draw);
+    if (!marks.empty()) out += "<g>" + shown_at_the_end(moving) + marks + "</g>\n";
+    return out + draw_bar(moving);
+  }
+
+  /// The moment of the loop, 0 to 1, at which a frame is shown.
+  double moment(std::size_t frame) const {
+    return options_.seconds / loop_ * static_cast<double>(frame) / static_cast<double>(frames_.size() - 1);
+  }
+
+  Point pixel(const Frame& frame, std::size_t body, const Point& p) const {
+    return canvas_.pixel(io::placed(frame.poses[body], p));
+  }
+
+  /// A transform over all frames, held through the pause; nothing if it stays the same.
+  template <class Value>
+  std::string transform(const char* type, const Value& value) const {
+    io::SvgTrack track;
+    for (std::size_t k = 0; k < frames_.size(); ++k) track.add(moment(k), value(frames_[k]));
+    track.add(1, value(frames_.back()));
+    return track.varies() ? fmt::format("<animateTransform type=\"{}\" {}/>", type, track.text("transform", loop_))
+                          : "";
+  }
+
+  /// What is drawn around a point of the body, moved along with that point.
+  std::string carried(std::size_t body, const Point& p, const std::string& drawn, bool moving) const {
+    const auto place = [&](const Frame& frame) { return io::pixel_text(pixel(frame, body, p)); };
+    return fmt::format("<g transform=\"translate({})\">{}{}</g>\n", place(moving ? frames_.front() : frames_.back()),
+                       moving ? transform("translate", place) : "", drawn);
+  }
+
+  std::string draw_body(std::size_t body, bool moving) const {
+    const Frame& shown = moving ? frames_.front() : frames_.back();
+    const Point middle = pixel(shown, body, shapes_.middle(body));
+    const auto local = [&](const Point& p) {
+      const Point q = pixel(shown, body, p);
+      return Point{q.x - middle.x, q.y - middle.y};
+    };
+    const std::string path = io::body_shape(shapes_, body, local);
+    if (!moving) return carried(body, shapes_.middle(body), path, false);
+    // In pixels y points down: what turns left there turns right here.
+    const auto turned = [&](const Frame& frame) { return fmt::format("{:.2f}", -frame.degrees[body] + 0.0); };
+    return carried(body, shapes_.middle(body), "<g>" + transform("rotate", turned) + path + "</g>", true);
+  }
+
+  std::string draw_number(std::size_t body, bool moving) const {
+    const io::InnerPoint& inner = shapes_.inner(body);
+    if (!options_.draw.legend || !io::has_room(inner, canvas_.scale(), body)) return "";
+    return carried(body, inner.at, io::number_mark(body), moving);
+  }
+
+  /// Shown from the moment at which the motion stops.
+  std::string shown_at_the_end(bool moving) const {
+    if (!moving) return "";
+    return fmt::format(
+        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
+        "keyTimes=\"0;{:.5g}\" values=\"0;1\"/>",
+        loop_, moment(frames_.size() - 1));
+  }
+
+  /// Where in time the picture stands: a bar over the scene's interval, and in words how it ends.
+  std::string draw_bar(bool moving) const {
+    const double y = canvas_.height() - legend_height() - 20, whole = canvas_.width() - 2 * world_margin;
+    const double length = scene_.end - scene_.start;
+    const double reached = length > 0 ? whole * (end_ - scene_.start) / length : whole;
+    const bool hit = !options_.draw.contacts.empty() || !options_.draw.overlaps.empty();
+    const char* colour = hit ? io::contact_colour : io::reflex_colour;
+    io::SvgTrack track;
+    track.add(0, "0");
+    track.add(moment(frames_.size() - 1), fmt::format("{:.2f}", reached));
+    track.add(1, fmt::format("{:.2f}", reached));
+    return fmt::format(
+        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"4\" rx=\"2\" fill=\"#e3e3e3\"/>\n"
+        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{3:.2f}\" height=\"4\" rx=\"2\" fill=\"{4}\">{5}</rect>\n"
+        "<text x=\"{6:.2f}\" y=\"22\" text-anchor=\"end\" fill=\"{4}\">{7}{8}</text>\n",
+        world_margin, y, whole, reached, colour, moving ? fmt::format("<animate {}/>", track.text("width", loop_)) : "",
+        canvas_.width() - world_margin, shown_at_the_end(moving), io::escape_xml(options_.ending));
+  }
+
+  const Scene& scene_;
+  double end_;
+  const WorldAnimateOptions& options_;
+  io::WorldShapes shapes_;
+  std::vector<Frame> frames_;
+  io::WorldLegend legend_;
+  io::SvgCanvas canvas_;
+  double loop_;
+};
+
+}  // namespace
+
+std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options) {
+  return WorldAnimation(scene, end, options).draw();
+}
+
+}  // namespace taut

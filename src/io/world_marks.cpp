@@ -1,0 +1,124 @@
+#include "io/world_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/svg_style.hpp"
+#include "io/text_file.hpp"
+
+namespace taut::io {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Written beside a point, on the side where there is more room.
+std::string beside(const Point& p, const SvgCanvas& canvas, const std::string& text) {
+  const bool right = p.x < canvas.width() / 2;
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-weight=\"bold\" fill=\"{}\" stroke=\"#fff\" "
+      "stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
+      p.x + (right ? 14 : -14), p.y < title_height + 24 ? p.y + 26 : p.y - 14, right ? "start" : "end", contact_colour,
+      escape_xml(text));
+}
+
+/// White below, so that a line is seen on every colour.
+std::string seamed(const std::string& path, double width) {
+  return fmt::format(
+      "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"><path d=\"{0}\" stroke=\"#fff\" "
+      "stroke-width=\"{1}\"/><path d=\"{0}\" stroke=\"{2}\" stroke-width=\"{3}\"/></g>\n",
+      path, 2 * width, contact_colour, width);
+}
+
+std::string contact_mark(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const SvgCanvas& canvas,
+                         const Contact& contact) {
+  const Polygon& ring = shapes.parts(at(contact.edge.body))[at(contact.edge.part)][at(contact.edge.ring)];
+  const BodyPose& pose = poses[at(contact.edge.body)];
+  const std::size_t i = at(contact.edge.index);
+  const Point a = canvas.pixel(placed(pose, ring[i])), b = canvas.pixel(placed(pose, ring[(i + 1) % ring.size()]));
+  const Point p = canvas.pixel(contact.point);
+  const Point tip{p.x + 30 * contact.normal.x, p.y - 30 * contact.normal.y};
+  const std::string circle = fmt::format("M{:.2f},{:.2f}a9,9 0 1 0 18,0a9,9 0 1 0 -18,0", p.x - 9, p.y);
+  return seamed("M" + pixel_text(a) + "L" + pixel_text(b) + "M" + pixel_text(p) + "L" + pixel_text(tip) + circle, 2.5);
+}
+
+std::string overlap_mark(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const SvgCanvas& canvas,
+                         const std::array<BodyId, 2>& pair) {
+  std::string out;
+  for (const BodyId body : pair) {
+    const auto pixel = [&](const Point& p) { return canvas.pixel(placed(poses[at(body)], p)); };
+    for (const std::vector<Polygon>& part : shapes.parts(at(body))) out += seamed(rings_path(part, pixel), 2);
+  }
+  return out;
+}
+
+/// Where the pair's name stands: in the smaller one's place.
+Point middle_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const std::array<BodyId, 2>& pair) {
+  const std::vector<std::size_t>& order = shapes.painting_order();
+  const auto rank = [&](BodyId b) { return std::find(order.begin(), order.end(), at(b)) - order.begin(); };
+  const BodyId small = rank(pair[0]) > rank(pair[1]) ? pair[0] : pair[1];
+  return placed(poses[at(small)], shapes.inner(at(small)).at);
+}
+
+}  // namespace
+
+std::string world_head(const SvgCanvas& canvas, const std::string& title, const std::string& style) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"sans-serif\" font-size=\"13\">\n{2}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+      "<title>{3}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{3}</text>\n",
+      canvas.width(), canvas.height(), style, escape_xml(title));
+}
+
+std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width) {
+  const BodyLook look = body_look(body);
+  std::string out = fmt::format(
+      "<g fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" stroke-width=\"{:.3g}\" stroke-linejoin=\"round\" "
+      "opacity=\"0.93\">",
+      look.fill, look.line, parts.size() > 1 ? 1.6 * line_width : line_width);
+  for (const std::string& part : parts) out += "<path d=\"" + part + "\"/>";
+  if (parts.size() > 1) {
+    for (const std::string& part : parts) out += "<path d=\"" + part + "\" stroke=\"none\"/>";
+  }
+  return out + "</g>";
+}
+
+std::string world_marks(const Scene& scene, const WorldShapes& shapes, const std::vector<BodyPose>& poses,
+                        const SvgCanvas& canvas, const WorldDrawOptions& options) {
+  std::string out;
+  for (const auto& pair : options.overlaps) out += overlap_mark(shapes, poses, canvas, pair);
+  for (const Contact& contact : options.contacts) out += contact_mark(shapes, poses, canvas, contact);
+  // Words last, so that no line crosses them.
+  for (const auto& pair : options.overlaps)
+    out +=
+        beside(canvas.pixel(middle_of(shapes, poses, pair)), canvas, "overlap: " + pair_text(scene, pair[0], pair[1]));
+  for (const Contact& contact : options.contacts)
+    out += beside(canvas.pixel(contact.point), canvas,
+                  "contact: " + pair_text(scene, contact.vertex.body, contact.edge.body));
+  return out;
+}
+
+std::string world_title(const Scene& scene) {
+  if (scene.bodies.size() > 3) return fmt::format("{} bodies", scene.bodies.size());
+  std::string s;
+  for (const Body& body : scene.bodies) s += (s.empty() ? "" : ", ") + body.name;
+  return excerpt(s, 80);
+}
+
+double world_outline_width(const WorldShapes& shapes) {
+  return std::round(14 * std::clamp(60.0 / std::sqrt(static_cast<double>(shapes.vertices()) + 1), 0.4, 1.0)) / 10;
+}
+
+bool has_room(const InnerPoint& inner, double scale, std::size_t body) {
+  return inner.room * scale >= (body < 9 ? 7 : body < 99 ? 9 : 12);
+}
+
+std::string number_mark(std::size_t body) {
+  const BodyLook look = body_look(body);
+  return fmt::format("<text y=\"4\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text>", look.ink, body + 1);
+}
+
+}  // namespace taut::io

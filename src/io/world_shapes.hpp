@@ -1,0 +1,60 @@
+// The bodies of a world as a picture needs them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/feature.hpp"
+#include "taut/pose.hpp"
+#include "taut/scene.hpp"
+
+namespace taut::io {
+
+struct BodyLook {
+  const char *fill, *line;
+  const char* ink;  ///< for what is written on the fill
+};
+/// Colours that follow each other differ in lightness as well as in hue, so that neighbours in the legend are told
+/// apart in grey, too. There are twelve; then they come again, and numbers tell.
+BodyLook body_look(std::size_t body);
+
+/// A point deep inside a body, in its own coordinates, and how far it is from the boundary.
+struct InnerPoint {
+  Point at;
+  double room = 0;
+};
+
+/// All bodies, in their own coordinates.
+class WorldShapes {
+ public:
+  explicit WorldShapes(const Scene& scene);
+
+  std::size_t size() const { return bodies_.size(); }
+  /// Of each part of a body: its outline, then its holes.
+  const std::vector<std::vector<Polygon>>& parts(std::size_t body) const { return bodies_[body].parts; }
+  const InnerPoint& inner(std::size_t body) const { return bodies_[body].inner; }
+  /// Of its bounds.
+  const Point& middle(std::size_t body) const { return bodies_[body].middle; }
+  std::size_t vertices() const { return vertices_; }
+  /// Larger bodies first, so that none hides a smaller one that it overlaps.
+  const std::vector<std::size_t>& painting_order() const { return order_; }
+
+ private:
+  struct Shape {
+    std::vector<std::vector<Polygon>> parts;
+    InnerPoint inner;
+    Point middle;
+    double extent = 0;
+  };
+  std::vector<Shape> bodies_;
+  std::vector<std::size_t> order_;
+  std::size_t vertices_ = 0;
+};
+
+/// The body's point in the world.
+Point placed(const BodyPose& pose, const Point& p);
+
+/// "A x B", cut to what fits.
+std::string pair_text(const Scene& scene, BodyId a, BodyId b);
+
+}  // namespace taut::io

@@ -1,0 +1,190 @@
+// Pictures of worlds: all bodies where their chains of parents put them, holes, marks, and a legend that can be read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/svg_text.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/motions.hpp"
+#include "taut/pose.hpp"
+
+namespace taut {
+namespace {
+
+using testing::animations;
+using testing::attribute;
+using testing::count;
+using testing::split;
+using testing::well_formed;
+
+const Polygon unit_block{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+
+Body named(const std::string& name, const Polygon& polygon, const Motion& motion = {}) {
+  Body body;
+  body.name = name;
+  body.polygon = polygon;
+  body.motion = motion;
+  return body;
+}
+
+Polygon moved(Polygon polygon, double x, double y) {
+  for (Point& p : polygon) p = {p.x + x, p.y + y};
+  return polygon;
+}
+
+/// A room, a turning crank in it, and a rod on the crank, which the file names first.
+Scene crank_scene() {
+  Scene scene;
+  scene.end = 1;
+  Body rod = named("rod", {{5, -0.5}, {9, -0.5}, {9, 0.5}, {5, 0.5}}, from_velocity({0, 0}, -90, {5, 0}));
+  rod.relative_to = "crank <&>";
+  Body room;
+  room.name = "room";
+  room.parts = {
+      {moved({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0, 0), {{{-18, -18}, {18, -18}, {18, 18}, {-18, 18}}}}};
+  scene.bodies = {rod, named("crank <&>", {{0, -1}, {5, -1}, {5, 1}, {0, 1}}, from_velocity({0, 0}, 90)), room};
+  scene.ignore = {{"rod", "crank <&>"}, {"room", "*"}};
+  return scene;
+}
+
+TEST(PosesAt, MultipliesParentsIn) {
+  const Scene scene = crank_scene();
+  const std::vector<BodyPose> poses = poses_at(scene, 1);
+  ASSERT_EQ(poses.size(), 3U);
+  // The crank has turned by a right angle, its end from (5, 0) to (0, 5); the rod has turned back by as much about it.
+  EXPECT_NEAR(poses[1].axis.x, 0, 1e-15);
+  EXPECT_NEAR(poses[1].axis.y, 1, 1e-15);
+  EXPECT_NEAR(poses[0].axis.x, 1, 1e-15);
+  EXPECT_NEAR(poses[0].axis.y, 0, 1e-15);
+  EXPECT_NEAR(poses[0].origin.x, -5, 1e-14);
+  EXPECT_NEAR(poses[0].origin.y, 5, 1e-14);
+  EXPECT_EQ(poses[2].origin, Point{});
+  EXPECT_EQ(poses[2].axis, (Point{1, 0}));
+}
+
+TEST(PosesAt, RefusesParentsThatAreNotThereOrNeverEnd) {
+  Scene scene = crank_scene();
+  scene.bodies[0].relative_to = "craank";
+  EXPECT_THROW(poses_at(scene, 0), InputError);
+  scene.bodies[0].relative_to = "crank <&>";
+  scene.bodies[1].relative_to = "rod";
+  EXPECT_THROW(poses_at(scene, 0), InputError);
+}
+
+TEST(SvgWorld, DrawsEveryBodyAndLeavesHolesOpen) {
+  const std::string svg = draw_world_svg(crank_scene(), 0.5);
+  EXPECT_TRUE(well_formed(svg)) << svg;
+  EXPECT_NE(svg.find("<title>rod, crank &lt;&amp;&gt;, room, t = 0.5</title>"), std::string::npos) << svg;
+  EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 3U);
+  // The room is painted first, as one path of two rings.
+  const std::size_t first = svg.find("<path d=\"") + 9;
+  const std::string room = svg.substr(first, svg.find('"', first) - first);
+  EXPECT_EQ(count(room, "Z"), 2U) << room;
+}
+
+TEST(SvgWorld, DrawsPartsThatOverlapAsOne) {
+  Scene scene = crank_scene();
+  scene.bodies[1].parts = {{unit_block, {}}, {moved(unit_block, 1, 0), {}}};
+  scene.bodies[1].polygon.clear();
+  const std::string svg = draw_world_svg(scene, 0);
+  EXPECT_TRUE(well_formed(svg));
+  // Each part is a path of its own, or what both cover would be left open; then the lines inside are covered.
+  EXPECT_EQ(count(svg, "<path"), 6U);
+  EXPECT_EQ(count(svg, "stroke=\"none\""), 2U);
+}
+
+TEST(SvgWorld, SaysWhoIsWhoseParentAndWhatIsIgnored) {
+  const std::string svg = draw_world_svg(crank_scene(), 0);
+  EXPECT_NE(svg.find("ignored (2): rod x crank &lt;&amp;&gt;, room x every other body"), std::string::npos) << svg;
+  // The rod comes below the crank, one step to the right.
+  const std::size_t crank = svg.find(">crank &lt;&amp;&gt;</text>"), rod = svg.find(">rod</text>");
+  ASSERT_NE(crank, std::string::npos);
+  ASSERT_NE(rod, std::string::npos);
+  EXPECT_LT(crank, rod);
+  const auto place = [&](std::size_t text) { return split(svg.substr(svg.rfind("translate(", text) + 10, 20), ' '); };
+  EXPECT_EQ(std::stod(place(rod)[0]), std::stod(place(crank)[0]) + 14);
+  EXPECT_EQ(std::stod(place(rod)[1]), std::stod(place(crank)[1]) + 18);
+}
+
+TEST(SvgWorld, CountsWhatIsTooMuchToList) {
+  Scene scene;
+  scene.end = 1;
+  for (int i = 0; i < 75; ++i) {
+    scene.bodies.push_back(named("body " + std::to_string(i), moved(unit_block, 3 * (i % 10), 3 * (i / 10))));
+    if (i > 0) scene.ignore.push_back({"body 0", "body " + std::to_string(i)});
+  }
+  const std::string svg = draw_world_svg(scene, 0);
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 75U);
+  EXPECT_EQ(count(svg, "</text></g>\n") - count(svg, "font-size=\"11\""), 0U);
+  EXPECT_NE(svg.find("and 15 more bodies"), std::string::npos);
+  EXPECT_NE(svg.find("ignored (74): "), std::string::npos);
+  EXPECT_NE(svg.find("and 66 more"), std::string::npos);
+  EXPECT_EQ(svg.find(">body 60<"), std::string::npos);
+  const double height = std::stod(attribute(svg.substr(0, svg.find('>')), "height"));
+  EXPECT_LT(height, 1300);
+}
+
+TEST(SvgWorld, NamesThePairThatMeetsOrOverlaps) {
+  WorldDrawOptions options;
+  Contact contact;
+  contact.vertex = {0, 1};
+  contact.edge = {2, 1, 0, 1};
+  contact.point = {18, 0};
+  contact.normal = {-1, 0};
+  options.contacts = {contact};
+  const std::string met = draw_world_svg(crank_scene(), 0, options);
+  EXPECT_TRUE(well_formed(met));
+  EXPECT_NE(met.find(">contact: rod x room<"), std::string::npos) << met;
+  options.contacts.clear();
+  options.overlaps = {{0, 1}};
+  const std::string overlapping = draw_world_svg(crank_scene(), 0, options);
+  EXPECT_NE(overlapping.find(">overlap: rod x crank &lt;&amp;&gt;<"), std::string::npos);
+}
+
+TEST(SvgWorldAnimation, MovesChildrenWithTheirParents) {
+  WorldAnimateOptions options;
+  options.frames = 5;
+  options.ending = "free <all>";
+  Scene scene = crank_scene();
+  // Ten turns between two frames are still ten turns.
+  scene.bodies[1].motion = from_velocity({0, 0}, 4 * 360);
+  const std::string svg = animate_world_svg(scene, 1, options);
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_NE(svg.find("free &lt;all&gt;"), std::string::npos);
+  EXPECT_NE(svg.find("prefers-reduced-motion"), std::string::npos);
+  std::vector<std::string> ends;
+  for (const std::string& element : animations(svg)) {
+    const auto values = split(attribute(element, "values"), ';'), times = split(attribute(element, "keyTimes"), ';');
+    EXPECT_EQ(times.size(), values.size()) << element;
+    if (attribute(element, "type") == "rotate") ends.push_back(values.back());
+  }
+  // Larger bodies first: the crank, then the rod, which turns back by a right angle meanwhile.
+  EXPECT_EQ(ends, (std::vector<std::string>{"-1440.00", "-1350.00"}));
+}
+
+TEST(SvgWorldAnimation, EndsWhereTheStillPictureIs) {
+  const Scene scene = crank_scene();
+  WorldAnimateOptions options;
+  options.frames = 3;
+  const std::string svg = animate_world_svg(scene, 1, options);
+  const std::string last = svg.substr(svg.find("<g class=\"still\">"));
+  // The room rests: it is at the same place in both layers.
+  const auto room = [](const std::string& part) {
+    const std::size_t at = part.find("<g transform=");
+    return part.substr(at, part.find('>', at) - at);
+  };
+  EXPECT_EQ(room(svg), room(last));
+  // What moves stands, in the still layer, where the moving one comes to.
+  for (const std::string& element : animations(svg)) {
+    if (attribute(element, "type") != "translate") continue;
+    EXPECT_NE(last.find("translate(" + split(attribute(element, "values"), ';').back() + ")"), std::string::npos)
+        << element;
+  }
+}
+
+}  // namespace
+}  // namespace taut
