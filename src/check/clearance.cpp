@@ -117,7 +117,7 @@ class ClearanceSearch {
       spacetime::Nearest nearest;
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
-      spacetime::find_nearest(search.geometry, search.trees(), search.legs, tolerance_, nearest);
+      spacetime::find_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
       if (!options_.all_pairs && !(nearest.distance < before)) return;
       describe(search, nearest, found);
     }
@@ -129,15 +129,15 @@ class ClearanceSearch {
 
   /// Bodies that touch have no distance.
   bool touching(const PairSearch& search, NearestPoints& found) const {
-    const Leg& first = search.legs[0];
+    const Leg& first = search.legs()[0];
     if (spacetime::overlapping(search.geometry, search.trees(), first, plan_.start())) {
       found.time = {plan_.start(), plan_.start()};
       return true;
     }
-    const spacetime::SpacetimeResult contact = spacetime::first_contact(search.geometry, search.trees(), search.legs);
+    const spacetime::SpacetimeResult contact = spacetime::first_contact(search.geometry, search.trees(), search.legs());
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
     if (contact.outcome == spacetime::SpacetimeResult::undecided) throw Undecidable{"whether bodies touch"};
-    const Leg& leg = search.legs[contact.leg];
+    const Leg& leg = search.legs()[contact.leg];
     const Contact said = Witness(search.plan, search.geometry, false)
                              .contact({contact.vertex, contact.edge, contact.lo, contact.hi}, leg);
     found.time = said.time;
@@ -146,7 +146,7 @@ class ClearanceSearch {
   }
 
   void describe(const PairSearch& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
-    const Leg& leg = search.legs[nearest.leg];
+    const Leg& leg = search.legs()[nearest.leg];
     const Witness witness(search.plan, search.geometry, false);
     const auto at = [&](VertexId v) { return witness.world(v, leg, nearest.parameter); };
     found.points = nearest_points(at(nearest.edge_p), at(search.geometry.next(nearest.edge_p)), at(nearest.edge_q),

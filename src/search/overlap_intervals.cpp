@@ -44,9 +44,9 @@ class IntervalSearch {
 
  private:
   void find_clusters() {
-    std::vector<LegCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.legs);
+    std::vector<LegCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.legs());
     const auto time = [this](const LegCrossing& c, double parameter) {
-      return std::clamp(pair_.legs[c.leg].time(parameter), plan_.start(), plan_.end());
+      return std::clamp(pair_.legs()[c.leg].time(parameter), plan_.start(), plan_.end());
     };
     std::sort(all.begin(), all.end(), [](const LegCrossing& a, const LegCrossing& b) {
       return std::pair(a.leg, a.lo) < std::pair(b.leg, b.lo);
@@ -64,7 +64,7 @@ class IntervalSearch {
   }
   /// At an instant that no crossing is at.
   bool overlapping_at(double t) const {
-    const auto leg = std::find_if(pair_.legs.begin(), pair_.legs.end(),
+    const auto leg = std::find_if(pair_.legs().begin(), pair_.legs().end(),
                                   [t](const Leg& l) { return !l.bridge && l.start <= t && t <= l.end; });
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *leg, t).has_value();
   }
@@ -72,7 +72,7 @@ class IntervalSearch {
   bool inside_at_end(const Cluster& c, bool before) const { return c.first.out == c.last.out ? !c.last.out : before; }
 
   std::optional<Contact> contact_of(const LegCrossing& c) const {
-    return Witness(pair_.plan, pair_.geometry, inwards_).contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs[c.leg]);
+    return Witness(pair_.plan, pair_.geometry, inwards_).contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg]);
   }
   void begin(const TimeInterval& from, const std::optional<Contact>& enter) {
     OverlapInterval next;

@@ -1,5 +1,7 @@
 #include "search/pair_search.hpp"
 
+#include <utility>
+
 namespace taut {
 namespace {
 
@@ -13,11 +15,14 @@ const Hierarchy& tree_of(const RingSet& rings, bool inwards) {
 
 }  // namespace
 
-PairSearch::PairSearch(const WorldPlan& world, int a, int b, bool inwards)
-    : plan(world.pair(a, b)),
+PairSearch::PairSearch(PairPlan pair, SharedLegs all_legs, bool inwards)
+    : plan(std::move(pair)),
       geometry(displaced_pair(plan, inwards)),
-      legs(world.legs(plan)),
+      shared_legs(std::move(all_legs)),
       tree_p(tree_of(*plan.rings[0], inwards)),
       tree_q(tree_of(*plan.rings[1], inwards)) {}
+
+PairSearch::PairSearch(const WorldPlan& world, int a, int b, bool inwards)
+    : PairSearch(world.pair(a, b), std::make_shared<const std::vector<Leg>>(world.legs(world.pair(a, b))), inwards) {}
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 // A pair of a world, with what the spacetime engine needs of it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "spacetime/first_contact.hpp"
@@ -8,15 +9,19 @@
 
 namespace taut {
 
+using SharedLegs = std::shared_ptr<const std::vector<Leg>>;
+
 struct PairSearch {
   /// Throws InputError where a body has features that are finer than the displacement.
+  PairSearch(PairPlan pair, SharedLegs all_legs, bool inwards);
   PairSearch(const WorldPlan& world, int a, int b, bool inwards);
 
   spacetime::TreePair trees() const { return {tree_p, tree_q}; }
+  const std::vector<Leg>& legs() const { return *shared_legs; }
 
   PairPlan plan;
   PairGeometry geometry;
-  std::vector<Leg> legs;
+  SharedLegs shared_legs;
   const spacetime::Hierarchy &tree_p, &tree_q;
 };
 

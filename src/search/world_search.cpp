@@ -18,19 +18,6 @@ constexpr int deepest = 30;
 
 }  // namespace
 
-/// A pair that boxes do not tell apart.
-struct WorldSearch::Pair : PairSearch {
-  Pair(const WorldPlan& world, int a, int b, bool inwards) : PairSearch(world, a, b, inwards) {
-    result.a = a;
-    result.b = b;
-    result.free_until = world.end();
-  }
-
-  bool open() const { return result.outcome == Outcome::free; }
-
-  PairResult result;
-};
-
 /// The pairs that windows around this one have settled.
 struct WorldSearch::Settled {
   const Settled* above;
@@ -53,9 +40,12 @@ WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all)
 
 WorldSearch::~WorldSearch() = default;
 
-WorldSearch::Pair& WorldSearch::pair(int a, int b) {
-  std::unique_ptr<Pair>& place = pairs_[{std::min(a, b), std::max(a, b)}];
-  if (!place) place = std::make_unique<Pair>(plan_, std::min(a, b), std::max(a, b), inwards_);
+PairQuestion& WorldSearch::pair(int a, int b) {
+  std::unique_ptr<PairQuestion>& place = pairs_[{std::min(a, b), std::max(a, b)}];
+  if (!place) {
+    place = std::make_unique<PairQuestion>(PairSearch(plan_, std::min(a, b), std::max(a, b), inwards_), inwards_,
+                                           plan_.start(), plan_.end());
+  }
   return *place;
 }
 
@@ -81,38 +71,12 @@ bool WorldSearch::start() {
   std::iota(bodies.begin(), bodies.end(), 0);
   std::vector<SweptBox> boxes;
   for (const WorldBody& body : plan_.bodies()) boxes.push_back(swept_box(body, plan_.start(), plan_.start()));
-  bool overlap = false;
   each_meeting(bodies, boxes, [&](std::size_t i, std::size_t j) {
-    Pair& met = pair(bodies[i], bodies[j]);
-    start_of(met);
-    overlap = overlap || met.result.outcome == Outcome::overlap_at_start;
+    PairQuestion& met = pair(bodies[i], bodies[j]);
+    met.ask_start();
     if (!met.open()) stop_ = plan_.start();
   });
   return all_ || stop_ > plan_.start();
-}
-
-void WorldSearch::start_of(Pair& pair) {
-  const double t = plan_.start();
-  try {
-    const auto overlap = spacetime::overlapping(pair.geometry, pair.trees(), pair.legs[0], t, &precise_);
-    if (!overlap) return;
-    pair.result.free_until = t;
-    pair.result.outcome = Outcome::overlap_at_start;
-    if (inwards_) return;
-    // Touching makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
-    const PairGeometry inner = displaced_pair(pair.plan, true);
-    if (spacetime::overlapping(inner, pair.legs[0], t)) return;
-    pair.result.outcome = Outcome::contact;
-    pair.result.touching = overlap;
-    const Witness witness(pair.plan, pair.geometry, inwards_);
-    pair.result.contact = overlap->crossing
-                              ? witness.contact_of_crossing(overlap->edge_p, overlap->edge_q, pair.legs[0], t)
-                              : witness.contact_of_vertex(overlap->inside, pair.legs[0], t);
-  } catch (const Undecidable& limit) {
-    pair.result.free_until = t;
-    pair.result.outcome = Outcome::undecided;
-    pair.result.reason = not_decided(limit);
-  }
 }
 
 void WorldSearch::run() {
@@ -166,36 +130,23 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
 }
 
 /// The pair's first contact within the window, if there is one that matters.
-void WorldSearch::settle(Pair& pair, double from, double to) {
-  if (!pair.open() && pair.result.free_until <= from) return;
+void WorldSearch::settle(PairQuestion& pair, double from, double to) {
   const double end = all_ ? to : std::min(to, stop_);
   if (end < from) return;
-  const spacetime::SpacetimeResult found =
-      spacetime::first_contact(pair.geometry, pair.trees(), pair.legs, {from, end, from == plan_.start()});
-  precise_ += found.precise;
-  if (found.outcome == spacetime::SpacetimeResult::free) return;
-  const Leg& leg = pair.legs[found.leg];
-  PairResult result = pair.result;
-  result.free_until = std::clamp(leg.time(found.lo), plan_.start(), plan_.end());
-  if (found.outcome == spacetime::SpacetimeResult::contact) {
-    result.outcome = Outcome::contact;
-    result.found = FoundContact{found.vertex, found.edge, found.lo, found.hi};
-    result.leg = found.leg;
-    result.contact = Witness(pair.plan, pair.geometry, inwards_).contact(*result.found, leg);
-    result.contact->time.lo = std::max(result.contact->time.lo, plan_.start());
-    result.free_until = result.contact->time.lo;
-    stop_ = std::min(stop_, result.contact->time.hi);
-  } else {
-    result.outcome = Outcome::undecided;
-    result.reason = found.reason;
-  }
-  if (pair.open() || result.free_until < pair.result.free_until) pair.result = result;
+  pair.ask(from, end);
+  if (pair.result().contact) stop_ = std::min(stop_, pair.result().contact->time.hi);
 }
 
 std::vector<PairResult> WorldSearch::results() const {
   std::vector<PairResult> results;
-  for (const auto& [key, pair] : pairs_) results.push_back(pair->result);
+  for (const auto& [key, pair] : pairs_) results.push_back(pair->result());
   return results;
+}
+
+std::uint64_t WorldSearch::precise() const {
+  std::uint64_t sum = 0;
+  for (const auto& [key, pair] : pairs_) sum += pair->precise();
+  return sum;
 }
 
 }  // namespace taut

@@ -9,25 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "sign/contact_bracket.hpp"
-#include "spacetime/first_contact.hpp"
+#include "search/pair_question.hpp"
 #include "world/swept_box.hpp"
 
 namespace taut {
-
-/// What is known of one pair.
-struct PairResult {
-  int a = 0, b = 0;  ///< a < b
-  Outcome outcome = Outcome::free;
-  std::optional<Contact> contact;
-  double free_until = 0;
-  std::string reason;
-  /// Of a contact, in the terms of the pair's geometry: what was found, and on which leg; or how the shapes displaced
-  /// outwards overlap at the start.
-  std::optional<FoundContact> found;
-  std::size_t leg = 0;
-  std::optional<spacetime::StartOverlap> touching;
-};
 
 /// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window
 /// boxes are swept and pruned: a pair whose boxes meet, and that would not be told apart by shorter windows, is settled
@@ -51,15 +36,13 @@ class WorldSearch {
   /// Pairs that went to an engine.
   std::uint64_t checked() const { return pairs_.size(); }
   /// Questions to multi-precision.
-  std::uint64_t precise() const { return precise_; }
+  std::uint64_t precise() const;
 
  private:
-  struct Pair;
   struct Settled;
-  Pair& pair(int a, int b);
-  void start_of(Pair& pair);
+  PairQuestion& pair(int a, int b);
   void cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth);
-  void settle(Pair& pair, double from, double to);
+  void settle(PairQuestion& pair, double from, double to);
   bool wants_halves(int a, int b, const SweptBox& box_a, const SweptBox& box_b, int depth) const;
   void each_meeting(const std::vector<int>& bodies, const std::vector<SweptBox>& boxes,
                     const std::function<void(std::size_t, std::size_t)>& visit) const;
@@ -67,10 +50,9 @@ class WorldSearch {
 
   const WorldPlan& plan_;
   bool inwards_, all_;
-  std::map<std::pair<int, int>, std::unique_ptr<Pair>> pairs_;
+  std::map<std::pair<int, int>, std::unique_ptr<PairQuestion>> pairs_;
   std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
   double stop_, proved_;
-  std::uint64_t precise_ = 0;
 };
 
 }  // namespace taut

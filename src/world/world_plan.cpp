@@ -29,6 +29,8 @@ bool same_chain(const MotionChain& a, const MotionChain& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
 }
 
+}  // namespace
+
 double largest_coordinate(const Body& body) {
   double largest = 0;
   for (const Part& part : parts_of(body)) {
@@ -36,6 +38,8 @@ double largest_coordinate(const Body& body) {
   }
   return largest;
 }
+
+namespace {
 
 std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
@@ -120,13 +124,16 @@ void WorldPlan::count_pairs() {
 }
 
 PairPlan WorldPlan::pair(int a, int b) const {
-  const auto& first = bodies_[static_cast<std::size_t>(a)].rings;
-  const auto& second = bodies_[static_cast<std::size_t>(b)].rings;
+  return pair_of(bodies_[static_cast<std::size_t>(a)].rings, bodies_[static_cast<std::size_t>(b)].rings, exponent_,
+                 extent_);
+}
+
+PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent) {
   const bool swap = diagonal(second->bounds()) > diagonal(first->bounds());
   PairPlan plan;
   plan.rings = {swap ? second : first, swap ? first : second};
-  plan.exponent = exponent_;
-  plan.extent = extent_;
+  plan.exponent = exponent;
+  plan.extent = extent;
   for (std::size_t side = 0; side < 2; ++side) {
     plan.names[side] = plan.rings[side]->name();
     plan.maps[side].body = plan.rings[side]->body();

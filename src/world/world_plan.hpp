@@ -13,9 +13,17 @@
 
 namespace taut {
 
+using SharedRings = std::shared_ptr<const RingSet>;
+
+/// The largest magnitude of a coordinate of the body's outlines.
+double largest_coordinate(const Body& body);
+
+/// Two bodies in their roles: P is the larger one, by its bounds. Coordinates are the input's times 2^exponent.
+PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent);
+
 /// One body: its rings, and how it moves.
 struct WorldBody {
-  std::shared_ptr<const RingSet> rings;
+  SharedRings rings;
   /// Of its parents, the outermost first, and its own; those that rest are left out, unless all do. Scaled.
   MotionChain motions;
   int group = 0;
@@ -38,7 +46,6 @@ class WorldPlan {
   /// Of all pairs: how many are ignored, how many of the others are of one group. `apart` and `checked` are 0.
   const Coverage& coverage() const { return coverage_; }
 
-  /// P is the larger one, by its bounds.
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
   std::vector<Leg> legs(const PairPlan& pair) const;

@@ -153,7 +153,6 @@ TEST(WorldValidation, OthersRefuseWorlds) {
   Scene scene = world_with_holes({square_of(1, 1, 1)});
   EXPECT_THROW(Simulation simulation(scene), InputError);
   EXPECT_THROW(separator(scene, 0), InputError);
-  EXPECT_THROW(scene_fingerprint(scene, Touch::open), InputError);
   scene.bodies.pop_back();
   EXPECT_THROW(Simulation simulation(scene), InputError);
   EXPECT_THROW(separator(scene, 0), InputError);

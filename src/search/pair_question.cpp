@@ -1,0 +1,68 @@
+#include "search/pair_question.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "numeric/undecided.hpp"
+#include "sign/witness.hpp"
+
+namespace taut {
+
+PairQuestion::PairQuestion(PairSearch search, bool inwards, double start, double end)
+    : search_(std::move(search)), inwards_(inwards), start_(start), end_(end) {
+  const int p = search_.plan.rings[0]->body(), q = search_.plan.rings[1]->body();
+  result_.a = std::min(p, q);
+  result_.b = std::max(p, q);
+  result_.free_until = end;
+}
+
+void PairQuestion::ask_start() {
+  try {
+    settle_start();
+  } catch (const Undecidable& limit) {
+    result_.free_until = start_;
+    result_.outcome = Outcome::undecided;
+    result_.reason = not_decided(limit);
+  }
+}
+
+void PairQuestion::settle_start() {
+  const Leg& leg = search_.legs()[0];
+  const auto overlap = spacetime::overlapping(search_.geometry, search_.trees(), leg, start_, &precise_);
+  if (!overlap) return;
+  result_.free_until = start_;
+  result_.outcome = Outcome::overlap_at_start;
+  if (inwards_) return;
+  // Touching makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
+  if (spacetime::overlapping(displaced_pair(search_.plan, true), leg, start_)) return;
+  result_.outcome = Outcome::contact;
+  result_.touching = overlap;
+  const Witness witness(search_.plan, search_.geometry, inwards_);
+  result_.contact = overlap->crossing ? witness.contact_of_crossing(overlap->edge_p, overlap->edge_q, leg, start_)
+                                      : witness.contact_of_vertex(overlap->inside, leg, start_);
+}
+
+void PairQuestion::ask(double from, double to) {
+  if (!open() && result_.free_until <= from) return;
+  const spacetime::SpacetimeResult found =
+      spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_});
+  precise_ += found.precise;
+  if (found.outcome == spacetime::SpacetimeResult::free) return;
+  const Leg& leg = search_.legs()[found.leg];
+  PairResult result = result_;
+  result.free_until = std::clamp(leg.time(found.lo), start_, end_);
+  if (found.outcome == spacetime::SpacetimeResult::contact) {
+    result.outcome = Outcome::contact;
+    result.found = FoundContact{found.vertex, found.edge, found.lo, found.hi};
+    result.leg = found.leg;
+    result.contact = Witness(search_.plan, search_.geometry, inwards_).contact(*result.found, leg);
+    result.contact->time.lo = std::max(result.contact->time.lo, start_);
+    result.free_until = result.contact->time.lo;
+  } else {
+    result.outcome = Outcome::undecided;
+    result.reason = found.reason;
+  }
+  if (open() || result.free_until < result_.free_until) result_ = result;
+}
+
+}  // namespace taut
