@@ -16,5 +16,6 @@ void fail(benchmark::State& state, const std::string& what);
 void register_kinetic(bool quick);
 void register_spacetime(bool quick);
 void register_static(bool quick);
+void register_static_map(bool quick);
 
 }  // namespace taut::bench

@@ -19,6 +19,7 @@
 //
 // taut/check.hpp       the question and its answer
 // taut/proof.hpp       the answer with a proof, and the check of a proof
+// taut/static_map.hpp  one body among many that rest, asked often
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
@@ -44,5 +45,6 @@
 #include "taut/separator.hpp"
 #include "taut/shape.hpp"
 #include "taut/simulation.hpp"
+#include "taut/static_map.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"

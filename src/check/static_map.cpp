@@ -1,0 +1,230 @@
+#include "taut/static_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "check/headline.hpp"
+#include "check/run.hpp"
+#include "motion/pieces.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/validate_time.hpp"
+#include "pair/validate_world.hpp"
+#include "search/map_search.hpp"
+
+namespace taut {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The scene of these bodies while nothing moves.
+Scene resting(std::vector<Body> bodies) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  return scene;
+}
+
+void expect_rest(const Body& body) {
+  const bool rests = std::all_of(body.motion.pieces.begin(), body.motion.pieces.end(),
+                                 [](const MotionPiece& piece) { return same_motion(piece, MotionPiece{}); });
+  if (!rests || !body.relative_to.empty())
+    throw InputError(body.name, "the body moves, or is relative to another one",
+                     "a map is of bodies at rest in the world's frame; ask check() about scenes of moving ones");
+}
+
+/// Of the magnitudes of all coordinates but 0.
+ShapeFacts range_of(const std::vector<Body>& bodies) {
+  ShapeFacts range;
+  range.least = INFINITY;
+  for (const Body& body : bodies) {
+    for (const Part& part : parts_of(body)) {
+      for (std::size_t k = 0; k <= part.holes.size(); ++k) {
+        const ShapeFacts facts = facts_of(k == 0 ? part.outline : part.holes[k - 1]);
+        range.least = std::min(range.least, facts.least);
+        range.largest = std::max(range.largest, facts.largest);
+      }
+    }
+  }
+  return range;
+}
+
+Bounds unscaled(const RingSet& rings, int exponent) {
+  const Bounds& b = rings.bounds();
+  const auto back = [&](const Point& p) { return Point{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent)}; };
+  return {back(b.lo), back(b.hi)};
+}
+
+}  // namespace
+
+struct StaticMap::Impl {
+  std::vector<Body> bodies;
+  double largest = 0;  ///< magnitude of a coordinate that shapes may have
+  ShapeFacts range;    ///< of magnitudes
+  MapBodies prepared;
+};
+
+struct StaticMap::Mover::Impl {
+  std::string name;
+  SharedRings rings;
+  Bounds bounds;  ///< in the user's units
+  double extent = 0;
+  const void* map = nullptr;
+};
+
+namespace {
+
+std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
+  std::vector<SweptBox> boxes;
+  for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
+  return boxes;
+}
+
+MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::vector<SharedRings> rings;
+  double extent = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    rings.push_back(std::make_shared<const RingSet>(bodies[i], static_cast<int>(i), -exponent));
+    extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
+  }
+  const std::vector<SweptBox> boxes = boxes_of(rings);
+  return {std::move(rings), BoxTree(boxes), -exponent, extent};
+}
+
+/// One question, and its answer so far.
+class MapRun {
+ public:
+  MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
+         const CheckOptions& options)
+      : bodies_(bodies), start_(start), end_(end), options_(options), mover_{mover.rings, {}, 0} {
+    std::vector<MotionPiece> pieces = pieces_between(motion, start, end);
+    const bool rests = std::all_of(pieces.begin(), pieces.end(),
+                                   [](const MotionPiece& piece) { return same_motion(piece, MotionPiece{}); });
+    for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), bodies.exponent);
+    if (!rests) mover_.motions.push_back(std::move(pieces));
+  }
+
+  Answer run() {
+    Answer answer = asked(options_.touch == Touch::open);
+    if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !precise_)
+      return answer;
+    // Free by what doubles do not see: do they touch?
+    try {
+      const Answer touching = asked(false);
+      answer.touching = touching.contact;
+      answer.touching_undecided = touching.reason;
+    } catch (const InputError& refused) {
+      answer.touching_undecided = refused.what();
+    }
+    return answer;
+  }
+
+ private:
+  Answer asked(bool inwards) {
+    const Clock::time_point begun = Clock::now();
+    Answer answer;
+    answer.engine = EngineName::spacetime;
+    MapSearch search(bodies_, mover_, start_, end_, inwards);
+    std::string stopped;
+    try {
+      if (search.start()) search.run();
+      answer.outcome = Outcome::free;
+      answer.free_until = end_;
+    } catch (const Interrupted& limit) {
+      stopped = limit.reason;
+    }
+    conclude(search, stopped, answer);
+    precise_ = search.precise() > 0;
+    answer.run_seconds = seconds_since(begun);
+    return answer;
+  }
+
+  void conclude(const MapSearch& search, const std::string& stopped, Answer& answer) const {
+    std::vector<PairAnswer> events;
+    for (const PairResult& r : search.results()) {
+      if (r.outcome != Outcome::free) events.push_back(answer_of(r));
+    }
+    if (!stopped.empty()) {
+      std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < search.proved()); });
+      answer.outcome = Outcome::undecided;
+      answer.free_until = search.proved();
+      answer.reason = stopped;
+    }
+    take_headline(events, answer);
+    const std::uint64_t all = bodies_.rings.size();
+    answer.coverage = Coverage{all, 0, 0, all - search.checked(), search.checked()};
+  }
+
+  const MapBodies& bodies_;
+  double start_, end_;
+  const CheckOptions& options_;
+  WorldBody mover_;
+  bool precise_ = false;
+};
+
+}  // namespace
+
+StaticMap::StaticMap(std::vector<Body> bodies, double reach) {
+  const auto impl = std::make_shared<Impl>();
+  for (const Body& body : bodies) expect_rest(body);
+  const Scene scene = resting(std::move(bodies));
+  validate_world(scene);
+  impl->bodies = scene.bodies;
+  impl->range = range_of(impl->bodies);
+  impl->largest = reach;
+  for (const Body& body : impl->bodies) impl->largest = std::max(impl->largest, largest_coordinate(body));
+  impl->prepared = prepared_bodies(impl->bodies, impl->largest);
+  impl_ = impl;
+}
+
+std::size_t StaticMap::size() const { return impl_->bodies.size(); }
+
+const Body& StaticMap::body(BodyId id) const { return impl_->bodies.at(static_cast<std::size_t>(id)); }
+
+StaticMap::Mover StaticMap::prepare(const Body& body) const {
+  Body shape = body;
+  shape.motion = {};
+  shape.relative_to.clear();
+  validate_world(resting({shape}));
+  validate_range(impl_->range, range_of({shape}));
+  if (largest_coordinate(shape) > impl_->largest)
+    throw InputError(body.name, "the shape has coordinates beyond the map's reach",
+                     "give the map a larger `reach`, or the shape coordinates about its own middle");
+  const auto mover = std::make_shared<Mover::Impl>();
+  mover->name = body.name;
+  mover->rings = std::make_shared<const RingSet>(shape, static_cast<int>(size()), impl_->prepared.exponent);
+  mover->bounds = unscaled(*mover->rings, impl_->prepared.exponent);
+  mover->extent = std::max(impl_->prepared.extent, diagonal(mover->bounds));
+  mover->map = impl_.get();
+  return Mover(mover);
+}
+
+Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, double end,
+                        const CheckOptions& options) const {
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  if (mover.impl_->map != impl_.get())
+    throw InputError(mover.name(), "the mover was prepared for another map", "prepare it for this one");
+  Scene time;
+  time.start = start;
+  time.end = end;
+  validate_time(time);
+  validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
+  return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
+}
+
+std::optional<BodyId> StaticMap::overlapped(const Mover& mover, const Motion& motion, double t, Touch touch) const {
+  CheckOptions options;
+  options.touch = touch;
+  options.tell_touching = false;
+  const Answer answer = check(mover, motion, t, t, options);
+  if (answer.outcome == Outcome::undecided) throw UndecidedError(answer.reason);
+  if (answer.outcome == Outcome::free) return std::nullopt;
+  return (*answer.pair)[0];
+}
+
+const std::string& StaticMap::Mover::name() const { return impl_->name; }
+
+}  // namespace taut

@@ -1,0 +1,96 @@
+#include "search/map_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/interruption.hpp"
+#include "relative/make_legs.hpp"
+
+namespace taut {
+namespace {
+
+/// A window is short enough if the mover's box is at most so many times longer than it is at rest.
+constexpr double longest_way = 3;
+constexpr int deepest_halving = 30;
+
+}  // namespace
+
+MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, bool inwards)
+    : bodies_(bodies),
+      mover_(std::move(mover)),
+      start_(start),
+      end_(end),
+      inwards_(inwards),
+      size_(diagonal(mover_.rings->bounds())),
+      stop_(end),
+      proved_(start) {}
+
+const SharedLegs& MapSearch::legs(const PairPlan& plan) {
+  const bool mover_is_q = plan.rings[1] == mover_.rings;
+  SharedLegs& known = legs_[mover_is_q ? 1 : 0];
+  if (!known) {
+    const MotionChain rests{{MotionPiece{}}};
+    const MotionChain& moves = mover_.motions.empty() ? rests : mover_.motions;
+    known = std::make_shared<const std::vector<Leg>>(mover_is_q ? make_legs(rests, moves, start_, end_)
+                                                                : make_legs(moves, rests, start_, end_));
+  }
+  return known;
+}
+
+PairQuestion& MapSearch::pair(int body) {
+  std::unique_ptr<PairQuestion>& place = pairs_[body];
+  if (!place) {
+    PairPlan plan =
+        pair_of(bodies_.rings[static_cast<std::size_t>(body)], mover_.rings, bodies_.exponent, bodies_.extent);
+    const SharedLegs& all = legs(plan);
+    place = std::make_unique<PairQuestion>(PairSearch(std::move(plan), all, inwards_), inwards_, start_, end_);
+  }
+  return *place;
+}
+
+bool MapSearch::start() {
+  std::vector<int> near;
+  bodies_.boxes.find(swept_box(mover_, start_, start_), near);
+  for (const int body : near) {
+    PairQuestion& met = pair(body);
+    met.ask_start();
+    if (!met.open()) stop_ = start_;
+  }
+  return stop_ > start_ || start_ == end_;
+}
+
+void MapSearch::cover(double from, double to, int depth) {
+  interruption_point();
+  if (from > stop_) return;
+  proved_ = std::max(proved_, from);
+  const SweptBox box = swept_box(mover_, from, to);
+  if (!bodies_.boxes.any(box)) return;
+  const double middle = from + (to - from) / 2;
+  if (box.longest() > longest_way * size_ && depth < deepest_halving && from < middle && middle < to) {
+    cover(from, middle, depth + 1);
+    cover(middle, to, depth + 1);
+    return;
+  }
+  std::vector<int> near;
+  bodies_.boxes.find(box, near);
+  for (const int body : near) {
+    if (from > stop_) return;
+    PairQuestion& met = pair(body);
+    met.ask(from, std::min(to, stop_));
+    if (met.result().contact) stop_ = std::min(stop_, met.result().contact->time.hi);
+  }
+}
+
+std::vector<PairResult> MapSearch::results() const {
+  std::vector<PairResult> results;
+  for (const auto& [body, pair] : pairs_) results.push_back(pair->result());
+  return results;
+}
+
+std::uint64_t MapSearch::precise() const {
+  std::uint64_t sum = 0;
+  for (const auto& [body, pair] : pairs_) sum += pair->precise();
+  return sum;
+}
+
+}  // namespace taut

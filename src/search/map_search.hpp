@@ -1,0 +1,54 @@
+// The first contact of one moving body with any of many that rest.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "search/pair_question.hpp"
+#include "world/box_tree.hpp"
+
+namespace taut {
+
+/// Bodies at rest in one scale.
+struct MapBodies {
+  std::vector<SharedRings> rings;
+  BoxTree boxes;
+  int exponent = 0;
+  double extent = 0;
+};
+
+/// Time is halved while the mover's box grows by its way; each window asks the tree which bodies its box meets, and
+/// these are settled for it. Windows come in order of time and a contact ends the search. The legs of the motion are
+/// the same for all bodies of the map, but for the two roles that the mover can have.
+class MapSearch {
+ public:
+  /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
+  MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, bool inwards);
+
+  /// Overlaps, and contacts, at the start. False if nothing is left to ask.
+  bool start();
+  void run() { cover(start_, end_, 0); }
+
+  /// Of the bodies that the mover came near to, in the map's order.
+  std::vector<PairResult> results() const;
+  double proved() const { return proved_; }
+  std::uint64_t checked() const { return pairs_.size(); }
+  std::uint64_t precise() const;
+
+ private:
+  PairQuestion& pair(int body);
+  const SharedLegs& legs(const PairPlan& plan);
+  void cover(double from, double to, int depth);
+
+  const MapBodies& bodies_;
+  WorldBody mover_;
+  double start_, end_;
+  bool inwards_;
+  double size_;  ///< of the mover's box while it rests
+  double stop_, proved_;
+  std::array<SharedLegs, 2> legs_;  ///< with the mover as P, as Q
+  std::map<int, std::unique_ptr<PairQuestion>> pairs_;
+};
+
+}  // namespace taut
