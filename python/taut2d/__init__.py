@@ -47,13 +47,14 @@ from .scene import Body, Scene, _plain_places
 from .shape import Shape
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
+from .viewer import Viewer
 
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
     "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
     "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
     "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "WktFile", "answer_dtype", "check", "check_many",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_many",
     "clearance", "intervals", "prove", "range", "sweep", "verify",
 ]
 
