@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Optional, Union
 
@@ -259,6 +259,8 @@ def asked(scene: Any, motions: Any, shapes: Any, times: Any) -> Union[Variants, 
     if motions or shapes or times is not None:
         raise InputError("motions", "there are many scenes already, each with motions of its own",
                          "give one scene, and what differs from it")
+    if isinstance(scene, (str, bytes, Mapping)) or not isinstance(scene, Iterable):
+        raise InputError("scene", f"expected a Scene, or a list of them, found {type(scene).__name__}")
     scenes = list(scene)
     for i, one in enumerate(scenes):
         if not isinstance(one, Scene):
