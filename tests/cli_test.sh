@@ -356,9 +356,7 @@ world() { echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","pol
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
 expect 0 '^FREE' '' check world.json
 expect 0 '"pairs":\[{"bodies":\["a","b"\],"outcome":"free"}\]' '' check --json --pairs all world.json
-for command in view separator; do
-  expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' "$command" world.json
-done
+expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' separator world.json
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
 expect 0 '^VALID' '' verify world.json world.proof --expect free
 expect 1 'NOT VALID' '' verify three.json world.proof
@@ -506,6 +504,11 @@ expect 2 '' 'none.html: cannot open' view free.json --template none.html
 expect 2 '' 'free.json: not a template of the viewer' view free.json --template free.json
 expect 2 '' '--at: 11 is outside' view free.json --template page.html --at 11
 expect 2 '' 'bow.json: P: the boundary is not simple' view bow.json --template page.html -o x.html
+# Worlds as they are; what is wrong with one is said as by check.
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]},"relative_to":"a"}' ',"ignore":[["a","*"]]'
+expect 0 '"ignore":\[\["a","\*"\]\]' '' view world.json --template page.html
+sed -i 's/"relative_to":"a"/"relative_to":"q"/' world.json
+expect 2 '' 'world.json: b: there is no body "q" for it to be relative to' view world.json --template page.html -o x.html
 [ -e x.html ] && { echo "FAILED: a page of a bad scene"; failures=$((failures + 1)); }
 # Without a page nearby, the error names the remedy; beside the executable, the page is found.
 mkdir bin

@@ -6,17 +6,23 @@
 #include <string>
 
 #include "io/json_text.hpp"
+#include "pair/validate_world.hpp"
 #include "recording.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
-#include "taut/pose.hpp"
 #include "taut/validate.hpp"
+#include "world.hpp"
 
 namespace taut::web {
 namespace {
 
+/// What is open: one of the two, or none.
 std::unique_ptr<Recording> recording;
+std::unique_ptr<World> world;
 std::string result;
+
+/// The page stands still while a world is answered.
+constexpr double longest_wait = 20;
 
 template <class Ref>
 std::string indices_text(const std::vector<Ref>& features) {
@@ -90,6 +96,28 @@ std::string status_text(const Recording& r, bool reached) {
          ",\"answer\":" + answer_json(r.scene(), answer, r.touch()) + "}";
 }
 
+const char* outcome_state(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::free:
+      return "finished";
+    case Outcome::contact:
+      return "contact";
+    case Outcome::overlap_at_start:
+      return "overlap_at_start";
+    default:
+      return "undecided";
+  }
+}
+
+/// Of a world, with what its picture needs.
+std::string status_text(const World& w) {
+  const Answer& answer = w.answer();
+  return std::string("{\"state\":\"") + outcome_state(answer.outcome) +
+         "\",\"reached\":true,\"time\":" + io::number_text(w.end()) + ",\"freeUntil\":" + io::number_text(w.end()) +
+         ",\"initial\":0,\"max\":0,\"answer\":" + answer_json(w.scene(), answer, w.touch()) +
+         ",\"world\":" + shapes_text(w.scene()) + "}";
+}
+
 /// The tiling at t, from a simulation of its own.
 std::string picture(const Scene& scene, Touch touch, double t) {
   Simulation simulation(scene, touch);
@@ -112,7 +140,10 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* taut_read_scene(const char* text, const char* name) {
   return answered([&](Scene& scene) {
     scene = parse_scene(text, name);
-    validate(scene);
+    if (is_world(scene))
+      validate_world(scene);
+    else
+      validate(scene);
     return "{\"scene\":" + write_scene(scene) + "}";
   });
 }
@@ -130,18 +161,36 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char*
   });
 }
 
-/// Opens a scene in place of the present one: its status. On an error the present one stays.
+/// {"shapes": what pictures need of the bodies, see shapes_text()} of any valid scene.
+EMSCRIPTEN_KEEPALIVE const char* taut_shapes(const char* text) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, "scene");
+    validate_world(scene);
+    return "{\"shapes\":" + shapes_text(scene) + "}";
+  });
+}
+
+/// Opens a scene in place of the present one: its status. On an error the present one stays. A world is answered at
+/// once, and its status has "world" besides.
 EMSCRIPTEN_KEEPALIVE const char* taut_open(const char* text, const char* name, int closed) {
   return answered([&](Scene& scene) {
     scene = parse_scene(text, name);
-    auto fresh = std::make_unique<Recording>(scene, closed != 0 ? Touch::closed : Touch::open);
+    const Touch touch = closed != 0 ? Touch::closed : Touch::open;
+    if (is_world(scene)) {
+      world = std::make_unique<World>(scene, touch, longest_wait);
+      recording.reset();
+      return status_text(*world);
+    }
+    auto fresh = std::make_unique<Recording>(scene, touch);
     recording = std::move(fresh);
+    world.reset();
     return status_text(*recording, true);
   });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* taut_advance(double until, double milliseconds) {
   return answered([&](Scene&) {
+    if (world) return status_text(*world);
     const bool reached = current().advance(until, milliseconds);
     return status_text(current(), reached);
   });
@@ -156,22 +205,19 @@ EMSCRIPTEN_KEEPALIVE const char* taut_change_plan(const char* text, int body) {
   });
 }
 
-/// For 0 and 1: origin and axis at time t, four numbers each.
+/// Of every body, origin and axis at time t: four numbers each. Valid until the next call of this function.
 EMSCRIPTEN_KEEPALIVE const double* taut_poses(double t) {
-  static double poses[8];
-  if (!recording) return poses;
-  for (std::size_t b = 0; b < 2; ++b) {
-    const BodyPose p = pose_at(recording->scene().bodies[b].motion, t);
-    const double values[] = {p.origin.x, p.origin.y, p.axis.x, p.axis.y};
-    for (std::size_t i = 0; i < 4; ++i) poses[4 * b + i] = values[i];
-  }
-  return poses;
+  static std::vector<double> poses;
+  if (recording || world) poses = poses_of(world ? world->scene() : recording->scene(), t);
+  return poses.data();
 }
 
 /// The simulation's own view of a time, to compare a replay with: {"svg": ...}.
 EMSCRIPTEN_KEEPALIVE const char* taut_svg(double t) {
-  return answered(
-      [&](Scene&) { return "{\"svg\":" + io::string_text(picture(current().scene(), current().touch(), t)) + "}"; });
+  return answered([&](Scene&) {
+    const std::string svg = world ? world->picture(t) : picture(current().scene(), current().touch(), t);
+    return "{\"svg\":" + io::string_text(svg) + "}";
+  });
 }
 
 /// Arrays by number: 0 vertices, 1 half-edges at the start, 2 changes, 3 events (32-bit integers), 4 times (doubles).

@@ -42,6 +42,13 @@ const titles = {
   rotor: "Rotor (Fig. 17)",
   rotor_long_tooth: "Rotor, one tooth too long",
   spiral: "Spirals",
+  "worlds/room": "World: a robot in a room",
+  "worlds/arm": "World: an arm of three links",
+  "worlds/planetary": "World: a planetary gear",
+  "worlds/geneva": "World: a Geneva drive",
+  "worlds/drawer": "World: a drawer",
+  "worlds/conveyor": "World: boxes on a belt",
+  "worlds/puzzle": "World: a puzzle",
 };
 
 /** As JSON that may stand inside a script element. */

@@ -12,7 +12,6 @@
 #include "demo_scenes.hpp"
 #include "generators/generators.hpp"
 #include "io/terminal_text.hpp"
-#include "pair/validate_world.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -125,10 +124,10 @@ int run_demo(const DemoArguments& arguments) {
   fmt::print("{}.json  {}\n", shown, demo.what);
   write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
   fmt::print("{}.svg   the motion, to open in a browser\n", shown);
-  if (viewer_is_there() && !is_world(scene)) {
+  if (viewer_is_there()) {
     if (!arguments.force) require_new(stem + ".html");
     write_viewer(scene, {}, stem + ".html");
-    fmt::print("{}.html  the motion with its tiling and events, to step through in a browser\n", shown);
+    fmt::print("{}.html  the motion, to step through in a browser\n", shown);
   }
   const std::string next = shell_word(arguments.program) + " check " + shell_word(stem + ".json");
   fmt::print("next:  {}\n", io::line_for_terminal(next));

@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "pair/pair_plan.hpp"
+#include "pair/validate_world.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "viewer_page.hpp"
@@ -21,7 +22,10 @@ struct ViewArguments {
 int run_view(const ViewArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   try {
-    validated_facts(scene);  // the page has two bodies
+    if (is_world(scene))
+      validate_world(scene);
+    else
+      validated_facts(scene);
   } catch (const InputError& error) {
     throw error.within(display_name(arguments.scene.path));
   }

@@ -29,15 +29,6 @@ double end_of(const Scene& scene, const Answer& answer) {
   }
 }
 
-void mark(const Answer& answer, WorldDrawOptions& options) {
-  if (answer.contact) options.contacts.push_back(*answer.contact);
-  if (answer.outcome == Outcome::overlap_at_start) options.overlaps.push_back(answer.pair.value_or(std::array{0, 1}));
-  for (const PairAnswer& pair : answer.also) {
-    if (pair.contact) options.contacts.push_back(*pair.contact);
-    if (pair.outcome == Outcome::overlap_at_start) options.overlaps.push_back(pair.bodies);
-  }
-}
-
 std::string name_of(const Scene& scene, BodyId body) { return scene.bodies[static_cast<std::size_t>(body)].name; }
 
 std::string pair_of(const Scene& scene, const Answer& answer) {
@@ -63,12 +54,11 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
 std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at,
                           WorldDrawOptions options) {
   const double end = end_of(scene, answer), t = std::min(at.value_or(end), end);
-  if (t == end) mark(answer, options);
-  return draw_world_svg(scene, t, options);
+  return draw_world_svg(scene, t, t == end ? marked(answer, options) : options);
 }
 
 std::string world_animation(const Scene& scene, const Answer& answer, WorldAnimateOptions options) {
-  mark(answer, options.draw);
+  options.draw = marked(answer, options.draw);
   options.ending = ending_of(scene, answer);
   std::string svg;
   for (;; options.frames /= 2) {

@@ -126,6 +126,8 @@ struct WorldDrawOptions {
   /// Pairs of bodies that overlap, to mark.
   std::vector<std::array<BodyId, 2>> overlaps = {};
 };
+/// The same options with the contacts and overlaps of an answer, those at the same time included.
+WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options = {});
 /// An SVG picture of all bodies of a scene at time t, parents composed: each in a colour of its own and, where there is
 /// room, with its number in the legend, which shows parents by indentation and lists the pairs that are ignored. There
 /// is no tiling in it. The scene must be valid, and t within its time.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "attended.hpp"
+#include "base/interruption.hpp"
 #include "bindings.hpp"
 #include "check_rows.hpp"
 
@@ -51,7 +52,8 @@ class Buffers {
 class Template {
  public:
   Template(const SceneText& text, std::size_t rows) : rows_(rows) {
-    taut::Scene scene = attended<taut::Scene>([&](const std::atomic<bool>&) {
+    taut::Scene scene = attended<taut::Scene>([&](const std::atomic<bool>& stop) {
+      const taut::InterruptionScope scope(&stop, 1e300);
       taut::Scene read = text.read();
       prepare_bodies(read);
       return read;

@@ -17,9 +17,9 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
-check_many() takes arrays of motions, or many scenes, and answers on all processors; Shape prepares a shape for many
-scenes. clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
-without.
+clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
+without. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep() does, too, into
+files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -35,7 +35,7 @@ from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError
-from .many import KeyframeRows, Outcome, VelocityRows, answer_dtype, check_many
+from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
 from .options import run_options, scene_text, seconds
@@ -45,14 +45,17 @@ from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInt
                         intervals_from_json, range_from_json)
 from .scene import Body, Scene, _plain_places
 from .shape import Shape
+from .sweeps import SweepAnswers, sweep
+from .variants import KeyframeRows, VelocityRows
+from .viewer import Viewer
 
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
     "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
     "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
-    "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "TautError", "Turn", "Velocity",
-    "VelocityRows", "Verified", "VertexRef", "WktFile", "answer_dtype", "check", "check_many", "clearance",
-    "intervals", "prove", "range", "verify",
+    "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_many",
+    "clearance", "intervals", "prove", "range", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()

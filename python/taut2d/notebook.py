@@ -1,7 +1,7 @@
 """What Jupyter shows of scenes and answers: pictures that move, drawn by the library.
 
-They are images of some kilobytes, without script: the page of ``taut view`` has three megabytes, which every output of a
-notebook would hold anew, and needs a compiler for WebAssembly to be built.
+They are images of some kilobytes, without script. The viewer has three megabytes, which every output would hold anew, and
+needs a compiler for WebAssembly to be built: Scene.view() is for those who ask for it.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _taut2d, pictures
 from ._numbers import number, point
@@ -15,6 +15,9 @@ from .errors import InputError
 from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
 from .parts import GeojsonFile, OnePart, Part, WktFile, shape_of_value
 from .pictures import Pose
+
+if TYPE_CHECKING:
+    from .viewer import Viewer
 
 __all__ = ["Body", "Scene"]
 
@@ -212,6 +215,17 @@ class Scene:
         """
         with _plain_places():
             return pictures.animate(self, ax, until, frames, seconds)
+
+    def view(self, *, touch: str = "open", at: Optional[float] = None,
+             template: Union[None, str, os.PathLike[str]] = None) -> Viewer:
+        """The viewer, as ``taut view`` writes it: Jupyter shows it in place, and ``.save(path)`` makes a page of it.
+
+        ``touch``: as in check(). ``at``: the instant to show first; None is the start. ``template``: the page that
+        ``./dev web`` builds; None looks in the package, and where taut is installed. Raises InputError if there is none,
+        if the scene is not valid, or if it names files.
+        """
+        from .viewer import viewer_of
+        return viewer_of(self, touch, at, template)
 
     def _repr_html_(self) -> str:
         """What Jupyter shows: the motion, or what is wrong with the scene."""

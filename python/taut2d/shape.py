@@ -50,6 +50,9 @@ class Shape:
         self._core: _taut2d.Shape = shape._core if isinstance(shape, Shape) else _taut2d.Shape(_rings(shape), name)
         self.name = name
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Shape, (list(self.parts), self.name)
+
     @property
     def parts(self) -> tuple[Part, ...]:
         """Its parts, as tuples of floats."""

@@ -210,6 +210,43 @@ def test_intervals(scene):
 
 
 @SETTINGS
+@given(scenes())
+def test_closed_touching(scene):
+    answer = taut2d.check(scene, touch="closed")
+    opened = taut2d.check(scene)
+    first = {"overlap_at_start": 0, "contact": answer.contact and answer.contact.t[0], "free": 2}
+    later = {"overlap_at_start": 0, "contact": opened.contact and opened.contact.t[1], "free": 2}
+    assert first[answer.outcome] <= later[opened.outcome]
+    if answer.outcome == "contact":
+        shapes = placed(scene, answer.contact.t[0])
+        assert shapes[answer.pair[0]].distance(shapes[answer.pair[1]]) < SMALL
+    if answer.outcome != "overlap_at_start":
+        for t in sampled(0, min(first[answer.outcome], 1)):
+            shapes = placed(scene, t)
+            # Not even closed shapes have a point in common, by more than shapely's rounding.
+            assert all(shapes[a].intersection(shapes[b]).area < SMALL for a, b in pairs_of(scene))
+
+
+@SETTINGS
+@given(scenes(), reals(0, 1))
+def test_range(scene, around):
+    try:
+        found = taut2d.range(scene, around)
+    except taut2d.InputError:
+        shapes = placed(scene, around)
+        assert min(shapes[a].distance(shapes[b]) for a, b in pairs_of(scene)) < SMALL
+        return
+    start = 0 if found.start is None else found.start[1]
+    end = 1 if found.end is None else found.end[0]
+    assert start <= around <= end
+    assert_apart(scene, pairs_of(scene), [*sampled(start, end), end])
+    for span, t in ((found.before, found.start and found.start[0]), (found.after, found.end and found.end[1])):
+        if span is not None:
+            shapes = placed(scene, t)
+            assert shapes[span.pair[0]].distance(shapes[span.pair[1]]) < SMALL
+
+
+@SETTINGS
 @given(parts(), parts(), st.lists(keyframes().filter(lambda k: len(k) == 3), min_size=1, max_size=6))
 def test_many_rows(a, b, given_rows):
     scene = Scene([Body("a", a), Body("b", b)], (0, 1))

@@ -183,7 +183,17 @@ def test_help_has_words_for_everything():
 @pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
 def test_types_are_right_for_the_package_and_its_users(tmp_path):
     user = tmp_path / "user.py"
-    user.write_text(LONG + "answer: taut2d.Answer = taut2d.check(scene)\nscene.bodies[0].name.upper()\n")
+    user.write_text(LONG + """
+answer: taut2d.Answer = taut2d.check(scene)
+scene.bodies[0].name.upper()
+rows = taut2d.VelocityRows([(0, 1)], spin_deg=[3])
+moved: taut2d.Scene = scene.with_motion("a", rows[0])
+taut2d.check_many(moved, {"a": rows}, shapes={"b": [taut2d.Shape(square)]})["outcome"].mean()
+taut2d.sweep(scene, {"a": rows}, to="folder").array().tobytes()
+moved.poses(0)["a"].cos.hex()
+moved.plot(at=answer)
+moved.view().save("page.html")
+""")
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
     assert run.returncode == 0, run.stdout

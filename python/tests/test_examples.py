@@ -51,8 +51,11 @@ def test_the_notebook_runs(tmp_path):
                           examples / "first_steps.ipynb"], stderr=subprocess.PIPE, text=True, timeout=300, env=environment)
     assert run.returncode == 0, run.stderr
     cells = json.loads((tmp_path / "first_steps.ipynb").read_text())["cells"]
-    kinds = [kind for cell in cells for output in cell.get("outputs", []) for kind in output.get("data", {})]
-    assert kinds.count("image/png") >= 2 and kinds.count("text/html") >= 1
+    shown = [output.get("data", {}) for cell in cells for output in cell.get("outputs", [])]
+    pages = ["".join(data["text/html"]) for data in shown if "text/html" in data]
+    # The scene and the answer, as they show themselves, and the animation; two pictures of matplotlib.
+    assert [page.count("data:image/svg+xml") for page in pages] == [1, 1, 0] and "contact at t = " in pages[1]
+    assert sum("image/png" in data for data in shown) == 2
 
 
 def test_the_notebook_is_kept_without_outputs():

@@ -123,7 +123,7 @@ def test_arrays_of_every_kind():
     ((DROP, {"hammer": [[(0, 0, 0)]], "anvil": [[(0, 0, 0)]] * 2}), "the numbers of rows differ: "),
     ((DROP, {"hammer": [[(0, 0, 0)]] * 700 + [[(0, 0, float("nan"))]]}), "row 700: hammer: keyframe 0: a number is not"),
     ((DROP, [[(0, 0, 0)]]), "motions: expected a dictionary"),
-    (([DROP, 5],), r"scene\[1\]: expected a Scene, found int"),
+    ((5,), "scene: expected a Scene, or a list of them, found int"), (([DROP, 5],), r"scene\[1\]: expected a Scene, found int"),
     (([DROP, Scene([ANVIL, ANVIL, ANVIL], (0, 1))],), "row 1: bodies: two bodies are called"),
     ((Scene([ANVIL, Body("b", [(0, 0), (1, 1), (1, 0), (0, 1)])], (0, 1)), {"b": [[(0, 0, 0)]]}), "^b: the boundary is not")])
 def test_errors_name_the_row(arguments, message):

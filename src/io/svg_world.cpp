@@ -66,6 +66,17 @@ class WorldPicture {
 
 }  // namespace
 
+WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options) {
+  if (answer.contact) options.contacts.push_back(*answer.contact);
+  if (answer.outcome == Outcome::overlap_at_start)
+    options.overlaps.push_back(answer.pair.value_or(std::array<BodyId, 2>{0, 1}));
+  for (const PairAnswer& pair : answer.also) {
+    if (pair.contact) options.contacts.push_back(*pair.contact);
+    if (pair.outcome == Outcome::overlap_at_start) options.overlaps.push_back(pair.bodies);
+  }
+  return options;
+}
+
 std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options) {
   return WorldPicture(scene, t, options).draw();
 }

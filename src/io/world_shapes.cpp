@@ -12,7 +12,7 @@ namespace taut::io {
 
 namespace {
 
-constexpr BodyLook looks[] = {
+constexpr BodyLook looks[body_looks] = {
     {"#2a6f9e", "#032e4b", "#fff"}, {"#e59345", "#683e15", "#000"}, {"#159185", "#00423c", "#fff"},
     {"#f0d762", "#675b1e", "#000"}, {"#683b6a", "#341c35", "#fff"}, {"#7abee4", "#2e5366", "#000"},
     {"#966042", "#472b1b", "#fff"}, {"#f5accc", "#6d4758", "#000"}, {"#1e4070", "#0f203a", "#fff"},
@@ -77,7 +77,7 @@ InnerPoint inner_point(const std::vector<Polygon>& part) {
       for (const Point& p : middles(part, lo + (hi - lo) * tenths / 10, upright)) {
         double room = std::numeric_limits<double>::infinity();
         each_edge(part, [&](const Point& a, const Point& b) { room = std::min(room, distance(p, a, b)); });
-        if (room > worth_it * best.room) best = {p, room};
+        if (room > worth_it * best.room) best = {p, room, 0};
       }
     }
   }
@@ -86,7 +86,7 @@ InnerPoint inner_point(const std::vector<Polygon>& part) {
 
 }  // namespace
 
-BodyLook body_look(std::size_t body) { return looks[body % std::size(looks)]; }
+BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
 
 WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
   for (const Body& body : scene.bodies) {
@@ -98,7 +98,8 @@ WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
       std::size_t count = 0;
       for (const Polygon& ring : rings) count += ring.size();
       vertices_ += count;
-      const InnerPoint inner = count <= largest_searched ? inner_point(rings) : InnerPoint{};
+      InnerPoint inner = count <= largest_searched ? inner_point(rings) : InnerPoint{};
+      inner.part = shape.parts.size();
       if (inner.room > shape.inner.room) shape.inner = inner;
       grow(box, part.outline);
       shape.parts.push_back(std::move(rings));

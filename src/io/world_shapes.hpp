@@ -17,11 +17,13 @@ struct BodyLook {
 /// Colours that follow each other differ in lightness as well as in hue, so that neighbours in the legend are told
 /// apart in grey, too. There are twelve; then they come again, and numbers tell.
 BodyLook body_look(std::size_t body);
+inline constexpr std::size_t body_looks = 12;
 
 /// A point deep inside a body, in its own coordinates, and how far it is from the boundary.
 struct InnerPoint {
   Point at;
   double room = 0;
+  std::size_t part = 0;  ///< that it is in
 };
 
 /// All bodies, in their own coordinates.

@@ -18,6 +18,11 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A sample of a colour of the picture. */
+export function swatch(name: string, shape = ""): HTMLElement {
+  return h("i", { class: `swatch ${shape} c-${name}`, "aria-hidden": "true" });
+}
+
 /** Icons of 20 by 20, drawn for this page. */
 const paths = {
   play: "M6 4l10 6-10 6z",

@@ -1,8 +1,9 @@
 // What dragging a handle does to the scene.
-import type { Body, Pose, Scene } from "./engine";
+import type { Pose, Scene } from "./engine";
 import { local } from "./figure";
 import type { Handle, Handles } from "./handles";
 import { continued, keyframesOf, motionOf, moved, pivotOf, type Velocity } from "./motions";
+import { familyOf, ringOf } from "./shapes";
 
 export interface Drag extends Handle {
   /** Where the pointer was when it went down, in the world. */
@@ -10,8 +11,8 @@ export interface Drag extends Handle {
   before: Scene;
   /** The instant shown and the poses when the drag began: they stay. */
   t: number;
-  posesBefore: [Pose, Pose];
-  poses: [Pose, Pose];
+  posesBefore: Pose[];
+  poses: Pose[];
   /** Of the body's motion from now on. */
   velocity: Velocity;
 }
@@ -26,10 +27,10 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
   const by: [number, number] = [at[0] - drag.from[0], at[1] - drag.from[1]];
   switch (drag.kind) {
     case "body":
-      return moveBody(drag, body, handles.rounded(by[0]), handles.rounded(by[1]));
+      return moveBody(drag, scene, handles.rounded(by[0]), handles.rounded(by[1]));
     case "vertex": {
       const [u, v] = local(drag.poses[drag.body], ...at);
-      body.polygon[drag.index] = [handles.rounded(u), handles.rounded(v)];
+      ringOf(body)[drag.index] = [handles.rounded(u), handles.rounded(v)];
       return;
     }
     case "ghost":
@@ -48,11 +49,14 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
   }
 }
 
-function moveBody(drag: Drag, body: Body, dx: number, dy: number): void {
-  body.motion = moved(drag.before.bodies[drag.body], dx, dy);
-  drag.poses = [...drag.posesBefore];
-  const pose = drag.poses[drag.body];
-  drag.poses[drag.body] = { ...pose, x: pose.x + dx, y: pose.y + dy };
+/** And all that move with it. A body that moves with another one is moved in that one's frame. */
+function moveBody(drag: Drag, scene: Scene, dx: number, dy: number): void {
+  const body = scene.bodies[drag.body];
+  const parent = drag.posesBefore[scene.bodies.findIndex((other) => other.name === body.relative_to)];
+  const { c, s } = parent ?? { c: 1, s: 0 };
+  body.motion = moved(drag.before.bodies[drag.body], c * dx + s * dy, c * dy - s * dx);
+  const family = familyOf(scene, drag.body);
+  drag.poses = drag.posesBefore.map((pose, b) => (family.has(b) ? { ...pose, x: pose.x + dx, y: pose.y + dy } : pose));
 }
 
 function moveGhost(drag: Drag, scene: Scene, handles: Handles, pixel: [number, number], by: [number, number]): void {

@@ -2,18 +2,28 @@
 // simplified to a third of a pixel, tiling edges and faces come in falling size until they are too small or too many,
 // and of lines that fall on the same pixels one is drawn.
 import type { Camera } from "./camera";
+import type { Figure } from "./figure";
 import type { Frame, Layers } from "./frame";
 import { MapShape } from "./mapshape";
 import { Marks, pixelOf, type VertexPixels } from "./marks";
 import { addSegment, clipPolygon, farAway, SeenSegments } from "./pixels";
 import type { Replay } from "./replay";
 import type { Colours } from "./theme";
+import { WorldPainter } from "./worlddrawing";
 
 /** At full detail; see Painter.detail. */
 const mostTilingEdges = 5000;
 const mostFaceCorners = 14000;
 const mostCorners = 1500;
 const shades = 6;
+
+/** A vertex of a ring of a part of a body. */
+export interface Corner {
+  body: number;
+  part: number;
+  ring: number;
+  index: number;
+}
 
 export class Painter {
   private shape: MapShape | null = null;
@@ -24,6 +34,7 @@ export class Painter {
   /** Of all vertices of the map, in the present frame. */
   private readonly at: VertexPixels = { px: new Float64Array(0), py: new Float64Array(0) };
   private readonly marks: Marks;
+  private readonly world: WorldPainter;
   /** Numbers of things drawn in the last frame. */
   readonly drawn = { vertices: 0, tilingEdges: 0, faceCorners: 0 };
 
@@ -32,6 +43,7 @@ export class Painter {
     private readonly camera: Camera,
   ) {
     this.marks = new Marks(context, camera, this.at);
+    this.world = new WorldPainter(context, camera, this.marks);
   }
 
   draw(frame: Frame, layers: Layers, colours: Colours, ratio: number): void {
@@ -42,6 +54,15 @@ export class Painter {
     c.lineJoin = "round";
     c.lineCap = "round";
     this.drawn.vertices = this.drawn.tilingEdges = this.drawn.faceCorners = 0;
+    if (frame.world) this.drawn.vertices = this.world.draw(frame, frame.world, layers, colours);
+    else this.drawPair(frame, layers, colours);
+    for (const contact of frame.contacts) this.marks.contact(frame, contact, colours);
+    for (const fault of frame.faults) this.marks.fault(frame, fault, colours);
+    this.marks.scaleBar(colours);
+  }
+
+  /** Two bodies and the tiling between them. */
+  private drawPair(frame: Frame, layers: Layers, colours: Colours): void {
     const shape = this.update(frame);
     if (shape && layers.faces) this.drawFaces(shape, colours);
     for (const b of [0, 1]) this.drawBody(frame, b, layers, colours);
@@ -52,9 +73,6 @@ export class Painter {
     }
     this.marks.names(frame, colours);
     if (shape && frame.event) this.marks.event(frame.event, colours);
-    if (frame.contact) this.marks.contact(frame, frame.contact, colours);
-    for (const fault of frame.faults) this.marks.fault(frame, fault, colours);
-    this.marks.scaleBar(colours);
   }
 
   /** The map's elements, and the pixels of all its vertices. */
@@ -84,11 +102,11 @@ export class Painter {
     return this.shape;
   }
 
-  /** The vertex (body, index) that was drawn nearest to a pixel, within `reach` of it. */
-  nearestVertex(frame: Frame, x: number, y: number, reach: number): { body: number; index: number } | null {
-    let best: { body: number; index: number } | null = null;
+  /** The vertex that was drawn nearest to a pixel, within `reach` of it. */
+  nearestVertex(frame: Frame, x: number, y: number, reach: number): Corner | null {
+    let best: Corner | null = null;
     let least = reach * reach;
-    frame.figures.forEach((figure, body) => {
+    const look = (figure: Figure, body: number, part: number, ring: number): void => {
       const { a, b, c, d, e, f } = this.camera.placing(frame.poses[body]);
       for (let index = 0; index < figure.size; ++index) {
         const dx = e + a * figure.x[index] + b * figure.y[index] - x;
@@ -96,8 +114,11 @@ export class Painter {
         const distance = dx * dx + dy * dy;
         if (distance >= least) continue;
         least = distance;
-        best = { body, index };
+        best = { body, part, ring, index };
       }
+    };
+    frame.shapes.forEach(({ parts }, body) => {
+      if (!frame.hidden.has(body)) parts.forEach((rings, p) => rings.forEach((figure, r) => look(figure, body, p, r)));
     });
     return best;
   }

@@ -2,12 +2,13 @@
 import type { Camera } from "./camera";
 import { drives, follow, type Drag } from "./drags";
 import type { Pose, Scene } from "./engine";
-import { Figure, local } from "./figure";
+import { local } from "./figure";
 import type { FaultMarks, Frame } from "./frame";
 import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
 import { keyframesOf, pivotOf, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
+import { ringOf, Shape } from "./shapes";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
 
@@ -17,6 +18,8 @@ export interface EditorHost {
   /** A changed scene: `final` when the pointer was let go. */
   edited(scene: Scene, final: boolean, driven: boolean): void;
   redraw(): void;
+  /** Bodies that are not to be seen. */
+  readonly hidden: ReadonlySet<number>;
 }
 
 export class Editor implements Tool, Edited {
@@ -30,7 +33,7 @@ export class Editor implements Tool, Edited {
   stale = false;
   readonly handles: Handles;
   private drag: Drag | null = null;
-  private shapes: [Figure, Figure] | null = null;
+  private ownShapes: Shape[] | null = null;
 
   constructor(
     private readonly player: Player,
@@ -43,8 +46,9 @@ export class Editor implements Tool, Edited {
   /** Takes up a scene from elsewhere. */
   adopt(scene: Scene): void {
     this.scene = structuredClone(scene);
-    this.shapes = null;
+    this.ownShapes = null;
     this.vertex = -1;
+    this.body = Math.min(this.body, scene.bodies.length - 1);
   }
 
   get dragging(): boolean {
@@ -59,7 +63,7 @@ export class Editor implements Tool, Edited {
     return pivotOf(this.scene.bodies[this.body]) ?? [0, 0];
   }
 
-  poses(): [Pose, Pose] {
+  poses(): Pose[] {
     return this.drag?.poses ?? this.player.poses();
   }
 
@@ -69,9 +73,15 @@ export class Editor implements Tool, Edited {
     return velocityAt(poses, this.pivot(), this.player.t, this.scene.time[1]);
   }
 
-  figures(): [Figure, Figure] {
-    this.shapes ??= [new Figure(this.scene.bodies[0].polygon), new Figure(this.scene.bodies[1].polygon)];
-    return this.shapes;
+  shapes(): Shape[] {
+    this.ownShapes ??= this.scene.bodies.map((body) => new Shape(body));
+    return this.ownShapes;
+  }
+
+  topmost(): number[] {
+    const all = this.scene.bodies.map((_, b) => b);
+    const painted = this.player.world?.order.filter((b) => b < all.length) ?? all;
+    return [...painted].reverse().filter((b) => !this.host.hidden.has(b));
   }
 
   onChoose: (body: number) => void = () => {};
@@ -92,8 +102,8 @@ export class Editor implements Tool, Edited {
     const found = this.handles.find(x, y);
     if (!found) {
       // In the other modes a click chooses the body.
-      const other = 1 - this.body;
-      if (this.mode !== "look" && this.handles.covers(other, x, y)) this.choose(other);
+      const other = this.topmost().find((b) => b !== this.body && this.handles.covers(b, x, y));
+      if (this.mode !== "look" && other !== undefined) this.choose(other);
       return false;
     }
     if (found.body !== this.body) this.choose(found.body);
@@ -117,7 +127,7 @@ export class Editor implements Tool, Edited {
     const { drag } = this;
     if (!drag) return;
     follow(drag, this.scene, this.handles, x, y);
-    if (drag.kind === "vertex") this.shapes = null;
+    if (drag.kind === "vertex") this.ownShapes = null;
     this.host.edited(this.scene, false, drives(drag));
   }
 
@@ -135,14 +145,14 @@ export class Editor implements Tool, Edited {
     const edge = this.handles.edgeAt(x, y);
     if (edge < 0) return false;
     const [u, v] = local(this.poses()[this.body], ...this.handles.camera.world(x, y));
-    const { polygon } = this.scene.bodies[this.body];
+    const polygon = ringOf(this.scene.bodies[this.body]);
     polygon.splice(edge + 1, 0, [this.handles.rounded(u), this.handles.rounded(v)]);
     this.reshaped(edge + 1);
     return true;
   }
 
   removeVertex(): boolean {
-    const { polygon } = this.scene.bodies[this.body];
+    const polygon = ringOf(this.scene.bodies[this.body]);
     if (this.mode !== "shape" || this.vertex < 0 || polygon.length <= 3) return false;
     polygon.splice(this.vertex, 1);
     this.reshaped(-1);
@@ -151,7 +161,7 @@ export class Editor implements Tool, Edited {
 
   private reshaped(vertex: number): void {
     this.vertex = vertex;
-    this.shapes = null;
+    this.ownShapes = null;
     this.host.edited(this.scene, true, false);
   }
 
@@ -162,12 +172,16 @@ export class Editor implements Tool, Edited {
     const valid =
       this.faults.length === 0 && !this.stale && (!this.drag || (player.t === this.drag.t && !player.overlapping));
     return {
-      figures: this.figures(),
-      names: [this.scene.bodies[0].name, this.scene.bodies[1].name],
+      shapes: this.shapes(),
+      figures: this.shapes().map((shape) => shape.outline),
+      names: this.scene.bodies.map((body) => body.name),
       poses: this.poses(),
-      replay: valid ? player.replay : null,
+      world: player.world,
+      hidden: this.host.hidden,
+      replay: valid && !player.world ? player.replay : null,
       event: null,
-      contact: null,
+      contacts: [],
+      overlaps: [],
       faults: this.faults,
     };
   }

@@ -21,6 +21,33 @@ export class TautError extends Error {
 export interface Feature {
   body: string;
   index: number;
+  /** Left out where the body is one outline without holes; ring 0 is the outline, k the k-th hole. */
+  part?: number;
+  ring?: number;
+}
+
+export interface ContactAnswer {
+  vertex: Feature;
+  edge: Feature;
+  point: [number, number];
+  normal: [number, number];
+}
+
+/** Another pair that meets at the same time, as far as is known. */
+export interface PairAnswer {
+  bodies: [string, string];
+  outcome: string;
+  t?: [number, number];
+  contact?: ContactAnswer;
+}
+
+/** Of how many pairs an answer speaks. */
+export interface Coverage {
+  pairs: number;
+  ignored: number;
+  at_rest: number;
+  apart: number;
+  checked: number;
 }
 
 /** As `taut check --json` prints it. */
@@ -29,12 +56,25 @@ export interface Answer {
   t?: [number, number];
   /** Overlapping and touching cannot be told apart, all over t. */
   grazing?: boolean;
-  contact?: { vertex: Feature; edge: Feature; point: [number, number]; normal: [number, number] };
+  contact?: ContactAnswer;
+  pair?: [string, string];
+  also?: PairAnswer[];
+  coverage?: Coverage;
   free_until?: number;
   reason?: string;
   events: number;
   certificates: { initial: number; max: number };
   scope: { bodies: string[]; time: [number, number]; touch: "open" | "closed" };
+}
+
+/** What pictures need of bodies: see shapes_text() in wasm/world.hpp. */
+export interface WorldLooks {
+  /** Bodies, those first that are painted first. */
+  order: number[];
+  /** Of each body: x, y, how far from the boundary, and the part that it is in. */
+  inner: [number, number, number, number][];
+  /** Fill, line, and what is written on the fill; they come again after the last. */
+  looks: [string, string, string][];
 }
 
 export interface Status {
@@ -46,6 +86,15 @@ export interface Status {
   initial: number;
   max: number;
   answer: Answer;
+  /** Of more than two polygons, of which there is no tiling. */
+  world?: WorldLooks;
+}
+
+export type Ring = [number, number][];
+/** An outline minus its holes. */
+export interface Part {
+  outline: Ring;
+  holes?: Ring[];
 }
 
 export interface Motion {
@@ -54,12 +103,18 @@ export interface Motion {
   rotation?: Record<string, unknown>;
   /** What the body turns about, in its own coordinates. */
   pivot?: [number, number];
+  /** The place of the pivot goes around the centre. */
+  orbit?: { center: [number, number]; angle: number[] };
   until?: number;
 }
 
+/** One polygon, or parts. */
 export interface Body {
   name: string;
-  polygon: [number, number][];
+  polygon?: Ring;
+  parts?: (Ring | Part)[];
+  /** The body from whose frame the motion is seen. */
+  relative_to?: string;
   motion?: Motion | Motion[] | null;
 }
 
@@ -67,6 +122,19 @@ export interface Scene {
   format: "taut-scene/1";
   time: [number, number];
   bodies: Body[];
+  /** Pairs that are not asked about; "*" is every other body. */
+  ignore?: [string, string][];
+}
+
+/** As files have it: a polygon with holes is one part here. */
+export function inParts(scene: Scene): Scene {
+  for (const body of scene.bodies) {
+    const polygon = body.polygon as Ring | Part | undefined;
+    if (!polygon || Array.isArray(polygon)) continue;
+    body.parts = [polygon];
+    delete body.polygon;
+  }
+  return scene;
 }
 
 /** A body's point (u, v) is at (x, y) + u (c, s) + v (-s, c). */
@@ -85,6 +153,7 @@ interface Module {
   _free(pointer: number): void;
   _taut_read_scene(text: number, name: number): number;
   _taut_read_outline(text: number, name: number): number;
+  _taut_shapes(text: number): number;
   _taut_open(text: number, name: number, closed: number): number;
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
@@ -100,6 +169,9 @@ export type ArrayName = "vertices" | "start" | "changes" | "events";
 const arrayNumbers: Record<ArrayName, number> = { vertices: 0, start: 1, changes: 2, events: 3 };
 
 export class Engine {
+  /** Of the scene that is open. */
+  private bodies = 0;
+
   private constructor(private readonly module: Module) {}
 
   static async load(): Promise<Engine> {
@@ -107,7 +179,12 @@ export class Engine {
   }
 
   readScene(text: string, name: string): Scene {
-    return this.call<{ scene: Scene }>([text, name], (t, n) => this.module._taut_read_scene(t, n)).scene;
+    return inParts(this.call<{ scene: Scene }>([text, name], (t, n) => this.module._taut_read_scene(t, n)).scene);
+  }
+
+  /** What pictures need of the bodies of any valid scene. */
+  shapes(scene: string): WorldLooks {
+    return this.call<{ shapes: WorldLooks }>([scene], (t) => this.module._taut_shapes(t)).shapes;
   }
 
   readOutline(text: string, name: string): [number, number][] {
@@ -115,8 +192,12 @@ export class Engine {
       .polygon;
   }
 
-  open(text: string, name: string, closed: boolean): Status {
-    return this.call([text, name], (t, n) => this.module._taut_open(t, n, closed ? 1 : 0));
+  open(scene: Scene, name: string, closed: boolean): Status {
+    const status = this.call<Status>([JSON.stringify(scene), name], (t, n) =>
+      this.module._taut_open(t, n, closed ? 1 : 0),
+    );
+    this.bodies = scene.bodies.length;
+    return status;
   }
 
   advance(until: number, milliseconds: number): Status {
@@ -131,11 +212,12 @@ export class Engine {
     return this.call<{ svg: string }>([], () => this.module._taut_svg(t)).svg;
   }
 
-  poses(t: number): [Pose, Pose] {
+  /** Of every body of the scene that is open, parents included. */
+  poses(t: number): Pose[] {
     const at = this.module._taut_poses(t) >> 3;
     const h = this.module.HEAPF64;
     const pose = (i: number): Pose => ({ x: h[i], y: h[i + 1], c: h[i + 2], s: h[i + 3] });
-    return [pose(at), pose(at + 4)];
+    return Array.from({ length: this.bodies }, (_, b) => pose(at + 4 * b));
   }
 
   /** A view of memory that lasts until the next call. */

@@ -1,7 +1,8 @@
 // What one frame shows.
-import type { Pose } from "./engine";
+import type { Pose, WorldLooks } from "./engine";
 import type { Figure } from "./figure";
 import type { Edge, MapEvent, Replay } from "./replay";
+import type { Shape } from "./shapes";
 
 export interface Layers {
   faces: boolean;
@@ -19,7 +20,8 @@ export interface EventMarks {
 export interface ContactMarks {
   point: [number, number];
   normal: [number, number];
-  edge: { body: number; index: number };
+  edge: { body: number; part: number; ring: number; index: number };
+  label: string;
 }
 
 export interface FaultMarks {
@@ -29,12 +31,19 @@ export interface FaultMarks {
 }
 
 export interface Frame {
-  figures: [Figure, Figure];
-  names: [string, string];
-  poses: [Pose, Pose];
+  shapes: Shape[];
+  /** The outlines of the bodies' first parts. */
+  figures: Figure[];
+  names: string[];
+  poses: Pose[];
+  /** How bodies look that are more than two polygons. */
+  world: WorldLooks | null;
+  hidden: ReadonlySet<number>;
   /** Null where there is no map: bodies that overlap, or a scene that is being edited. */
   replay: Replay | null;
   event: EventMarks | null;
-  contact: ContactMarks | null;
+  contacts: ContactMarks[];
+  /** Bodies that overlap. */
+  overlaps: [number, number][];
   faults: FaultMarks[];
 }

@@ -2,7 +2,8 @@
 import { placed } from "./figure";
 import { spinRadius, type Edited, type Handles } from "./handles";
 import type { Keyframe } from "./motions";
-import type { Colours } from "./theme";
+import { ringOf } from "./shapes";
+import { lineOf, type Colours } from "./theme";
 
 export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
   if (edited.mode === "shape") drawVertices(c, edited, handles, colours);
@@ -13,15 +14,15 @@ export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles
 function drawVertices(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
   if (!handles.verticesShown()) return;
   const { scene, body, vertex } = edited;
-  for (let i = 0; i < scene.bodies[body].polygon.length; ++i) {
-    knob(c, handles.pixel(body, i), i === vertex ? colours.come : colours.bodyLine[body], colours.paper, 4.5);
+  for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
+    knob(c, handles.pixel(body, i), i === vertex ? colours.come : lineOf(colours, body), colours.paper, 4.5);
   }
 }
 
 function drawGhosts(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
-  const frames = edited.keyframes() ?? [];
+  const frames = handles.ghosts();
   c.setLineDash([6, 4]);
-  c.strokeStyle = colours.bodyLine[edited.body];
+  c.strokeStyle = lineOf(colours, edited.body);
   c.lineWidth = 1.5;
   drawPath(c, frames, edited, handles);
   drawOutlines(c, frames, edited, handles);
@@ -40,14 +41,15 @@ function drawPath(c: CanvasRenderingContext2D, frames: Keyframe[], edited: Edite
 }
 
 function drawOutlines(c: CanvasRenderingContext2D, frames: Keyframe[], edited: Edited, handles: Handles): void {
-  const figure = edited.figures()[edited.body];
-  const kept = figure.outline(0.7 / handles.camera.scale);
   for (const k of frames) {
     const pose = handles.ghostPose(k);
-    c.beginPath();
-    for (const i of kept) c.lineTo(...handles.camera.pixel(...placed(pose, figure.x[i], figure.y[i])));
-    c.closePath();
-    c.stroke();
+    for (const figure of edited.shapes()[edited.body].parts.flat()) {
+      c.beginPath();
+      for (const i of figure.outline(0.7 / handles.camera.scale))
+        c.lineTo(...handles.camera.pixel(...placed(pose, figure.x[i], figure.y[i])));
+      c.closePath();
+      c.stroke();
+    }
   }
 }
 
@@ -59,7 +61,7 @@ function drawGhostHandles(
   handles: Handles,
   colours: Colours,
 ): void {
-  const colour = colours.bodyLine[edited.body];
+  const colour = lineOf(colours, edited.body);
   const pose = handles.ghostPose(k);
   const origin = handles.camera.pixel(...placed(pose, ...edited.pivot()));
   const turn = handles.turn(pose);
@@ -75,6 +77,7 @@ function drawGhostHandles(
 }
 
 function drawArrow(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
+  if (handles.carried()) return;
   const velocity = edited.velocity();
   const pivot = handles.camera.pixel(...placed(edited.poses()[edited.body], ...edited.pivot()));
   knob(c, pivot, colours.come, colours.paper, 2.5);

@@ -1,8 +1,9 @@
 // What can be taken hold of in the picture, in each of the modes: where it is, and what lies below the pointer.
 import type { Camera } from "./camera";
-import type { Pose, Scene } from "./engine";
-import { local, placed, type Figure } from "./figure";
+import type { Pose, Ring, Scene } from "./engine";
+import { local, placed } from "./figure";
 import { poseOf, type Keyframe, type Velocity } from "./motions";
+import { partsOf, ringOf, type Shape } from "./shapes";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
@@ -22,8 +23,10 @@ export interface Edited {
   readonly scene: Scene;
   /** The chosen vertex, or -1. */
   readonly vertex: number;
-  poses(): [Pose, Pose];
-  figures(): [Figure, Figure];
+  poses(): Pose[];
+  shapes(): Shape[];
+  /** Bodies, those first that lie on top. */
+  topmost(): number[];
   keyframes(): Keyframe[] | null;
   pivot(): [number, number];
   /** Of the body's motion from now on. */
@@ -50,19 +53,29 @@ export class Handles {
   }
 
   pixel(body: number, index: number): [number, number] {
-    const [u, v] = this.edited.scene.bodies[body].polygon[index];
+    const [u, v] = ringOf(this.edited.scene.bodies[body])[index];
     return this.camera.pixel(...placed(this.edited.poses()[body], u, v));
   }
 
   verticesShown(): boolean {
     let inView = 0;
     const { scene, body } = this.edited;
-    const { length } = scene.bodies[body].polygon;
+    const { length } = ringOf(scene.bodies[body]);
     for (let i = 0; i < length && inView <= mostHandles; ++i) {
       const [x, y] = this.pixel(body, i);
       if (x > 0 && y > 0 && x < this.camera.width && y < this.camera.height) ++inView;
     }
     return inView <= mostHandles;
+  }
+
+  /** Does the chosen body move with another one? What is set by dragging is seen from the world. */
+  carried(): boolean {
+    return this.edited.scene.bodies[this.edited.body].relative_to !== undefined;
+  }
+
+  /** The keyframes that can be shown where they are. */
+  ghosts(): Keyframe[] {
+    return this.carried() ? [] : (this.edited.keyframes() ?? []);
   }
 
   ghostPose(k: Keyframe): Pose {
@@ -77,7 +90,7 @@ export class Handles {
 
   /** Arrows start in the middle of the body, which is in view when its origin may not be. */
   anchor(body = this.edited.body): [number, number] {
-    return placed(this.edited.poses()[body], ...this.edited.figures()[body].centre);
+    return placed(this.edited.poses()[body], ...this.edited.shapes()[body].outline.centre);
   }
 
   /** How long an arrow is that stands for velocity: what the body would cover in a fifth of the time. */
@@ -120,7 +133,7 @@ export class Handles {
   /** The edge of the chosen body that is nearest to the pixel, or -1 if none is near. */
   edgeAt(x: number, y: number): number {
     const { scene, body } = this.edited;
-    const { length } = scene.bodies[body].polygon;
+    const { length } = ringOf(scene.bodies[body]);
     let best = -1;
     let distance = this.reach;
     for (let i = 0; i < length; ++i) {
@@ -142,17 +155,17 @@ export class Handles {
   private findShape(x: number, y: number): Handle | null {
     const { scene, body } = this.edited;
     if (this.verticesShown()) {
-      for (let i = 0; i < scene.bodies[body].polygon.length; ++i) {
+      for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
         if (this.near([x, y], this.pixel(body, i))) return { kind: "vertex", index: i, body };
       }
     }
-    const below = [body, 1 - body].find((b) => this.covers(b, x, y));
+    const below = [body, ...this.edited.topmost()].find((b) => this.covers(b, x, y));
     return below === undefined ? null : { kind: "body", index: -1, body: below };
   }
 
   private findGhost(x: number, y: number): Handle | null {
     const { body } = this.edited;
-    const poses = (this.edited.keyframes() ?? []).map((k) => this.ghostPose(k));
+    const poses = this.ghosts().map((k) => this.ghostPose(k));
     for (let i = poses.length; i-- > 0;) {
       if (this.near([x, y], this.turn(poses[i]))) return { kind: "turn", index: i, body };
     }
@@ -165,6 +178,7 @@ export class Handles {
 
   private findArrow(x: number, y: number): Handle | null {
     const { body } = this.edited;
+    if (this.carried()) return null;
     const velocity = this.edited.velocity();
     if (this.near([x, y], this.arrowTip(velocity))) return { kind: "arrow", index: -1, body };
     if (this.near([x, y], this.spin(velocity))) return { kind: "spin", index: -1, body };
@@ -177,15 +191,20 @@ export class Handles {
 
   private inside(body: number, pose: Pose, x: number, y: number): boolean {
     const [u, v] = local(pose, ...this.camera.world(x, y));
-    const points = this.edited.scene.bodies[body].polygon;
-    let odd = false;
+    return partsOf(this.edited.scene.bodies[body]).some((rings) => insidePart(rings, u, v));
+  }
+}
+
+function insidePart(rings: Ring[], u: number, v: number): boolean {
+  let odd = false;
+  for (const points of rings) {
     for (let i = 0, j = points.length - 1; i < points.length; j = i++) {
       const [ax, ay] = points[i];
       const [bx, by] = points[j];
       if (ay > v !== by > v && u < ((bx - ax) * (v - ay)) / (by - ay) + ax) odd = !odd;
     }
-    return odd;
   }
+  return odd;
 }
 
 function distanceToSegment([x, y]: [number, number], a: [number, number], b: [number, number]): number {

@@ -2,33 +2,51 @@
 import type { Pose, Scene } from "./engine";
 import { Figure, placed } from "./figure";
 import { motionOf, moved } from "./motions";
+import { partsOf } from "./shapes";
+
+/** A name that no other body has. */
+export function freshName(scene: Scene, wanted: string, index = -1): string {
+  const taken = new Set(scene.bodies.filter((_, b) => b !== index).map((body) => body.name));
+  if (!taken.has(wanted)) return wanted;
+  let n = 2;
+  while (taken.has(`${wanted} ${n}`)) ++n;
+  return `${wanted} ${n}`;
+}
 
 /** Body `index` gets this outline, at rest where the file has it. It turns about the outline's middle. */
 export function withOutline(scene: Scene, index: number, polygon: [number, number][], name: string): Scene {
   const out = structuredClone(scene);
   const [x, y] = new Figure(polygon).centre;
   out.bodies[index] = {
-    name: name === out.bodies[1 - index].name ? `${name} 2` : name,
+    name: freshName(out, name, index),
     polygon: polygon.map(([u, v]) => [u - x, v - y]),
     motion: motionOf([{ t: out.time[0], x, y, angle: 0 }]),
   };
+  renamed(out, scene.bodies[index].name, out.bodies[index].name);
   return out;
 }
 
-/** Outlines from two places may lie on one another: body `index` goes to the right of the other. */
-export function besideOther(scene: Scene, index: number, poses: [Pose, Pose]): Scene {
+/** Where a body was named, it is named anew. */
+function renamed(scene: Scene, before: string, after: string): void {
+  for (const body of scene.bodies) if (body.relative_to === before) body.relative_to = after;
+  const name = (n: string): string => (n === before ? after : n);
+  if (scene.ignore) scene.ignore = scene.ignore.map(([a, b]) => [name(a), name(b)]);
+}
+
+/** Outlines from two places may lie on one another: body `index` goes to the right of the others. */
+export function besideOthers(scene: Scene, index: number, poses: Pose[]): Scene {
   const out = structuredClone(scene);
-  const ends = out.bodies.map((body, b) => {
-    let low = Infinity;
-    let high = -Infinity;
-    for (const [u, v] of body.polygon) {
+  const own = { low: Infinity, high: -Infinity };
+  const others = { low: Infinity, high: -Infinity };
+  out.bodies.forEach((body, b) => {
+    const range = b === index ? own : others;
+    for (const [u, v] of partsOf(body).flat(2)) {
       const [x] = placed(poses[b], u, v);
-      low = Math.min(low, x);
-      high = Math.max(high, x);
+      range.low = Math.min(range.low, x);
+      range.high = Math.max(range.high, x);
     }
-    return { low, high };
   });
-  const gap = 0.05 * (ends[0].high - ends[0].low + ends[1].high - ends[1].low);
-  out.bodies[index].motion = moved(out.bodies[index], ends[1 - index].high + gap - ends[index].low, 0);
+  const gap = 0.05 * (own.high - own.low + others.high - others.low);
+  out.bodies[index].motion = moved(out.bodies[index], others.high + gap - own.low, 0);
   return out;
 }

@@ -43,7 +43,7 @@ export class MapShape {
 
   constructor(
     private readonly replay: Replay,
-    private readonly figures: [Figure, Figure],
+    private readonly figures: Figure[],
   ) {
     this.scale = Math.max(figures[0].diameter, figures[1].diameter);
     const { slots, origin, next, face, vertexBody } = replay;

@@ -91,9 +91,12 @@ export class Marks {
 
   contact(frame: Frame, contact: ContactMarks, colours: Colours): void {
     const c = this.context;
-    const size = frame.figures[contact.edge.body].size;
-    const [ax, ay] = pixelOf(this.camera, frame, contact.edge.body, contact.edge.index);
-    const [bx, by] = pixelOf(this.camera, frame, contact.edge.body, (contact.edge.index + 1) % size);
+    const { body, part, ring, index } = contact.edge;
+    const figure = frame.shapes[body].parts[part][ring];
+    const end = (i: number): [number, number] =>
+      this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i]));
+    const [ax, ay] = end(index);
+    const [bx, by] = end((index + 1) % figure.size);
     const [x, y] = this.camera.pixel(contact.point[0], contact.point[1]);
     const tip: [number, number] = [x + 34 * contact.normal[0], y - 34 * contact.normal[1]];
     for (const [colour, width] of [
@@ -115,11 +118,13 @@ export class Marks {
     c.fillStyle = colours.contact;
     c.fill();
     c.font = "600 13px system-ui, sans-serif";
-    this.text("contact", x + 14, y + 18, colours.contact, colours.paper);
+    this.text(contact.label, x + 14, y + 18, colours.contact, colours.paper);
   }
 
   fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
     const c = this.context;
+    // Of other bodies it is not known here which ring is meant: the message says it.
+    if (frame.shapes[fault.body].parts.length > 1 || frame.shapes[fault.body].parts[0].length > 1) return;
     const figure = frame.figures[fault.body];
     const wrap = (i: number) => ((i % figure.size) + figure.size) % figure.size;
     c.strokeStyle = colours.fault;
@@ -175,7 +180,7 @@ export class Marks {
     this.text(String(Number(length.toPrecision(3))), 20, y - 5, colours.muted, colours.paper);
   }
 
-  private text(text: string, x: number, y: number, colour: string, halo: string): void {
+  text(text: string, x: number, y: number, colour: string, halo: string): void {
     const c = this.context;
     c.strokeStyle = halo;
     c.lineWidth = 3.5;

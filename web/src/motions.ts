@@ -1,7 +1,7 @@
 // Motions as people handle them: poses at certain instants, with steady motion in between; and cutting a motion short
 // to go on differently.
 import type { Body, Motion, Pose } from "./engine";
-import { placed } from "./figure";
+import { local, placed } from "./figure";
 
 /** The body is moved by (x, y) and turned by `angle` radians about its pivot, at time t. */
 export interface Keyframe {
@@ -53,6 +53,27 @@ function angleOf(piece: Motion): number[] | null {
   return Array.isArray(angle) ? angle : null;
 }
 
+/** Where a parent at `parent` has a body that is at `pose` in the world. */
+export function seenFrom(parent: Pose, pose: Pose): Pose {
+  const [x, y] = local(parent, pose.x, pose.y);
+  return { x, y, c: parent.c * pose.c + parent.s * pose.s, s: parent.c * pose.s - parent.s * pose.c };
+}
+
+/** The keyframes of a motion that is carried along by `by`: each pose is multiplied by it. */
+export function carried(frames: Keyframe[], pivot: [number, number], by: Pose): Keyframe[] {
+  const turn = Math.atan2(by.s, by.c);
+  return frames.map((k) => {
+    const pose = poseOf(k, pivot);
+    const [x, y] = placed(by, pose.x, pose.y);
+    const all = { x, y, c: by.c * pose.c - by.s * pose.s, s: by.c * pose.s + by.s * pose.c };
+    const [dx, dy] = shift(all, pivot);
+    return { t: k.t, x: tidy(dx), y: tidy(dy), angle: tidy(k.angle + turn) };
+  });
+}
+
+/** Without the noise of rounding, for files. */
+const tidy = (v: number): number => Number(v.toPrecision(12));
+
 /** The motion as keyframes at its joints, or null if it is not steady between them, or jumps. */
 export function keyframesOf(body: Body, start: number, end: number): Keyframe[] | null {
   const pieces = piecesOf(body);
@@ -63,7 +84,7 @@ export function keyframesOf(body: Body, start: number, end: number): Keyframe[] 
   for (let i = 0; i < pieces.length; ++i) {
     const piece = pieces[i];
     const angle = angleOf(piece);
-    if (!angle || [piece.x, piece.y, angle].some((c) => (c?.length ?? 0) > 2)) return null;
+    if (!angle || piece.orbit || [piece.x, piece.y, angle].some((c) => (c?.length ?? 0) > 2)) return null;
     const to = i + 1 < pieces.length ? Math.min(piece.until ?? end, end) : end;
     if (to <= from && !(i === 0 && start === end)) continue;
     const at = (t: number): Keyframe => ({ t, x: value(piece.x, t), y: value(piece.y, t), angle: value(angle, t) });
@@ -156,7 +177,12 @@ function unwound(body: Body, pose: Pose, t: number): number {
 export function moved(body: Body, dx: number, dy: number): Body["motion"] {
   const pieces = piecesOf(body);
   const plus = (c: number[] | undefined, d: number): number[] => [(c?.[0] ?? 0) + d, ...(c ?? []).slice(1)];
-  const out = (pieces.length > 0 ? pieces : [{}]).map((p) => ({ ...p, x: plus(p.x, dx), y: plus(p.y, dy) }));
+  const all: Motion[] = pieces.length > 0 ? pieces : [{}];
+  const out = all.map((p) => {
+    const piece: Motion = { ...p, x: plus(p.x, dx), y: plus(p.y, dy) };
+    if (p.orbit) piece.orbit = { ...p.orbit, center: [p.orbit.center[0] + dx, p.orbit.center[1] + dy] };
+    return piece;
+  });
   return out.length === 1 ? out[0] : out;
 }
 

@@ -1,8 +1,9 @@
 // Time: what the engine has found so far, which instant is shown, and how it moves.
-import { Engine, TautError, type Pose, type Scene, type Status } from "./engine";
-import { Figure } from "./figure";
+import { Engine, TautError, type ContactAnswer, type Pose, type Scene, type Status, type WorldLooks } from "./engine";
+import type { Figure } from "./figure";
 import { Replay, type MapEvent } from "./replay";
 import type { ContactMarks, EventMarks } from "./frame";
+import { Shape } from "./shapes";
 
 /** For so long after it an event stays marked while the motion plays, in milliseconds. */
 const markFor = 450;
@@ -12,7 +13,7 @@ const secondsAtSpeedOne = 10;
 export class Player {
   readonly replay = new Replay();
   scene!: Scene;
-  figures!: [Figure, Figure];
+  shapes!: Shape[];
   status!: Status;
   closed = false;
   /** The instant shown. */
@@ -38,7 +39,7 @@ export class Player {
 
   /** Opens a scene at its start. Throws TautError, and the present scene stays. */
   open(scene: Scene, closed: boolean, at?: number): void {
-    const status = this.engine.open(JSON.stringify(scene), "scene", closed);
+    const status = this.engine.open(scene, "scene", closed);
     this.adopt(scene, closed, status);
     this.seek(scene.time[0]);
     this.wanted = at ?? null;
@@ -51,7 +52,7 @@ export class Player {
    */
   changePlan(base: Scene, edited: Scene, body: number, t: number): { milliseconds: number; certificates: number } {
     ++this.run;
-    this.engine.open(JSON.stringify(base), "scene", this.closed);
+    this.engine.open(base, "scene", this.closed);
     this.engine.advance(t, 1e9);
     const begun = performance.now();
     const status = this.engine.changePlan(JSON.stringify(edited), body);
@@ -148,7 +149,17 @@ export class Player {
     return this.recent.event >= 0 && now - this.recent.since < markFor + 100;
   }
 
-  poses(): [Pose, Pose] {
+  /** The outlines of the bodies' first parts. */
+  get figures(): Figure[] {
+    return this.shapes.map((shape) => shape.outline);
+  }
+
+  /** How bodies look of which there is no tiling. */
+  get world(): WorldLooks | null {
+    return this.status.world ?? null;
+  }
+
+  poses(): Pose[] {
     return this.engine.poses(this.t);
   }
 
@@ -168,11 +179,34 @@ export class Player {
     return this.atContact && this.replay.count > 0 ? this.replay.event(this.replay.count - 1) : null;
   }
 
-  contactMarks(): ContactMarks | null {
-    const contact = this.status.answer.contact;
-    if (!contact || !this.atContact) return null;
-    const body = this.scene.bodies.findIndex((b) => b.name === contact.edge.body);
-    return { point: contact.point, normal: contact.normal, edge: { body, index: contact.edge.index } };
+  /** The contact, and those that come at the same time. */
+  contactMarks(): ContactMarks[] {
+    const { contact, also = [] } = this.status.answer;
+    if (!contact || !this.atContact) return [];
+    return [contact, ...also.flatMap((pair) => pair.contact ?? [])].map((each) => this.marksOf(each));
+  }
+
+  /** Bodies of a world that overlap at its start. */
+  overlaps(): [number, number][] {
+    const { answer, world } = this.status;
+    if (!world || !this.overlapping) return [];
+    const pairs = [
+      answer.pair ?? (answer.scope.bodies as [string, string]),
+      ...(answer.also ?? []).map((p) => p.bodies),
+    ];
+    return pairs.map(([a, b]) => [this.bodyCalled(a), this.bodyCalled(b)]);
+  }
+
+  private bodyCalled(name: string): number {
+    return this.scene.bodies.findIndex((body) => body.name === name);
+  }
+
+  private marksOf({ point, normal, vertex, edge }: ContactAnswer): ContactMarks {
+    const { body, part = 0, ring = 0, index } = edge;
+    const [a, b] = [vertex.body, body].map((name) => this.bodyCalled(name)).sort((i, j) => i - j);
+    const names = `${this.scene.bodies[a].name} x ${this.scene.bodies[b].name}`;
+    const label = this.world ? `contact: ${names}` : "contact";
+    return { point, normal, edge: { body: this.bodyCalled(body), part, ring, index }, label };
   }
 
   certificates(): number {
@@ -180,7 +214,7 @@ export class Player {
   }
 
   private adopt(scene: Scene, closed: boolean, status: Status): void {
-    this.figures = [new Figure(scene.bodies[0].polygon), new Figure(scene.bodies[1].polygon)];
+    this.shapes = scene.bodies.map((body) => new Shape(body));
     this.closed = closed;
     this.replay.open(this.engine);
     this.recent.event = -1;

@@ -7,13 +7,14 @@ import { Engine, type Pose, type Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
-import { besideOther, withOutline } from "./importing";
-import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
+import { besideOthers, withOutline } from "./importing";
+import { keyframesOf, motionOf, piecesOf, sampled, seenFrom, withKeyframe, type Keyframe } from "./motions";
 import { acceptDrops, headerTools, pageExamples, saveFile, type Example, type OpenAndSaveHost } from "./openandsave";
 import { Player } from "./player";
 import { SceneText } from "./scenetext";
 import { fromFragment, shareLink } from "./sharing";
 import { Workbench } from "./workbench";
+import { WorldEditing } from "./worldediting";
 import { roundText } from "./words";
 
 const firstExample = "lid";
@@ -27,6 +28,7 @@ class Playground {
   private readonly text: SceneText;
   private readonly history: History;
   private readonly changes: Changes;
+  private readonly worldEditing: WorldEditing;
   /** The last scene that could be opened, for plan changes and undoing. */
   private valid!: Scene;
 
@@ -41,6 +43,7 @@ class Playground {
       edited: (_, final, driven) => this.changes.schedule(final, driven),
       begun: () => this.changes.hold(),
       redraw: () => this.workbench.redraw(),
+      hidden: this.workbench.stage.hidden,
     });
     this.history = new History({ present: () => this.editor.scene && this.valid, restore: (s) => this.restore(s) });
     this.panel = this.newPanel();
@@ -48,6 +51,10 @@ class Playground {
       () => this.editor.scene,
       (text) => this.applyText(text),
     );
+    this.worldEditing = new WorldEditing(player, this.editor, this.workbench, {
+      change: (scene, note, body) => this.change(scene, note, body),
+      say: (note) => (this.panel.note = note),
+    });
     this.build();
     document.addEventListener("keydown", (e) => this.key(e));
     addEventListener("hashchange", () => void this.fromAddress());
@@ -87,10 +94,18 @@ class Playground {
         if (more) this.setKeyframes(more, "keyframes");
       },
       sample: () => {
-        const poses = (t: number): Pose => this.player.engine.poses(t)[this.editor.body];
+        const poses = (t: number): Pose => this.ownPose(t);
         this.setKeyframes(sampled(poses, this.editor.pivot(), ...this.editor.scene.time), "keyframes");
       },
     });
+  }
+
+  /** Of the chosen body, as its motion has it: seen from its parent. */
+  private ownPose(t: number): Pose {
+    const poses = this.player.engine.poses(t);
+    const { body, scene } = this.editor;
+    const parent = scene.bodies.findIndex((other) => other.name === scene.bodies[body].relative_to);
+    return parent < 0 ? poses[body] : seenFrom(poses[parent], poses[body]);
   }
 
   private build(): void {
@@ -107,6 +122,8 @@ class Playground {
     };
     tools.append(...headerTools(this.examples, host), this.history.undoButton, this.history.redoButton);
     side.insertBefore(this.panel.element, side.children[1]);
+    this.workbench.bodiesPart.append(this.worldEditing.panel.element);
+    this.workbench.element.classList.add("editable");
     side.append(this.text.element);
     stage.element.append(this.message.element);
     acceptDrops(element, host);
@@ -166,6 +183,8 @@ class Playground {
 
   /** A new plan from the instant shown on. */
   private drive(base: Base): void {
+    // There is no map that could stay: the world is answered anew.
+    if (this.player.world) return this.apply(true, base.t);
     const scene = structuredClone(this.editor.scene);
     const { body } = this.editor;
     const events = this.player.replay.count;
@@ -197,6 +216,16 @@ class Playground {
     this.workbench.redraw();
   }
 
+  /** A scene with other bodies, or that belong together otherwise. */
+  private change(scene: Scene, note: string, body: number): void {
+    this.history.remember();
+    this.editor.adopt(scene);
+    this.editor.body = Math.min(body, scene.bodies.length - 1);
+    this.panel.note = note;
+    this.apply(true);
+    this.workbench.stage.refit();
+  }
+
   private setTime(start: number, end: number): void {
     this.history.remember();
     this.editor.scene.time = [start, end];
@@ -206,6 +235,7 @@ class Playground {
 
   private showBody(): void {
     this.panel.show(this.editor.scene, this.editor.body, this.editor.keyframes());
+    this.worldEditing.panel.show(this.editor.scene, this.editor.body);
     this.history.showButtons();
     this.text.show();
   }
@@ -226,7 +256,7 @@ class Playground {
     }
   }
 
-  /** A scene replaces all; an outline replaces the chosen body's polygon, two outlines both. */
+  /** A scene replaces all; an outline replaces the chosen body's polygon, several outlines those of the first bodies. */
   private async readFiles(files: File[]): Promise<void> {
     const { engine } = this.player;
     try {
@@ -234,7 +264,12 @@ class Playground {
       for (const file of files) {
         const text = await file.text();
         if (/"taut-scene\//.test(text)) this.load(engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
-        else this.adoptOutline(engine.readOutline(text, file.name), file.name.replace(/\.[^.]*$/, ""), body++ & 1);
+        else
+          this.adoptOutline(
+            engine.readOutline(text, file.name),
+            file.name.replace(/\.[^.]*$/, ""),
+            body++ % this.editor.scene.bodies.length,
+          );
       }
     } catch (error) {
       this.fail(error);
@@ -249,9 +284,10 @@ class Playground {
     this.panel.note = "";
     this.apply(true, scene.time[0]);
     if (this.player.overlapping) {
-      this.editor.adopt(besideOther(scene, index, this.player.engine.poses(scene.time[0])));
+      this.editor.adopt(besideOthers(scene, index, this.player.engine.poses(scene.time[0])));
       this.apply(true, scene.time[0]);
-      this.panel.note = `${scene.bodies[index].name} lay on ${scene.bodies[1 - index].name}, and was put beside it.`;
+      const [other, ...more] = scene.bodies.filter((_, b) => b !== index).map((body) => body.name);
+      this.panel.note = `${scene.bodies[index].name} lay on ${more.length > 0 ? "others" : other}, and was put beside ${more.length > 0 ? "them" : "it"}.`;
     }
     this.workbench.opened();
   }

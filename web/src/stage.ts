@@ -5,7 +5,7 @@ import { Painter } from "./drawing";
 import { placed } from "./figure";
 import type { FaultMarks, Frame, Layers } from "./frame";
 import type { Player } from "./player";
-import { roundText } from "./words";
+import { ringText, roundText } from "./words";
 import { coloursOf, type Colours, type ThemeChoice } from "./theme";
 
 /** What may take the pointer before the view does, and draws over the picture: the editor. */
@@ -30,6 +30,8 @@ export class Stage {
   layers: Layers = { faces: true, tiling: true, corners: true, vertices: false };
   theme: ThemeChoice = "auto";
   faults: FaultMarks[] = [];
+  /** Bodies of a world that are not to be seen. */
+  readonly hidden = new Set<number>();
   tool: Tool | null = null;
   /** True if the double click was meant for something else than the view. */
   onDoubleClick: (x: number, y: number) => boolean = () => false;
@@ -66,12 +68,16 @@ export class Stage {
     const player = this.player;
     return (
       this.tool?.frame() ?? {
+        shapes: player.shapes,
         figures: player.figures,
-        names: [player.scene.bodies[0].name, player.scene.bodies[1].name],
+        names: player.scene.bodies.map((body) => body.name),
         poses: player.poses(),
-        replay: player.overlapping ? null : player.replay,
+        world: player.world,
+        hidden: this.hidden,
+        replay: player.overlapping || player.world ? null : player.replay,
         event: player.marks(),
-        contact: player.contactMarks(),
+        contacts: player.contactMarks(),
+        overlaps: player.overlaps(),
         faults: this.faults,
       }
     );
@@ -130,8 +136,9 @@ export class Stage {
     const samples = 48;
     for (let i = 0; i <= samples; ++i) {
       const poses = player.engine.poses(player.start + ((player.end - player.start) * i) / samples);
-      player.figures.forEach((f, b) => {
-        for (const k of f.outline(f.diameter / 50)) points.push(placed(poses[b], f.x[k], f.y[k]));
+      player.shapes.forEach((shape, b) => {
+        for (const [f] of shape.parts)
+          for (const k of f.outline(f.diameter / 50)) points.push(placed(poses[b], f.x[k], f.y[k]));
       });
     }
     return boxOf(points.filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y)));
@@ -181,9 +188,10 @@ export class Stage {
     const found = this.painter.nearestVertex(frame, x, y, 10);
     let text = "";
     if (found) {
-      const figure = frame.figures[found.body];
+      const figure = frame.shapes[found.body].parts[found.part][found.ring];
       const [wx, wy] = placed(frame.poses[found.body], figure.x[found.index], figure.y[found.index]);
-      text = `vertex ${found.index} of ${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
+      const ring = ringText(found, frame.shapes[found.body].parts.length);
+      text = `vertex ${found.index} of ${ring}${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
     }
     if (this.readout.textContent !== text) this.readout.textContent = text;
   }

@@ -6,8 +6,10 @@ export interface Colours {
   ink: string;
   muted: string;
   line: string;
-  bodyFill: [string, string];
-  bodyLine: [string, string];
+  bodyFill: string[];
+  bodyLine: string[];
+  /** Around the bodies of a world; empty: a darker shade of each one's own. */
+  worldLine: string;
   /** Red, green and blue, for faces in many strengths. */
   faceTint: [string, string];
   root: string;
@@ -39,6 +41,7 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
     ["#12304d", "#5e2d0c"],
     ["#a9d2fb", "#ffcfa3"],
   ],
+  worldLine: ["", "#dfe6ec"],
   faceTint: [
     ["58,134,200", "230,126,34"],
     ["74,150,220", "235,140,60"],
@@ -64,6 +67,9 @@ function shade(dark: 0 | 1): Colours {
 }
 const light = shade(0);
 const dark = shade(1);
+
+/** For handles on a body, whichever it is. */
+export const lineOf = (colours: Colours, body: number): string => colours.bodyLine[body] ?? colours.ink;
 
 export type ThemeChoice = "auto" | "light" | "dark";
 

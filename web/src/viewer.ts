@@ -1,6 +1,6 @@
 // The page of `taut view`: one scene, kept in the page itself.
 import { h } from "./dom";
-import { Engine, TautError, type Scene } from "./engine";
+import { Engine, TautError, inParts, type Scene } from "./engine";
 import { Player } from "./player";
 import { Workbench } from "./workbench";
 
@@ -16,7 +16,7 @@ async function main(): Promise<void> {
   const player = new Player(await Engine.load());
   const workbench = new Workbench(player);
   workbench.title = data.title ?? null;
-  player.open(data.scene, data.touch === "closed", data.at);
+  player.open(inParts(data.scene), data.touch === "closed", data.at);
   document.body.replaceChildren(workbench.element);
   workbench.opened();
   Object.assign(window, { taut: workbench });

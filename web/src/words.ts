@@ -1,5 +1,6 @@
 // What things are called.
-import type { Answer, Scene } from "./engine";
+import type { Answer, Body, Coverage, Feature, Scene } from "./engine";
+import { partsOf } from "./shapes";
 import type { MapEvent, Repair } from "./replay";
 
 export const repairNames: Record<Repair, string> = {
@@ -72,29 +73,65 @@ export function headline(answer: Answer, running: boolean): string {
   }
 }
 
+/** Which ring of a body of several; empty for others. */
+export function ringText({ part = 0, ring = 0 }: { part?: number; ring?: number }, parts: number): string {
+  return (ring > 0 ? `hole ${ring} of ` : "") + (parts > 1 ? `part ${part} of ` : "");
+}
+
+function featureText(feature: Feature, body: Body, edge: boolean): string {
+  const parts = partsOf(body);
+  const { part = 0, ring = 0, index } = feature;
+  const what = edge ? `edge ${index}-${(index + 1) % parts[part][ring].length}` : `vertex ${index}`;
+  return `${what} of ${ringText(feature, parts.length)}${body.name}`;
+}
+
+function coverageText(c: Coverage): string {
+  const together = c.at_rest > 0 ? `, ${c.at_rest} not asked (they move together)` : "";
+  const ignored = c.ignored > 0 ? `, ${c.ignored} ignored` : "";
+  return `${c.pairs} ${c.pairs === 1 ? "pair" : "pairs"}: ${c.checked} checked, ${c.apart} apart${together}${ignored}.`;
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** What is to be said of a world besides: the pair, those that come with it, and how many were asked about. */
+function worldLines(answer: Answer): string[] {
+  const also = (answer.also ?? []).map((pair) => `Also ${pair.bodies.join(" x ")}.`);
+  return [...also, answer.coverage ? coverageText(answer.coverage) : ""];
+}
+
+export const noTiling =
+  "There is no tiling in this picture: taut has one for two bodies of one polygon each, without holes and parents. " +
+  "Its other engine has answered.";
+
 export function explanation(answer: Answer, scene: Scene, freeUntil: number, running: boolean): string[] {
   const [start, end] = scene.time;
   const touch = answer.scope.touch === "closed" ? ", touching included" : "";
   switch (answer.outcome) {
     case "free":
-      return [`Proved free of contact on [${start}, ${end}]${touch}.`];
+      return [`Proved free of contact on [${start}, ${end}]${touch}.`, ...worldLines(answer)];
     case "contact": {
       const { vertex, edge, point } = answer.contact!;
-      const size = scene.bodies.find((b) => b.name === edge.body)!.polygon.length;
+      const bodyOf = (f: Feature): Body => scene.bodies.find((b) => b.name === f.body)!;
       return [
-        `Vertex ${vertex.index} of ${vertex.body} meets edge ${edge.index}-${(edge.index + 1) % size} of ${edge.body} ` +
+        answer.pair ? `${answer.pair.join(" and ")} meet.` : "",
+        `${capital(featureText(vertex, bodyOf(vertex), false))} meets ${featureText(edge, bodyOf(edge), true)} ` +
           `at (${roundText(point[0], 9)}, ${roundText(point[1], 9)}).`,
         ...(answer.grazing
           ? [`Grazing: whether they overlap or just touch is too close to tell until t = ${answer.t![1]}.`]
           : []),
         `Proved free on [${start}, ${answer.t![0]})${touch}. The scene's time ends at ${end}.`,
+        ...worldLines(answer),
       ];
     }
     case "overlap_at_start":
+      if (answer.coverage || answer.pair) {
+        const pair = answer.pair ?? answer.scope.bodies;
+        return [`${pair.join(" and ")} overlap already when the motion starts.`, ...worldLines(answer)];
+      }
       return ["The bodies overlap already when the motion starts: there is no free space to tile."];
     case "undecided":
       return running
         ? [`Free so far, until t = ${roundText(freeUntil)}.`]
-        : [answer.reason ?? "", `Free until ${freeUntil}.`];
+        : [answer.reason ?? "", `Free until ${freeUntil}.`, ...worldLines(answer)];
   }
 }

@@ -1,14 +1,17 @@
 // The page around the picture: answer, event, counts, list of events, time.
-import { h, iconButton, setIcon } from "./dom";
+import { h, iconButton, setIcon, swatch } from "./dom";
+import { BodyTree } from "./bodytree";
 import { EventList } from "./eventlist";
+import { EventText } from "./eventtext";
 import { placed } from "./figure";
 import { helpDialog } from "./help";
+import { Legend } from "./legend";
 import { CountPlot } from "./plot";
 import type { Player } from "./player";
 import { Stage } from "./stage";
 import { EventStrip } from "./strip";
 import { isDark } from "./theme";
-import { clockText, explanation, headline, repairNames, roundText, story } from "./words";
+import { clockText, explanation, headline, noTiling, roundText } from "./words";
 
 export class Workbench {
   readonly stage: Stage;
@@ -26,7 +29,7 @@ export class Workbench {
   private readonly titleLine = h("h1");
   private readonly answerChip = h("p", { class: "chip", role: "status", "aria-live": "polite", id: "headline" });
   private readonly answerText = h("div", { class: "answer", id: "answer" });
-  private readonly eventText = h("div", { class: "event", id: "event", "aria-live": "polite" });
+  private readonly eventText = new EventText();
   private readonly counts = h("div", { class: "counts", id: "counts" });
   private readonly playButton: HTMLButtonElement;
   private readonly slider = h("input", {
@@ -40,8 +43,10 @@ export class Workbench {
   private readonly strip: EventStrip;
   private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
   private readonly help: HTMLDialogElement;
-  private readonly layerBoxes: Record<string, HTMLInputElement> = {};
-  private readonly legendNames: HTMLElement[] = [];
+  private readonly legend: Legend;
+  readonly tree: BodyTree;
+  /** Below the tree of bodies the playground puts what changes it. */
+  readonly bodiesPart: HTMLElement;
   private dirty = true;
   private fittedFinal = false;
   private lastFrame = 0;
@@ -67,14 +72,18 @@ export class Workbench {
     this.playButton = iconButton("play", "Play", () => player.play(!player.playing), "Space");
     this.playButton.id = "play";
     this.help = helpDialog(moreKeys);
+    this.legend = new Legend(this.stage.layers, () => this.redraw());
+    this.tree = new BodyTree({ hidden: this.stage.hidden, changed: () => this.redraw() });
+    this.bodiesPart = section("Bodies", this.tree.element);
     this.side = h(
       "aside",
       { "aria-label": "Details" },
       section("Answer", this.answerChip, this.answerText),
-      section("Event", this.eventText),
+      this.bodiesPart,
+      section("Event", this.eventText.element),
       section("Counts over time", this.counts, plotCanvas),
       section("Events", this.events.element),
-      section("Picture", this.legend()),
+      section("Picture", this.legend.element),
     );
     this.transport = this.transportBar();
     this.element = h(
@@ -170,22 +179,23 @@ export class Workbench {
     this.panelsShown = now;
     this.showTitle();
     this.showAnswer();
-    this.showEvent();
+    this.eventText.show(player);
     this.showCounts();
     this.events.update();
     this.strip.draw(stage.colours());
   }
 
   private showTitle(): void {
-    const names = this.player.scene.bodies.map((b) => b.name);
-    const title = this.title ?? names.join(" and ");
+    const { scene, world } = this.player;
+    const names = scene.bodies.map((b) => b.name);
+    const title = this.title ?? (names.length > 3 ? `${names.length} bodies` : names.join(world ? ", " : " and "));
+    this.element.classList.toggle("world", world !== null);
+    this.tree.show(scene, world);
     if (this.titleLine.textContent !== title) {
       this.titleLine.textContent = title;
       document.title = `${title}: taut`;
     }
-    this.legendNames.forEach((element, b) => {
-      if (element.textContent !== names[b]) element.textContent = names[b];
-    });
+    this.legend.showNames(names);
   }
 
   private showAnswer(): void {
@@ -196,58 +206,12 @@ export class Workbench {
     if (this.answerChip.textContent !== text) this.answerChip.textContent = text;
     this.answerChip.dataset.outcome = this.invalid ? "invalid" : running ? "running" : answer.outcome;
     let lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
+    if (player.world && !player.failure) lines = [...lines, noTiling];
     if (this.invalid) lines = ["The scene has to be mended before there is an answer."];
     setLines(this.answerText, lines);
-    const names = player.scene.bodies.map((b) => b.name).join(" and ");
-    this.stage.canvas.setAttribute("aria-label", `${names} at t = ${clockText(player.t, player.scene)}. ${text}`);
-  }
-
-  private showEvent(): void {
-    const { player } = this;
-    // Nobody can listen as fast as events come.
-    this.eventText.setAttribute("aria-live", player.playing ? "off" : "polite");
-    const event = player.told();
-    if (!event) {
-      setLines(this.eventText, [
-        player.replay.count > 0 ? "Step to an event to see which corner fails and what changes." : "",
-      ]);
-      return;
-    }
-    const { vertexBody, vertexIndex } = player.replay;
-    const vertex = (v: number): string => `${vertexIndex[v]} of ${player.scene.bodies[vertexBody[v]].name}`;
-    const [u, v, w] = event.corner;
-    const key = `${event.number}/${player.replay.count}/${event.lo}`;
-    if (this.eventText.dataset.key === key) return;
-    this.eventText.dataset.key = key;
-    this.eventText.replaceChildren(
-      h(
-        "p",
-        { class: "event-name" },
-        h("strong", {}, repairNames[event.repair]),
-        ` event ${event.number} of ${player.replay.count}`,
-      ),
-      h("p", {}, story(event)),
-      h(
-        "dl",
-        {},
-        h("dt", {}, "Time"),
-        h("dd", { id: "event-time" }, event.lo === event.hi ? String(event.lo) : `[${event.lo}, ${event.hi}]`),
-        h("dt", {}, "Corner"),
-        h("dd", {}, `u: vertex ${vertex(u)}; v: ${vertex(v)}; w: ${vertex(w)}`),
-        h("dt", {}, "Certificates after"),
-        h("dd", {}, String(event.certificates)),
-      ),
-      h(
-        "p",
-        { class: "marks" },
-        swatch("gone", "line dashed"),
-        " gone ",
-        swatch("come", "line"),
-        " come ",
-        swatch("failing", "line"),
-        " failing corner",
-      ),
-    );
+    const names = player.scene.bodies.map((b) => b.name);
+    const shown = names.length > 6 ? `${names.length} bodies` : names.join(" and ");
+    this.stage.canvas.setAttribute("aria-label", `${shown} at t = ${clockText(player.t, player.scene)}. ${text}`);
   }
 
   private showCounts(): void {
@@ -327,54 +291,16 @@ export class Workbench {
     );
   }
 
-  private legend(): HTMLElement {
-    const layer = (
-      name: "faces" | "tiling" | "corners" | "vertices",
-      label: string,
-      key: string,
-      ...marks: Node[]
-    ): HTMLElement => {
-      const box = h("input", {
-        type: "checkbox",
-        id: `layer-${name}`,
-        onchange: () => {
-          this.stage.layers[name] = box.checked;
-          this.redraw();
-        },
-      });
-      box.checked = this.stage.layers[name];
-      this.layerBoxes[name] = box;
-      return h("label", { title: key }, box, ...marks, ` ${label}`);
-    };
-    this.legendNames.push(h("span"), h("span"));
-    return h(
-      "div",
-      { class: "legend" },
-      h("p", {}, swatch("body0"), " ", this.legendNames[0]),
-      h("p", {}, swatch("body1"), " ", this.legendNames[1]),
-      h("p", {}, swatch("pq", "line"), " edges between the bodies"),
-      layer("faces", "faces, strong near the root", "f", swatch("face0"), swatch("face1")),
-      layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
-      layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
-      layer("vertices", "vertices", "v"),
-    );
-  }
-
   private toggleTheme(): void {
     this.stage.theme = isDark(this.stage.theme) ? "light" : "dark";
     this.redraw();
-  }
-
-  private toggleLayer(name: string): void {
-    const box = this.layerBoxes[name];
-    box.click();
   }
 
   /** To the marked corner, or to the contact. */
   private zoomToMarks(): void {
     const { player } = this;
     const marks = player.marks();
-    const contact = player.contactMarks();
+    const [contact] = player.contactMarks();
     const poses = player.poses();
     if (marks) {
       const { vertexBody, vertexIndex } = player.replay;
@@ -410,10 +336,10 @@ export class Workbench {
       a: () => stage.pan(60, 0),
       d: () => stage.pan(-60, 0),
       z: () => this.zoomToMarks(),
-      f: () => this.toggleLayer("faces"),
-      e: () => this.toggleLayer("tiling"),
-      c: () => this.toggleLayer("corners"),
-      v: () => this.toggleLayer("vertices"),
+      f: () => this.legend.toggle("faces"),
+      e: () => this.legend.toggle("tiling"),
+      c: () => this.legend.toggle("corners"),
+      v: () => this.legend.toggle("vertices"),
       t: () => this.toggleTheme(),
       "?": () => this.help.showModal(),
     };
@@ -434,10 +360,6 @@ function section(title: string, ...children: Node[]): HTMLElement {
     ...children,
   );
   return details;
-}
-
-function swatch(name: string, shape = ""): HTMLElement {
-  return h("i", { class: `swatch ${shape} c-${name}`, "aria-hidden": "true" });
 }
 
 function setLines(element: HTMLElement, lines: string[]): void {

@@ -1,0 +1,103 @@
+// Bodies of a world, each in a colour and with a number of its own. Holes are open, and parts that overlap are one.
+import type { Camera } from "./camera";
+import type { WorldLooks } from "./engine";
+import type { Frame, Layers } from "./frame";
+import type { Marks } from "./marks";
+import { clipPolygon, farAway } from "./pixels";
+import { placed, type Figure } from "./figure";
+import type { Colours } from "./theme";
+
+/** From so far on, in pixels, a number does not touch the boundary of its body. */
+const roomForNumber = 8;
+
+export class WorldPainter {
+  constructor(
+    private readonly context: CanvasRenderingContext2D,
+    private readonly camera: Camera,
+    private readonly marks: Marks,
+  ) {}
+
+  /** How many vertices were drawn. */
+  draw(frame: Frame, world: WorldLooks, layers: Layers, colours: Colours): number {
+    const shown = world.order.filter((b) => !frame.hidden.has(b) && b < frame.shapes.length);
+    let vertices = 0;
+    for (const b of shown) vertices += this.body(frame, b, world, layers, colours);
+    for (const b of shown) this.number(frame, b, world);
+    for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
+    return vertices;
+  }
+
+  private body(frame: Frame, body: number, world: WorldLooks, layers: Layers, colours: Colours): number {
+    const c = this.context;
+    const { parts } = frame.shapes[body];
+    const [fill, line] = world.looks[body % world.looks.length];
+    const paths = parts.map((rings) => this.partPath(frame, body, rings));
+    c.fillStyle = fill;
+    c.strokeStyle = colours.worldLine || line;
+    // Half of the line is covered again where several parts are filled.
+    c.lineWidth = parts.length > 1 ? 2.2 : 1.3;
+    for (const path of paths) c.stroke(path);
+    for (const path of paths) c.fill(path, "evenodd");
+    if (parts.length === 1) c.stroke(paths[0]);
+    if (layers.vertices) this.vertices(frame, body, colours.worldLine || line);
+    return parts.reduce((sum, rings) => sum + rings.reduce((n, figure) => n + figure.size, 0), 0);
+  }
+
+  private partPath(frame: Frame, body: number, rings: Figure[]): Path2D {
+    const path = new Path2D();
+    for (const figure of rings) {
+      let points: [number, number][] = [];
+      for (const i of figure.outline(0.33 / this.camera.scale)) {
+        points.push(this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i])));
+      }
+      if (figure.diameter * this.camera.scale > farAway)
+        points = clipPolygon(points, this.camera.width, this.camera.height);
+      points.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+      path.closePath();
+    }
+    return path;
+  }
+
+  private vertices(frame: Frame, body: number, colour: string): void {
+    const c = this.context;
+    c.fillStyle = colour;
+    for (const figure of frame.shapes[body].parts.flat()) {
+      for (let i = 0; i < figure.size; ++i) {
+        const [x, y] = this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i]));
+        c.fillRect(x - 1.75, y - 1.75, 3.5, 3.5);
+      }
+    }
+  }
+
+  private number(frame: Frame, body: number, world: WorldLooks): void {
+    const [u, v, room] = world.inner[body] ?? [0, 0, 0];
+    if (room * this.camera.scale < roomForNumber) return;
+    const c = this.context;
+    const [x, y] = this.camera.pixel(...placed(frame.poses[body], u, v));
+    c.font = "600 11px system-ui, sans-serif";
+    c.fillStyle = world.looks[body % world.looks.length][2];
+    c.textAlign = "center";
+    c.fillText(String(body + 1), x, y + 4);
+    c.textAlign = "start";
+  }
+
+  private overlap(frame: Frame, pair: [number, number], colours: Colours): void {
+    const c = this.context;
+    for (const body of pair) {
+      for (const rings of frame.shapes[body].parts) {
+        const path = this.partPath(frame, body, rings);
+        c.strokeStyle = colours.paper;
+        c.lineWidth = 5;
+        c.stroke(path);
+        c.strokeStyle = colours.contact;
+        c.lineWidth = 2.5;
+        c.stroke(path);
+      }
+    }
+    const small = frame.shapes[pair[0]].outline.diameter < frame.shapes[pair[1]].outline.diameter ? pair[0] : pair[1];
+    const [x, y] = this.camera.pixel(...placed(frame.poses[small], ...frame.shapes[small].outline.centre));
+    c.font = "600 13px system-ui, sans-serif";
+    const names = pair.map((b) => frame.names[b]).join(" x ");
+    this.marks.text(`overlap: ${names}`, x + 10, y - 12, colours.contact, colours.paper);
+  }
+}

@@ -1,0 +1,74 @@
+// Below the tree of bodies: more of them, fewer, holes, parents, and pairs that are not asked about.
+import { h } from "./dom";
+import type { Scene } from "./engine";
+import { familyOf } from "./shapes";
+
+export interface WorldPanelHost {
+  addBody(): void;
+  removeBody(): void;
+  cutHole(): void;
+  /** Null: the world. */
+  setParent(name: string | null): void;
+  ignore(other: string): void;
+}
+
+export class WorldPanel {
+  readonly element: HTMLElement;
+  private readonly remove: HTMLButtonElement;
+  private readonly parent: HTMLSelectElement;
+  private readonly other: HTMLSelectElement;
+  private readonly hint = h("p", { class: "hint" });
+
+  constructor(host: WorldPanelHost) {
+    const button = (id: string, label: string, title: string, action: () => void): HTMLButtonElement =>
+      h("button", { type: "button", id, title, onclick: action }, label);
+    this.remove = button("remove-body", "Remove", "Remove the chosen body", () => host.removeBody());
+    this.parent = h("select", { id: "parent", onchange: () => host.setParent(this.parent.value || null) });
+    this.other = h("select", { id: "ignore-other", "aria-label": "Pair that is not asked about" });
+    this.element = h(
+      "div",
+      { class: "world-panel" },
+      h(
+        "div",
+        { class: "modes" },
+        button("add-body", "Add body", "One more body, where the view is", () => host.addBody()),
+        this.remove,
+        button("cut-hole", "Cut hole", "A hole where the chosen body has most room", () => host.cutHole()),
+      ),
+      h(
+        "div",
+        { class: "fields" },
+        h("label", { for: "parent" }, "Moves with"),
+        this.parent,
+        h("label", { for: "ignore-other" }, "Ignore with"),
+        h(
+          "span",
+          { class: "pair" },
+          this.other,
+          button("ignore", "Ignore", "", () => host.ignore(this.other.value)),
+        ),
+      ),
+      this.hint,
+    );
+  }
+
+  /** For the chosen body. */
+  show(scene: Scene, body: number): void {
+    const { name, relative_to } = scene.bodies[body];
+    const family = familyOf(scene, body);
+    const names = scene.bodies.map((b) => b.name);
+    this.remove.disabled = names.length < 2;
+    this.parent.replaceChildren(
+      h("option", { value: "" }, "nothing: seen from the world"),
+      ...names.filter((_, b) => !family.has(b)).map((n) => h("option", { value: n, selected: n === relative_to }, n)),
+    );
+    this.other.replaceChildren(
+      ...names.filter((n) => n !== name).map((n) => h("option", { value: n }, n)),
+      h("option", { value: "*" }, "every other body"),
+    );
+    this.hint.textContent =
+      relative_to === undefined
+        ? ""
+        : `The keyframes of ${name} are seen from ${relative_to}. Ghosts and arrows are for bodies that move with nothing.`;
+  }
+}

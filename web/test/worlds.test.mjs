@@ -1,0 +1,281 @@
+// Worlds on both pages: all bodies, their tree, the pair that meets; and changes to which bodies there are.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import {
+  artefacts,
+  check,
+  launch,
+  openPage,
+  pages,
+  pixelsOf,
+  run,
+  screenshot,
+  serve,
+  settled,
+  shownTime,
+  viewPage,
+} from "./support.mjs";
+
+let browser, server;
+before(async () => {
+  browser = await launch();
+  server = await serve(pages);
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** Of the first bodies of a world. */
+const fills = ["#2a6f9e", "#e59345", "#159185", "#f0d762", "#683b6a", "#7abee4"];
+
+const view = (scene, name, options) => openPage(browser, viewPage(scene, name), options);
+
+async function toTheEnd(page) {
+  await page.keyboard.press("End");
+  await settled(page);
+}
+
+test("every body is drawn, and the pair that meets is named and marked", async () => {
+  for (const [name, count] of [
+    ["room", 3],
+    ["arm", 4],
+    ["drawer", 5],
+  ]) {
+    const scene = `examples/worlds/${name}.json`;
+    const answer = check(scene);
+    const page = await view(scene, `world-${name}`);
+    for (const fill of fills.slice(0, count)) assert.ok((await pixelsOf(page, fill)) > 100, `${name}: ${fill}`);
+    assert.equal(await pixelsOf(page, "#c4161c"), 0, "nothing is marked before");
+    await toTheEnd(page);
+    assert.equal(await shownTime(page), answer.t[0], name);
+    assert.ok((await pixelsOf(page, "#c4161c")) > 60, `${name}: the contact is marked`);
+    const text = await page.textContent("#answer");
+    assert.ok(text.includes(`${answer.pair.join(" and ")} meet.`), text);
+    const { vertex, edge } = answer.contact;
+    const part = (f) => (f.part === undefined ? "" : `part ${f.part} of `);
+    const words = `ertex ${vertex.index} of ${part(vertex)}${vertex.body} meets edge ${edge.index}-`;
+    assert.ok(text.includes(words), `${words}: ${text}`);
+    assert.ok(text.includes(`${answer.coverage.pairs} pairs: ${answer.coverage.checked} checked`), text);
+    assert.match(text, /no tiling/);
+    await screenshot(page, `world-${name}`);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  }
+});
+
+test("bodies stand below their parents, can be hidden, and ignored pairs are listed", async () => {
+  const page = await view("examples/worlds/planetary.json", "world-planetary");
+  const tree = await page.$$eval("#bodies > li", (items) =>
+    items.map((li) => [
+      li.querySelector("label span").textContent,
+      [...li.querySelectorAll(":scope > ul span")].map((s) => s.textContent),
+    ]),
+  );
+  assert.deepEqual(tree, [
+    ["ring", []],
+    ["carrier", ["planet 1", "planet 2", "planet 3"]],
+    ["sun", []],
+  ]);
+  assert.match(await page.textContent("#ignored"), /Ignored \(1\):.*carrier x every other body/);
+  assert.ok((await pixelsOf(page, fills[3])) > 1000);
+  await page.getByLabel("Show planet 1", { exact: true }).uncheck();
+  await settled(page);
+  assert.equal(await pixelsOf(page, fills[3]), 0);
+  assert.ok((await pixelsOf(page, fills[4])) > 1000, "the other planets are there");
+  await page.getByLabel("Show planet 1", { exact: true }).check();
+  await settled(page);
+  assert.ok((await pixelsOf(page, fills[3])) > 1000);
+  for (const part of [".part-event", ".part-events", ".part-counts"]) assert.ok(!(await page.isVisible(part)), part);
+  await page.close();
+});
+
+test("a child is where its chain of parents puts it, also while time runs", async () => {
+  const page = await view("examples/worlds/arm.json", "world-arm-poses");
+  const tip = (t) =>
+    page.evaluate((at) => {
+      const { x, y, c, s } = window.taut.player.engine.poses(at)[3];
+      return [x + 5.5 * c, y + 5.5 * s];
+    }, t);
+  // The wrist, at (5.5, 0): 3 along the upper arm and 2.5 along the forearm, which turn by 100 t and 60 t more degrees.
+  for (const t of [0, 0.1, 0.2]) {
+    const [a, b] = [100 * t, 160 * t].map((degrees) => (degrees * Math.PI) / 180);
+    const [x, y] = await tip(t);
+    assert.ok(Math.hypot(x - 3 * Math.cos(a) - 2.5 * Math.cos(b), y - 3 * Math.sin(a) - 2.5 * Math.sin(b)) < 1e-12);
+  }
+  await page.click("#play");
+  await page.waitForFunction(() => !window.taut.player.playing, null, { timeout: 20000 });
+  assert.equal(await shownTime(page), check("examples/worlds/arm.json").t[0]);
+  await page.close();
+});
+
+test("bodies that overlap at the start are named and marked, in the dark as well", async () => {
+  const file = join(artefacts, "world-overlap.json");
+  const square = (x) => [
+    [x, 0],
+    [x + 2, 0],
+    [x + 2, 2],
+    [x, 2],
+  ];
+  const bodies = [
+    { name: "a <b>", polygon: square(0) },
+    { name: "c", polygon: square(1), motion: { velocity: [1, 0] } },
+    { name: "d", polygon: square(9) },
+  ];
+  writeFileSync(file, JSON.stringify({ format: "taut-scene/1", time: [0, 1], bodies, ignore: [["a <b>", "d"]] }));
+  const page = await view(file, "world-overlap", { colorScheme: "dark" });
+  assert.match(await page.textContent("#headline"), /Overlap at the start/);
+  assert.match(await page.textContent("#answer"), /a <b> and c overlap already when the motion starts/);
+  assert.ok((await pixelsOf(page, "#ff6b66")) > 100);
+  await screenshot(page, "world-overlap-dark");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+const finished = (page) => page.waitForFunction(() => window.taut.player.finished && !window.playground.pending);
+const sceneOf = (page) => page.evaluate(() => window.playground.state.scene);
+
+/** What the page says must be what the command says of the scene that the page has. */
+async function compare(page, name) {
+  await finished(page);
+  await settled(page);
+  const file = join(artefacts, `${name}.json`);
+  writeFileSync(file, JSON.stringify(await sceneOf(page)));
+  const answer = check(file);
+  const shown = await page.evaluate(() => window.taut.player.status.answer);
+  for (const key of ["outcome", "t", "contact", "pair", "coverage"]) assert.deepEqual(shown[key], answer[key], key);
+  return answer;
+}
+
+async function playground(example) {
+  const page = await openPage(browser, server.address);
+  await page.selectOption("#example", example);
+  await finished(page);
+  await settled(page);
+  return page;
+}
+
+test("the playground opens worlds and answers them", async () => {
+  const page = await playground("worlds/room");
+  assert.deepEqual((await compare(page, "played-room")).pair, ["pillars", "robot"]);
+  for (const example of ["worlds/geneva", "worlds/conveyor", "worlds/puzzle", "worlds/planetary", "lid"]) {
+    await page.selectOption("#example", example);
+    await compare(page, `played-${example.replace("/", "-")}`);
+  }
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("a body is added, gets a parent and a hole, is ignored, and removed again; all can be undone", async () => {
+  const page = await playground("worlds/arm");
+  await page.click("#add-body");
+  await compare(page, "played-added");
+  let scene = await sceneOf(page);
+  assert.equal(scene.bodies.length, 5);
+  assert.equal(scene.bodies[4].name, "body 5");
+  assert.equal(await page.$eval("#body", (e) => e.value), "4", "it is the one that is chosen");
+
+  const poses = () => page.evaluate(() => window.taut.player.engine.poses(0));
+  const before = await poses();
+  await page.selectOption("#parent", "hand");
+  await compare(page, "played-parent");
+  assert.equal((await sceneOf(page)).bodies[4].relative_to, "hand");
+  const after = await poses();
+  for (const key of ["x", "y", "c", "s"])
+    assert.ok(Math.abs(before[4][key] - after[4][key]) < 1e-9, `${key} stays at the start`);
+  // The parents of the hand cannot be its children.
+  await page.selectOption("#body", "1");
+  assert.deepEqual(await page.$$eval("#parent option", (all) => all.map((o) => o.value)), ["", "shelf"]);
+
+  await page.selectOption("#body", "4");
+  await page.click("#cut-hole");
+  await compare(page, "played-hole");
+  scene = await sceneOf(page);
+  assert.equal(scene.bodies[4].parts[0].holes[0].length, 8);
+
+  await page.selectOption("#ignore-other", "*");
+  await page.click("#ignore");
+  const ignoring = await compare(page, "played-ignore");
+  assert.equal(ignoring.coverage.ignored, 6);
+  assert.match(await page.textContent("#ignored"), /body 5 x every other body/);
+  await screenshot(page, "playground-world");
+  await page.getByLabel("Ask about body 5 x every other body again").click();
+  assert.equal((await compare(page, "played-asked")).coverage.ignored, 2);
+
+  await page.click("#remove-body");
+  await compare(page, "played-removed");
+  assert.deepEqual(
+    (await sceneOf(page)).bodies.map((b) => b.name),
+    ["shelf", "upper arm", "forearm", "hand"],
+  );
+  for (let k = 0; k < 6; ++k) {
+    await page.click("#undo");
+    await finished(page);
+  }
+  assert.equal((await sceneOf(page)).bodies.length, 4);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("removing a parent leaves its children, and two plain bodies have a tiling again", async () => {
+  const page = await playground("worlds/drawer");
+  await page.selectOption("#body", "1");
+  await page.click("#remove-body");
+  await compare(page, "played-orphans");
+  const { bodies } = await sceneOf(page);
+  assert.ok(bodies.every((body) => body.relative_to === undefined));
+  await page.close();
+
+  const hello = await playground("hello");
+  assert.ok(!(await hello.$eval(".app", (e) => e.classList.contains("world"))));
+  await hello.click("#add-body");
+  await finished(hello);
+  await settled(hello);
+  assert.ok(await hello.$eval(".app", (e) => e.classList.contains("world")));
+  assert.match(await hello.textContent("#answer"), /no tiling/);
+  await hello.click("#remove-body");
+  await finished(hello);
+  await settled(hello);
+  assert.ok(!(await hello.$eval(".app", (e) => e.classList.contains("world"))));
+  assert.ok(await hello.evaluate(() => window.taut.player.replay.count > 0));
+  assert.deepEqual(hello.problems, []);
+  await hello.close();
+});
+
+test("a body that moves with another one is dragged where the pointer goes", async () => {
+  const page = await playground("worlds/arm");
+  await page.evaluate(() => window.taut.player.seek(0.1));
+  await page.click("#mode-shape");
+  await settled(page);
+  const at = (body) =>
+    page.evaluate((b) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const { handles } = window.taut.stage.tool;
+      const [x, y] = handles.camera.pixel(...handles.anchor(b));
+      return [box.left + x, box.top + y];
+    }, body);
+  const from = await at(2);
+  const hand = await at(3);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] - 30, from[1] + 40, { steps: 4 });
+  await page.mouse.up();
+  await compare(page, "played-dragged");
+  const [to, handAfter] = [await at(2), await at(3)];
+  // To a hundredth of a pixel or so, by which the numbers in the file are rounded.
+  assert.ok(Math.hypot(to[0] - from[0] + 30, to[1] - from[1] - 40) < 1, `${from} to ${to}`);
+  assert.ok(Math.hypot(handAfter[0] - hand[0] + 30, handAfter[1] - hand[1] - 40) < 1, "the hand goes along");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("the picture that the playground saves is that of the command", async () => {
+  const page = await playground("worlds/drawer");
+  const svg = await page.evaluate(() => window.taut.player.engine.svg(1e9));
+  const file = join(artefacts, "saved-drawer.json");
+  writeFileSync(file, JSON.stringify(await sceneOf(page)));
+  assert.equal(svg, run("draw", file));
+  await page.close();
+});
