@@ -13,12 +13,13 @@ namespace taut {
 /// Answers as check() does, and writes a proof log for `free` and `contact`, and for what an `undecided` run has
 /// proved; nothing useful for `overlap_at_start`.
 ///
-/// By the kinetic engine (EngineChoice::kinetic and ::both, for two bodies of one polygon each), the log is of a
-/// tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime engine,
-/// and for any other scene, it is of separations, written when it is complete; where none was found, the answer is
-/// `undecided`, and says so: docs/separation-logs.md. EngineChoice::either takes the engine that answers first. Of
+/// By the kinetic engine (EngineChoice::kinetic and EngineChoice::both, for two bodies of one polygon each), the log is
+/// of a tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime
+/// engine, and for any other scene, it is of separations, written when it is complete; where none was found, the answer
+/// is `undecided`, and says so: docs/separation-logs.md. EngineChoice::either takes the engine that answers first. Of
 /// worlds, the first contact is proved, whatever CheckOptions::all_pairs says. Throws InputError, and
-/// EngineDisagreement with ::both.
+/// EngineDisagreement with
+/// EngineChoice::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// A SHA-256 digest.

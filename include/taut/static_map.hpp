@@ -30,9 +30,9 @@ class StaticMap {
 
   /// How many bodies there are.
   std::size_t size() const;
+  /// One of them.
   const Body& body(BodyId id) const;
 
-  /// A shape, prepared for questions about this map and its copies.
   class Mover;
   /// The body's shape, as validate() takes it; its motion and its parent are not looked at. O(n log n), once. Throws
   /// InputError, also where its coordinates are beyond the map's reach.
@@ -56,8 +56,10 @@ class StaticMap {
   std::shared_ptr<const Impl> impl_;
 };
 
+/// A shape that moves among the bodies of a map: what StaticMap::prepare() returns.
 class StaticMap::Mover {
  public:
+  /// That of the body that it was made of.
   const std::string& name() const;
 
   struct Impl;
