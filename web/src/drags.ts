@@ -3,7 +3,7 @@ import type { Pose, Scene } from "./engine";
 import { local } from "./figure";
 import type { Handle, Handles } from "./handles";
 import { continued, keyframesOf, motionOf, moved, pivotOf, type Velocity } from "./motions";
-import { familyOf, ringOf } from "./shapes";
+import { cornerAt, familyOf } from "./shapes";
 
 export interface Drag extends Handle {
   /** Where the pointer was when it went down, in the world. */
@@ -30,7 +30,8 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
       return moveBody(drag, scene, handles.rounded(by[0]), handles.rounded(by[1]));
     case "vertex": {
       const [u, v] = local(drag.poses[drag.body], ...at);
-      ringOf(body)[drag.index] = [handles.rounded(u), handles.rounded(v)];
+      const corner = cornerAt(body, drag.index);
+      corner.ring[corner.index] = [handles.rounded(u), handles.rounded(v)];
       return;
     }
     case "ghost":

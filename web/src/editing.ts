@@ -8,7 +8,7 @@ import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
 import { keyframesOf, pivotOf, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
-import { ringOf, Shape } from "./shapes";
+import { cornerAt, dropVertex, Shape } from "./shapes";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
 
@@ -145,16 +145,15 @@ export class Editor implements Tool, Edited {
     const edge = this.handles.edgeAt(x, y);
     if (edge < 0) return false;
     const [u, v] = local(this.poses()[this.body], ...this.handles.camera.world(x, y));
-    const polygon = ringOf(this.scene.bodies[this.body]);
-    polygon.splice(edge + 1, 0, [this.handles.rounded(u), this.handles.rounded(v)]);
+    const { ring, index } = cornerAt(this.scene.bodies[this.body], edge);
+    ring.splice(index + 1, 0, [this.handles.rounded(u), this.handles.rounded(v)]);
     this.reshaped(edge + 1);
     return true;
   }
 
   removeVertex(): boolean {
-    const polygon = ringOf(this.scene.bodies[this.body]);
-    if (this.mode !== "shape" || this.vertex < 0 || polygon.length <= 3) return false;
-    polygon.splice(this.vertex, 1);
+    if (this.mode !== "shape" || this.vertex < 0) return false;
+    if (!dropVertex(this.scene.bodies[this.body], this.vertex)) return false;
     this.reshaped(-1);
     return true;
   }

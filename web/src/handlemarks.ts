@@ -2,7 +2,7 @@
 import { placed } from "./figure";
 import { spinRadius, type Edited, type Handles } from "./handles";
 import type { Keyframe } from "./motions";
-import { ringOf } from "./shapes";
+import { verticesIn } from "./shapes";
 import { lineOf, type Colours } from "./theme";
 
 export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
@@ -14,7 +14,7 @@ export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles
 function drawVertices(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
   if (!handles.verticesShown()) return;
   const { scene, body, vertex } = edited;
-  for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
+  for (let i = 0; i < verticesIn(scene.bodies[body]); ++i) {
     knob(c, handles.pixel(body, i), i === vertex ? colours.come : lineOf(colours, body), colours.paper, 4.5);
   }
 }

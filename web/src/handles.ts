@@ -3,7 +3,7 @@ import type { Camera } from "./camera";
 import type { Pose, Ring, Scene } from "./engine";
 import { local, placed } from "./figure";
 import { poseOf, type Keyframe, type Velocity } from "./motions";
-import { partsOf, ringOf, type Shape } from "./shapes";
+import { cornerAt, partsOf, verticesIn, type Shape } from "./shapes";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
@@ -53,14 +53,15 @@ export class Handles {
   }
 
   pixel(body: number, index: number): [number, number] {
-    const [u, v] = ringOf(this.edited.scene.bodies[body])[index];
+    const corner = cornerAt(this.edited.scene.bodies[body], index);
+    const [u, v] = corner.ring[corner.index];
     return this.camera.pixel(...placed(this.edited.poses()[body], u, v));
   }
 
   verticesShown(): boolean {
     let inView = 0;
     const { scene, body } = this.edited;
-    const { length } = ringOf(scene.bodies[body]);
+    const length = verticesIn(scene.bodies[body]);
     for (let i = 0; i < length && inView <= mostHandles; ++i) {
       const [x, y] = this.pixel(body, i);
       if (x > 0 && y > 0 && x < this.camera.width && y < this.camera.height) ++inView;
@@ -133,15 +134,18 @@ export class Handles {
   /** The edge of the chosen body that is nearest to the pixel, or -1 if none is near. */
   edgeAt(x: number, y: number): number {
     const { scene, body } = this.edited;
-    const { length } = ringOf(scene.bodies[body]);
     let best = -1;
     let distance = this.reach;
-    for (let i = 0; i < length; ++i) {
-      const d = distanceToSegment([x, y], this.pixel(body, i), this.pixel(body, (i + 1) % length));
-      if (d < distance) {
+    let first = 0;
+    for (const { length } of partsOf(scene.bodies[body]).flat()) {
+      for (let i = 0; i < length; ++i) {
+        const ends = [i, (i + 1) % length].map((k) => this.pixel(body, first + k));
+        const d = distanceToSegment([x, y], ends[0], ends[1]);
+        if (d >= distance) continue;
         distance = d;
-        best = i;
+        best = first + i;
       }
+      first += length;
     }
     return best;
   }
@@ -155,7 +159,7 @@ export class Handles {
   private findShape(x: number, y: number): Handle | null {
     const { scene, body } = this.edited;
     if (this.verticesShown()) {
-      for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
+      for (let i = 0; i < verticesIn(scene.bodies[body]); ++i) {
         if (this.near([x, y], this.pixel(body, i))) return { kind: "vertex", index: i, body };
       }
     }

@@ -271,6 +271,56 @@ test("a body that moves with another one is dragged where the pointer goes", asy
   await page.close();
 });
 
+test("the vertices of a hole are dragged, added and removed, and with the third from the end goes the hole", async () => {
+  const page = await playground("hello");
+  await page.selectOption("#body", "0");
+  await page.click("#cut-hole");
+  await compare(page, "played-hello-hole");
+  await page.click("#mode-shape");
+  await settled(page);
+  const outline = await page.evaluate(() => window.playground.state.scene.bodies[0].parts[0].outline.length);
+  const at = (vertex) =>
+    page.evaluate((i) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const [x, y] = window.taut.stage.tool.handles.pixel(0, i);
+      return [box.left + x, box.top + y];
+    }, vertex);
+  const hole = async () => (await sceneOf(page)).bodies[0].parts?.[0].holes[0];
+  const before = await hole();
+  const from = await at(outline);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 3, from[1] + 2, { steps: 3 });
+  await page.mouse.up();
+  await compare(page, "played-hole-dragged");
+  const after = await hole();
+  assert.notDeepEqual(after[0], before[0]);
+  assert.deepEqual(after.slice(1), before.slice(1));
+
+  // Out of the outline: the edges of both rings are marked.
+  const inside = await at(outline);
+  await page.mouse.move(...inside);
+  await page.mouse.down();
+  await page.mouse.move(inside[0] + 900, inside[1] - 500, { steps: 3 });
+  await page.mouse.up();
+  await settled(page);
+  assert.match(await page.textContent("#message"), /meets edge \d+-\d+ of hole 1/);
+  assert.ok((await pixelsOf(page, "#c4161c")) > 60, "the edges at fault are marked");
+  await page.click("#undo");
+  await finished(page);
+
+  for (let left = 8; left > 2; --left) {
+    await page.mouse.click(...(await at(outline)));
+    await page.keyboard.press("Delete");
+    await compare(page, "played-hole-smaller");
+  }
+  assert.equal(await hole(), undefined);
+  assert.equal((await sceneOf(page)).bodies[0].polygon.length, outline);
+  assert.ok(!(await page.$eval(".app", (e) => e.classList.contains("world"))), "there is a tiling again");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("the picture that the playground saves is that of the command", async () => {
   const page = await playground("worlds/drawer");
   const svg = await page.evaluate(() => window.taut.player.engine.svg(1e9));
