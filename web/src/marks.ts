@@ -118,7 +118,14 @@ export class Marks {
     c.fillStyle = colours.contact;
     c.fill();
     c.font = "600 13px system-ui, sans-serif";
-    this.text(contact.label, x + 14, y + 18, colours.contact, colours.paper);
+    this.beside(contact.label, x, y + 18, colours);
+  }
+
+  /** In the colour of contacts, to the right of a pixel, or to the left where there is no room. */
+  beside(text: string, x: number, y: number, colours: Colours): void {
+    const { width } = this.context.measureText(text);
+    const right = x + 14 + width < this.camera.width - 4;
+    this.text(text, right ? x + 14 : Math.max(4, x - 14 - width), y, colours.contact, colours.paper);
   }
 
   fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
@@ -181,7 +188,7 @@ export class Marks {
     this.text(String(Number(length.toPrecision(3))), 20, y - 5, colours.muted, colours.paper);
   }
 
-  text(text: string, x: number, y: number, colour: string, halo: string): void {
+  private text(text: string, x: number, y: number, colour: string, halo: string): void {
     const c = this.context;
     c.strokeStyle = halo;
     c.lineWidth = 3.5;

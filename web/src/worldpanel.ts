@@ -59,7 +59,7 @@ export class WorldPanel {
     const names = scene.bodies.map((b) => b.name);
     this.remove.disabled = names.length < 2;
     this.parent.replaceChildren(
-      h("option", { value: "" }, "nothing: seen from the world"),
+      h("option", { value: "" }, "nothing"),
       ...names.filter((_, b) => !family.has(b)).map((n) => h("option", { value: n, selected: n === relative_to }, n)),
     );
     this.other.replaceChildren(

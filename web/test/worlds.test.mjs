@@ -29,7 +29,7 @@ after(async () => {
 });
 
 /** Of the first bodies of a world. */
-const fills = ["#2a6f9e", "#e59345", "#159185", "#f0d762", "#683b6a", "#7abee4"];
+const fills = ["#2a6f9e", "#e59345", "#0f7d74", "#f0d762", "#683b6a", "#7abee4"];
 
 const view = (scene, name, options) => openPage(browser, viewPage(scene, name), options);
 
