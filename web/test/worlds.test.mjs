@@ -219,6 +219,39 @@ test("a body is added, gets a parent and a hole, is ignored, and removed again; 
   await page.close();
 });
 
+test("a body gets another name wherever it is named, and a new scene shows all bodies", async () => {
+  const page = await playground("worlds/arm");
+  await page.selectOption("#body", "1");
+  await page.fill("#name", "hand");
+  await page.press("#name", "Enter");
+  await compare(page, "played-name-taken");
+  assert.equal((await sceneOf(page)).bodies[1].name, "hand 2", "two bodies never have one name");
+  await page.fill("#name", "boom <1>");
+  await page.press("#name", "Enter");
+  await compare(page, "played-name");
+  const scene = await sceneOf(page);
+  assert.equal(scene.bodies[2].relative_to, "boom <1>");
+  assert.deepEqual(scene.ignore[0], ["boom <1>", "forearm"]);
+  assert.match(await page.textContent("#bodies"), /boom <1>/);
+  await page.fill("#name", "*");
+  await page.press("#name", "Enter");
+  await settled(page);
+  assert.match(await page.textContent("#message"), /a body is called "\*"/);
+  await page.click("#undo");
+  await finished(page);
+
+  await page.getByLabel("Show shelf", { exact: true }).uncheck();
+  await settled(page);
+  assert.equal(await pixelsOf(page, fills[0]), 0);
+  await page.selectOption("#example", "worlds/room");
+  await finished(page);
+  await settled(page);
+  assert.ok((await pixelsOf(page, fills[0])) > 1000);
+  assert.ok(await page.getByLabel("Show room", { exact: true }).isChecked());
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("removing a parent leaves its children, and two plain bodies have a tiling again", async () => {
   const page = await playground("worlds/drawer");
   await page.selectOption("#body", "1");
