@@ -6,7 +6,7 @@ import { local } from "./figure";
 import type { FaultMarks, Frame } from "./frame";
 import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
-import { keyframesOf, pivotOf, velocityAt, type Keyframe, type Velocity } from "./motions";
+import { keyframesOf, pivotOf, seenFrom, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
 import { cornerAt, dropVertex, Shape } from "./shapes";
 import type { Tool } from "./stage";
@@ -69,8 +69,18 @@ export class Editor implements Tool, Edited {
 
   velocity(): Velocity {
     if (this.drag) return this.drag.velocity;
-    const poses = (t: number): Pose => this.player.engine.poses(t)[this.body];
-    return velocityAt(poses, this.pivot(), this.player.t, this.scene.time[1]);
+    return velocityAt((t) => this.ownPose(t), this.pivot(), this.player.t, this.scene.time[1]);
+  }
+
+  base(t = this.drag?.t ?? this.player.t): Pose {
+    const parent = this.scene.bodies[this.body].relative_to;
+    const index = this.scene.bodies.findIndex((body) => body.name === parent);
+    return this.player.engine.poses(t)[index] ?? { x: 0, y: 0, c: 1, s: 0 };
+  }
+
+  /** Of the chosen body, as its motion has it: seen from its parent. */
+  ownPose(t: number): Pose {
+    return seenFrom(this.base(t), this.player.engine.poses(t)[this.body]);
   }
 
   shapes(): Shape[] {

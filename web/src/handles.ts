@@ -2,7 +2,7 @@
 import type { Camera } from "./camera";
 import type { Pose, Ring, Scene } from "./engine";
 import { local, placed } from "./figure";
-import { poseOf, type Keyframe, type Velocity } from "./motions";
+import { poseOf, product, type Keyframe, type Velocity } from "./motions";
 import { cornerAt, partsOf, verticesIn, type Shape } from "./shapes";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
@@ -29,8 +29,10 @@ export interface Edited {
   topmost(): number[];
   keyframes(): Keyframe[] | null;
   pivot(): [number, number];
-  /** Of the body's motion from now on. */
+  /** Of the body's motion from now on, seen from its parent. */
   velocity(): Velocity;
+  /** Where the chosen body's parent is at t, or now; without a parent, the world's own frame. */
+  base(t?: number): Pose;
 }
 
 export interface Handle {
@@ -69,18 +71,33 @@ export class Handles {
     return inView <= mostHandles;
   }
 
-  /** Does the chosen body move with another one? What is set by dragging is seen from the world. */
-  carried(): boolean {
-    return this.edited.scene.bodies[this.edited.body].relative_to !== undefined;
+  base(t?: number): Pose {
+    return this.edited.base(t);
   }
 
-  /** The keyframes that can be shown where they are. */
-  ghosts(): Keyframe[] {
-    return this.carried() ? [] : (this.edited.keyframes() ?? []);
-  }
-
+  /** In the world, where the body's parent is then. */
   ghostPose(k: Keyframe): Pose {
-    return poseOf(k, this.edited.pivot());
+    return product(this.edited.base(k.t), poseOf(k, this.edited.pivot()));
+  }
+
+  /** Poses on the way: at the keyframes, and in between where the body is carried along meanwhile. */
+  way(frames: Keyframe[]): Pose[] {
+    const { scene, body } = this.edited;
+    const steps = scene.bodies[body].relative_to === undefined ? 1 : 16;
+    return frames.flatMap((k, i) => {
+      const next = frames[i + 1];
+      if (!next) return [this.ghostPose(k)];
+      const mix = (a: number, b: number, share: number): number => a + share * (b - a);
+      return Array.from({ length: steps }, (_, n) => {
+        const share = n / steps;
+        return this.ghostPose({
+          t: mix(k.t, next.t, share),
+          x: mix(k.x, next.x, share),
+          y: mix(k.y, next.y, share),
+          angle: mix(k.angle, next.angle, share),
+        });
+      });
+    });
   }
 
   /** The handle that turns a ghost: beside the pivot, in the direction of its x axis. */
@@ -103,7 +120,8 @@ export class Handles {
   arrowTip(velocity: Velocity): [number, number] {
     const [x, y] = this.camera.pixel(...this.anchor());
     const time = this.arrowTime() * this.camera.scale;
-    return [x + velocity.x * time, y - velocity.y * time];
+    const { c, s } = this.edited.base();
+    return [x + (c * velocity.x - s * velocity.y) * time, y - (s * velocity.x + c * velocity.y) * time];
   }
 
   spin(velocity: Velocity): [number, number] {
@@ -169,7 +187,7 @@ export class Handles {
 
   private findGhost(x: number, y: number): Handle | null {
     const { body } = this.edited;
-    const poses = this.ghosts().map((k) => this.ghostPose(k));
+    const poses = (this.edited.keyframes() ?? []).map((k) => this.ghostPose(k));
     for (let i = poses.length; i-- > 0;) {
       if (this.near([x, y], this.turn(poses[i]))) return { kind: "turn", index: i, body };
     }
@@ -182,7 +200,6 @@ export class Handles {
 
   private findArrow(x: number, y: number): Handle | null {
     const { body } = this.edited;
-    if (this.carried()) return null;
     const velocity = this.edited.velocity();
     if (this.near([x, y], this.arrowTip(velocity))) return { kind: "arrow", index: -1, body };
     if (this.near([x, y], this.spin(velocity))) return { kind: "spin", index: -1, body };

@@ -72,9 +72,6 @@ export class WorldPanel {
       ...names.filter((n) => n !== name).map((n) => h("option", { value: n }, n)),
       h("option", { value: "*" }, "every other body"),
     );
-    this.hint.textContent =
-      relative_to === undefined
-        ? ""
-        : `The keyframes of ${name} are seen from ${relative_to}. Ghosts and arrows are for bodies that move with nothing.`;
+    this.hint.textContent = relative_to === undefined ? "" : `The keyframes of ${name} are seen from ${relative_to}.`;
   }
 }

@@ -304,6 +304,68 @@ test("a body that moves with another one is dragged where the pointer goes", asy
   await page.close();
 });
 
+test("ghosts and the arrow of a body that moves with another one are dragged where the pointer goes", async () => {
+  const page = await playground("worlds/arm");
+  // Without the shelf the arm goes all the way, and the picture shows it.
+  await page.selectOption("#body", "0");
+  await page.click("#remove-body");
+  await finished(page);
+  await page.click('[aria-label="Show everything"]');
+  await page.selectOption("#body", "2");
+  await page.click("#mode-keyframes");
+  await settled(page);
+  const ghost = (index) =>
+    page.evaluate((k) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const { handles } = window.taut.stage.tool;
+      const frame = window.playground.state.keyframes[k];
+      const pose = handles.ghostPose(frame);
+      const at = ([u, v]) => {
+        const [x, y] = handles.camera.pixel(pose.x + pose.c * u - pose.s * v, pose.y + pose.s * u + pose.c * v);
+        return [box.left + x, box.top + y];
+      };
+      return { middle: at([6.25, -0.2]), wrist: at([5.5, 0]) };
+    }, index);
+  // At the end the wrist is 3 along the upper arm, at 100 degrees, and 2.5 along the forearm, at 160.
+  const { middle, wrist } = await ghost(1);
+  const pixel = await page.evaluate(() => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const along = (length, degrees) => [Math.cos, Math.sin].map((f) => length * f((degrees * Math.PI) / 180));
+    const [a, b] = [along(3, 100), along(2.5, 160)];
+    const [x, y] = window.taut.stage.camera.pixel(a[0] + b[0], a[1] + b[1]);
+    return [box.left + x, box.top + y];
+  });
+  assert.ok(Math.hypot(wrist[0] - pixel[0], wrist[1] - pixel[1]) < 1e-6);
+  await page.mouse.move(...middle);
+  await page.mouse.down();
+  await page.mouse.move(middle[0] + 25, middle[1] - 15, { steps: 4 });
+  await page.mouse.up();
+  await compare(page, "played-ghost");
+  const after = (await ghost(1)).middle;
+  assert.ok(Math.hypot(after[0] - middle[0] - 25, after[1] - middle[1] + 15) < 1, `${middle} to ${after}`);
+
+  await page.evaluate(() => window.taut.player.seek(0.1));
+  await page.click("#mode-drive");
+  await settled(page);
+  const tip = () =>
+    page.evaluate(() => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const tool = window.taut.stage.tool;
+      const [x, y] = tool.handles.arrowTip(tool.velocity());
+      return [box.left + x, box.top + y];
+    });
+  const from = await tip();
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 20, from[1] + 30, { steps: 4 });
+  await page.mouse.up();
+  await compare(page, "played-arrow");
+  const to = await tip();
+  assert.ok(Math.hypot(to[0] - from[0] - 20, to[1] - from[1] - 30) < 1.5, `${from} to ${to}`);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("the vertices of a hole are dragged, added and removed, and with the third from the end goes the hole", async () => {
   const page = await playground("hello");
   await page.selectOption("#body", "0");
