@@ -145,8 +145,9 @@ struct WorldAnimateOptions {
 /// beginning. Who prefers reduced motion sees the last frame.
 std::string animate_world_svg(const Scene& scene, double end, const WorldAnimateOptions& options = {});
 
-/// The answers of intervals() and range() as `taut intervals --json` and `taut range --json` print them.
+/// The answer of intervals() as `taut intervals --json` prints it.
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
+/// The answer of range() as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
 
 /// The answer of clearance() as `taut clearance --json` prints it.
