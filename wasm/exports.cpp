@@ -31,6 +31,21 @@ std::string indices_text(const std::vector<Ref>& features) {
   return "[" + s + "]";
 }
 
+/// Part and ring of each.
+template <class Ref>
+std::string rings_text(const std::vector<Ref>& features) {
+  std::string s;
+  for (const Ref& f : features)
+    s += (s.empty() ? "[" : ",[") + std::to_string(f.part) + "," + std::to_string(f.ring) + "]";
+  return "[" + s + "]";
+}
+
+/// Of a world the culprits themselves tell their body.
+int body_of(const Culprits& culprits) {
+  if (!culprits.edges.empty()) return culprits.edges.front().body;
+  return culprits.vertices.empty() ? -1 : culprits.vertices.front().body;
+}
+
 /// Which body an error speaks of: the one whose name ends its place.
 int body_at_fault(const std::string& place, const Scene* scene) {
   for (std::size_t b = 0; scene && b < scene->bodies.size(); ++b) {
@@ -46,7 +61,8 @@ std::string error_text(const char* kind, const std::string& place, const std::st
   return std::string("{\"error\":{\"kind\":\"") + kind + "\",\"place\":" + io::string_text(place) +
          ",\"problem\":" + io::string_text(problem) + ",\"hint\":" + io::string_text(hint) +
          ",\"body\":" + std::to_string(body) + ",\"vertices\":" + indices_text(culprits.vertices) +
-         ",\"edges\":" + indices_text(culprits.edges) + "}}";
+         ",\"edges\":" + indices_text(culprits.edges) + ",\"vertexRings\":" + rings_text(culprits.vertices) +
+         ",\"edgeRings\":" + rings_text(culprits.edges) + "}}";
 }
 
 /// Runs `work(scene)`, where `scene` may be filled for messages, and keeps its result for JavaScript.
@@ -56,7 +72,9 @@ const char* answered(const Work& work) {
   try {
     result = work(scene);
   } catch (const InputError& e) {
-    result = error_text("input", e.place(), e.problem(), e.hint(), body_at_fault(e.place(), &scene), e.culprits());
+    const int named = body_at_fault(e.place(), &scene);
+    const int body = named < 0 && is_world(scene) ? body_of(e.culprits()) : named;
+    result = error_text("input", e.place(), e.problem(), e.hint(), body, e.culprits());
   } catch (const UndecidedError& e) {
     result = error_text("undecided", "", e.what(), "");
   } catch (const std::exception& e) {

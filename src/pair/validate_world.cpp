@@ -29,13 +29,28 @@ Names names_of(const Scene& scene) {
   return names;
 }
 
+/// The same error, its culprits on this part of this body; on this ring, unless they name rings themselves.
+InputError located(const InputError& error, BodyId body, std::size_t part, std::size_t ring) {
+  Culprits culprits = error.culprits();
+  const auto locate = [&](auto& feature) {
+    feature.body = body;
+    feature.part = static_cast<int>(part);
+    if (ring > 0) feature.ring = static_cast<int>(ring);
+  };
+  for (VertexRef& v : culprits.vertices) locate(v);
+  for (EdgeRef& e : culprits.edges) locate(e);
+  return InputError(error.place(), error.problem(), error.hint(), std::move(culprits));
+}
+
 /// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
 void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box) {
   if (!body.parts.empty() && !body.polygon.empty())
     throw InputError(body.name, "the body has a polygon and parts", "a body is one polygon, or parts");
   const std::vector<Part> parts = parts_of(body);
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::size_t at = 0;  // the ring that is looked at; 0 again for all together
     const auto validate = [&](const Polygon& ring, std::size_t number) {
+      at = number;
       validate_polygon(ring, ring_name(body, i, number));
       const ShapeFacts facts = facts_of(ring);
       range.least = std::min(range.least, facts.least);
@@ -46,9 +61,10 @@ void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box)
     try {
       validate(parts[i].outline, 0);
       for (std::size_t j = 0; j < parts[i].holes.size(); ++j) validate(parts[i].holes[j], j + 1);
+      at = 0;
       validate_holes(parts[i], ring_name(body, i, 0));
     } catch (const InputError& error) {
-      throw error.about(id);
+      throw located(error, id, i, at);
     }
   }
 }

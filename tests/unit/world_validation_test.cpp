@@ -54,6 +54,25 @@ void expect_fault(const Scene& scene, const std::string& place, const std::strin
   EXPECT_NE(error.problem().find(problem), std::string::npos) << error.problem();
 }
 
+TEST(WorldValidation, CulpritsTellTheirPartAndRing) {
+  // The second hole of the second part crosses itself.
+  Scene scene = world_with_holes({});
+  scene.bodies[1].parts.push_back({square_of(30, 0, 10), {square_of(31, 1, 2), {{35, 1}, {37, 3}, {37, 1}, {35, 3}}}});
+  const Culprits crossed = fault_of(scene).culprits();
+  ASSERT_EQ(crossed.edges.size(), 2U);
+  for (const EdgeRef& edge : crossed.edges) {
+    EXPECT_EQ(edge.body, 1);
+    EXPECT_EQ(edge.part, 1);
+    EXPECT_EQ(edge.ring, 2);
+  }
+  // A hole meets the outline: one edge of each.
+  const Culprits met = fault_of(world_with_holes({square_of(1, 1, 2), square_of(8, 5, 5)})).culprits();
+  ASSERT_EQ(met.edges.size(), 2U);
+  EXPECT_EQ(met.edges[0].ring, 0);
+  EXPECT_EQ(met.edges[1].ring, 2);
+  EXPECT_EQ(met.edges[0].body, 1);
+}
+
 TEST(WorldValidation, HolesLieInside) {
   EXPECT_EQ(check(world_with_holes({square_of(1, 1, 2), square_of(5, 5, 2)})).outcome, Outcome::free);
   expect_fault(world_with_holes({square_of(1, 1, 2), square_of(12, 1, 2)}), "plate: hole 2", "outside of the outline");

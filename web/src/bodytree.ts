@@ -24,6 +24,11 @@ export class BodyTree {
 
   constructor(readonly host: BodyTreeHost) {}
 
+  /** Other bodies are to be seen from the next time on. */
+  reset(): void {
+    this.key = "";
+  }
+
   show(scene: Scene, world: WorldLooks | null): void {
     const key = JSON.stringify([scene.bodies.map((b) => [b.name, b.relative_to]), scene.ignore, !world]);
     if (key === this.key) return;

@@ -1,9 +1,9 @@
 // What dragging a handle does to the scene.
 import type { Pose, Scene } from "./engine";
-import { local } from "./figure";
+import { local, placed } from "./figure";
 import type { Handle, Handles } from "./handles";
-import { continued, keyframesOf, motionOf, moved, pivotOf, type Velocity } from "./motions";
-import { familyOf, ringOf } from "./shapes";
+import { continued, keyframesOf, motionOf, moved, pivotOf, seenFrom, type Velocity } from "./motions";
+import { cornerAt, familyOf } from "./shapes";
 
 export interface Drag extends Handle {
   /** Where the pointer was when it went down, in the world. */
@@ -30,7 +30,8 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
       return moveBody(drag, scene, handles.rounded(by[0]), handles.rounded(by[1]));
     case "vertex": {
       const [u, v] = local(drag.poses[drag.body], ...at);
-      ringOf(body)[drag.index] = [handles.rounded(u), handles.rounded(v)];
+      const corner = cornerAt(body, drag.index);
+      corner.ring[corner.index] = [handles.rounded(u), handles.rounded(v)];
       return;
     }
     case "ghost":
@@ -41,7 +42,7 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
       drag.velocity = { ...drag.velocity, ...velocityTo(drag, handles, x, y) };
       body.motion = continued(
         drag.before.bodies[drag.body],
-        drag.poses[drag.body],
+        seenFrom(handles.base(), drag.poses[drag.body]),
         drag.t,
         scene.time[0],
         drag.velocity,
@@ -53,8 +54,8 @@ export function follow(drag: Drag, scene: Scene, handles: Handles, x: number, y:
 function moveBody(drag: Drag, scene: Scene, dx: number, dy: number): void {
   const body = scene.bodies[drag.body];
   const parent = drag.posesBefore[scene.bodies.findIndex((other) => other.name === body.relative_to)];
-  const { c, s } = parent ?? { c: 1, s: 0 };
-  body.motion = moved(drag.before.bodies[drag.body], c * dx + s * dy, c * dy - s * dx);
+  const own: [number, number] = parent ? turnedBack(parent, [dx, dy]) : [dx, dy];
+  body.motion = moved(drag.before.bodies[drag.body], ...own);
   const family = familyOf(scene, drag.body);
   drag.poses = drag.posesBefore.map((pose, b) => (family.has(b) ? { ...pose, x: pose.x + dx, y: pose.y + dy } : pose));
 }
@@ -71,11 +72,13 @@ function moveGhost(drag: Drag, scene: Scene, handles: Handles, pixel: [number, n
   }
   const pivot = pivotOf(scene.bodies[drag.body]) ?? [0, 0];
   const k = frames[index];
+  const base = handles.base(k.t);
   if (drag.kind === "ghost") {
-    frames[index] = { ...k, x: handles.rounded(k.x + by[0]), y: handles.rounded(k.y + by[1]) };
+    const [dx, dy] = turnedBack(base, by);
+    frames[index] = { ...k, x: handles.rounded(k.x + dx), y: handles.rounded(k.y + dy) };
   } else {
-    const [ox, oy] = handles.camera.pixel(k.x + pivot[0], k.y + pivot[1]);
-    const turn = nearest(Math.atan2(oy - pixel[1], pixel[0] - ox) - k.angle);
+    const [ox, oy] = handles.camera.pixel(...placed(base, k.x + pivot[0], k.y + pivot[1]));
+    const turn = nearest(Math.atan2(oy - pixel[1], pixel[0] - ox) - Math.atan2(base.s, base.c) - k.angle);
     frames[index] = { ...k, angle: Number((k.angle + turn).toFixed(4)) };
   }
   scene.bodies[drag.body].motion = motionOf(frames, pivot);
@@ -86,9 +89,15 @@ function velocityTo(drag: Drag, handles: Handles, x: number, y: number): Partial
   const { scale } = handles.camera;
   const [ax, ay] = handles.camera.pixel(...handles.anchor(drag.body));
   const time = handles.arrowTime();
-  if (drag.kind === "arrow") return { x: (x - ax) / time / scale, y: (ay - y) / time / scale };
+  if (drag.kind === "arrow") {
+    const [vx, vy] = turnedBack(handles.base(), [x - ax, ay - y]);
+    return { x: vx / time / scale, y: vy / time / scale };
+  }
   return { spin: nearest(Math.atan2(ay - y, x - ax) - Math.PI / 2) / time };
 }
+
+/** A direction of the world, seen from a frame. */
+const turnedBack = ({ c, s }: Pose, [x, y]: [number, number]): [number, number] => [c * x + s * y, c * y - s * x];
 
 /** The same angle within half a turn. */
 const nearest = (angle: number): number => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));

@@ -6,9 +6,9 @@ import { local } from "./figure";
 import type { FaultMarks, Frame } from "./frame";
 import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
-import { keyframesOf, pivotOf, velocityAt, type Keyframe, type Velocity } from "./motions";
+import { keyframesOf, pivotOf, seenFrom, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
-import { ringOf, Shape } from "./shapes";
+import { cornerAt, dropVertex, Shape } from "./shapes";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
 
@@ -69,8 +69,18 @@ export class Editor implements Tool, Edited {
 
   velocity(): Velocity {
     if (this.drag) return this.drag.velocity;
-    const poses = (t: number): Pose => this.player.engine.poses(t)[this.body];
-    return velocityAt(poses, this.pivot(), this.player.t, this.scene.time[1]);
+    return velocityAt((t) => this.ownPose(t), this.pivot(), this.player.t, this.scene.time[1]);
+  }
+
+  base(t = this.drag?.t ?? this.player.t): Pose {
+    const parent = this.scene.bodies[this.body].relative_to;
+    const index = this.scene.bodies.findIndex((body) => body.name === parent);
+    return this.player.engine.poses(t)[index] ?? { x: 0, y: 0, c: 1, s: 0 };
+  }
+
+  /** Of the chosen body, as its motion has it: seen from its parent. */
+  ownPose(t: number): Pose {
+    return seenFrom(this.base(t), this.player.engine.poses(t)[this.body]);
   }
 
   shapes(): Shape[] {
@@ -145,16 +155,15 @@ export class Editor implements Tool, Edited {
     const edge = this.handles.edgeAt(x, y);
     if (edge < 0) return false;
     const [u, v] = local(this.poses()[this.body], ...this.handles.camera.world(x, y));
-    const polygon = ringOf(this.scene.bodies[this.body]);
-    polygon.splice(edge + 1, 0, [this.handles.rounded(u), this.handles.rounded(v)]);
+    const { ring, index } = cornerAt(this.scene.bodies[this.body], edge);
+    ring.splice(index + 1, 0, [this.handles.rounded(u), this.handles.rounded(v)]);
     this.reshaped(edge + 1);
     return true;
   }
 
   removeVertex(): boolean {
-    const polygon = ringOf(this.scene.bodies[this.body]);
-    if (this.mode !== "shape" || this.vertex < 0 || polygon.length <= 3) return false;
-    polygon.splice(this.vertex, 1);
+    if (this.mode !== "shape" || this.vertex < 0) return false;
+    if (!dropVertex(this.scene.bodies[this.body], this.vertex)) return false;
     this.reshaped(-1);
     return true;
   }

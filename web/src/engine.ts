@@ -9,6 +9,9 @@ export interface Fault {
   body: number;
   vertices: number[];
   edges: number[];
+  /** Part and ring of each of them. */
+  vertexRings: [number, number][];
+  edgeRings: [number, number][];
 }
 
 /** What the library refuses, with the parts at fault. */

@@ -24,10 +24,17 @@ export interface ContactMarks {
   label: string;
 }
 
+/** A vertex, or the edge from it on. */
+export interface Culprit {
+  part: number;
+  ring: number;
+  index: number;
+}
+
 export interface FaultMarks {
   body: number;
-  vertices: number[];
-  edges: number[];
+  vertices: Culprit[];
+  edges: Culprit[];
 }
 
 export interface Frame {

@@ -2,7 +2,7 @@
 import { placed } from "./figure";
 import { spinRadius, type Edited, type Handles } from "./handles";
 import type { Keyframe } from "./motions";
-import { ringOf } from "./shapes";
+import { verticesIn } from "./shapes";
 import { lineOf, type Colours } from "./theme";
 
 export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
@@ -14,13 +14,13 @@ export function drawHandles(c: CanvasRenderingContext2D, edited: Edited, handles
 function drawVertices(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
   if (!handles.verticesShown()) return;
   const { scene, body, vertex } = edited;
-  for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
+  for (let i = 0; i < verticesIn(scene.bodies[body]); ++i) {
     knob(c, handles.pixel(body, i), i === vertex ? colours.come : lineOf(colours, body), colours.paper, 4.5);
   }
 }
 
 function drawGhosts(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
-  const frames = handles.ghosts();
+  const frames = edited.keyframes() ?? [];
   c.setLineDash([6, 4]);
   c.strokeStyle = lineOf(colours, edited.body);
   c.lineWidth = 1.5;
@@ -36,7 +36,7 @@ function drawGhosts(c: CanvasRenderingContext2D, edited: Edited, handles: Handle
 /** The way of the pivot. */
 function drawPath(c: CanvasRenderingContext2D, frames: Keyframe[], edited: Edited, handles: Handles): void {
   c.beginPath();
-  for (const k of frames) c.lineTo(...handles.camera.pixel(...placed(handles.ghostPose(k), ...edited.pivot())));
+  for (const pose of handles.way(frames)) c.lineTo(...handles.camera.pixel(...placed(pose, ...edited.pivot())));
   c.stroke();
 }
 
@@ -77,7 +77,6 @@ function drawGhostHandles(
 }
 
 function drawArrow(c: CanvasRenderingContext2D, edited: Edited, handles: Handles, colours: Colours): void {
-  if (handles.carried()) return;
   const velocity = edited.velocity();
   const pivot = handles.camera.pixel(...placed(edited.poses()[edited.body], ...edited.pivot()));
   knob(c, pivot, colours.come, colours.paper, 2.5);

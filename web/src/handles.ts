@@ -2,8 +2,8 @@
 import type { Camera } from "./camera";
 import type { Pose, Ring, Scene } from "./engine";
 import { local, placed } from "./figure";
-import { poseOf, type Keyframe, type Velocity } from "./motions";
-import { partsOf, ringOf, type Shape } from "./shapes";
+import { poseOf, product, type Keyframe, type Velocity } from "./motions";
+import { cornerAt, partsOf, verticesIn, type Shape } from "./shapes";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
@@ -29,8 +29,10 @@ export interface Edited {
   topmost(): number[];
   keyframes(): Keyframe[] | null;
   pivot(): [number, number];
-  /** Of the body's motion from now on. */
+  /** Of the body's motion from now on, seen from its parent. */
   velocity(): Velocity;
+  /** Where the chosen body's parent is at t, or now; without a parent, the world's own frame. */
+  base(t?: number): Pose;
 }
 
 export interface Handle {
@@ -53,14 +55,15 @@ export class Handles {
   }
 
   pixel(body: number, index: number): [number, number] {
-    const [u, v] = ringOf(this.edited.scene.bodies[body])[index];
+    const corner = cornerAt(this.edited.scene.bodies[body], index);
+    const [u, v] = corner.ring[corner.index];
     return this.camera.pixel(...placed(this.edited.poses()[body], u, v));
   }
 
   verticesShown(): boolean {
     let inView = 0;
     const { scene, body } = this.edited;
-    const { length } = ringOf(scene.bodies[body]);
+    const length = verticesIn(scene.bodies[body]);
     for (let i = 0; i < length && inView <= mostHandles; ++i) {
       const [x, y] = this.pixel(body, i);
       if (x > 0 && y > 0 && x < this.camera.width && y < this.camera.height) ++inView;
@@ -68,18 +71,33 @@ export class Handles {
     return inView <= mostHandles;
   }
 
-  /** Does the chosen body move with another one? What is set by dragging is seen from the world. */
-  carried(): boolean {
-    return this.edited.scene.bodies[this.edited.body].relative_to !== undefined;
+  base(t?: number): Pose {
+    return this.edited.base(t);
   }
 
-  /** The keyframes that can be shown where they are. */
-  ghosts(): Keyframe[] {
-    return this.carried() ? [] : (this.edited.keyframes() ?? []);
-  }
-
+  /** In the world, where the body's parent is then. */
   ghostPose(k: Keyframe): Pose {
-    return poseOf(k, this.edited.pivot());
+    return product(this.edited.base(k.t), poseOf(k, this.edited.pivot()));
+  }
+
+  /** Poses on the way: at the keyframes, and in between where the body is carried along meanwhile. */
+  way(frames: Keyframe[]): Pose[] {
+    const { scene, body } = this.edited;
+    const steps = scene.bodies[body].relative_to === undefined ? 1 : 16;
+    return frames.flatMap((k, i) => {
+      const next = frames[i + 1];
+      if (!next) return [this.ghostPose(k)];
+      const mix = (a: number, b: number, share: number): number => a + share * (b - a);
+      return Array.from({ length: steps }, (_, n) => {
+        const share = n / steps;
+        return this.ghostPose({
+          t: mix(k.t, next.t, share),
+          x: mix(k.x, next.x, share),
+          y: mix(k.y, next.y, share),
+          angle: mix(k.angle, next.angle, share),
+        });
+      });
+    });
   }
 
   /** The handle that turns a ghost: beside the pivot, in the direction of its x axis. */
@@ -102,7 +120,8 @@ export class Handles {
   arrowTip(velocity: Velocity): [number, number] {
     const [x, y] = this.camera.pixel(...this.anchor());
     const time = this.arrowTime() * this.camera.scale;
-    return [x + velocity.x * time, y - velocity.y * time];
+    const { c, s } = this.edited.base();
+    return [x + (c * velocity.x - s * velocity.y) * time, y - (s * velocity.x + c * velocity.y) * time];
   }
 
   spin(velocity: Velocity): [number, number] {
@@ -133,15 +152,18 @@ export class Handles {
   /** The edge of the chosen body that is nearest to the pixel, or -1 if none is near. */
   edgeAt(x: number, y: number): number {
     const { scene, body } = this.edited;
-    const { length } = ringOf(scene.bodies[body]);
     let best = -1;
     let distance = this.reach;
-    for (let i = 0; i < length; ++i) {
-      const d = distanceToSegment([x, y], this.pixel(body, i), this.pixel(body, (i + 1) % length));
-      if (d < distance) {
+    let first = 0;
+    for (const { length } of partsOf(scene.bodies[body]).flat()) {
+      for (let i = 0; i < length; ++i) {
+        const ends = [i, (i + 1) % length].map((k) => this.pixel(body, first + k));
+        const d = distanceToSegment([x, y], ends[0], ends[1]);
+        if (d >= distance) continue;
         distance = d;
-        best = i;
+        best = first + i;
       }
+      first += length;
     }
     return best;
   }
@@ -155,7 +177,7 @@ export class Handles {
   private findShape(x: number, y: number): Handle | null {
     const { scene, body } = this.edited;
     if (this.verticesShown()) {
-      for (let i = 0; i < ringOf(scene.bodies[body]).length; ++i) {
+      for (let i = 0; i < verticesIn(scene.bodies[body]); ++i) {
         if (this.near([x, y], this.pixel(body, i))) return { kind: "vertex", index: i, body };
       }
     }
@@ -165,7 +187,7 @@ export class Handles {
 
   private findGhost(x: number, y: number): Handle | null {
     const { body } = this.edited;
-    const poses = this.ghosts().map((k) => this.ghostPose(k));
+    const poses = (this.edited.keyframes() ?? []).map((k) => this.ghostPose(k));
     for (let i = poses.length; i-- > 0;) {
       if (this.near([x, y], this.turn(poses[i]))) return { kind: "turn", index: i, body };
     }
@@ -178,7 +200,6 @@ export class Handles {
 
   private findArrow(x: number, y: number): Handle | null {
     const { body } = this.edited;
-    if (this.carried()) return null;
     const velocity = this.edited.velocity();
     if (this.near([x, y], this.arrowTip(velocity))) return { kind: "arrow", index: -1, body };
     if (this.near([x, y], this.spin(velocity))) return { kind: "spin", index: -1, body };

@@ -27,7 +27,7 @@ export function withOutline(scene: Scene, index: number, polygon: [number, numbe
 }
 
 /** Where a body was named, it is named anew. */
-function renamed(scene: Scene, before: string, after: string): void {
+export function renamed(scene: Scene, before: string, after: string): void {
   for (const body of scene.bodies) if (body.relative_to === before) body.relative_to = after;
   const name = (n: string): string => (n === before ? after : n);
   if (scene.ignore) scene.ignore = scene.ignore.map(([a, b]) => [name(a), name(b)]);

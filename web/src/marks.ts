@@ -1,7 +1,7 @@
 // What is marked in the picture: events, the contact, faults; and what is written into it.
 import type { Camera } from "./camera";
 import { placed } from "./figure";
-import type { ContactMarks, EventMarks, FaultMarks, Frame } from "./frame";
+import type { ContactMarks, Culprit, EventMarks, FaultMarks, Frame } from "./frame";
 import { addSegment } from "./pixels";
 import type { Edge } from "./replay";
 import type { Colours } from "./theme";
@@ -118,24 +118,32 @@ export class Marks {
     c.fillStyle = colours.contact;
     c.fill();
     c.font = "600 13px system-ui, sans-serif";
-    this.text(contact.label, x + 14, y + 18, colours.contact, colours.paper);
+    this.beside(contact.label, x, y + 18, colours);
+  }
+
+  /** In the colour of contacts, to the right of a pixel, or to the left where there is no room. */
+  beside(text: string, x: number, y: number, colours: Colours): void {
+    const { width } = this.context.measureText(text);
+    const right = x + 14 + width < this.camera.width - 4;
+    this.text(text, right ? x + 14 : Math.max(4, x - 14 - width), y, colours.contact, colours.paper);
   }
 
   fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
     const c = this.context;
-    // Of other bodies it is not known here which ring is meant: the message says it.
-    if (frame.shapes[fault.body].parts.length > 1 || frame.shapes[fault.body].parts[0].length > 1) return;
-    const figure = frame.figures[fault.body];
-    const wrap = (i: number) => ((i % figure.size) + figure.size) % figure.size;
+    const pixel = ({ part, ring, index }: Culprit, on = 0): [number, number] => {
+      const figure = frame.shapes[fault.body].parts[part][ring];
+      const i = (((index + on) % figure.size) + figure.size) % figure.size;
+      return this.camera.pixel(...placed(frame.poses[fault.body], figure.x[i], figure.y[i]));
+    };
     c.strokeStyle = colours.fault;
     c.lineWidth = 4;
     c.beginPath();
-    for (const j of fault.edges) {
-      c.moveTo(...pixelOf(this.camera, frame, fault.body, wrap(j)));
-      c.lineTo(...pixelOf(this.camera, frame, fault.body, wrap(j + 1)));
+    for (const edge of fault.edges) {
+      c.moveTo(...pixel(edge));
+      c.lineTo(...pixel(edge, 1));
     }
-    for (const i of fault.vertices) {
-      const [x, y] = pixelOf(this.camera, frame, fault.body, wrap(i));
+    for (const vertex of fault.vertices) {
+      const [x, y] = pixel(vertex);
       c.moveTo(x + 10, y);
       c.arc(x, y, 10, 0, 2 * Math.PI);
     }
@@ -180,7 +188,7 @@ export class Marks {
     this.text(String(Number(length.toPrecision(3))), 20, y - 5, colours.muted, colours.paper);
   }
 
-  text(text: string, x: number, y: number, colour: string, halo: string): void {
+  private text(text: string, x: number, y: number, colour: string, halo: string): void {
     const c = this.context;
     c.strokeStyle = halo;
     c.lineWidth = 3.5;

@@ -59,14 +59,17 @@ export function seenFrom(parent: Pose, pose: Pose): Pose {
   return { x, y, c: parent.c * pose.c + parent.s * pose.s, s: parent.c * pose.s - parent.s * pose.c };
 }
 
+/** Where a body is in the world that a parent at `parent` has at `own`. */
+export function product(parent: Pose, own: Pose): Pose {
+  const [x, y] = placed(parent, own.x, own.y);
+  return { x, y, c: parent.c * own.c - parent.s * own.s, s: parent.c * own.s + parent.s * own.c };
+}
+
 /** The keyframes of a motion that is carried along by `by`: each pose is multiplied by it. */
 export function carried(frames: Keyframe[], pivot: [number, number], by: Pose): Keyframe[] {
   const turn = Math.atan2(by.s, by.c);
   return frames.map((k) => {
-    const pose = poseOf(k, pivot);
-    const [x, y] = placed(by, pose.x, pose.y);
-    const all = { x, y, c: by.c * pose.c - by.s * pose.s, s: by.c * pose.s + by.s * pose.c };
-    const [dx, dy] = shift(all, pivot);
+    const [dx, dy] = shift(product(by, poseOf(k, pivot)), pivot);
     return { t: k.t, x: tidy(dx), y: tidy(dy), angle: tidy(k.angle + turn) };
   });
 }

@@ -8,7 +8,7 @@ import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
 import { besideOthers, withOutline } from "./importing";
-import { keyframesOf, motionOf, piecesOf, sampled, seenFrom, withKeyframe, type Keyframe } from "./motions";
+import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { acceptDrops, headerTools, pageExamples, saveFile, type Example, type OpenAndSaveHost } from "./openandsave";
 import { Player } from "./player";
 import { SceneText } from "./scenetext";
@@ -94,18 +94,10 @@ class Playground {
         if (more) this.setKeyframes(more, "keyframes");
       },
       sample: () => {
-        const poses = (t: number): Pose => this.ownPose(t);
+        const poses = (t: number): Pose => this.editor.ownPose(t);
         this.setKeyframes(sampled(poses, this.editor.pivot(), ...this.editor.scene.time), "keyframes");
       },
     });
-  }
-
-  /** Of the chosen body, as its motion has it: seen from its parent. */
-  private ownPose(t: number): Pose {
-    const poses = this.player.engine.poses(t);
-    const { body, scene } = this.editor;
-    const parent = scene.bodies.findIndex((other) => other.name === scene.bodies[body].relative_to);
-    return parent < 0 ? poses[body] : seenFrom(poses[parent], poses[body]);
   }
 
   private build(): void {

@@ -1,14 +1,40 @@
 // Bodies as they are drawn: their parts, each an outline and its holes.
-import type { Body, Ring, Scene } from "./engine";
+import type { Body, Part, Ring, Scene } from "./engine";
 import { Figure } from "./figure";
-
-/** Of a body that is one polygon without holes; empty for others. */
-export const ringOf = (body: Body): Ring => body.polygon ?? [];
 
 /** Of each part: its outline, then its holes. */
 export function partsOf(body: Body): Ring[][] {
   if (body.polygon) return [[body.polygon]];
   return (body.parts ?? []).map((part) => (Array.isArray(part) ? [part] : [part.outline, ...(part.holes ?? [])]));
+}
+
+/** Vertices are counted on from ring to ring. */
+export const verticesIn = (body: Body): number => partsOf(body).reduce((sum, rings) => sum + rings.flat().length, 0);
+
+/** The ring that has the vertex of this number, and where; what is done to the ring is done to the body. */
+export function cornerAt(body: Body, vertex: number): { ring: Ring; index: number } {
+  for (const ring of partsOf(body).flat()) {
+    if (vertex < ring.length) return { ring, index: vertex };
+    vertex -= ring.length;
+  }
+  throw new RangeError("no such vertex");
+}
+
+/** Without the vertex; a hole goes with its third vertex from the end. False if the outline would. */
+export function dropVertex(body: Body, vertex: number): boolean {
+  const { ring, index } = cornerAt(body, vertex);
+  if (ring.length > 3) return ring.splice(index, 1).length > 0;
+  const { parts = [] } = body;
+  const k = parts.findIndex((part) => !Array.isArray(part) && part.holes?.includes(ring));
+  if (k < 0) return false;
+  const part = parts[k] as Part;
+  const holes = part.holes!.filter((hole) => hole !== ring);
+  parts[k] = holes.length > 0 ? { ...part, holes } : part.outline;
+  if (parts.length === 1 && Array.isArray(parts[0])) {
+    body.polygon = parts[0];
+    delete body.parts;
+  }
+  return true;
 }
 
 export class Shape {

@@ -123,6 +123,8 @@ export class Workbench {
   opened(): void {
     this.fittedFinal = false;
     this.settledOnce = false;
+    this.stage.hidden.clear();
+    this.tree.reset();
     this.stage.fit();
   }
 

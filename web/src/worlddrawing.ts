@@ -98,6 +98,6 @@ export class WorldPainter {
     const [x, y] = this.camera.pixel(...placed(frame.poses[small], ...frame.shapes[small].outline.centre));
     c.font = "600 13px system-ui, sans-serif";
     const names = pair.map((b) => frame.names[b]).join(" x ");
-    this.marks.text(`overlap: ${names}`, x + 10, y - 12, colours.contact, colours.paper);
+    this.marks.beside(`overlap: ${names}`, x, y - 12, colours);
   }
 }

@@ -3,7 +3,7 @@ import type { Editor } from "./editing";
 import type { Scene } from "./engine";
 import type { Player } from "./player";
 import type { Workbench } from "./workbench";
-import { withBody, withHole, withIgnored, withoutBody, withoutIgnored, withParent } from "./worldedits";
+import { withBody, withHole, withIgnored, withName, withoutBody, withoutIgnored, withParent } from "./worldedits";
 import { WorldPanel } from "./worldpanel";
 
 export interface WorldEditingHost {
@@ -22,6 +22,7 @@ export class WorldEditing {
     private readonly host: WorldEditingHost,
   ) {
     this.panel = new WorldPanel({
+      rename: (name) => this.rename(name.trim()),
       addBody: () => this.addBody(),
       removeBody: () => this.removeBody(),
       cutHole: () => this.cutHole(),
@@ -32,6 +33,13 @@ export class WorldEditing {
       },
     });
     workbench.tree.host.askAgain = (k) => this.host.change(withoutIgnored(this.editor.scene, k), "", this.editor.body);
+  }
+
+  private rename(name: string): void {
+    const { scene, body } = this.editor;
+    const before = scene.bodies[body].name;
+    if (name === "" || name === before) return this.panel.show(scene, body);
+    this.host.change(withName(scene, body, name), `${before} has another name.`, body);
   }
 
   /** In the middle of the view, a sixteenth of it wide. */

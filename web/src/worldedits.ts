@@ -1,6 +1,6 @@
 // Changes to which bodies a scene has, and how they belong together. Each gives a new scene.
 import type { Part, Pose, Ring, Scene } from "./engine";
-import { freshName } from "./importing";
+import { freshName, renamed } from "./importing";
 import { carried, keyframesOf, motionOf, pivotOf, seenFrom } from "./motions";
 
 const atRest: Pose = { x: 0, y: 0, c: 1, s: 0 };
@@ -22,6 +22,16 @@ export function withBody(scene: Scene, [x, y]: [number, number], radius: number)
     polygon: regular(6, radius),
     motion: motionOf([{ t: out.time[0], x: Number(x.toPrecision(6)), y: Number(y.toPrecision(6)), angle: 0 }]),
   });
+  return out;
+}
+
+/** A body gets another name, or one like it that is free, wherever it is named. */
+export function withName(scene: Scene, index: number, name: string): Scene {
+  const out = structuredClone(scene);
+  const before = out.bodies[index].name;
+  const after = freshName(out, name, index);
+  out.bodies[index].name = after;
+  renamed(out, before, after);
   return out;
 }
 

@@ -4,6 +4,7 @@ import type { Scene } from "./engine";
 import { familyOf } from "./shapes";
 
 export interface WorldPanelHost {
+  rename(name: string): void;
   addBody(): void;
   removeBody(): void;
   cutHole(): void;
@@ -15,6 +16,7 @@ export interface WorldPanelHost {
 export class WorldPanel {
   readonly element: HTMLElement;
   private readonly remove: HTMLButtonElement;
+  private readonly name: HTMLInputElement;
   private readonly parent: HTMLSelectElement;
   private readonly other: HTMLSelectElement;
   private readonly hint = h("p", { class: "hint" });
@@ -23,6 +25,7 @@ export class WorldPanel {
     const button = (id: string, label: string, title: string, action: () => void): HTMLButtonElement =>
       h("button", { type: "button", id, title, onclick: action }, label);
     this.remove = button("remove-body", "Remove", "Remove the chosen body", () => host.removeBody());
+    this.name = h("input", { type: "text", id: "name", onchange: () => host.rename(this.name.value) });
     this.parent = h("select", { id: "parent", onchange: () => host.setParent(this.parent.value || null) });
     this.other = h("select", { id: "ignore-other", "aria-label": "Pair that is not asked about" });
     this.element = h(
@@ -38,6 +41,8 @@ export class WorldPanel {
       h(
         "div",
         { class: "fields" },
+        h("label", { for: "name" }, "Name"),
+        this.name,
         h("label", { for: "parent" }, "Moves with"),
         this.parent,
         h("label", { for: "ignore-other" }, "Ignore with"),
@@ -57,18 +62,16 @@ export class WorldPanel {
     const { name, relative_to } = scene.bodies[body];
     const family = familyOf(scene, body);
     const names = scene.bodies.map((b) => b.name);
+    if (document.activeElement !== this.name || this.name.value.trim() === "") this.name.value = name;
     this.remove.disabled = names.length < 2;
     this.parent.replaceChildren(
-      h("option", { value: "" }, "nothing: seen from the world"),
+      h("option", { value: "" }, "nothing"),
       ...names.filter((_, b) => !family.has(b)).map((n) => h("option", { value: n, selected: n === relative_to }, n)),
     );
     this.other.replaceChildren(
       ...names.filter((n) => n !== name).map((n) => h("option", { value: n }, n)),
       h("option", { value: "*" }, "every other body"),
     );
-    this.hint.textContent =
-      relative_to === undefined
-        ? ""
-        : `The keyframes of ${name} are seen from ${relative_to}. Ghosts and arrows are for bodies that move with nothing.`;
+    this.hint.textContent = relative_to === undefined ? "" : `The keyframes of ${name} are seen from ${relative_to}.`;
   }
 }

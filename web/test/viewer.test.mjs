@@ -329,10 +329,10 @@ test("the vertex below the pointer is named as in the command's reports", async 
 });
 
 test("text has enough contrast, light and dark", async () => {
-  for (const colorScheme of ["light", "dark"]) {
-    const page = await openPage(browser, viewPage("examples/gears_thick_tooth.json", "gears_thick_tooth"), {
-      colorScheme,
-    });
+  const scenes = ["examples/gears_thick_tooth.json", "examples/worlds/planetary.json"];
+  for (const [scene, colorScheme] of scenes.flatMap((s) => ["light", "dark"].map((c) => [s, c]))) {
+    const name = scene.match(/(\w+)\.json/)[1];
+    const page = await openPage(browser, viewPage(scene, name), { colorScheme });
     await page.keyboard.press("ArrowRight");
     await settled(page);
     await page.waitForTimeout(300);
@@ -350,7 +350,9 @@ test("text has enough contrast, light and dark", async () => {
         return [255, 255, 255];
       };
       const out = [];
-      for (const e of document.querySelectorAll("h1, p, dt, dd, span, b, strong, summary, label, output, select")) {
+      for (const e of document.querySelectorAll(
+        "h1, p, dt, dd, span, b, strong, summary, label, output, select, li, i.number",
+      )) {
         if (!e.textContent.trim() || !e.checkVisibility()) continue;
         const [a, b] = [light(parse(getComputedStyle(e).color)), light(ground(e))].sort((x, y) => y - x);
         const ratio = (a + 0.05) / (b + 0.05);
@@ -358,8 +360,8 @@ test("text has enough contrast, light and dark", async () => {
       }
       return out;
     });
-    assert.deepEqual(poor, [], colorScheme);
-    await screenshot(page, `gears-${colorScheme}`);
+    assert.deepEqual(poor, [], `${scene} ${colorScheme}`);
+    await screenshot(page, `${name}-${colorScheme}`);
     await page.close();
   }
 });

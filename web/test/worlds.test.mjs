@@ -29,7 +29,7 @@ after(async () => {
 });
 
 /** Of the first bodies of a world. */
-const fills = ["#2a6f9e", "#e59345", "#159185", "#f0d762", "#683b6a", "#7abee4"];
+const fills = ["#2a6f9e", "#e59345", "#0f7d74", "#f0d762", "#683b6a", "#7abee4"];
 
 const view = (scene, name, options) => openPage(browser, viewPage(scene, name), options);
 
@@ -219,6 +219,39 @@ test("a body is added, gets a parent and a hole, is ignored, and removed again; 
   await page.close();
 });
 
+test("a body gets another name wherever it is named, and a new scene shows all bodies", async () => {
+  const page = await playground("worlds/arm");
+  await page.selectOption("#body", "1");
+  await page.fill("#name", "hand");
+  await page.press("#name", "Enter");
+  await compare(page, "played-name-taken");
+  assert.equal((await sceneOf(page)).bodies[1].name, "hand 2", "two bodies never have one name");
+  await page.fill("#name", "boom <1>");
+  await page.press("#name", "Enter");
+  await compare(page, "played-name");
+  const scene = await sceneOf(page);
+  assert.equal(scene.bodies[2].relative_to, "boom <1>");
+  assert.deepEqual(scene.ignore[0], ["boom <1>", "forearm"]);
+  assert.match(await page.textContent("#bodies"), /boom <1>/);
+  await page.fill("#name", "*");
+  await page.press("#name", "Enter");
+  await settled(page);
+  assert.match(await page.textContent("#message"), /a body is called "\*"/);
+  await page.click("#undo");
+  await finished(page);
+
+  await page.getByLabel("Show shelf", { exact: true }).uncheck();
+  await settled(page);
+  assert.equal(await pixelsOf(page, fills[0]), 0);
+  await page.selectOption("#example", "worlds/room");
+  await finished(page);
+  await settled(page);
+  assert.ok((await pixelsOf(page, fills[0])) > 1000);
+  assert.ok(await page.getByLabel("Show room", { exact: true }).isChecked());
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("removing a parent leaves its children, and two plain bodies have a tiling again", async () => {
   const page = await playground("worlds/drawer");
   await page.selectOption("#body", "1");
@@ -267,6 +300,118 @@ test("a body that moves with another one is dragged where the pointer goes", asy
   // To a hundredth of a pixel or so, by which the numbers in the file are rounded.
   assert.ok(Math.hypot(to[0] - from[0] + 30, to[1] - from[1] - 40) < 1, `${from} to ${to}`);
   assert.ok(Math.hypot(handAfter[0] - hand[0] + 30, handAfter[1] - hand[1] - 40) < 1, "the hand goes along");
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("ghosts and the arrow of a body that moves with another one are dragged where the pointer goes", async () => {
+  const page = await playground("worlds/arm");
+  // Without the shelf the arm goes all the way, and the picture shows it.
+  await page.selectOption("#body", "0");
+  await page.click("#remove-body");
+  await finished(page);
+  await page.click('[aria-label="Show everything"]');
+  await page.selectOption("#body", "2");
+  await page.click("#mode-keyframes");
+  await settled(page);
+  const ghost = (index) =>
+    page.evaluate((k) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const { handles } = window.taut.stage.tool;
+      const frame = window.playground.state.keyframes[k];
+      const pose = handles.ghostPose(frame);
+      const at = ([u, v]) => {
+        const [x, y] = handles.camera.pixel(pose.x + pose.c * u - pose.s * v, pose.y + pose.s * u + pose.c * v);
+        return [box.left + x, box.top + y];
+      };
+      return { middle: at([6.25, -0.2]), wrist: at([5.5, 0]) };
+    }, index);
+  // At the end the wrist is 3 along the upper arm, at 100 degrees, and 2.5 along the forearm, at 160.
+  const { middle, wrist } = await ghost(1);
+  const pixel = await page.evaluate(() => {
+    const box = document.querySelector("canvas.picture").getBoundingClientRect();
+    const along = (length, degrees) => [Math.cos, Math.sin].map((f) => length * f((degrees * Math.PI) / 180));
+    const [a, b] = [along(3, 100), along(2.5, 160)];
+    const [x, y] = window.taut.stage.camera.pixel(a[0] + b[0], a[1] + b[1]);
+    return [box.left + x, box.top + y];
+  });
+  assert.ok(Math.hypot(wrist[0] - pixel[0], wrist[1] - pixel[1]) < 1e-6);
+  await page.mouse.move(...middle);
+  await page.mouse.down();
+  await page.mouse.move(middle[0] + 25, middle[1] - 15, { steps: 4 });
+  await page.mouse.up();
+  await compare(page, "played-ghost");
+  const after = (await ghost(1)).middle;
+  assert.ok(Math.hypot(after[0] - middle[0] - 25, after[1] - middle[1] + 15) < 1, `${middle} to ${after}`);
+
+  await page.evaluate(() => window.taut.player.seek(0.1));
+  await page.click("#mode-drive");
+  await settled(page);
+  const tip = () =>
+    page.evaluate(() => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const tool = window.taut.stage.tool;
+      const [x, y] = tool.handles.arrowTip(tool.velocity());
+      return [box.left + x, box.top + y];
+    });
+  const from = await tip();
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 20, from[1] + 30, { steps: 4 });
+  await page.mouse.up();
+  await compare(page, "played-arrow");
+  const to = await tip();
+  assert.ok(Math.hypot(to[0] - from[0] - 20, to[1] - from[1] - 30) < 1.5, `${from} to ${to}`);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("the vertices of a hole are dragged, added and removed, and with the third from the end goes the hole", async () => {
+  const page = await playground("hello");
+  await page.selectOption("#body", "0");
+  await page.click("#cut-hole");
+  await compare(page, "played-hello-hole");
+  await page.click("#mode-shape");
+  await settled(page);
+  const outline = await page.evaluate(() => window.playground.state.scene.bodies[0].parts[0].outline.length);
+  const at = (vertex) =>
+    page.evaluate((i) => {
+      const box = document.querySelector("canvas.picture").getBoundingClientRect();
+      const [x, y] = window.taut.stage.tool.handles.pixel(0, i);
+      return [box.left + x, box.top + y];
+    }, vertex);
+  const hole = async () => (await sceneOf(page)).bodies[0].parts?.[0].holes[0];
+  const before = await hole();
+  const from = await at(outline);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 3, from[1] + 2, { steps: 3 });
+  await page.mouse.up();
+  await compare(page, "played-hole-dragged");
+  const after = await hole();
+  assert.notDeepEqual(after[0], before[0]);
+  assert.deepEqual(after.slice(1), before.slice(1));
+
+  // Out of the outline: the edges of both rings are marked.
+  const inside = await at(outline);
+  await page.mouse.move(...inside);
+  await page.mouse.down();
+  await page.mouse.move(inside[0] + 900, inside[1] - 500, { steps: 3 });
+  await page.mouse.up();
+  await settled(page);
+  assert.match(await page.textContent("#message"), /meets edge \d+-\d+ of hole 1/);
+  assert.ok((await pixelsOf(page, "#c4161c")) > 60, "the edges at fault are marked");
+  await page.click("#undo");
+  await finished(page);
+
+  for (let left = 8; left > 2; --left) {
+    await page.mouse.click(...(await at(outline)));
+    await page.keyboard.press("Delete");
+    await compare(page, "played-hole-smaller");
+  }
+  assert.equal(await hole(), undefined);
+  assert.equal((await sceneOf(page)).bodies[0].polygon.length, outline);
+  assert.ok(!(await page.$eval(".app", (e) => e.classList.contains("world"))), "there is a tiling again");
   assert.deepEqual(page.problems, []);
   await page.close();
 });
