@@ -72,7 +72,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo check clearance intervals range trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo check clearance intervals range separate trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -357,6 +357,12 @@ world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3
 expect 0 '^FREE' '' check world.json
 expect 0 '"pairs":\[{"bodies":\["a","b"\],"outcome":"free"}\]' '' check --json --pairs all world.json
 expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' separator world.json
+expect 1 '^LOCKED  a x b' '' separate "$(world '{"name":"b","polygon":{"outline":[[-9,-9],[9,-9],[9,9],[-9,9]],"holes":[[[-3,-3],[4,-3],[4,4],[-3,4]]]}}' && echo world.json)"
+expect 1 '"outcome":"locked","body":"b","all":false,"directions":\[\]' '' separate --json world.json
+world '{"name":"b","polygon":[[2,0],[9,0],[9,9],[2,9]]}'
+expect 0 'b goes' '' separate world.json
+expect 1 '^OVERLAP AT START' '' separate "$(world '{"name":"b","polygon":[[0,0],[9,0],[9,9],[0,9]]}' && echo world.json)"
+world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
 expect 0 '^VALID' '' verify world.json world.proof --expect free
 expect 1 'NOT VALID' '' verify three.json world.proof

@@ -12,6 +12,7 @@
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 #include "taut/scene.hpp"
+#include "taut/separate.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut {
@@ -149,6 +150,9 @@ std::string animate_world_svg(const Scene& scene, double end, const WorldAnimate
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
 /// The answer of range(scene, from) as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
+
+/// The answer of separate() as `taut separate --json` prints it.
+std::string separation_json(const Scene& scene, const Separation& answer);
 
 /// The answer of clearance() as `taut clearance --json` prints it.
 std::string clearance_json(const Scene& scene, const Clearance& answer);

@@ -21,6 +21,7 @@
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/static_map.hpp  one body among many that rest, asked often
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
+// taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
 // taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
@@ -42,6 +43,7 @@
 #include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
+#include "taut/separate.hpp"
 #include "taut/separator.hpp"
 #include "taut/shape.hpp"
 #include "taut/simulation.hpp"

@@ -57,6 +57,7 @@ std::string verified_json(const taut::Scene& scene, const taut::Verified& v) {
                   "\",\"free_until\":" + taut::io::number_text(v.free_until);
   if (v.contact) s += taut::io::contact_json(scene, *v.contact) + ",\"contact_at\":\"" + name_of(v.contact_at) + "\"";
   return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"events\":" + std::to_string(v.events) +
+         (v.kind == taut::ProofKind::separations ? ",\"separations\":" + std::to_string(v.separations) : "") +
          ",\"scene_sha256\":\"" + taut::to_hex(v.fingerprint) + "\"}";
 }
 
@@ -104,6 +105,16 @@ std::string clearance(const SceneText& text, double tolerance, const RunOptions&
   });
 }
 
+std::string separate(const SceneText& text, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    taut::SeparateOptions how;
+    how.max_seconds = check_options(options, stop).max_seconds;
+    how.stop = &stop;
+    const taut::Scene scene = text.read();
+    return taut::separation_json(scene, taut::separate(scene, how));
+  });
+}
+
 void validate(const SceneText& text) {
   attended<bool>([&](const std::atomic<bool>&) {
     taut::validate(text.read());
@@ -129,6 +140,7 @@ void bind_questions(py::module_& module) {
   module.def("intervals", &intervals);
   module.def("range", &free_range);
   module.def("clearance", &clearance);
+  module.def("separate", &separate);
   module.def("prove", &prove);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {
     return verify(text, log, max_seconds);

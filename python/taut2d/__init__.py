@@ -17,8 +17,8 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
-clearance() says how close bodies come, intervals() when they overlap, all of the time, and range() how far they can go
-without. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep() does, too, into
+clearance() says how close bodies come, intervals() when they overlap, all of the time, range() how far they can go
+without, and separate() in which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep() does, too, into
 files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
@@ -38,6 +38,7 @@ from .errors import InputError, InternalError, TautError
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
+from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, separation_from_json
 from .options import run_options, scene_text, seconds
 from .parts import GeojsonFile, Part, WktFile
 from .pictures import Pose
@@ -50,12 +51,12 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
-    "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
+    "DirectionArc", "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
     "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
-    "Pieces", "Polynomial", "Pose", "Proof", "Range", "Scene", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
+    "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
     "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_many",
-    "clearance", "intervals", "prove", "range", "sweep", "verify",
+    "clearance", "intervals", "prove", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -114,11 +115,28 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
         return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
 
 
-def prove(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None,
+def separate(scene: Scene, *, max_seconds: Optional[float] = None) -> Separation:
+    """In which directions bodies come apart, and in which order an assembly does.
+
+    Bodies stand as at the start of the scene's time; each is moved straight, without turning, any distance, and must
+    overlap nothing on the way, where touching is allowed. Of two bodies, the second one moves. Errors are those of
+    check().
+    """
+    options = run_options("open", "spacetime", "first", max_seconds, None)
+    with _plain_places():
+        return separation_from_json(_taut2d.separate(scene_text(scene), options))
+
+
+def prove(scene: Scene, *, touch: str = "open", engine: str = "kinetic", max_seconds: Optional[float] = None,
           max_events: Optional[int] = None) -> Proof:
-    """As check(), by the kinetic engine, with a log that proves the answer: about 13 bytes an event, in memory. Options
-    and errors are those of check(). An undecided run proves what it has done."""
-    options = run_options(touch, "kinetic", "first", max_seconds, max_events)
+    """As check(), with a log that proves the answer, in memory.
+
+    ``engine``: of two plain bodies, "kinetic" gives the way of a tiling, about 13 bytes an event, "spacetime" what
+    separates the bodies, "either" the proof of the engine that answers first, "both" that of the kinetic one, compared
+    with the other. Of worlds it is what separates the bodies. Other options and errors are those of check(). An
+    undecided run proves what it has done.
+    """
+    options = run_options(touch, engine, "first", max_seconds, max_events)
     with _plain_places():
         answer, log, name = _taut2d.prove(scene_text(scene), options)
     return Proof(answer_from_json(answer, scene), log, name)

@@ -168,6 +168,7 @@ class Verified:
     up.
     ``outcome``: "free": on the whole interval. "contact": ``contact`` is the first one. "undecided": free before
     ``free_until``, no more.
+    ``events``, ``separations``: how long the proof is; the second one for logs of separations only.
     ``contact_at``: "start", "motion", or "joint": in the jump between two pieces of a motion that rounding leaves.
     """
 
@@ -179,6 +180,7 @@ class Verified:
     contact_at: Optional[str] = None
     touch: Optional[str] = None
     events: Optional[int] = None
+    separations: Optional[int] = None
     scene_sha256: Optional[str] = None
 
     def __bool__(self) -> bool:
@@ -254,5 +256,5 @@ def verified_from_json(text: str) -> Verified:
     """What the library says of a log."""
     object = json.loads(text)
     return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
-                    _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
+                    _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"), object.get("separations"),
                     object.get("scene_sha256"))

@@ -48,3 +48,38 @@ def test_clearance():
     assert nearest.t[0] == pytest.approx(0.5) and len(nearest.points) == 2
     with pytest.raises(taut2d.InputError):
         taut2d.clearance(apart, tolerance=0)
+
+
+def test_directions():
+    slot = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
+    peg = [(1, 1), (2, 1), (2, 3), (1, 3)]
+    found = taut2d.separate(taut2d.Scene([taut2d.Body("slot", slot), taut2d.Body("peg", peg)], (0, 1)))
+    (body,) = found.bodies
+    (arc,) = body.free
+    assert found.outcome == "free" and body.body == "peg" and not body.all
+    assert arc.point and arc.start_deg[0] <= 90 <= arc.start_deg[1] and arc.start_vertices[0].body == "peg"
+    closed = taut2d.Part([(0, 0), (3, 0), (3, 4), (0, 4)], [peg])
+    assert taut2d.separate(taut2d.Scene([taut2d.Body("block", closed), taut2d.Body("peg", peg)], (0, 1))).outcome == "locked"
+    lid = taut2d.Body("lid", [(0, 3), (3, 3), (3, 4), (0, 4)])
+    order = taut2d.separate(taut2d.Scene([taut2d.Body("slot", slot), taut2d.Body("peg", peg), lid], (0, 1)))
+    assert [step.body for step in order.order] == ["slot", "peg"]
+    assert order.stuck == ()
+    overlap = taut2d.separate(taut2d.Scene([taut2d.Body("slot", slot), taut2d.Body("same", slot)], (0, 1)))
+    assert overlap.outcome == "overlap_at_start" and overlap.pair == ("slot", "same")
+
+
+@pytest.mark.parametrize("path", SCENES[::7], ids=lambda p: p.stem)
+def test_directions_are_those_of_the_command(path, taut):
+    assert taut2d.separate(taut2d.Scene.load(path)).json == printed(taut, "separate", "--json", path)
+
+
+def test_proofs_of_worlds():
+    lid = taut2d.Body("lid", [(0, 3), (3, 3), (3, 4), (0, 4)], taut2d.Velocity((0, -1)))
+    table = [taut2d.Part([(0, 0), (1, 0), (1, 1), (0, 1)]), taut2d.Part([(2, 0), (3, 0), (3, 1), (2, 1)])]
+    world = taut2d.Scene([taut2d.Body("table", table), lid], (0, 5))
+    proof = taut2d.prove(world)
+    proved = taut2d.verify(world, proof)
+    assert proof.answer.outcome == "contact" and proved and proved.outcome == "contact" and proved.separations > 0
+    plain = scene()
+    for engine in ("kinetic", "spacetime", "either", "both"):
+        assert taut2d.verify(plain, taut2d.prove(plain, engine=engine)).outcome == "contact"

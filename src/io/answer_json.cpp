@@ -40,6 +40,8 @@ std::string io::coverage_json(const Coverage& c) {
          ",\"checked\":" + std::to_string(c.checked) + "}";
 }
 
+std::string io::vertex_json(const Scene& scene, const VertexRef& vertex) { return feature_text(scene, vertex); }
+
 std::string io::features_json(const Scene& scene, const Contact& contact) {
   return "{\"vertex\":" + feature_text(scene, contact.vertex) + ",\"edge\":" + feature_text(scene, contact.edge) +
          ",\"point\":" + io::point_text(contact.point) + "}";

@@ -26,6 +26,7 @@ std::string contact_json(const Scene& scene, const Contact& contact);
 std::string pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair);
 std::string features_json(const Scene& scene, const Contact& contact);
 std::string coverage_json(const Coverage& coverage);
+std::string vertex_json(const Scene& scene, const VertexRef& vertex);
 std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);
 
 }  // namespace io

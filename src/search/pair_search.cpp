@@ -3,17 +3,13 @@
 #include <utility>
 
 namespace taut {
-namespace {
 
 using spacetime::Hierarchy;
 
-/// Made once, and kept with the body.
 const Hierarchy& tree_of(const RingSet& rings, bool inwards) {
   const SharedPolygon& displaced = rings.displaced(inwards);
   return rings.kept<Hierarchy>(inwards, [&] { return std::make_shared<const Hierarchy>(*displaced); });
 }
-
-}  // namespace
 
 PairSearch::PairSearch(PairPlan pair, SharedLegs all_legs, bool inwards)
     : plan(std::move(pair)),

@@ -11,6 +11,9 @@ namespace taut {
 
 using SharedLegs = std::shared_ptr<const std::vector<Leg>>;
 
+/// Made once, and kept with the body.
+const spacetime::Hierarchy& tree_of(const RingSet& rings, bool inwards);
+
 struct PairSearch {
   /// Throws InputError where a body has features that are finer than the displacement.
   PairSearch(PairPlan pair, SharedLegs all_legs, bool inwards);

@@ -1,0 +1,106 @@
+// taut separate: in which directions do bodies come apart, and in which order does an assembly?
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "feature_text.hpp"
+#include "interrupt.hpp"
+#include "taut/io.hpp"
+#include "taut/separate.hpp"
+#include "terminal.hpp"
+#include "watched_run.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct SeparateArguments {
+  SceneSource scene;
+  SeparateOptions options;
+  bool json = false;
+};
+
+double middle_of(const DirectionInterval& d) { return d.lo + (d.hi - d.lo) / 2; }
+
+std::string body_name(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
+
+std::string ends_text(const Scene& scene, const std::array<VertexRef, 2>& vertices) {
+  return vertex_text(scene, vertices[0]) + " comes to " + vertex_text(scene, vertices[1]);
+}
+
+std::string arc_in_words(const Scene& scene, const DirectionArc& arc) {
+  if (arc.point)
+    return fmt::format("    exactly {:.9g} deg: {}, {}\n", middle_of(arc.from), ends_text(scene, *arc.from_vertices),
+                       ends_text(scene, *arc.to_vertices));
+  std::string text = fmt::format("    from {:.9g} to {:.9g} deg\n", middle_of(arc.from), middle_of(arc.to));
+  if (arc.from_vertices)
+    text += fmt::format("      at {:.9g}: {}\n", middle_of(arc.from), ends_text(scene, *arc.from_vertices));
+  if (arc.to_vertices)
+    text += fmt::format("      at {:.9g}: {}\n", middle_of(arc.to), ends_text(scene, *arc.to_vertices));
+  return text;
+}
+
+std::string directions_in_words(const Scene& scene, const BodyDirections& body) {
+  if (body.all) return fmt::format("  {} goes in every direction\n", body_name(scene, body.body));
+  if (body.free.empty()) return fmt::format("  {} goes nowhere\n", body_name(scene, body.body));
+  std::string text = fmt::format("  {} goes\n", body_name(scene, body.body));
+  for (const DirectionArc& arc : body.free) text += arc_in_words(scene, arc);
+  return text;
+}
+
+std::string order_in_words(const Scene& scene, const Separation& answer) {
+  std::string text = answer.order.empty() ? "" : "  one by one:\n";
+  for (std::size_t i = 0; i < answer.order.size(); ++i) {
+    const RemovalStep& step = answer.order[i];
+    text += fmt::format("    {}. {} towards {:.9g} deg\n", i + 1, body_name(scene, step.body), step.direction_deg);
+  }
+  if (answer.stuck.empty()) return text;
+  text += "  locked, one by one:";
+  for (const BodyId id : answer.stuck) text += " " + body_name(scene, id);
+  return text + "\n";
+}
+
+bool is_locked(const Separation& answer) {
+  return answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
+}
+
+std::string in_words(const Scene& scene, const Separation& answer) {
+  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
+  if (answer.overlap) return "OVERLAP AT START  " + subject_text(scene, answer.overlap) + "\n";
+  std::string text = (is_locked(answer) ? "LOCKED  " : "FREE  ") + subject_text(scene, std::nullopt) + "\n";
+  for (const BodyDirections& body : answer.bodies) text += directions_in_words(scene, body);
+  return text + order_in_words(scene, answer);
+}
+
+int run_separate(const SeparateArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  SeparateOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const Separation answer = within_file(arguments.scene.path, [&] { return separate(scene, options); });
+  print_text(arguments.json ? separation_json(scene, answer) + "\n" : in_words(scene, answer));
+  if (!answer.reason.empty()) return exit_undecided;
+  return answer.overlap || is_locked(answer) ? exit_contact : exit_free;
+}
+
+}  // namespace
+
+void add_separate(const Command& app, Action& action) {
+  const Command command = app.add_command("separate", "Say in which directions bodies come apart, and in which order");
+  const auto arguments = std::make_shared<SeparateArguments>();
+  add_scene(command, arguments->scene);
+  command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
+      .value("S")
+      .not_negative();
+  command.add_flag("--json", arguments->json, "print one JSON object");
+  command.footer(
+      "Example:\n"
+      "  taut separate --json scene.json\n"
+      "\n"
+      "Bodies stand as at the start; each is moved straight, any distance, and must overlap nothing on the way. Of "
+      "two\n"
+      "bodies, the second one moves. Exit codes: 0 they come apart, 1 they do not, or overlap, 2 bad input,\n"
+      "3 undecided, 4 internal error.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_separate(*arguments); }; });
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,70 @@
+// In which directions do bodies come apart, and in which order does an assembly?
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// An angle from the x axis, counterclockwise, in degrees in [0, 360): an interval that certainly contains it.
+struct DirectionInterval {
+  double lo = 0, hi = 0;
+};
+
+/// A maximal closed arc of directions, counterclockwise from `from` to `to`.
+struct DirectionArc {
+  DirectionInterval from, to;
+  /// A single direction, as far as doubles can tell: a slot that fits exactly.
+  bool point = false;
+  /// What ends the arc: in that direction, a vertex of the moving body comes to a vertex of another one. Absent if the
+  /// arc is all directions.
+  std::optional<std::array<VertexRef, 2>> from_vertices, to_vertices;
+};
+
+/// Where one body can go by itself.
+struct BodyDirections {
+  BodyId body = 0;
+  std::vector<DirectionArc> free;  ///< in order of `from`; empty: it is locked
+  bool all = false;                ///< free in every direction: `free` is one arc, from 0 to 0
+};
+
+/// One body taken away, straight.
+struct RemovalStep {
+  BodyId body = 0;
+  DirectionArc free;         ///< one of the arcs in which it leaves those that are left
+  double direction_deg = 0;  ///< within it, about its middle
+};
+
+/// The answer of separate().
+struct Separation {
+  /// The pair that overlaps at the start, if one does: nothing else is said then.
+  std::optional<std::array<BodyId, 2>> overlap;
+  /// Of two bodies, the second one's directions against the first; of more, each one's against all others, in order.
+  std::vector<BodyDirections> bodies;
+  /// An order in which bodies leave one by one, as far as one goes; of more than two bodies.
+  std::vector<RemovalStep> order;
+  /// Those that are left and cannot be taken away one by one. Several might still leave together.
+  std::vector<BodyId> stuck;
+  std::string reason;  ///< why it is not decided; empty otherwise
+};
+
+/// How to ask.
+struct SeparateOptions {
+  double max_seconds = 1e300;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Bodies stand as at the start of the scene's time, whatever they do later, and one of them is moved straight, without
+/// turning, any distance: in which directions does it overlap nothing on the way? Touching and sliding are allowed, as
+/// in check() with open touching. Pairs that the scene ignores do not block each other.
+///
+/// A direction is blocked by two edges if it leads from a point within the one to a point within the other, so the
+/// blocked directions are a union of open arcs between differences of vertices; which of two differences comes first is
+/// decided exactly. Decided by exact signs; degrees are enclosed. Throws InputError.
+Separation separate(const Scene& scene, const SeparateOptions& options = {});
+
+}  // namespace taut

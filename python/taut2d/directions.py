@@ -1,0 +1,85 @@
+"""The answer to how bodies come apart."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+from .answers import Interval, VertexRef, _floats
+
+
+@dataclass(frozen=True)
+class DirectionArc:
+    """A maximal closed arc of directions, counterclockwise.
+
+    ``start_deg``, ``end_deg``: (lo, hi), degrees from the x axis that certainly contain its ends. ``point``: a single
+    direction, as far as doubles can tell, a slot that fits exactly. ``start_vertices``, ``end_vertices``: the vertex of
+    the moving body that comes to a vertex of another one in that direction; None if the arc is all directions.
+    """
+
+    start_deg: Interval
+    end_deg: Interval
+    point: bool
+    start_vertices: Optional[tuple[VertexRef, VertexRef]] = None
+    end_vertices: Optional[tuple[VertexRef, VertexRef]] = None
+
+
+@dataclass(frozen=True)
+class BodyDirections:
+    """Where one body can go by itself. ``free``: the arcs; empty if it is locked. ``all``: every direction is free."""
+
+    body: str
+    all: bool
+    free: tuple[DirectionArc, ...]
+
+
+@dataclass(frozen=True)
+class RemovalStep:
+    """One body taken away, straight, in ``direction_deg``, about the middle of the arc ``within``."""
+
+    body: str
+    direction_deg: float
+    within: DirectionArc
+
+
+@dataclass(frozen=True)
+class Separation:
+    """How bodies come apart. ``outcome``: "free", "locked", "overlap_at_start" (of ``pair``), or "undecided" (for
+    ``reason``). ``bodies``: of two bodies, the second one's directions against the first; of more, each one's against
+    all others. ``order``: of more than two, bodies in an order in which they leave one by one; ``stuck``: those that are
+    left then. ``json`` is what ``taut separate --json`` prints."""
+
+    outcome: str
+    bodies: tuple[BodyDirections, ...]
+    order: tuple[RemovalStep, ...]
+    stuck: tuple[str, ...]
+    pair: Optional[tuple[str, ...]]
+    reason: Optional[str]
+    json: str = field(repr=False, compare=False)
+
+
+def _arc(value: Any) -> DirectionArc:
+    def vertices(key: str) -> Optional[tuple[VertexRef, VertexRef]]:
+        pair = value.get(key)
+        return None if pair is None else (VertexRef(**pair[0]), VertexRef(**pair[1]))
+
+    return DirectionArc(_floats(value["from_deg"]), _floats(value["to_deg"]), value["point"],
+                        vertices("from_vertices"), vertices("to_vertices"))
+
+
+def _directions(value: Any) -> BodyDirections:
+    return BodyDirections(value["body"], value["all"], tuple(map(_arc, value["directions"])))
+
+
+def _step(value: Any) -> RemovalStep:
+    return RemovalStep(value["body"], float(value["direction_deg"]), _arc(value["within"]))
+
+
+def separation_from_json(text: str) -> Separation:
+    """What ``taut separate --json`` has printed."""
+    value = json.loads(text)
+    bodies = value.get("bodies", [value] if "directions" in value else [])
+    pair = value.get("pair")
+    return Separation(value["outcome"], tuple(map(_directions, bodies)), tuple(map(_step, value.get("order", ()))),
+                      tuple(value.get("stuck", ())), None if pair is None else tuple(pair), value.get("reason"), text)

@@ -1,0 +1,139 @@
+#include "taut/separate.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/validate_world.hpp"
+#include "search/free_directions.hpp"
+#include "search/pair_search.hpp"
+
+namespace taut {
+namespace {
+
+class SeparationSearch {
+ public:
+  explicit SeparationSearch(const Scene& scene) : plan_(scene), ignored_(scene) {
+    for (const WorldBody& body : plan_.bodies()) {
+      standing_.push_back(std::make_unique<const StandingBody>(
+          StandingBody{PosedVertices(body, plan_.start(), true), tree_of(*body.rings, true)}));
+      left_.push_back(static_cast<int>(left_.size()));
+    }
+  }
+
+  Separation run() {
+    Separation answer;
+    answer.overlap = overlap();
+    if (answer.overlap) return answer;
+    const int n = static_cast<int>(standing_.size());
+    for (int body = n == 2 ? 1 : 0; body < n; ++body) answer.bodies.push_back(directions(body));
+    if (n > 2) take_apart(answer);
+    return answer;
+  }
+
+ private:
+  std::optional<std::array<BodyId, 2>> overlap() const {
+    const int n = static_cast<int>(standing_.size());
+    for (int a = 0; a < n; ++a) {
+      for (int b = a + 1; b < n; ++b) {
+        interruption_point();
+        if (ignored_.has(a, b)) continue;
+        const PairSearch pair(plan_, a, b, true);
+        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], plan_.start()))
+          return std::array<BodyId, 2>{a, b};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Of the body against all that are left.
+  BodyDirections directions(int body) const {
+    FreeDirections search(*standing_[static_cast<std::size_t>(body)]);
+    std::vector<int> others;
+    for (const int other : left_) {
+      if (other == body || ignored_.has(body, other)) continue;
+      others.push_back(other);
+      search.add(*standing_[static_cast<std::size_t>(other)]);
+    }
+    BodyDirections found;
+    found.body = body;
+    found.all = search.all_free();
+    if (found.all) {
+      found.free.push_back({{0, 0}, {0, 0}, false, {}, {}});
+      return found;
+    }
+    for (const VertexArc& arc : search.free()) found.free.push_back(arc_of(body, others, search, arc));
+    return found;
+  }
+
+  DirectionArc arc_of(int body, const std::vector<int>& others, const FreeDirections& search,
+                      const VertexArc& arc) const {
+    const auto vertices = [&](const VertexDirection& d) {
+      const auto rings = [&](int index) -> const RingSet& {
+        return *plan_.bodies()[static_cast<std::size_t>(index)].rings;
+      };
+      return std::array<VertexRef, 2>{rings(body).vertex(d.from),
+                                      rings(others[static_cast<std::size_t>(d.other)]).vertex(d.to)};
+    };
+    const auto [from_lo, from_hi] = search.degrees(arc.from);
+    const auto [to_lo, to_hi] = search.degrees(arc.to);
+    return {{from_lo, from_hi}, {to_lo, to_hi}, search.is_point(arc), vertices(arc.from), vertices(arc.to)};
+  }
+
+  /// A body that can leave can leave later as well, since fewer are in its way: the first one that can is as good as
+  /// any.
+  void take_apart(Separation& answer) {
+    while (left_.size() > 1) {
+      bool taken = false;
+      for (std::size_t i = 0; i < left_.size() && !taken; ++i) {
+        const BodyDirections can = directions(left_[i]);
+        if (can.free.empty()) continue;
+        answer.order.push_back(step_of(can));
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+        taken = true;
+      }
+      if (taken) continue;
+      answer.stuck.assign(left_.begin(), left_.end());
+      return;
+    }
+  }
+
+  /// By its widest arc.
+  static RemovalStep step_of(const BodyDirections& can) {
+    const auto width = [](const DirectionArc& arc) {
+      if (arc.point) return 0.0;
+      const double w = arc.to.lo - arc.from.hi;
+      return w > 0 ? w : w + 360;
+    };
+    const DirectionArc& widest =
+        *std::max_element(can.free.begin(), can.free.end(),
+                          [&](const DirectionArc& a, const DirectionArc& b) { return width(a) < width(b); });
+    const double middle = can.all ? 0 : widest.from.hi + width(widest) / 2;
+    return {can.body, widest, middle >= 360 ? middle - 360 : middle};
+  }
+
+  WorldPlan plan_;
+  IgnoredPairs ignored_;
+  std::vector<std::unique_ptr<const StandingBody>> standing_;
+  std::vector<int> left_;  ///< bodies that have not been taken away
+};
+
+}  // namespace
+
+Separation separate(const Scene& scene, const SeparateOptions& options) {
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  validate_world(scene);
+  Separation answer;
+  try {
+    return SeparationSearch(scene).run();
+  } catch (const Undecidable& limit) {
+    answer.reason = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    answer.reason = limit.reason;
+  }
+  return answer;
+}
+
+}  // namespace taut

@@ -1,0 +1,68 @@
+// The answer to how bodies come apart, as JSON.
+#include "io/answer_json.hpp"
+#include "io/json_text.hpp"
+#include "io/number_text.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+namespace {
+
+template <class Items, class Text>
+std::string listed(const Items& items, const Text& text) {
+  std::string s = "[";
+  for (const auto& item : items) s += (s.size() > 1 ? "," : "") + text(item);
+  return s + "]";
+}
+
+std::string name_text(const Scene& scene, BodyId id) {
+  return io::string_text(scene.bodies[static_cast<std::size_t>(id)].name);
+}
+
+std::string arc_text(const Scene& scene, const DirectionArc& arc) {
+  const auto vertices = [&](const char* key, const std::optional<std::array<VertexRef, 2>>& pair) {
+    if (!pair) return std::string();
+    return ",\"" + std::string(key) + "\":[" + io::vertex_json(scene, (*pair)[0]) + "," +
+           io::vertex_json(scene, (*pair)[1]) + "]";
+  };
+  return "{\"from_deg\":" + io::array_text({arc.from.lo, arc.from.hi}) +
+         ",\"to_deg\":" + io::array_text({arc.to.lo, arc.to.hi}) + ",\"point\":" + (arc.point ? "true" : "false") +
+         vertices("from_vertices", arc.from_vertices) + vertices("to_vertices", arc.to_vertices) + "}";
+}
+
+std::string arcs_text(const Scene& scene, const BodyDirections& body) {
+  return "\"all\":" + std::string(body.all ? "true" : "false") +
+         ",\"directions\":" + listed(body.free, [&](const DirectionArc& arc) { return arc_text(scene, arc); });
+}
+
+std::string step_text(const Scene& scene, const RemovalStep& step) {
+  return "{\"body\":" + name_text(scene, step.body) + ",\"direction_deg\":" + io::number_text(step.direction_deg) +
+         ",\"within\":" + arc_text(scene, step.free) + "}";
+}
+
+/// free: bodies come apart, all of them one by one if there are more than two.
+const char* outcome_of(const Separation& answer) {
+  if (!answer.reason.empty()) return "undecided";
+  if (answer.overlap) return "overlap_at_start";
+  const bool locked = answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
+  return locked ? "locked" : "free";
+}
+
+}  // namespace
+
+std::string separation_json(const Scene& scene, const Separation& answer) {
+  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
+  s += "\"outcome\":\"" + std::string(outcome_of(answer)) + "\"";
+  if (!answer.reason.empty()) return s + ",\"reason\":" + io::string_text(answer.reason) + "}";
+  if (answer.overlap) return s + ",\"pair\":" + io::pair_names_json(scene, *answer.overlap) + "}";
+  if (scene.bodies.size() == 2) {
+    const BodyDirections& body = answer.bodies[0];
+    return s + ",\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
+  }
+  s += ",\"bodies\":" + listed(answer.bodies, [&](const BodyDirections& body) {
+         return "{\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
+       });
+  s += ",\"order\":" + listed(answer.order, [&](const RemovalStep& step) { return step_text(scene, step); });
+  return s + ",\"stuck\":" + listed(answer.stuck, [&](BodyId id) { return name_text(scene, id); }) + "}";
+}
+
+}  // namespace taut

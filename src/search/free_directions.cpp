@@ -1,0 +1,263 @@
+#include "search/free_directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "numeric/trig.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
+/// More than the C library's atan2 is wrong by, in radians, and what sums of angles round.
+constexpr double angle_rounding = 0x1p-48;
+/// What is left to exact signs at the ends of an arc, in radians.
+constexpr double slack = 0x1p-20;
+
+std::uint32_t next_in_ring(const DisplacedPolygon& polygon, std::uint32_t k) {
+  if (!polygon.next.empty()) return polygon.next[k];
+  return k + 1 == polygon.points.size() ? 0 : k + 1;
+}
+
+/// In [0, 2 pi).
+double angle_of(Vector v) {
+  const double a = std::atan2(v.y, v.x);
+  return a < 0 ? a + whole_turn : a;
+}
+
+}  // namespace
+
+Vector FreeDirections::difference(const VertexDirection& d) const {
+  return others_[static_cast<std::size_t>(d.other)]->vertices.at(d.to) - moving_.vertices.at(d.from);
+}
+
+double FreeDirections::difference_error(const VertexDirection& d) const {
+  return others_[static_cast<std::size_t>(d.other)]->vertices.error() + moving_.vertices.error();
+}
+
+template <class Real>
+std::array<Ball<Real>, 2> FreeDirections::exact_difference(const VertexDirection& d) const {
+  const auto to = others_[static_cast<std::size_t>(d.other)]->vertices.enclosed<Real>(d.to);
+  const auto from = moving_.vertices.enclosed<Real>(d.from);
+  return {to[0] - from[0], to[1] - from[1]};
+}
+
+/// +1 if b is counterclockwise from a, by less than half a turn.
+int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) const {
+  const Vector u = difference(a), v = difference(b);
+  const double value = u.x * v.y - u.y * v.x, e = difference_error(a), f = difference_error(b);
+  const double error = size(u) * f + size(v) * e + 2 * e * f + 0x1p-50 * size(u) * size(v) + underflow_slack;
+  if (std::fabs(value) > error) return value > 0 ? 1 : -1;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    const int sign = with_stage(stage, [&](auto real) {
+      using Real = decltype(real);
+      const auto p = exact_difference<Real>(a), q = exact_difference<Real>(b);
+      return (p[0] * q[1] - p[1] * q[0]).sign();
+    });
+    if (sign != 0) return sign;
+  }
+  throw Undecidable{"the order of two directions"};
+}
+
+/// +1 for directions between 0 and 180 degrees, else -1.
+int FreeDirections::upper(const VertexDirection& d) const {
+  const double y = difference(d).y;
+  if (std::fabs(y) > difference_error(d)) return y > 0 ? 1 : -1;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    const int sign = with_stage(stage, [&](auto real) { return exact_difference<decltype(real)>(d)[1].sign(); });
+    if (sign != 0) return sign;
+  }
+  throw Undecidable{"whether a direction is above the x axis"};
+}
+
+/// From the x axis on.
+bool FreeDirections::before(const VertexDirection& a, const VertexDirection& b) const {
+  if (a == b) return false;
+  const int half_a = upper(a), half_b = upper(b);
+  return half_a != half_b ? half_a > half_b : cross(a, b) > 0;
+}
+
+/// The cone over the differences of the points of two edges is that over the differences of their ends: these are on
+/// one side of the origin, since the edges do not meet.
+VertexArc FreeDirections::arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const {
+  const std::uint32_t edge_end = next_in_ring(moving_.vertices.polygon(), edge);
+  const std::uint32_t other_end =
+      next_in_ring(others_[static_cast<std::size_t>(other)]->vertices.polygon(), other_edge);
+  const VertexDirection first{edge, other, other_edge};
+  VertexArc arc{first, first};
+  for (const VertexDirection& d :
+       {VertexDirection{edge, other, other_end}, VertexDirection{edge_end, other, other_edge},
+        VertexDirection{edge_end, other, other_end}}) {
+    if (cross(d, arc.from) > 0) {
+      arc.from = d;
+    } else if (cross(arc.to, d) > 0) {
+      arc.to = d;
+    }
+  }
+  return arc;
+}
+
+/// Doubles tell the direction.
+bool FreeDirections::clear(const VertexDirection& d) const {
+  return size(difference(d)) > 0x1p20 * difference_error(d);
+}
+
+void FreeDirections::block(std::uint32_t edge, int other, std::uint32_t other_edge) {
+  const VertexArc arc = arc_of(edge, other, other_edge);
+  if (clear(arc.from) && clear(arc.to)) {
+    const double from = angle_of(difference(arc.from));
+    double to = angle_of(difference(arc.to));
+    if (to < from) to += whole_turn;
+    if (to - from < std::numbers::pi && covered(from - slack, to + slack)) return;
+  }
+  arcs_.push_back(arc);
+  cover(arc);
+}
+
+/// All sectors that lie within the arc, ends included: in doubles, so only those that are well inside.
+void FreeDirections::cover(const VertexArc& arc) {
+  if (!clear(arc.from) || !clear(arc.to)) return;
+  const double from = angle_of(difference(arc.from));
+  double to = angle_of(difference(arc.to));
+  if (to < from) to += whole_turn;
+  // Arcs are shorter than half a turn.
+  if (to - from > std::numbers::pi) return;
+  const double width = whole_turn / sectors;
+  for (double k = std::ceil((from + slack) / width); (k + 1) * width <= to - slack; ++k)
+    covered_.set(static_cast<std::size_t>(k) % sectors);
+}
+
+bool FreeDirections::covered(double from, double to) const {
+  const double width = whole_turn / sectors;
+  if (to - from >= whole_turn) return covered_.all();
+  for (double k = std::floor(from / width); k * width <= to; ++k) {
+    const auto index = static_cast<long long>(k) % static_cast<long long>(sectors);
+    if (!covered_.test(static_cast<std::size_t>(index < 0 ? index + static_cast<long long>(sectors) : index)))
+      return false;
+  }
+  return true;
+}
+
+/// Are all directions from the one box to the other blocked already? By the discs around them.
+bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spacetime::BoxNode& node) const {
+  const StandingBody& there = *others_[static_cast<std::size_t>(other)];
+  const Vector way = there.vertices.place(node.box.centre) - moving_.vertices.place(own.box.centre);
+  const double reach =
+      (own.box.radius + node.box.radius + moving_.vertices.error() + there.vertices.error()) * (1 + 0x1p-20);
+  const double distance = std::sqrt(dot(way, way));
+  if (!(distance > reach)) return covered_.all();
+  const double half = std::asin(std::min(1.0, reach / distance)) + slack, middle = angle_of(way);
+  return covered(middle - half, middle + half);
+}
+
+void FreeDirections::add(const StandingBody& other) {
+  others_.push_back(&other);
+  const int index = static_cast<int>(others_.size()) - 1;
+  sample(index);
+  descend(index);
+}
+
+/// Some pairs from all over both bodies, so that most of what is blocked is known early.
+void FreeDirections::sample(int other) {
+  const auto n = static_cast<std::uint32_t>(moving_.vertices.polygon().points.size());
+  const auto m = static_cast<std::uint32_t>(others_[static_cast<std::size_t>(other)]->vertices.polygon().points.size());
+  const std::uint32_t count = 2 * std::max(n, m);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    interruption_point();
+    block(static_cast<std::uint32_t>(std::uint64_t{k} * 7919 % n), other,
+          static_cast<std::uint32_t>((std::uint64_t{k} * 104729 + k / n) % m));
+  }
+}
+
+void FreeDirections::descend(int other) {
+  const spacetime::Hierarchy &own = moving_.tree, &theirs = others_[static_cast<std::size_t>(other)]->tree;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+  while (!stack.empty()) {
+    interruption_point();
+    const auto [i, j] = stack.back();
+    stack.pop_back();
+    const spacetime::BoxNode &a = own.node(i), &b = theirs.node(j);
+    if (covered(a, other, b)) continue;
+    if (a.count == 1 && b.count == 1) {
+      block(a.first, other, b.first);
+    } else if (b.count == 1 || (a.count > 1 && a.box.radius >= b.box.radius)) {
+      stack.insert(stack.end(), {{a.left, j}, {a.right, j}});
+    } else {
+      stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
+    }
+  }
+}
+
+std::vector<VertexArc> FreeDirections::free() {
+  struct End {
+    VertexDirection at;
+    int change;  ///< one more arc begins, or one ends
+  };
+  std::vector<End> ends;
+  int count = 0;  // of arcs around the direction at hand, at first along the x axis
+  for (const VertexArc& arc : arcs_) {
+    ends.push_back({arc.from, 1});
+    ends.push_back({arc.to, -1});
+    if (before(arc.to, arc.from)) ++count;
+  }
+  std::sort(ends.begin(), ends.end(), [this](const End& a, const End& b) { return before(a.at, b.at); });
+  std::vector<VertexArc> found;
+  std::optional<VertexDirection> begun;
+  const bool free_at_first = count == 0;
+  // Arcs are open. Of ends at one and the same direction, those of arcs that go on do not open it.
+  for (std::size_t i = 0; i < ends.size();) {
+    interruption_point();
+    int ending = 0, beginning = 0;
+    std::size_t k = i;
+    for (; k < ends.size() && ends[k].at == ends[i].at; ++k) (ends[k].change < 0 ? ending : beginning) += 1;
+    const int around = count - ending;
+    if (around == 0) {
+      const VertexDirection here = ends[i].at;
+      if (ending > 0 && beginning > 0) {
+        found.push_back({here, here});
+      } else if (ending > 0) {
+        begun = here;
+      } else {
+        found.push_back({begun.value_or(here), here});
+        begun.reset();
+      }
+    }
+    count = around + beginning;
+    i = k;
+  }
+  // An arc around the x axis was begun last and ends first.
+  if (free_at_first && begun && !found.empty()) found.front().from = *begun;
+  return found;
+}
+
+bool FreeDirections::is_point(const VertexArc& arc) const {
+  if (arc.from == arc.to) return true;
+  const auto [from_lo, from_hi] = degrees(arc.from);
+  const auto [to_lo, to_hi] = degrees(arc.to);
+  bool together = false;
+  // Either may lie a little before a whole turn.
+  for (const double turn : {-360.0, 0.0, 360.0}) {
+    if (from_lo + turn <= to_hi && to_lo <= from_hi + turn) together = true;
+  }
+  return together && cross(arc.from, arc.to) > 0;
+}
+
+std::pair<double, double> FreeDirections::degrees(const VertexDirection& d) const {
+  // With more bits where the difference is small beside the error of its ends.
+  const auto [x, y] = exact_difference<Real320>(d);
+  const double length =
+      std::fabs(RealTraits<Real320>::to_double(x.mid)) + std::fabs(RealTraits<Real320>::to_double(y.mid));
+  const int exponent = length > 0 ? -std::ilogb(length) : 0;
+  const auto scaled = [&](const Real320& c) { return RealTraits<Real320>::to_double(ldexp(c, exponent)); };
+  const double angle = angle_of({scaled(x.mid), scaled(y.mid)});
+  const double error = angle_rounding + std::ldexp(x.rad + y.rad, exponent);
+  const double to_degrees = 180 / std::numbers::pi;
+  return {(angle - error) * to_degrees, (angle + error) * to_degrees};
+}
+
+}  // namespace taut
