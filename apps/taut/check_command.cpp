@@ -5,9 +5,12 @@
 
 #include "check_batch.hpp"
 #include "commands.hpp"
+#include "feature_text.hpp"
+#include "interrupt.hpp"
 #include "io/answer_json.hpp"
 #include "report.hpp"
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/io.hpp"
 #include "terminal.hpp"
 #include "watched_run.hpp"
@@ -20,6 +23,7 @@ struct CheckArguments {
   SceneSource scene;
   CheckOptions options;
   bool json = false, timing = false;
+  double clearance = 0;  ///< 0: none was asked for
 };
 
 CheckArguments single(const CheckBatch& batch) {
@@ -62,6 +66,52 @@ int run_check(const CheckArguments& arguments) {
   return exit_code(answer.outcome);
 }
 
+std::string margin_subject(const Scene& scene, const PairMargin& pair) { return subject_text(scene, pair.bodies); }
+
+std::string closeness_in_words(const Scene& scene, const PairMargin& pair) {
+  const NearestPoints& n = *pair.nearest;
+  return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {:.9g} apart\n", edge_text(scene, n.edges[0]),
+                     n.points[0].x, n.points[0].y, edge_text(scene, n.edges[1]), n.points[1].x, n.points[1].y, n.hi);
+}
+
+std::string margin_in_words(const Scene& scene, double clearance, const MarginAnswer& answer) {
+  if (answer.outcome == Outcome::free)
+    return fmt::format("FREE  {}   all keep {:.9g} on [{}, {}]\n", subject_text(scene, std::nullopt), clearance,
+                       scene.start, scene.end);
+  if (!answer.first) return "UNDECIDED  " + subject_text(scene, std::nullopt) + "\n  " + answer.reason + "\n";
+  const PairMargin& first = *answer.first;
+  const std::string pair = margin_subject(scene, first);
+  std::string text;
+  if (first.outcome == Outcome::contact)
+    text = fmt::format("CONTACT  {}   closer than {:.9g} at t = {}\n", pair, clearance, time_text(first.time));
+  if (first.outcome == Outcome::overlap_at_start)
+    text = fmt::format("OVERLAP AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
+  if (first.outcome == Outcome::undecided)
+    text = fmt::format("UNDECIDED  {}\n  at t = {} {}\n", pair, first.free_until, first.reason);
+  if (first.nearest) text += closeness_in_words(scene, first);
+  for (const PairMargin& other : answer.also) text += "  and " + margin_subject(scene, other) + "\n";
+  return text;
+}
+
+int run_margin(const CheckArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  CheckOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const MarginAnswer answer =
+      within_file(arguments.scene.path, [&] { return check_clearance(scene, arguments.clearance, options); });
+  print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
+                            : margin_in_words(scene, arguments.clearance, answer));
+  return exit_code(answer.outcome);
+}
+
+int margin_of(const CheckBatch& batch, double clearance) {
+  if (batch.paths.size() != 1 || batch.lines)
+    throw InputError("--clearance", "it is asked about one scene at a time", "leave out --lines and the other scenes");
+  CheckArguments arguments = single(batch);
+  arguments.clearance = clearance;
+  return run_margin(arguments);
+}
+
 }  // namespace
 
 void add_check(const Command& app, Action& action) {
@@ -83,6 +133,9 @@ void add_check(const Command& app, Action& action) {
   command.add_choice("--pairs", {"first", "all"}, pairs,
                      "first: up to the first contact of any pair; all: each pair's own first contact");
   add_engine(command, arguments->options.engine);
+  const auto clearance = std::make_shared<std::optional<double>>();
+  command.add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
+      .value("C");
   command.footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"
@@ -95,8 +148,9 @@ void add_check(const Command& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command.on_chosen([&action, arguments] {
-    action = [arguments] {
+  command.on_chosen([&action, arguments, clearance] {
+    action = [arguments, clearance] {
+      if (*clearance) return margin_of(*arguments, **clearance);
       const bool one = arguments->paths.size() == 1 && !arguments->lines;
       return one ? run_check(single(*arguments)) : check_batch(*arguments);
     };

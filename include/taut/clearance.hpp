@@ -44,4 +44,36 @@ struct ClearanceOptions {
 /// between are in it as well. Throws InputError.
 Clearance clearance(const Scene& scene, const ClearanceOptions& options = {});
 
+/// What is known of one pair of bodies and a clearance that it should keep.
+struct PairMargin {
+  std::array<BodyId, 2> bodies{};  ///< in the order of the scene
+  /// contact: they come closer, first within `time`. overlap_at_start: they are closer at the start. undecided: they
+  /// come as close as that, as far as doubles can tell, or a limit was reached.
+  Outcome outcome = Outcome::free;
+  TimeInterval time;  ///< of a contact: certainly closer at its end, and certainly not before its beginning
+  /// Of a contact: two points that are closer than the clearance at the end of `time`; `hi` is no less than the
+  /// distance of the bodies then.
+  std::optional<NearestPoints> nearest;
+  double free_until = 0;  ///< certainly not closer before this time
+  std::string reason;     ///< why it is `undecided`
+};
+
+/// The answer of check_clearance().
+struct MarginAnswer {
+  Outcome outcome = Outcome::free;  ///< of the pair that comes closer first
+  std::optional<PairMargin> first;  ///< that pair, unless the outcome is `free`
+  std::vector<PairMargin> also;     ///< others that come closer so soon after it that the order is not told
+  std::vector<PairMargin> pairs;    ///< with CheckOptions::all_pairs, every pair that was asked about
+  double free_until = 0;
+  std::string reason;
+  Coverage coverage;
+};
+
+/// Do all bodies keep at least this distance, in the scene's units, and if not, when and where do they first come
+/// closer? The question of check() with a margin; `clearance` must be positive. Free is proved, and so is that they are
+/// closer at the end of a contact's time. By branch and bound in doubles with certified bounds: a distance that comes
+/// to the clearance and no closer, or stays at it, is `undecided`, for either kind of touching, which makes no
+/// difference otherwise. Engines, tracers and events mean nothing here. Throws InputError.
+MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
+
 }  // namespace taut

@@ -151,6 +151,10 @@ std::string intervals_json(const Scene& scene, const Intervals& answer, Touch to
 /// The answer of range(scene, from) as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
 
+/// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked: it makes
+/// no difference beyond what is undecided.
+std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
+
 /// The answer of separate() as `taut separate --json` prints it.
 std::string separation_json(const Scene& scene, const Separation& answer);
 

@@ -105,6 +105,14 @@ std::string clearance(const SceneText& text, double tolerance, const RunOptions&
   });
 }
 
+std::string check_clearance(const SceneText& text, double clearance, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions how = check_options(options, stop);
+    const taut::Scene scene = text.read();
+    return taut::margin_json(scene, clearance, taut::check_clearance(scene, clearance, how), how.touch);
+  });
+}
+
 std::string separate(const SceneText& text, const RunOptions& options) {
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     taut::SeparateOptions how;
@@ -140,6 +148,7 @@ void bind_questions(py::module_& module) {
   module.def("intervals", &intervals);
   module.def("range", &free_range);
   module.def("clearance", &clearance);
+  module.def("check_clearance", &check_clearance);
   module.def("separate", &separate);
   module.def("prove", &prove);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {

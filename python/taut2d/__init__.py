@@ -17,7 +17,7 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
-clearance() says how close bodies come, intervals() when they overlap, all of the time, range() how far they can go
+clearance() says how close bodies come, check_clearance() whether they keep a distance, intervals() when they overlap, all of the time, range() how far they can go
 without, and separate() in which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep() does, too, into
 files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by matplotlib.
 
@@ -35,6 +35,7 @@ from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError
+from .margins import MarginAnswer, PairMargin, margin_from_json
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
@@ -53,9 +54,9 @@ from .viewer import Viewer
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
     "DirectionArc", "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
-    "KeyframeRows", "Keyframes", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "Part",
+    "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part",
     "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_many",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_clearance", "check_many",
     "clearance", "intervals", "prove", "range", "separate", "sweep", "verify",
 ]
 
@@ -113,6 +114,20 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
     options = run_options("open", "spacetime", pairs, max_seconds, None)
     with _plain_places():
         return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
+
+
+def check_clearance(scene: Scene, clearance: float, *, pairs: str = "first",
+                    max_seconds: Optional[float] = None) -> MarginAnswer:
+    """Do all bodies keep at least this distance, in the scene's units, and if not, when and where do they first come
+    closer?
+
+    ``clearance`` must be positive. ``pairs``: "first": up to the first pair that comes closer; "all": each pair on its
+    own, in MarginAnswer.pairs. "free" is proved, and so is that they are closer at the end of a contact's time; a
+    distance that comes to the clearance and no closer, or stays at it, is "undecided". Errors are those of check().
+    """
+    options = run_options("open", "spacetime", pairs, max_seconds, None)
+    with _plain_places():
+        return margin_from_json(_taut2d.check_clearance(scene_text(scene), number(clearance, "clearance"), options))
 
 
 def separate(scene: Scene, *, max_seconds: Optional[float] = None) -> Separation:

@@ -1,0 +1,67 @@
+"""The answer to whether bodies keep a clearance."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+from .answers import Coverage, EdgeRef, Interval, Point, _floats, _pair
+
+
+@dataclass(frozen=True)
+class PairMargin:
+    """One pair and the clearance. ``outcome``: "free": always kept. "contact": they first come closer within ``t``:
+    certainly closer at its end, and not before its beginning. "overlap_at_start": closer at the start. "undecided": they
+    come as close as that, as far as doubles can tell, or a limit was reached: see ``reason``.
+
+    ``points``, ``edges``: nearest points then, on each body, no more than ``distance`` apart. ``free_until``: certainly
+    not closer before.
+    """
+
+    bodies: tuple[str, str]
+    outcome: str
+    t: Optional[Interval] = None
+    distance: Optional[float] = None
+    points: Optional[tuple[Point, Point]] = None
+    edges: Optional[tuple[EdgeRef, EdgeRef]] = None
+    free_until: Optional[float] = None
+    reason: Optional[str] = None
+
+
+@dataclass(frozen=True)
+class MarginAnswer:
+    """Do all bodies keep a clearance? ``first``: the pair that comes closer first; None if ``outcome`` is "free".
+    ``also``: others that do at the same time, as far as is known. ``pairs``: every pair, if they were asked for.
+    ``json`` is what ``taut check --clearance C --json`` prints."""
+
+    outcome: str
+    clearance: float
+    first: Optional[PairMargin]
+    also: tuple[PairMargin, ...]
+    pairs: tuple[PairMargin, ...]
+    reason: Optional[str]
+    coverage: Coverage
+    json: str = field(repr=False, compare=False)
+
+    @property
+    def t(self) -> Optional[Interval]:
+        """When that is."""
+        return None if self.first is None else self.first.t
+
+
+def _margin(value: Any) -> PairMargin:
+    points, edges, t = value.get("points"), value.get("edges"), value.get("t")
+    return PairMargin(_pair(value["bodies"]), value["outcome"], None if t is None else _floats(t),
+                      value.get("distance"), None if points is None else (_floats(points[0]), _floats(points[1])),
+                      None if edges is None else (EdgeRef(**edges[0]), EdgeRef(**edges[1])),
+                      None if value.get("free_until") is None else float(value["free_until"]), value.get("reason"))
+
+
+def margin_from_json(text: str) -> MarginAnswer:
+    """What ``taut check --clearance C --json`` has printed."""
+    value = json.loads(text)
+    first = value.get("first")
+    return MarginAnswer(value["outcome"], float(value["clearance"]), None if first is None else _margin(first),
+                        tuple(map(_margin, value.get("also", ()))), tuple(map(_margin, value.get("pairs", ()))),
+                        value.get("reason"), Coverage(**value["coverage"]), text)

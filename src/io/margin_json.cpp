@@ -1,0 +1,55 @@
+// The answer to whether bodies keep a clearance, as JSON.
+#include "io/answer_json.hpp"
+#include "io/json_text.hpp"
+#include "io/number_text.hpp"
+#include "taut/io.hpp"
+
+namespace taut {
+namespace {
+
+std::string close_edge_text(const Scene& scene, const EdgeRef& edge) {
+  return io::vertex_json(scene, {edge.body, edge.index, edge.part, edge.ring});
+}
+
+/// The members of one pair's answer, without the braces.
+std::string members_of(const Scene& scene, const PairMargin& pair) {
+  std::string s =
+      "\"bodies\":" + io::pair_names_json(scene, pair.bodies) + ",\"outcome\":\"" + to_string(pair.outcome) + "\"";
+  if (pair.outcome == Outcome::contact) s += ",\"t\":" + io::array_text({pair.time.lo, pair.time.hi});
+  if (pair.nearest) {
+    const NearestPoints& n = *pair.nearest;
+    s += ",\"distance\":" + io::number_text(n.hi) + ",\"points\":[" + io::point_text(n.points[0]) + "," +
+         io::point_text(n.points[1]) + "],\"edges\":[" + close_edge_text(scene, n.edges[0]) + "," +
+         close_edge_text(scene, n.edges[1]) + "]";
+  }
+  if (pair.outcome != Outcome::free) s += ",\"free_until\":" + io::number_text(pair.free_until);
+  if (!pair.reason.empty()) s += ",\"reason\":" + io::string_text(pair.reason);
+  return s;
+}
+
+std::string list_of(const Scene& scene, const std::vector<PairMargin>& pairs) {
+  std::string s = "[";
+  for (const PairMargin& pair : pairs) s += (s.size() > 1 ? ",{" : "{") + members_of(scene, pair) + "}";
+  return s + "]";
+}
+
+}  // namespace
+
+std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch) {
+  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
+  s += "\"outcome\":\"" + std::string(to_string(answer.outcome)) + "\",\"clearance\":" + io::number_text(clearance);
+  if (answer.first) {
+    const PairMargin& first = *answer.first;
+    if (first.outcome == Outcome::contact) s += ",\"t\":" + io::array_text({first.time.lo, first.time.hi});
+    s += ",\"pair\":" + io::pair_names_json(scene, first.bodies) + ",\"first\":{" + members_of(scene, first) + "}";
+  }
+  if (!answer.also.empty()) s += ",\"also\":" + list_of(scene, answer.also);
+  if (!answer.pairs.empty()) s += ",\"pairs\":" + list_of(scene, answer.pairs);
+  if (answer.outcome == Outcome::undecided)
+    s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
+  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
+         ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) +
+         "\"}}";
+}
+
+}  // namespace taut

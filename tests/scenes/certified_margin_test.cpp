@@ -1,0 +1,159 @@
+// Do bodies keep a clearance? Against certified answers, closed forms, and the least distance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "support/effort.hpp"
+#include "support/made_world.hpp"
+#include "taut/clearance.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/motions.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+
+std::set<std::string> names_in(const Scene& scene, const std::array<BodyId, 2>& pair) {
+  return {scene.bodies[static_cast<std::size_t>(pair[0])].name, scene.bodies[static_cast<std::size_t>(pair[1])].name};
+}
+
+/// Where the least distance is the clearance itself, doubles do not tell, and say so.
+void compare_margin(const Scene& scene, double margin, const json& want, bool exact_gap) {
+  const MarginAnswer got = check_clearance(scene, margin);
+  if (exact_gap) {
+    EXPECT_EQ(got.outcome, Outcome::undecided);
+    return;
+  }
+  ASSERT_EQ(to_string(got.outcome), want["outcome"].get<std::string>()) << got.reason;
+  if (got.outcome != Outcome::contact) return;
+  const double lo = want["t"][0], hi = want["t"][1], tolerance = want["tolerance"];
+  EXPECT_LE(got.first->time.lo, hi + tolerance);
+  EXPECT_GE(got.first->time.hi, lo - tolerance);
+  // One that hardly comes closer does so slowly.
+  EXPECT_LE(got.first->time.hi - got.first->time.lo, 1e-8 * (scene.end - scene.start));
+  bool named = names_in(scene, got.first->bodies) == want["pair"].get<std::set<std::string>>();
+  for (const json& other : want["also"])
+    named = named || names_in(scene, got.first->bodies) == other.get<std::set<std::string>>();
+  EXPECT_TRUE(named);
+  ASSERT_TRUE(got.first->nearest);
+  EXPECT_LT(got.first->nearest->hi, margin);
+}
+
+TEST(CertifiedWorlds, Margins) {
+  if (!std::filesystem::exists("../shared/worlds")) GTEST_SKIP() << "the worlds with certified answers are not here";
+  int compared = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("../shared/worlds")) {
+    const std::string file = entry.path().string(), suffix = ".answer.json";
+    if (file.size() < suffix.size() || file.substr(file.size() - suffix.size()) != suffix) continue;
+    std::ifstream stream(entry.path());
+    const json answer = json::parse(stream);
+    if (!answer.contains("margin")) continue;
+    SCOPED_TRACE(file);
+    const json& margin = answer["margin"];
+    compare_margin(read_scene(file.substr(0, file.size() - suffix.size()) + ".json"), margin["clearance"],
+                   margin["open"], answer["family"] == "exactgap");
+    ++compared;
+  }
+  EXPECT_GE(compared, 50);
+}
+
+/// A clearance is kept if and only if it is less than the least distance.
+TEST(Margins, AreKeptBelowTheLeastDistance) {
+  using testing::effort;
+  int kept = 0, broken = 0;
+  for (std::uint64_t seed = 3000; seed < 3000 + effort(80); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const testing::MadeWorld world = testing::random_world(seed);
+    const Scene scene = testing::scene_of(world);
+    const Clearance least = clearance(scene);
+    if (!least.nearest || least.nearest->hi <= 0) continue;
+    const double share = seed % 2 == 0 ? 0.999 : 1.001, margin = least.nearest->hi * share;
+    const MarginAnswer answer = check_clearance(scene, margin);
+    if (share < 1) {
+      EXPECT_STREQ(to_string(answer.outcome), "free");
+      ++kept;
+      continue;
+    }
+    ASSERT_TRUE(answer.outcome == Outcome::contact || answer.outcome == Outcome::overlap_at_start);
+    ++broken;
+    // By poses that share nothing with the library: not closer before, and closer then.
+    const auto distance = [&](double t) {
+      double nearest = INFINITY;
+      for (int a = 0; a < static_cast<int>(world.bodies.size()); ++a) {
+        const auto [first, second] = answer.first->bodies;
+        if (a != first) continue;
+        nearest = testing::between_rings(testing::posed(world, first, t), testing::posed(world, second, t));
+      }
+      return nearest;
+    };
+    if (answer.outcome == Outcome::overlap_at_start) continue;
+    for (int k = 0; k < 8; ++k) EXPECT_GE(distance(answer.first->time.lo * k / 8), margin - 1e-9);
+    EXPECT_LE(distance(answer.first->time.hi), margin + 1e-9);
+  }
+  EXPECT_GE(kept, static_cast<int>(testing::enough(5)));
+  EXPECT_GE(broken, static_cast<int>(testing::enough(5)));
+}
+
+Scene falling_square(double end) {
+  Scene scene;
+  scene.end = end;
+  scene.bodies = {{"rests", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {}},
+                  {"falls", {{-0.5, 4}, {0.5, 4}, {0.5, 5}, {-0.5, 5}}, from_velocity({0, -1})}};
+  return scene;
+}
+
+TEST(Margins, InClosedForm) {
+  // 3 - t is less than 1 after 2.
+  const MarginAnswer falls = check_clearance(falling_square(3), 1);
+  ASSERT_EQ(falls.outcome, Outcome::contact);
+  EXPECT_LE(falls.first->time.lo, 2);
+  EXPECT_GE(falls.first->time.hi, 2);
+  EXPECT_LE(falls.first->time.hi - falls.first->time.lo, 1e-10);
+  EXPECT_NEAR(falls.first->nearest->hi, 1, 1e-9);
+  EXPECT_EQ(check_clearance(falling_square(1.9), 1).outcome, Outcome::free);
+  EXPECT_EQ(check_clearance(falling_square(3), 3.5).outcome, Outcome::overlap_at_start);
+  // Past a corner, at a distance of the square root of 2.
+  Scene past = falling_square(1);
+  past.bodies[1].polygon = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+  past.bodies[1].motion = from_keyframes({{0, 4, 1}, {1, 1, 4}});
+  EXPECT_EQ(check_clearance(past, 1.4142).outcome, Outcome::free);
+  const MarginAnswer close = check_clearance(past, 1.4143);
+  ASSERT_EQ(close.outcome, Outcome::contact);
+  EXPECT_LT(close.first->time.hi, 0.5);
+  // It stays at the clearance: open, whether it is kept.
+  Scene slides = falling_square(1);
+  slides.bodies[1].motion = from_velocity({0.25, 0});
+  const MarginAnswer open = check_clearance(slides, 3);
+  EXPECT_EQ(open.outcome, Outcome::undecided);
+  EXPECT_FALSE(open.reason.empty());
+  EXPECT_THROW(check_clearance(slides, 0), InputError);
+  EXPECT_THROW(check_clearance(slides, NAN), InputError);
+}
+
+TEST(Margins, AllPairsAndLimits) {
+  Scene scene = falling_square(10);
+  scene.bodies.push_back({"far", {{50, 50}, {51, 50}, {51, 51}}, {}});
+  CheckOptions options;
+  options.all_pairs = true;
+  const MarginAnswer answer = check_clearance(scene, 0.5, options);
+  ASSERT_EQ(answer.pairs.size(), 2u);
+  EXPECT_EQ(answer.pairs[0].outcome, Outcome::contact);
+  EXPECT_EQ(answer.pairs[1].outcome, Outcome::free);
+  EXPECT_EQ(answer.coverage.at_rest, 1u);
+  std::atomic<bool> stop{true};
+  Scene spins = falling_square(10);
+  spins.bodies[1].motion.pieces = {{{}, {0.51}, AngleRotation{{0, 1e5}}}};
+  options.stop = &stop;
+  const MarginAnswer stopped = check_clearance(spins, 2, options);
+  EXPECT_EQ(stopped.outcome, Outcome::undecided);
+  EXPECT_EQ(stopped.reason, "interrupted");
+}
+
+}  // namespace
+}  // namespace taut
