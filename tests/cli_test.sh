@@ -360,6 +360,8 @@ expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one poly
 expect 1 'closer than 0.5 at t = ' '' check --clearance 0.5 hit.json
 expect 1 '"outcome":"contact","clearance":0.5,"t":' '' check --json --clearance 0.5 hit.json
 expect 2 '' 'clearance: it is not a positive number' check --clearance 0 hit.json
+expect 1 '"fit":0.001}' '' check --json --fit 0.001 hit.json
+expect 2 '' 'for a fit of 100' check --fit 100 hit.json
 expect 2 '' 'one scene at a time' check --clearance 1 hit.json free.json
 expect 1 '^LOCKED  a x b' '' separate "$(world '{"name":"b","polygon":{"outline":[[-9,-9],[9,-9],[9,9],[-9,9]],"holes":[[[-3,-3],[4,-3],[4,4],[-3,4]]]}}' && echo world.json)"
 expect 1 '"outcome":"locked","body":"b","all":false,"directions":\[\]' '' separate --json world.json

@@ -133,6 +133,10 @@ void add_check(const Command& app, Action& action) {
   command.add_choice("--pairs", {"first", "all"}, pairs,
                      "first: up to the first contact of any pair; all: each pair's own first contact");
   add_engine(command, arguments->options.engine);
+  command
+      .add_option("--fit", arguments->options.fit,
+                  "shrink bodies by E to 2 E first: overlaps by rounding are none then")
+      .value("E");
   const auto clearance = std::make_shared<std::optional<double>>();
   command.add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
       .value("C");

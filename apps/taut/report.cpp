@@ -136,6 +136,7 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
     return text + "\n";
   }
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
+  if (answer.fit > 0) text += fmt::format("  of bodies shrunk by {:.9g} to {:.9g}\n", answer.fit, 2 * answer.fit);
   return text + proved(scene, answer, touch);
 }
 

@@ -82,6 +82,10 @@ struct CheckOptions {
   bool tell_touching = true;
   /// Go on to each pair's own first contact, as if the other pairs did not collide.
   bool all_pairs = false;
+  /// If positive: bodies are shrunk on each side by between `fit` and twice as much, in the scene's units, before
+  /// anything is asked, so that what overlaps by rounding does not. The answer is about the shrunk bodies, whose
+  /// vertices have the numbers of those given. InputError where a body has features that are finer.
+  double fit = 0;
   /// Told of every event of the kinetic engine; may be null. Not owned.
   Tracer* tracer = nullptr;
 };
@@ -140,6 +144,8 @@ struct Answer {
   std::vector<PairAnswer> also;
   /// Of a scene that is not two bodies.
   std::optional<Coverage> coverage;
+  /// What the bodies were shrunk by: CheckOptions::fit.
+  double fit = 0;
   /// With CheckOptions::all_pairs: of every pair that was asked about, in the order of the scene.
   std::optional<std::vector<PairAnswer>> pairs;
 };

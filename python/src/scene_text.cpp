@@ -33,6 +33,7 @@ taut::CheckOptions check_options(const RunOptions& given, const std::atomic<bool
   options.all_pairs = chosen<bool>("pairs", given.pairs, {{"first", false}, {"all", true}});
   if (given.max_seconds) options.max_seconds = *given.max_seconds;
   if (given.max_events) options.max_events = *given.max_events;
+  options.fit = given.fit;
   options.stop = &stop;
   return options;
 }

@@ -26,6 +26,7 @@ struct RunOptions {
   std::string touch, engine, pairs;
   std::optional<double> max_seconds;
   std::optional<std::uint64_t> max_events;
+  double fit = 0;  ///< 0: bodies as they are given
 };
 
 /// Throws InputError for a word that has no meaning. `stop` must outlive the result.

@@ -64,7 +64,7 @@ __version__: str = _taut2d.version()
 
 
 def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
-          max_seconds: Optional[float] = None, max_events: Optional[int] = None) -> Answer:
+          max_seconds: Optional[float] = None, max_events: Optional[int] = None, fit: Optional[float] = None) -> Answer:
     """Decides whether and when bodies of the scene first collide.
 
     ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
@@ -72,12 +72,14 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: 
     ``pairs``: "first": up to the first contact of any pair; "all": each pair's own first contact, in Answer.pairs.
     ``max_seconds``, ``max_events``: stop with "undecided" after so much wall time, or so many events of the kinetic
     engine; None is no limit.
+    ``fit``: if given, bodies are shrunk on each side by between ``fit`` and twice as much first, in the scene's units, so
+    that what overlaps by rounding does not; the answer is about the shrunk bodies, and says so.
 
     "free" and "contact" are proofs for every instant of the scene's time. The same scene gives the same answer
     everywhere, unless ``max_seconds`` ends it. Raises InputError if the scene or an option is not valid, InternalError
     for a defect of taut, KeyboardInterrupt on Ctrl-C.
     """
-    options = run_options(touch, engine, pairs, max_seconds, max_events)
+    options = run_options(touch, engine, pairs, max_seconds, max_events, fit)
     with _plain_places():
         return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
 

@@ -5,7 +5,8 @@ class SceneText:
 
 class RunOptions:
     def __init__(
-        self, touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int]
+        self, touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int],
+        fit: float
     ) -> None: ...
 
 class Shape:

@@ -103,6 +103,7 @@ class Answer:
     ``touch``, ``bodies``, ``time``: what the answer is about.
     ``id``: the id of the scene.
     ``scene``: the Scene that was asked about.
+    ``fit``: what bodies were shrunk by, at least, before they were asked about; 0 if they were not.
     ``json``: the answer as ``taut check --json`` prints it, byte for byte, without the line break.
     """
 
@@ -124,6 +125,7 @@ class Answer:
     touch: str
     bodies: tuple[str, ...]
     time: Interval
+    fit: float
     id: Any
     json: str = field(repr=False)
     scene: Optional[Scene] = field(default=None, repr=False, compare=False)
@@ -246,6 +248,7 @@ def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
         touch=scope["touch"],
         bodies=tuple(bodies),
         time=_floats(scope["time"]),
+        fit=float(scope.get("fit", 0)),
         id=object.get("id"),
         json=text,
         scene=scene,
@@ -256,5 +259,5 @@ def verified_from_json(text: str) -> Verified:
     """What the library says of a log."""
     object = json.loads(text)
     return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
-                    _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"), object.get("separations"),
-                    object.get("scene_sha256"))
+                    _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
+                    object.get("separations"), object.get("scene_sha256"))

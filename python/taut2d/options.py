@@ -20,7 +20,7 @@ def seconds(limit: Optional[float]) -> Optional[float]:
 
 
 def run_options(touch: str, engine: str, pairs: str, max_seconds: Optional[float],
-                max_events: Optional[int]) -> _taut2d.RunOptions:
+                max_events: Optional[int], fit: Optional[float] = None) -> _taut2d.RunOptions:
     for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
         if not isinstance(value, str):
             raise InputError(name, f"expected a word, found {type(value).__name__}")
@@ -31,7 +31,10 @@ def run_options(touch: str, engine: str, pairs: str, max_seconds: Optional[float
             raise InputError("max_events", f"expected a whole number, found {type(max_events).__name__}") from error
         if max_events < 0:
             raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
-    return _taut2d.RunOptions(touch, engine, pairs, seconds(max_seconds), max_events)
+    shrink = 0.0 if fit is None else number(fit, "fit")
+    if fit is not None and not shrink > 0:
+        raise InputError("fit", "it is not a positive number", "None leaves bodies as they are")
+    return _taut2d.RunOptions(touch, engine, pairs, seconds(max_seconds), max_events, shrink)
 
 
 def scene_text(scene: Any, place: str = "scene") -> _taut2d.SceneText:

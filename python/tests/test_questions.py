@@ -98,3 +98,14 @@ def test_margins(taut, tmp_path):
     assert taut2d.check_clearance(far, 2.5, pairs="all").pairs[0].outcome == "overlap_at_start"
     with pytest.raises(taut2d.InputError):
         taut2d.check_clearance(far, 0)
+
+
+def test_fit():
+    first, second = [(0, 0), (0.1 + 0.2, 0), (0.1 + 0.2, 1), (0, 1)], [(0.3, 0), (1, 0), (1, 1), (0.3, 1)]
+    touching = taut2d.Scene([taut2d.Body("a", first), taut2d.Body("b", second)], (0, 1))
+    assert taut2d.check(touching).outcome == "overlap_at_start" and taut2d.check(touching).fit == 0
+    fitted = taut2d.check(touching, fit=1e-9)
+    assert fitted.outcome == "free" and fitted.fit == 1e-9
+    for fit in (0, -1, float("nan"), 1e-30, 0.7):
+        with pytest.raises(taut2d.InputError):
+            taut2d.check(touching, fit=fit)

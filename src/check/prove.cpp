@@ -2,11 +2,15 @@
 #include "check/proof_writer.hpp"
 #include "check/separations_writer.hpp"
 #include "pair/validate_world.hpp"
+#include "taut/error.hpp"
 #include "taut/proof.hpp"
 
 namespace taut {
 
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  if (options.fit != 0)
+    throw InputError("fit", "a proof is about bodies as they are given",
+                     "prove it without, or shrink the bodies yourself");
   if (is_world(scene)) return prove_by_separations(scene, log, options);
   switch (options.engine) {
     case EngineChoice::kinetic:

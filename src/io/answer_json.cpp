@@ -71,10 +71,11 @@ std::string angle_text(const Scene& scene, const Contact& contact) {
   return angle ? ",\"angle_deg\":" + io::array_text({angle->lo, angle->hi}) : "";
 }
 
-std::string scope_text(const Scene& scene, Touch touch) {
+std::string scope_text(const Scene& scene, Touch touch, double fit) {
   std::string s = "{\"bodies\":[";
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? "," : "") + io::string_text(scene.bodies[i].name);
-  return s + "],\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) + "\"}";
+  return s + "],\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) + "\"" +
+         (fit > 0 ? ",\"fit\":" + io::number_text(fit) : std::string()) + "}";
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
   s += std::string(",\"engine\":\"") + (answer.compared ? "both" : to_string(answer.engine)) +
        "\",\"events\":" + std::to_string(answer.events) +
        ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +
-       ",\"max\":" + std::to_string(answer.certificates_max) + "},\"scope\":" + scope_text(scene, touch);
+       ",\"max\":" + std::to_string(answer.certificates_max) + "},\"scope\":" + scope_text(scene, touch, answer.fit);
   if (timing) {
     s += ",\"timing\":{\"read\":" + io::number_text(timing->read) + ",\"build\":" + io::number_text(timing->build) +
          ",\"run\":" + io::number_text(timing->run) + "}";
