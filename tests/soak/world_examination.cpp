@@ -48,13 +48,15 @@ class WorldExamination {
       }
     }
     if (const std::string wrong = touching_no_later(); !wrong.empty()) return wrong;
-    return clearances();
+    if (const std::string wrong = clearances(); !wrong.empty()) return wrong;
+    return profile();
   }
 
  private:
+  std::string name_of(BodyId id) const { return scene_.bodies[static_cast<std::size_t>(id)].name; }
+
   std::string named(const std::array<BodyId, 2>& pair, const std::string& what) const {
-    const auto name = [&](BodyId id) { return scene_.bodies[static_cast<std::size_t>(id)].name; };
-    return what.empty() ? what : name(pair[0]) + " and " + name(pair[1]) + ": " + what;
+    return what.empty() ? what : name_of(pair[0]) + " and " + name_of(pair[1]) + ": " + what;
   }
 
   Answer answer_to(const Scene& scene, bool all = false) const {
@@ -195,19 +197,42 @@ class WorldExamination {
     options.all_pairs = true;
     options.relative = 1e-6;
     options.max_seconds = options_.max_seconds;
-    const Clearance answer = clearance(scene_, options);
+    const Clearance& answer = clearance_ = clearance(scene_, options);
     if (!answer.reason.empty()) return "clearance: undecided: " + answer.reason;
     if (answer.pairs.size() != all_.pairs->size()) return "clearance: other pairs";
     for (std::size_t i = 0; i < answer.pairs.size(); ++i) {
       const NearestPoints& n = answer.pairs[i];
       const PairAnswer& pair = (*all_.pairs)[i];
-      if ((n.lo > 0) != (pair.outcome == Outcome::free))
+      // Bodies that nearly touch may have 0 as their lower end.
+      if ((n.hi > 0) != (pair.outcome == Outcome::free))
         return named(pair.bodies, fmt::format("clearance [{}, {}], and {}", n.lo, n.hi, to_string(pair.outcome)));
       if (n.lo > n.hi || n.hi - n.lo > 1e-6 * n.hi + 1e-9) return named(pair.bodies, "a wide clearance");
       if (const std::string wrong = judge_.clearance_fault(pair.bodies, n.lo); n.lo > 0 && !wrong.empty())
         return named(pair.bodies, wrong);
     }
     return {};
+  }
+
+  /// Of some pair, at some instants and between.
+  std::string profile() {
+    if (clearance_.pairs.empty()) return {};
+    const NearestPoints& n = rng_.pick(clearance_.pairs);
+    Scene two = scene_;
+    for (const PairAnswer& pair : *all_.pairs) {
+      if (pair.bodies != n.pair) two.ignore.push_back({name_of(pair.bodies[0]), name_of(pair.bodies[1])});
+    }
+    ProfileOptions options;
+    options.instants = rng_.between(2, 12);
+    options.relative = 1e-6;
+    options.max_seconds = options_.max_seconds;
+    const DistanceProfile answer = distance_profile(two, options);
+    if (!answer.reason.empty()) return "profile: undecided: " + answer.reason;
+    const std::string wrong = answer.curves.size() == 1 ? judge_.curve_fault(n.pair, answer.curves[0]) : "no curve";
+    if (!wrong.empty()) return named(n.pair, "profile: " + wrong);
+    double least = INFINITY;
+    for (const DistanceWithin& s : answer.curves[0].stretches) least = std::min(least, s.lo);
+    const bool same = least <= n.hi && (n.lo == 0 || least >= n.lo - 1e-6 * n.hi - 1e-9);
+    return same ? "" : named(n.pair, fmt::format("profile: at least {}, clearance [{}, {}]", least, n.lo, n.hi));
   }
 
   Rng rng_;
@@ -218,6 +243,7 @@ class WorldExamination {
   CheckOptions options_;
   Answer headline_, all_, last_;
   Intervals intervals_;
+  Clearance clearance_;
 };
 
 }  // namespace

@@ -115,6 +115,34 @@ std::string WorldJudge::clearance_fault(const std::array<BodyId, 2>& pair, doubl
   return {};
 }
 
+double WorldJudge::distance_at(const std::array<BodyId, 2>& pair, double t) const {
+  const PosedBody p = posed(world_, pair[0], t), q = posed(world_, pair[1], t);
+  return overlap_clearly(p, q, 0) ? 0 : between_rings(p, q);
+}
+
+std::string WorldJudge::curve_fault(const std::array<BodyId, 2>& pair, const DistanceCurve& curve) {
+  const auto outside = [](double d, double lo, double hi) { return d < lo - close_enough || d > hi + close_enough; };
+  double most = 0;
+  for (const DistanceAt& at : curve.instants) {
+    const double d = distance_at(pair, at.t);
+    most = std::max(most, d);
+    if (outside(d, at.lo, at.hi)) return fmt::format("{} at {}, not in [{}, {}]", d, at.t, at.lo, at.hi);
+    if (at.lo > 0 && at.hi - at.lo > 1e-5 * at.hi + close_enough) return fmt::format("a wide bracket at {}", at.t);
+  }
+  for (int k = 0; k <= count_; ++k) {
+    const double t = instant(k), d = distance_at(pair, t);
+    most = std::max(most, d);
+    for (const DistanceWithin& s : curve.stretches) {
+      if (s.from <= t && t <= s.to && outside(d, s.lo, s.hi))
+        return fmt::format("{} at {}, not in [{}, {}] of its stretch", d, t, s.lo, s.hi);
+    }
+  }
+  if (most > curve.largest_hi + close_enough) return fmt::format("{}, above the greatest distance", most);
+  if (outside(distance_at(pair, curve.largest_at), curve.largest_lo, curve.largest_hi))
+    return "no such distance where the greatest is";
+  return {};
+}
+
 std::string headline_fault(const Answer& headline, const std::vector<PairAnswer>& pairs) {
   double first = INFINITY;
   bool overlap = false;

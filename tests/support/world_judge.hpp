@@ -9,6 +9,7 @@
 
 #include "support/made_world.hpp"
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
 
 namespace taut::testing {
@@ -25,6 +26,8 @@ class WorldJudge {
   std::string intervals_fault(const std::array<BodyId, 2>& pair, const std::vector<OverlapInterval>& intervals);
   /// No sampled distance below it.
   std::string clearance_fault(const std::array<BodyId, 2>& pair, double lo);
+  /// Distances at the judge's instants, and the curve's own, are within its brackets.
+  std::string curve_fault(const std::array<BodyId, 2>& pair, const DistanceCurve& curve);
 
   /// How many pairs overlapped clearly soon after their contacts.
   std::uint64_t entered = 0;
@@ -42,6 +45,7 @@ class WorldJudge {
   bool overlap_at(const std::array<BodyId, 2>& pair, double t, double margin) const;
   bool overlap_sampled(const std::array<BodyId, 2>& pair, int k, double margin) const;
   bool meet_at(const std::array<BodyId, 2>& pair, double t) const;
+  double distance_at(const std::array<BodyId, 2>& pair, double t) const;
   std::string witness_fault(const PairAnswer& pair) const;
 
   const MadeWorld& world_;
