@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/svg_canvas.hpp"
 #include "io/svg_plot.hpp"
 #include "io/svg_style.hpp"
 #include "taut/io.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 using io::chart_number;
 
-constexpr double lane_height = 34, bar_height = 16, chart_top = 44;
+constexpr double lane_height = 46, bar_height = 16, chart_top = 44;
 
 struct Lane {
   std::vector<const OverlapInterval*> overlaps;
@@ -29,13 +30,17 @@ std::string lane_name(const Scene& scene, const std::array<BodyId, 2>& pair) {
 
 double middle_of(double lo, double hi) { return lo + (hi - lo) / 2; }
 
-/// "0.25", or of a sweep "0.25 (22.5 deg)".
-std::string end_text(const Scene& scene, const std::array<BodyId, 2>& pair, const TimeInterval& t) {
-  for (const BodyId id : pair) {
-    const auto angle = angle_at(scene.bodies[static_cast<std::size_t>(id)].motion, t);
-    if (angle) return fmt::format("{:.6g} ({:.6g} deg)", middle_of(t.lo, t.hi), middle_of(angle->lo, angle->hi));
+/// "0.25 to 0.5", and of a sweep "0.25 to 0.5 (22.5 to 45 deg)".
+std::string ends_text(const Scene& scene, const OverlapInterval& o) {
+  std::string text = fmt::format("{:.5g} to {:.5g}", middle_of(o.from.lo, o.from.hi), middle_of(o.to.lo, o.to.hi));
+  for (const BodyId id : o.pair) {
+    const Motion& motion = scene.bodies[static_cast<std::size_t>(id)].motion;
+    const auto from = angle_at(motion, o.from), to = angle_at(motion, o.to);
+    if (!from || !to) continue;
+    text += fmt::format(" ({:.5g} to {:.5g} deg)", middle_of(from->lo, from->hi), middle_of(to->lo, to->hi));
+    break;
   }
-  return fmt::format("{:.6g}", middle_of(t.lo, t.hi));
+  return text;
 }
 
 /// An end that is enclosed is a line; where the scene's time cuts an overlap off, it is open, and fades.
@@ -50,11 +55,27 @@ std::string end_mark(double x, double y, bool open, double outwards) {
 
 std::string overlap_bar(const Scene& scene, const io::PlotPanel& panel, const OverlapInterval& o, double y) {
   const double from = panel.x(middle_of(o.from.lo, o.from.hi)), to = panel.x(middle_of(o.to.lo, o.to.hi));
-  std::string s = fmt::format("<g class=\"overlap\"><title>overlap from t = {} to {}</title>\n",
-                              end_text(scene, o.pair, o.from), end_text(scene, o.pair, o.to));
+  std::string s =
+      fmt::format("<g class=\"overlap\"><title>overlap from t = {}</title>\n", io::escape_xml(ends_text(scene, o)));
   s += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", chart_number(from),
                    chart_number(y), chart_number(std::max(to - from, 1.0)), chart_number(bar_height), io::body_fill[1]);
   return s + end_mark(from, y, !o.enter, -7) + end_mark(to, y, !o.exit, 7) + "</g>\n";
+}
+
+/// The ends of all bars of a lane, or of none if there is not room for all.
+std::string all_ends(const Scene& scene, const io::PlotPanel& panel, const Lane& lane, double y) {
+  std::string s;
+  double written = 0;
+  for (const OverlapInterval* o : lane.overlaps) {
+    const std::string ends = ends_text(scene, *o);
+    const double half = 3.4 * static_cast<double>(ends.size());
+    const double middle = panel.x(middle_of(o->from.lo, o->to.hi));
+    const double at = std::min(std::max(middle, panel.left + half), panel.left + panel.width - half);
+    if (at - half < written) return {};
+    s += io::chart_text(at, y, ends, "middle");
+    written = at + half + 6;
+  }
+  return s;
 }
 
 std::string lane_svg(const Scene& scene, const io::PlotPanel& panel, const std::array<BodyId, 2>& pair,
@@ -69,8 +90,8 @@ std::string lane_svg(const Scene& scene, const io::PlotPanel& panel, const std::
         "stroke=\"#5f6b76\"/>\n",
         chart_number(from), chart_number(y), chart_number(panel.left + panel.width - from), chart_number(bar_height));
   }
-  // What the ends are is written where there is room: below a lane of one bar.
   for (const OverlapInterval* o : lane.overlaps) s += overlap_bar(scene, panel, *o, y);
+  s += all_ends(scene, panel, lane, y + bar_height + 14);
   return s + "</g>\n";
 }
 
@@ -95,7 +116,7 @@ std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch tou
   s += "<defs><pattern id=\"hatched\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\">"
        "<path d=\"M0,7L7,0\" stroke=\"#5f6b76\"/></pattern></defs>\n";
   s += panel.time_axis("t");
-  double y = chart_top + (lane_height - bar_height) / 2;
+  double y = chart_top + 8;
   if (lanes.empty()) s += io::chart_text(left, y + 13, "no pair overlaps");
   for (const auto& [pair, lane] : lanes) {
     s += lane_svg(scene, panel, pair, lane, y);

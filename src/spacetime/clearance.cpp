@@ -43,6 +43,8 @@ Closest closest(Vector a, Vector b, Vector c, Vector d) {
 constexpr double patience_of_clearance = 0.75;
 /// In stretches shorter than this share of the leg, errors have become as small as they get.
 constexpr double shortest_of_clearance = 0x1p-30;
+/// An error that is no more than this share of all lengths is that of rounding, and does not shrink with the stretch.
+constexpr double error_of_rounding = 0x1p-42;
 /// Of the windows in which the frame at an instant is computed, as a share of the leg.
 constexpr double length_of_instant = 0x1p-20;
 
@@ -126,9 +128,12 @@ class LegClearance {
     }
   }
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
-  /// shorter stretches would not help, and what is certain is noted.
+  /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on a
+  /// bridge, say, all over which bodies may nearly touch.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
-    if (s.r > shortest_of_clearance * (leg_.end - leg_.start)) return false;
+    const bool is_short = s.r <= shortest_of_clearance * (leg_.end - leg_.start);
+    const bool is_rounding = s.in_p.error <= error_of_rounding * s.in_p.reach;
+    if (!is_short && !(is_rounding && motion(s, p, q) <= s.in_p.error)) return false;
     for (const double errors : {1, 2, 4, 8}) {
       const double margin = tolerance_.least(best_.distance) - errors * s.in_p.error;
       if (!farther(s, p, q, towards, margin)) continue;
