@@ -49,7 +49,7 @@ std::string panel_svg(const Scene& scene, const DistanceCurve& c, double top, do
   std::string s = "<g class=\"curve\">\n" + io::chart_text(panel_left, top + 16, curve_title(scene, c));
   const std::string word = c.settled ? "" : ", at most " + fmt::format("{:.9g}", c.largest_hi);
   s += io::chart_text(width - 24, top + 16,
-                      fmt::format("greatest {:.9g}{} at t = {:.9g}", c.largest_lo, word, c.largest_at), "end");
+                      fmt::format("greatest {:.6g}{} at t = {:.6g}", c.largest_lo, word, c.largest_at), "end");
   return s + panel.time_axis("t") + panel.value_axis() + curve_marks(panel, c) + "</g>\n";
 }
 

@@ -37,7 +37,7 @@ MadeWorld cells(Rng& rng, int n) {
     if (rng.chance(moving)) body.keyframes = random_keyframes(rng, world.end, reach, at);
     // Often the one before, so that chains get long.
     if (i > 0 && rng.chance(0.3)) body.parent = rng.chance(0.6) ? i - 1 : rng.below(i);
-    if (depth_of(world, body.parent) >= 6) body.parent = -1;
+    if (depth_of(world, body.parent) > 6) body.parent = -1;
     world.bodies.push_back(body);
   }
   return world;
@@ -90,7 +90,7 @@ MadeWorld grid(Rng& rng, int n) {
     body.pivot = {x, y};
     if (rng.chance(moving)) body.keyframes = grid_keyframes(rng, world.end);
     if (i > 0 && rng.chance(0.2)) body.parent = rng.below(i);
-    if (depth_of(world, body.parent) >= 6) body.parent = -1;
+    if (depth_of(world, body.parent) > 6) body.parent = -1;
     world.bodies.push_back(body);
   }
   return world;
@@ -144,7 +144,7 @@ MadeWorld nested(Rng& rng, int n) {
       body.parts = {star_part(rng, at, radius, i + 1 < deep ? 0.8 : 0)};
       if (rng.chance(0.5)) body.keyframes = random_keyframes(rng, world.end, i == 0 ? 3 : 0.4 * radius, at);
       if (i > 0 && rng.chance(0.6)) body.parent = static_cast<int>(world.bodies.size()) - 1;
-      if (depth_of(world, body.parent) >= 6) body.parent = -1;
+      if (depth_of(world, body.parent) > 6) body.parent = -1;
       world.bodies.push_back(body);
       // Corners of the hole at 0.85 * 0.8 of the radius, its edges nearer to the centre.
       radius *= 0.45;
@@ -184,7 +184,7 @@ MadeWorld arms(Rng& rng, int n) {
     const Point at{7.0 * (k % 5), 7.0 * (k / 5)};
     const int room = n - static_cast<int>(world.bodies.size());
     if (k == 0 || rng.chance(0.3)) {
-      add_arm(rng, world, at, std::min(room, rng.between(1, 6)));
+      add_arm(rng, world, at, std::min(room, rng.between(1, 7)));
     } else {
       MadeBody obstacle;
       obstacle.parts = {star_part(rng, {at.x, at.y + 2}, rng.real(0.4, 1.5), rng.chance(0.2) ? 0.6 : 0)};
