@@ -120,6 +120,20 @@ expect 2 '' '--engine' check --engine steam hit.json
 "$taut" check --json - <hit.json >two
 cmp -s one two || { echo "FAILED: the same scene gives different bytes"; failures=$((failures + 1)); }
 
+# Curves and charts.
+expect 0 '^PROFILE  anvil x hammer   greatest ' '' clearance --profile 5 hit.json
+expect 0 '"largest":\{"lo":[^,]*,"hi":[^,]*,"t":0,"settled":true\},"instants":\[\[0,' '' clearance --profile 5 --json hit.json
+is_json_lines
+expect 0 '^anvil,hammer,0,' '' clearance --profile 5 --csv - hit.json
+[ "$(wc -l <out)" = 6 ] || { echo "FAILED: a profile of 5 instants has other lines"; failures=$((failures + 1)); }
+expect 0 '^PROFILE' '' clearance --profile 5 --svg profile.svg hit.json
+grep -q 'class="distance"' profile.svg || { echo "FAILED: profile.svg"; failures=$((failures + 1)); }
+expect 2 '' '--profile' clearance --csv - hit.json
+expect 2 '' '--profile' clearance --profile 1 hit.json
+expect 3 '^UNDECIDED' '' clearance --profile 5 --max-seconds 0 hit.json
+expect 1 'class="overlap".*' '' intervals --svg - hit.json
+expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json
+
 # An interrupted run says what it has proved.
 "$taut" gen rotor -n 4000 -o long.json
 for signal in INT TERM; do

@@ -19,6 +19,8 @@ struct ClearanceArguments {
   SceneSource scene;
   ClearanceOptions options;
   bool json = false;
+  ProfileOptions profile;
+  std::string csv, svg;
 };
 
 std::string body_name(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
@@ -47,6 +49,48 @@ std::string clearance_text(const Scene& scene, const Clearance& answer) {
   return text;
 }
 
+std::string curve_line(const Scene& scene, const DistanceCurve& c) {
+  const std::string pair = c.pair ? body_name(scene, (*c.pair)[0]) + " x " + body_name(scene, (*c.pair)[1])
+                                  : std::string("all pairs, the least");
+  return fmt::format("{}   greatest {} at t = {:.9g}{}\n", pair, time_text({c.largest_lo, c.largest_hi}), c.largest_at,
+                     c.settled ? "" : "   (the limit of stretches was reached)");
+}
+
+std::string instants_text(const DistanceCurve& c) {
+  std::string text = fmt::format("  {:>14}  {:>14}   {}\n", "t", "distance", "until the next");
+  for (std::size_t k = 0; k < c.instants.size(); ++k) {
+    const DistanceAt& d = c.instants[k];
+    text += fmt::format("  {:>14.9g}  {:>14.9g}", d.t, d.hi);
+    if (k < c.stretches.size()) text += fmt::format("   {:.6g} to {:.6g}", c.stretches[k].lo, c.stretches[k].hi);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
+  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
+  if (answer.curves.empty()) return "PROFILE  no pair is asked about\n";
+  std::string text;
+  for (const DistanceCurve& c : answer.curves) text += "PROFILE  " + curve_line(scene, c) + instants_text(c);
+  return text;
+}
+
+int run_profile(const ClearanceArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  ProfileOptions options = arguments.profile;
+  options.relative = arguments.options.relative;
+  options.all_pairs = arguments.options.all_pairs;
+  options.max_seconds = arguments.options.max_seconds;
+  options.stop = stop_on_signals();
+  const DistanceProfile answer = within_file(arguments.scene.path, [&] { return distance_profile(scene, options); });
+  if (!arguments.csv.empty()) write_output(arguments.csv, profile_csv(scene, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, profile_svg(scene, answer));
+  // What goes to standard output is one thing.
+  if (arguments.csv != "-" && arguments.svg != "-")
+    print_text(arguments.json ? profile_json(scene, answer) + "\n" : profile_text(scene, answer));
+  return answer.reason.empty() ? exit_free : exit_undecided;
+}
+
 int run_clearance(const ClearanceArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   ClearanceOptions options = arguments.options;
@@ -70,14 +114,27 @@ void add_clearance(const Command& app, Action& action) {
   command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
       .value("S")
       .not_negative();
+  const Option profile =
+      command
+          .add_option("--profile", arguments->profile.instants,
+                      "instead, the distance over time, at N instants and between them, and the greatest")
+          .within(2, 1000000)
+          .value("N");
+  command.add_option("--csv", arguments->csv, "with --profile, write it to FILE (- is standard output)")
+      .value("FILE")
+      .needs(profile);
+  command.add_option("--svg", arguments->svg, "with --profile, draw it to FILE").value("FILE").needs(profile);
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.footer(
       "Example:\n"
       "  taut clearance scene.json --pairs all\n"
+      "  taut clearance scene.json --profile 200 --svg distance.svg\n"
       "\n"
       "Prints the least distance over the scene's time, when, and between which points. Exit codes: 0, or 1 if bodies\n"
       "touch, 2 bad input, 3 undecided, 4 internal error.\n");
-  command.on_chosen([&action, arguments] { action = [arguments] { return run_clearance(*arguments); }; });
+  command.on_chosen([&action, arguments, profile] {
+    action = [arguments, profile] { return profile.given() ? run_profile(*arguments) : run_clearance(*arguments); };
+  });
 }
 
 }  // namespace taut::cli

@@ -20,6 +20,7 @@ struct IntervalArguments {
   CheckOptions options;
   double from = 0;
   bool json = false;
+  std::string svg;
 };
 
 std::string body_called(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
@@ -78,7 +79,10 @@ int run_intervals(const IntervalArguments& arguments) {
   CheckOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Intervals answer = within_file(arguments.scene.path, [&] { return intervals(scene, options); });
-  print_text(arguments.json ? intervals_json(scene, answer, options.touch) + "\n" : text_of_answer(scene, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, intervals_svg(scene, answer, options.touch));
+  // What goes to standard output is one thing.
+  if (arguments.svg != "-")
+    print_text(arguments.json ? intervals_json(scene, answer, options.touch) + "\n" : text_of_answer(scene, answer));
   if (!answer.undecided.empty()) return exit_undecided;
   return answer.intervals.empty() ? exit_free : exit_contact;
 }
@@ -108,9 +112,11 @@ void add_intervals(const Command& app, Action& action) {
   const Command command = app.add_command("intervals", "Say when bodies overlap: all intervals, of every pair");
   const auto arguments = std::make_shared<IntervalArguments>();
   add_question(command, *arguments);
+  command.add_option("--svg", arguments->svg, "draw them over time to FILE (- is standard output)").value("FILE");
   command.footer(
       "Example:\n"
       "  taut intervals --json scene.json\n"
+      "  taut intervals scene.json --svg overlaps.svg\n"
       "\n"
       "Each interval is maximal; its ends are enclosed in doubles, with the features that meet and part there. Exit\n"
       "codes: 0 no overlap, 1 at least one, 2 bad input, 3 undecided, 4 internal error.\n");

@@ -76,4 +76,54 @@ struct MarginAnswer {
 /// difference otherwise. Engines, tracers and events mean nothing here. Throws InputError.
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
 
+/// The distance at an instant: certainly lo <= d(t) <= hi.
+struct DistanceAt {
+  double t = 0, lo = 0, hi = 0;
+};
+
+/// The distance over a stretch of time: certainly lo <= d(t) <= hi for from <= t <= to.
+struct DistanceWithin {
+  double from = 0, to = 0, lo = 0, hi = 0;
+};
+
+/// The distance d(t) of two bodies' closures as a curve: 0 where they touch or overlap.
+struct DistanceCurve {
+  /// Whose distance it is, in the order of the scene. Absent: at each time the least one of all pairs asked about.
+  std::optional<std::array<BodyId, 2>> pair;
+  std::vector<DistanceAt> instants;       ///< evenly spaced, from the scene's start to its end
+  std::vector<DistanceWithin> stretches;  ///< between an instant and the next one
+  double largest_lo = 0, largest_hi = 0;  ///< certainly enclose the greatest distance over the scene's time
+  double largest_at = 0;                  ///< a time at which the distance is at least `largest_lo`
+  /// Is the bracket of the greatest distance as narrow as was asked for? If not, the limit of stretches was reached.
+  bool settled = false;
+};
+
+/// The answer of distance_profile().
+struct DistanceProfile {
+  /// First the least distance of all pairs; with `all_pairs`, and if there are several, then each pair's own, in the
+  /// order of the scene. None if no pair is asked about, or if it is not decided.
+  std::vector<DistanceCurve> curves;
+  std::string reason;  ///< why it is not decided; empty otherwise
+  Coverage coverage;
+};
+
+/// What is to be known of the distance, and how precisely.
+struct ProfileOptions {
+  int instants = 101;  ///< 2 to 1,000,000
+  /// As in ClearanceOptions, for each instant, for the lower bound of each stretch, and for the greatest distance. At
+  /// least 1e-12.
+  double relative = 1e-9;
+  /// So many times is a stretch halved, of each curve, in search of the greatest distance.
+  int halvings = 20000;
+  bool all_pairs = false;
+  double max_seconds = 1e300;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// The distance of bodies over the scene's time. Each bracket is certain: at instants and from below by branch and
+/// bound, over stretches from above by a vertex and an edge that are followed. The upper bound of a stretch is as good
+/// as the stretch is short; the greatest distance is found by halving those that may have it. Where bodies may touch or
+/// not, within the enclosure of an instant of touching, the lower end is 0. Throws InputError.
+DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options = {});
+
 }  // namespace taut

@@ -160,6 +160,18 @@ std::string separation_json(const Scene& scene, const Separation& answer);
 
 /// The answer of clearance() as `taut clearance --json` prints it.
 std::string clearance_json(const Scene& scene, const Clearance& answer);
+/// The answer of distance_profile() as `taut clearance --profile N --json` prints it.
+std::string profile_json(const Scene& scene, const DistanceProfile& answer);
+/// As comma-separated values, a line for each instant of each curve: first, second (the pair; empty for the least
+/// distance of all pairs), t, lo, hi, and the bracket from there to the next instant, until_lo and until_hi, which are
+/// empty at the end.
+std::string profile_csv(const Scene& scene, const DistanceProfile& answer);
+/// The curves as a plot in SVG, a panel for each: the distance over time, and between instants the box in which it
+/// certainly stays.
+std::string profile_svg(const Scene& scene, const DistanceProfile& answer, int width = 800);
+/// The answer of intervals() as a chart in SVG, a lane for each pair that overlaps or is undecided: bars of overlap
+/// over time, hatched where nothing is claimed.
+std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch touch, int width = 800);
 
 /// Writes the whole text or nothing: to a temporary file next to `path`, then renamed. Throws InputError.
 void write_file(const std::string& path, const std::string& text);

@@ -105,6 +105,20 @@ std::string clearance(const SceneText& text, double tolerance, const RunOptions&
   });
 }
 
+std::string distance_profile(const SceneText& text, int instants, double tolerance, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions given = check_options(options, stop);
+    taut::ProfileOptions how;
+    how.instants = instants;
+    how.relative = tolerance;
+    how.all_pairs = given.all_pairs;
+    how.max_seconds = given.max_seconds;
+    how.stop = &stop;
+    const taut::Scene scene = text.read();
+    return taut::profile_json(scene, taut::distance_profile(scene, how));
+  });
+}
+
 std::string check_clearance(const SceneText& text, double clearance, const RunOptions& options) {
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     const taut::CheckOptions how = check_options(options, stop);
@@ -151,6 +165,7 @@ void bind_questions(py::module_& module) {
   module.def("clearance", &clearance);
   module.def("check_clearance", &check_clearance);
   module.def("separate", &separate);
+  module.def("distance_profile", &distance_profile);
   module.def("prove", &prove);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {
     return verify(text, log, max_seconds);

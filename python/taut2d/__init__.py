@@ -17,9 +17,11 @@ Answer; prove() gives a Proof besides, which verify() checks. "free" and "contac
 step size and no tolerance. "undecided" is an answer, too, where a limit was hit. Shapes are lists, numpy arrays,
 anything with __geo_interface__ (shapely, geopandas), or WKT.
 
-clearance() says how close bodies come, check_clearance() whether they keep a distance, intervals() when they overlap, all of the time, range() how far they can go
-without, and separate() in which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep() does, too, into
-files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by matplotlib.
+clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
+keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
+which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors;
+sweep() does, too, into files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by
+matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -43,8 +45,8 @@ from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, s
 from .options import run_options, scene_text, seconds
 from .parts import GeojsonFile, Part, WktFile
 from .pictures import Pose
-from .questions import (Clearance, Intervals, Meeting, NearestPoints, OverlapInterval, Range, clearance_from_json,
-                        intervals_from_json, range_from_json)
+from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Meeting, NearestPoints, OverlapInterval,
+                        Range, clearance_from_json, intervals_from_json, profile_from_json, range_from_json)
 from .scene import Body, Scene, _plain_places
 from .shape import Shape
 from .sweeps import SweepAnswers, sweep
@@ -52,12 +54,14 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes", "Direction",
-    "DirectionArc", "EdgeRef", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
-    "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part",
-    "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_clearance", "check_many",
-    "clearance", "intervals", "prove", "range", "separate", "sweep", "verify",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
+    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile", "HalfAngleTangent",
+    "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting",
+    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
+    "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
+    "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate",
+    "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -116,6 +120,23 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
     options = run_options("open", "spacetime", pairs, max_seconds, None)
     with _plain_places():
         return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
+
+
+def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: str = "first",
+                     max_seconds: Optional[float] = None) -> DistanceProfile:
+    """The distance of bodies over the scene's time, in brackets that are certain: at so many ``instants`` (2 to
+    1,000,000), evenly spaced, on the stretches between them, and of the greatest distance.
+
+    ``tolerance``: as of clearance(), for each bracket but the upper ends of the stretches', which are as good as these
+    are short. ``pairs``: "first": at each time the least distance of all pairs; "all": then each pair's, too. Errors are
+    those of check().
+    """
+    options = run_options("open", "spacetime", pairs, max_seconds, None)
+    if not 2 <= instants <= 1000000:
+        raise InputError("instants", f"{instants} instants were asked for", "2 to 1000000 can be")
+    with _plain_places():
+        return profile_from_json(
+            _taut2d.distance_profile(scene_text(scene), int(instants), number(tolerance, "tolerance"), options))
 
 
 def check_clearance(scene: Scene, clearance: float, *, pairs: str = "first",

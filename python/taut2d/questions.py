@@ -97,6 +97,36 @@ class Clearance:
     json: str = field(repr=False, compare=False)
 
 
+@dataclass(frozen=True)
+class DistanceCurve:
+    """The distance of two bodies over time; 0 where they touch or overlap.
+
+    ``pair``: whose; None if at each time it is the least one of all pairs. ``instants``: (t, lo, hi), evenly spaced:
+    the distance at t certainly lies between lo and hi. ``stretches``: (start, end, lo, hi), the same for every instant
+    from start to end. ``largest``: (lo, hi), which certainly contain the greatest distance, and ``largest_at`` is a time
+    at which it is at least lo. ``settled``: whether that bracket is as narrow as was asked for.
+    """
+
+    pair: Optional[tuple[str, str]]
+    instants: tuple[tuple[float, float, float], ...]
+    stretches: tuple[tuple[float, float, float, float], ...]
+    largest: Interval
+    largest_at: float
+    settled: bool
+
+
+@dataclass(frozen=True)
+class DistanceProfile:
+    """The distance of bodies over time. ``curves``: first the least of all pairs, then each pair's own, if they were
+    asked for; none if no pair is asked about, or nothing was decided: ``reason`` then says why. ``json`` is what
+    ``taut clearance --profile N --json`` prints."""
+
+    curves: tuple[DistanceCurve, ...]
+    reason: Optional[str]
+    coverage: Coverage
+    json: str = field(repr=False, compare=False)
+
+
 def _interval(value: Any) -> Optional[Interval]:
     return None if value is None else _floats(value)
 
@@ -146,3 +176,17 @@ def clearance_from_json(text: str) -> Clearance:
     value = json.loads(text)
     pairs = tuple(n for n in map(_nearest, value.get("pairs", ())) if n is not None)
     return Clearance(_nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text)
+
+
+def _curve(value: Any) -> DistanceCurve:
+    largest = value["largest"]
+    return DistanceCurve(None if value["pair"] is None else _pair(value["pair"]),
+                         tuple((float(t), float(lo), float(hi)) for t, lo, hi in value["instants"]),
+                         tuple((float(a), float(b), float(lo), float(hi)) for a, b, lo, hi in value["stretches"]),
+                         (float(largest["lo"]), float(largest["hi"])), float(largest["t"]), bool(largest["settled"]))
+
+
+def profile_from_json(text: str) -> DistanceProfile:
+    """What ``taut clearance --profile N --json`` has printed."""
+    value = json.loads(text)
+    return DistanceProfile(tuple(map(_curve, value["profile"])), value.get("reason"), Coverage(**value["coverage"]), text)

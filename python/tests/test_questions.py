@@ -109,3 +109,22 @@ def test_fit():
     for fit in (0, -1, float("nan"), 1e-30, 0.7):
         with pytest.raises(taut2d.InputError):
             taut2d.check(touching, fit=fit)
+
+
+def test_distance_profile(taut):
+    found = taut2d.distance_profile(scene(), 9)
+    (curve,) = found.curves
+    assert curve.pair == ("rests", "moves") and curve.settled and found.reason is None
+    # 3 at the start, 0 from 0.75 to 1.25, and back.
+    for t, lo, hi in curve.instants:
+        assert lo <= max(0, 4 * abs(1 - t) - 1) <= hi * (1 + 1e-15) and hi - lo < 1e-8
+    for start, end, lo, hi in curve.stretches:
+        true = [max(0, 4 * abs(1 - t) - 1) for t in (start, end)]
+        assert lo <= min(true) and hi >= max(true)
+    assert curve.largest[0] <= 3 <= curve.largest[1] * (1 + 1e-15) and curve.largest_at in (0, 2)
+    path = root / "examples" / "worlds" / "arm.json"
+    printed_json = printed(taut, "clearance", "--profile", 5, "--pairs", "all", "--json", path)
+    world = taut2d.distance_profile(taut2d.Scene.load(path), 5, pairs="all")
+    assert world.json == printed_json and world.curves[0].pair is None and len(world.curves) > 2
+    with pytest.raises(taut2d.InputError):
+        taut2d.distance_profile(scene(), 1)

@@ -44,6 +44,11 @@ std::array<Point, 2> nearest_points(const Point& a, const Point& b, const Point&
   return best;
 }
 
+/// Whether bodies touch is not told: why.
+struct TouchUndecided {
+  std::string reason;
+};
+
 class ClearanceSearch {
  public:
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
@@ -136,7 +141,7 @@ class ClearanceSearch {
     }
     const spacetime::SpacetimeResult contact = spacetime::first_contact(search.geometry, search.trees(), search.legs());
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
-    if (contact.outcome == spacetime::SpacetimeResult::undecided) throw Undecidable{"whether bodies touch"};
+    if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
     const Leg& leg = search.legs()[contact.leg];
     const Contact said = Witness(search.plan, search.geometry, false)
                              .contact({contact.vertex, contact.edge, contact.lo, contact.hi}, leg);
@@ -179,6 +184,8 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   Clearance answer;
   try {
     return ClearanceSearch(scene, options).run();
+  } catch (const TouchUndecided& limit) {
+    answer.reason = limit.reason;
   } catch (const Undecidable& limit) {
     answer.reason = not_decided(limit);
   } catch (const Interrupted& limit) {

@@ -43,31 +43,45 @@ Closest closest(Vector a, Vector b, Vector c, Vector d) {
 constexpr double patience_of_clearance = 0.75;
 /// In stretches shorter than this share of the leg, errors have become as small as they get.
 constexpr double shortest_of_clearance = 0x1p-30;
+/// An error that is no more than this share of all lengths is that of rounding, and does not shrink with the stretch.
+constexpr double error_of_rounding = 0x1p-42;
+/// Of the windows in which the frame at an instant is computed, as a share of the leg.
+constexpr double length_of_instant = 0x1p-20;
 
 class LegClearance {
  public:
   LegClearance(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, std::size_t index,
-               const ClearanceTolerance& tolerance, Nearest& best)
+               const TimeWindow& window, const ClearanceTolerance& tolerance, Nearest& best)
       : geometry_(geometry),
         trees_(trees),
         leg_(leg),
         index_(index),
+        from_(window.from),
+        to_(window.to),
         tolerance_(tolerance),
         best_(best),
         polynomial_(leg) {}
 
   void run() {
-    if (leg_.translation) return from_root(leg_.start, leg_.end);
-    for (double t = leg_.start;;) {
-      const double wanted = window_ ? 2 * window_->length() : leg_.end - leg_.start;
-      window_.emplace(leg_, t, leg_.end, std::min(wanted, leg_.end - leg_.start));
+    if (leg_.translation) return from_root(from_, to_);
+    if (!(from_ < to_)) return at_instant();
+    for (double t = from_;;) {
+      const double wanted = window_ ? 2 * window_->length() : to_ - from_;
+      window_.emplace(leg_, t, to_, std::min(wanted, to_ - from_));
       from_root(t, window_->end());
       t = window_->end();
-      if (!(t < leg_.end)) break;
+      if (!(t < to_)) break;
     }
   }
 
  private:
+  /// Windows have a length: this one begins with the instant, or ends with the leg.
+  void at_instant() {
+    const double some = (leg_.end - leg_.start) * length_of_instant;
+    window_.emplace(leg_, std::max(leg_.start, std::min(from_, leg_.end - some)), leg_.end, some);
+    while (window_->end() < from_) window_.emplace(leg_, window_->end(), leg_.end, some);
+    from_root(from_, from_);
+  }
   void from_root(double from, double to) {
     pairs_.assign(1, {0, 0});
     cover(0, from, to, 0);
@@ -106,7 +120,7 @@ class LegClearance {
     if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return;
     if (leaf || motion(s, p.box, q.box) > patience_of_clearance * (p.box.radius + q.box.radius)) {
       if (divisible && !(leaf && is_resolved(s, p.box, q.box, towards))) pairs_.push_back(pair);
-      if (!divisible) best_.unresolved = 0;
+      if (!divisible && !(leaf && is_resolved(s, p.box, q.box, towards))) best_.unresolved = 0;
     } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
       descend({p.right, pair.q}, {p.left, pair.q}, s);
     } else {
@@ -114,9 +128,12 @@ class LegClearance {
     }
   }
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
-  /// shorter stretches would not help, and what is certain is noted.
+  /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on a
+  /// bridge, say, all over which bodies may nearly touch.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
-    if (s.r > shortest_of_clearance * (leg_.end - leg_.start)) return false;
+    const bool is_short = s.r <= shortest_of_clearance * (leg_.end - leg_.start);
+    const bool is_rounding = s.in_p.error <= error_of_rounding * s.in_p.reach;
+    if (!is_short && !(is_rounding && motion(s, p, q) <= s.in_p.error)) return false;
     for (const double errors : {1, 2, 4, 8}) {
       const double margin = tolerance_.least(best_.distance) - errors * s.in_p.error;
       if (!farther(s, p, q, towards, margin)) continue;
@@ -154,6 +171,7 @@ class LegClearance {
   TreePair trees_;
   const Leg& leg_;
   std::size_t index_;
+  double from_, to_;
   ClearanceTolerance tolerance_;
   Nearest& best_;
   TranslationPolynomial polynomial_;
@@ -165,7 +183,17 @@ class LegClearance {
 
 void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
                   const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = 0; i < legs.size(); ++i) LegClearance(geometry, trees, legs[i], i, tolerance, best).run();
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    LegClearance(geometry, trees, legs[i], i, {legs[i].start, legs[i].end}, tolerance, best).run();
+}
+
+void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
+                         double to, const ClearanceTolerance& tolerance, Nearest& best) {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const TimeWindow window{std::max(from, legs[i].start), std::min(to, legs[i].end)};
+    if (legs[i].bridge || window.to < window.from) continue;
+    LegClearance(geometry, trees, legs[i], i, window, tolerance, best).run();
+  }
 }
 
 }  // namespace taut::spacetime

@@ -29,5 +29,8 @@ struct ClearanceTolerance {
 /// time.
 void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
                   const ClearanceTolerance& tolerance, Nearest& best);
+/// The same for from <= t <= to, an instant if they are equal; jumps at joints are left out, which are rounding.
+void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
+                         double to, const ClearanceTolerance& tolerance, Nearest& best);
 
 }  // namespace taut::spacetime

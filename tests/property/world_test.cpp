@@ -14,6 +14,7 @@
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
+#include "support/world_changes.hpp"
 #include "taut/check.hpp"
 #include "taut/motions.hpp"
 #include "taut/proof.hpp"
@@ -210,17 +211,7 @@ TEST(Worlds, FarBodiesChangeNothing) {
   for (std::uint64_t seed = 2000; seed < 2000 + effort(150); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MadeWorld world = random_world(seed);
-    MadeWorld larger = world;
-    for (int i = 0; i < 3; ++i) {
-      Rng rng(seed + static_cast<std::uint64_t>(i));
-      const Point at{500.0 + 100 * i, -300};
-      MadeBody far;
-      far.name = "far" + std::to_string(i);
-      far.parts = {star_part(rng, at, 2, 0.5)};
-      far.pivot = at;
-      if (i > 0) far.keyframes = random_keyframes(rng, world.end, 5, at);
-      larger.bodies.push_back(far);
-    }
+    const MadeWorld larger = with_far_bodies(seed, world);
     const Scene scene = scene_of(world);
     // With two bodies all pairs are asked, whatever moves; with more, only what moves against each other.
     if (world.bodies.size() > 2) expect_same_answer(scene, scene_of(larger), "with far bodies");
@@ -234,17 +225,7 @@ TEST(Worlds, CarriedAsAWhole) {
     const MadeWorld world = random_world(seed);
     if (world.bodies.size() == 2) continue;
     Rng rng(seed);
-    MadeWorld carried = world;
-    MadeBody carrier;
-    carrier.name = "carrier";
-    carrier.parts = {star_part(rng, {0, 0}, 1, 0)};
-    carrier.keyframes = random_keyframes(rng, world.end, 5, {0, 0});
-    const int index = static_cast<int>(carried.bodies.size());
-    for (MadeBody& body : carried.bodies) {
-      if (body.parent < 0) body.parent = index;
-    }
-    carried.bodies.push_back(carrier);
-    carried.ignore.push_back({index, -1});
+    const MadeWorld carried = carried_as_a_whole(rng, world);
     expect_same_answer(scene_of(world), scene_of(carried), "carried");
   }
 }
@@ -273,62 +254,14 @@ TEST(Worlds, SeenFromAMovingBody) {
   }
 }
 
-double twice_area(const Polygon& p) {
-  double twice = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point &a = p[i], &b = p[(i + 1) % p.size()];
-    twice += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
-  }
-  return twice;
-}
-
-/// Corner i of the hole is on the ray to corner i of the outline, once both go the same way round from there.
-Polygon hole_along_outline(const Part& part) {
-  Polygon hole = part.holes[0];
-  if ((twice_area(hole) > 0) != (twice_area(part.outline) > 0)) std::reverse(hole.begin(), hole.end());
-  const Point& first = part.outline[0];
-  const auto distance = [&](const Point& p) { return std::hypot(p.x - first.x, p.y - first.y); };
-  const auto nearest = std::min_element(hole.begin(), hole.end(),
-                                        [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
-  std::rotate(hole.begin(), nearest, hole.end());
-  return hole;
-}
-
-/// A ring in two arcs, a star around `centre` in two wedges, cut from corner 0 and from corner `at`.
-std::array<Part, 2> cut_in_two(const Part& part, const Point& centre, std::size_t at) {
-  const std::size_t n = part.outline.size();
-  Polygon first, second;
-  for (std::size_t i = 0; i <= at; ++i) first.push_back(part.outline[i]);
-  for (std::size_t i = at; i <= n; ++i) second.push_back(part.outline[i % n]);
-  if (part.holes.empty()) {
-    first.push_back(centre);
-    second.push_back(centre);
-  } else {
-    const Polygon hole = hole_along_outline(part);
-    for (std::size_t i = at + 1; i-- > 0;) first.push_back(hole[i]);
-    for (std::size_t i = n + 1; i-- > at;) second.push_back(hole[i % n]);
-  }
-  return {Part{first, {}}, Part{second, {}}};
-}
-
 /// The same bodies, in touching pieces.
 TEST(Worlds, SeamsDoNotMatter) {
   int cut = 0;
   for (std::uint64_t seed = 5000; seed < 5000 + effort(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const MadeWorld world = random_world(seed);
-    MadeWorld pieces = world;
     Rng rng(seed);
-    for (MadeBody& body : pieces.bodies) {
-      // The pivot, where it is not the origin, is the star's centre.
-      const Part whole = body.parts[0];
-      if (body.parts.size() > 1 || (whole.holes.empty() && (body.pivot == Point{} || whole.outline.size() < 4)))
-        continue;
-      const int n = static_cast<int>(whole.outline.size());
-      const auto two = cut_in_two(whole, body.pivot, static_cast<std::size_t>(rng.between(1, n - 1)));
-      body.parts = {two[0], two[1]};
-      ++cut;
-    }
+    const MadeWorld pieces = cut_at_seams(rng, world, cut);
     const Scene whole = scene_of(world), pieced = scene_of(pieces);
     expect_same_answer(whole, pieced, "open");
     expect_same_answer(whole, pieced, "closed", Touch::closed);

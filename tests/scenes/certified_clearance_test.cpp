@@ -56,6 +56,38 @@ TEST(CertifiedWorlds, Clearances) {
   EXPECT_GE(compared, 80);
 }
 
+/// Worlds of our own: each file says in `note` what it once broke and why, and what is right.
+TEST(Corpus, WorldsAndTheirClearances) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator("tests/corpus/worlds")) {
+    if (entry.path().extension() != ".json" || entry.path().stem().extension() == ".answer") continue;
+    SCOPED_TRACE(entry.path().string());
+    std::ifstream stream(entry.path().parent_path() / (entry.path().stem().string() + ".answer.json"));
+    const json want = json::parse(stream);
+    const Scene scene = read_scene(entry.path().string());
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      CheckOptions options;
+      options.touch = touch;
+      options.engine = EngineChoice::spacetime;
+      const Answer answer = check(scene, options);
+      const json& expected = want[to_string(touch)];
+      EXPECT_EQ(to_string(answer.outcome), expected["outcome"].get<std::string>());
+      if (answer.contact) {
+        EXPECT_NEAR(answer.contact->time.lo, expected["t"].get<double>(), 1e-9);
+      }
+    }
+    ClearanceOptions limited;
+    limited.max_seconds = 20;
+    const Clearance got = clearance(scene, limited);
+    ASSERT_EQ(got.reason, "");
+    EXPECT_GE(got.nearest->lo, want["clearance"]["lo"].get<double>());
+    EXPECT_LE(got.nearest->hi, want["clearance"]["hi"].get<double>());
+    EXPECT_EQ(got.nearest->hi > 0, want["closed"]["outcome"] == "free");
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 1);
+}
+
 Scene squares(const Motion& motion, double end) {
   Scene scene;
   scene.end = end;

@@ -1,6 +1,6 @@
 // Random scenes without end: the kinetic engine, the spacetime engine and the verified proof must agree on each, and
-// with the oracle by definition if the scene is small; none may be undecided. `./dev soak --minutes N` builds and runs
-// it.
+// with the oracle by definition if the scene is small; none may be undecided. With --worlds, scenes of many bodies, and
+// all that is asked about them. `./dev soak --minutes N` builds and runs it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
+#include "world_examination.hpp"
 
 namespace taut::testing {
 namespace {
@@ -63,6 +64,7 @@ struct Limits {
   double seconds = 1e300;       ///< for each engine and scene
   std::size_t oracle_size = 0;  ///< vertices of the scenes that the oracle judges
   bool contacts = false;        ///< soak_contact_scene(), not soak_scene()
+  bool worlds = false;          ///< large_world()
 };
 
 /// What the oracle says against the answer.
@@ -150,7 +152,24 @@ class Soak {
     totals_.next_scene = next;
   }
 
+  void look_at_world(std::uint64_t number, SoakTotals& part) {
+    const LargeWorld made = large_world(number);
+    Tally tally;
+    const std::string wrong = examine_world(number, made, limits_.seconds, tally);
+    part.by_family["worlds, " + made.family] += tally;
+    if (wrong.empty()) return;
+    const std::string file = fmt::format("{}/world-{}.json", folder_, number);
+    report(fmt::format("{}, {}: {}", file, made.family, wrong), file, scene_of(made.world), part);
+  }
+
+  static void report(const std::string& finding, const std::string& file, const Scene& scene, SoakTotals& part) {
+    part.findings.push_back(finding);
+    fmt::print(stderr, "{}\n", finding);
+    write_file(file, write_scene(scene));
+  }
+
   void look_at(std::uint64_t number, SoakTotals& part) {
+    if (limits_.worlds) return look_at_world(number, part);
     const SoakScene s = limits_.contacts ? soak_contact_scene(number) : soak_scene(number);
     Tally tally;
     const std::string wrong = examine(s, number % 4 == 0, limits_, tally, part.stages);
@@ -158,10 +177,8 @@ class Soak {
     part.by_injection[to_string(s.injection)] += tally;
     if (wrong.empty()) return;
     const std::string file = fmt::format("{}/{}{}.json", folder_, limits_.contacts ? "contact-" : "", number);
-    part.findings.push_back(
-        fmt::format("{}, {}, {}, touch {}: {}", file, s.family, to_string(s.injection), to_string(s.touch), wrong));
-    fmt::print(stderr, "{}\n", part.findings.back());
-    write_file(file, write_scene(s.scene));
+    report(fmt::format("{}, {}, {}, touch {}: {}", file, s.family, to_string(s.injection), to_string(s.touch), wrong),
+           file, s.scene, part);
   }
 
   Limits limits_;
@@ -170,9 +187,11 @@ class Soak {
 };
 
 /// One scene a line.
-void print_scenes(std::uint64_t first, std::uint64_t count, bool contacts) {
+void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene((contacts ? soak_contact_scene(k) : soak_scene(k)).scene);
+    std::string text = write_scene(limits.worlds     ? scene_of(large_world(k).world)
+                                   : limits.contacts ? soak_contact_scene(k).scene
+                                                     : soak_scene(k).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     fmt::print("{}\n", text);
   }
@@ -194,13 +213,14 @@ int main(int argc, char** argv) {
   app.add_option("--oracle", limits.oracle_size, "Judge scenes of up to so many vertices by definition").or_alone("24");
   app.add_flag("--contacts", limits.contacts,
                "Small scenes made of contacts, judged by definition, in place of others");
+  app.add_flag("--worlds", limits.worlds, "Worlds of 2 to 60 bodies, judged by definition, in place of others");
   app.add_option("--seconds", limits.seconds, "Limit for each engine and scene").positive();
   app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
   app.add_option("--print", print, "Only print so many scenes, one a line");
   return taut::cli::run_program(program, argc, argv, [&] {
     if (print > 0) {
-      taut::testing::print_scenes(first, print, limits.contacts);
+      taut::testing::print_scenes(first, print, limits);
       return 0;
     }
     if (limits.contacts) limits.oracle_size = std::max<std::size_t>(limits.oracle_size, 24);

@@ -86,7 +86,8 @@ Tally SoakTotals::all() const {
 
 std::string SoakTotals::report() const {
   const Tally sum = all();
-  std::string text = table("family", by_family, sum) + table("injection", by_injection, sum);
+  std::string text = table("family", by_family, sum);
+  if (!by_injection.empty()) text += table("injection", by_injection, sum);
   text += fmt::format(
       "| steps and comparisons of the kinetic engine decided | |\n|---|---:|\n"
       "| in doubles, with a bound on the error | {} |\n| by first order in the displacement, in doubles | {} |\n"

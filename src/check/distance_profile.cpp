@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "check/run.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/validate_world.hpp"
+#include "search/distance_curve.hpp"
+#include "taut/clearance.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+/// A stretch that may have the greatest distance: those that may have the greatest one are halved first.
+struct Candidate {
+  double most, from, to;
+  bool operator<(const Candidate& o) const { return most < o.most; }
+};
+
+class ProfileSearch {
+ public:
+  ProfileSearch(const Scene& scene, const ProfileOptions& options) : options_(options), plan_(scene) {
+    double largest = 0;
+    for (const WorldBody& body : plan_.bodies()) {
+      const Bounds& b = body.rings->bounds();
+      largest = std::max({largest, -b.lo.x, -b.lo.y, b.hi.x, b.hi.y});
+    }
+    // A little less than what is allowed: the rest is for rounding.
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * largest};
+    absolute_ = std::ldexp(1e-12 * largest, -plan_.exponent());
+    answer_.coverage = plan_.coverage();
+  }
+
+  DistanceProfile run(const Intervals& touching) {
+    find_pairs(touching);
+    if (pairs_.empty()) return std::move(answer_);
+    std::vector<const PairDistance*> all;
+    for (const PairDistance& pair : pairs_) all.push_back(&pair);
+    answer_.curves.push_back(curve(all));
+    if (options_.all_pairs && pairs_.size() > 1) {
+      for (const PairDistance& pair : pairs_) answer_.curves.push_back(curve({&pair}));
+    }
+    return std::move(answer_);
+  }
+
+ private:
+  void find_pairs(const Intervals& touching) {
+    const int n = static_cast<int>(plan_.bodies().size());
+    auto next = touching.intervals.begin();
+    for (int a = 0; a < n; ++a) {
+      for (int b = a + 1; b < n; ++b) {
+        if (!plan_.asked(a, b)) continue;
+        interruption_point();
+        pairs_.push_back({{a, b}, PairSearch(plan_, a, b, false), {}});
+        while (next != touching.intervals.end() && next->pair == pairs_.back().pair)
+          pairs_.back().touching.push_back(*next++);
+      }
+    }
+    answer_.coverage.checked = pairs_.size();
+    answer_.coverage.apart = 0;
+  }
+
+  double instant(int k) const {
+    const double share = static_cast<double>(k) / (options_.instants - 1);
+    return k + 1 == options_.instants ? plan_.end() : plan_.start() + (plan_.end() - plan_.start()) * share;
+  }
+
+  DistanceCurve curve(const std::vector<const PairDistance*>& pairs) const {
+    const DistanceFunction distance(pairs, tolerance_, plan_.exponent());
+    DistanceCurve curve;
+    if (pairs.size() == 1) curve.pair = pairs[0]->pair;
+    for (int k = 0; k < options_.instants; ++k) curve.instants.push_back(distance.at(instant(k)));
+    for (int k = 0; k + 1 < options_.instants; ++k) {
+      if (!(instant(k) < instant(k + 1))) continue;
+      curve.stretches.push_back(distance.within(instant(k), instant(k + 1)));
+      DistanceWithin& s = curve.stretches.back();
+      const auto n = static_cast<std::size_t>(k);
+      const double ends = std::max(curve.instants[n].hi, curve.instants[n + 1].hi);
+      s.hi = std::min(s.hi, narrowed(distance, s, s.hi, std::max(1.02 * ends, ends + absolute_), 4));
+    }
+    find_largest(distance, curve);
+    return curve;
+  }
+
+  /// What halves say of the greatest distance, where it is above what is good enough.
+  double narrowed(const DistanceFunction& distance, const DistanceWithin& s, double most, double enough,
+                  int depth) const {
+    const double middle = s.from + (s.to - s.from) / 2;
+    if (most <= enough || depth == 0 || !(s.from < middle && middle < s.to)) return most;
+    const DistanceWithin first{s.from, middle, 0, 0}, second{middle, s.to, 0, 0};
+    return std::max(narrowed(distance, first, distance.most(s.from, middle), enough, depth - 1),
+                    narrowed(distance, second, distance.most(middle, s.to), enough, depth - 1));
+  }
+
+  bool is_close(double lo, double hi) const { return hi - lo <= options_.relative * hi + absolute_; }
+
+  static void raise(DistanceCurve& curve, const DistanceAt& d) {
+    curve.largest_hi = std::max(curve.largest_hi, d.hi);
+    if (!(d.lo > curve.largest_lo)) return;
+    curve.largest_lo = d.lo;
+    curve.largest_at = d.t;
+  }
+
+  void find_largest(const DistanceFunction& distance, DistanceCurve& curve) const {
+    curve.largest_at = curve.instants[0].t;
+    for (const DistanceAt& d : curve.instants) raise(curve, d);
+    std::priority_queue<Candidate> candidates;
+    for (const DistanceWithin& s : curve.stretches) candidates.push({s.hi, s.from, s.to});
+    curve.settled = true;
+    for (int k = 0; !candidates.empty(); ++k) {
+      const Candidate top = candidates.top();
+      curve.largest_hi = std::max(curve.largest_lo, top.most);
+      if (is_close(curve.largest_lo, top.most)) return;
+      const double middle = top.from + (top.to - top.from) / 2;
+      curve.settled = k < options_.halvings && top.from < middle && middle < top.to;
+      if (!curve.settled) return;
+      candidates.pop();
+      raise(curve, distance.at(middle));
+      // Halves bound no better than the whole, where bounds are rough.
+      candidates.push({std::min(top.most, distance.most(top.from, middle)), top.from, middle});
+      candidates.push({std::min(top.most, distance.most(middle, top.to)), middle, top.to});
+    }
+  }
+
+  const ProfileOptions& options_;
+  WorldPlan plan_;
+  spacetime::ClearanceTolerance tolerance_;
+  double absolute_ = 0;
+  std::vector<PairDistance> pairs_;
+  DistanceProfile answer_;
+};
+
+void validate_profile(const ProfileOptions& options) {
+  if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
+  if (options.instants < 2 || options.instants > 1000000)
+    throw InputError("profile", "it has " + std::to_string(options.instants) + " instants",
+                     "2 to 1000000 can be asked for");
+}
+
+}  // namespace
+
+DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options) {
+  validate_profile(options);
+  CheckOptions closed;
+  closed.touch = Touch::closed;
+  closed.max_seconds = options.max_seconds;
+  closed.stop = options.stop;
+  const Intervals touching = intervals(scene, closed);
+  DistanceProfile answer;
+  answer.coverage = touching.coverage;
+  if (!touching.undecided.empty()) {
+    answer.reason = touching.undecided[0].reason;
+    return answer;
+  }
+  const InterruptionScope scope(options.stop, options.max_seconds);
+  try {
+    return ProfileSearch(scene, options).run(touching);
+  } catch (const Undecidable& limit) {
+    answer.reason = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    answer.reason = limit.reason;
+  }
+  return answer;
+}
+
+}  // namespace taut

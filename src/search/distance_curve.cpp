@@ -1,0 +1,64 @@
+#include "search/distance_curve.hpp"
+
+#include <algorithm>
+
+#include "base/interruption.hpp"
+#include "spacetime/distance_bound.hpp"
+
+namespace taut {
+
+bool DistanceFunction::may_touch(double from, double to) const {
+  const auto touches = [&](const OverlapInterval& o) { return o.from.lo <= to && from <= o.to.hi; };
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const PairDistance* p) {
+    return std::any_of(p->touching.begin(), p->touching.end(), touches);
+  });
+}
+
+bool DistanceFunction::overlap_throughout(double from, double to) const {
+  const auto overlap = [&](const OverlapInterval& o) { return o.from.hi <= from && to <= o.to.lo; };
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const PairDistance* p) {
+    return std::any_of(p->touching.begin(), p->touching.end(), overlap);
+  });
+}
+
+std::size_t DistanceFunction::search(double from, double to, spacetime::Nearest& best) const {
+  best.distance = INFINITY;
+  std::size_t which = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    interruption_point();
+    const PairSearch& s = pairs_[i]->search;
+    const double before = best.distance;
+    spacetime::find_nearest_within(s.geometry, s.trees(), s.legs(), from, to, tolerance_, best);
+    if (best.distance < before) which = i;
+  }
+  return which;
+}
+
+double DistanceFunction::lower_end(const spacetime::Nearest& best) const {
+  const double least = std::min(tolerance_.least(best.distance), best.unresolved);
+  return std::max(0.0, std::ldexp(least, -exponent_) * (1 - 0x1p-50));
+}
+
+DistanceAt DistanceFunction::at(double t) const {
+  if (overlap_throughout(t, t)) return {t, 0, 0};
+  spacetime::Nearest best;
+  search(t, t, best);
+  return {t, may_touch(t, t) ? 0 : lower_end(best), std::ldexp(best.distance, -exponent_)};
+}
+
+double DistanceFunction::least(double from, double to) const {
+  if (may_touch(from, to)) return 0;
+  spacetime::Nearest best;
+  search(from, to, best);
+  return lower_end(best);
+}
+
+double DistanceFunction::most(double from, double to) const {
+  if (overlap_throughout(from, to)) return 0;
+  spacetime::Nearest best;
+  const double middle = from + (to - from) / 2;
+  const PairSearch& s = pairs_[search(middle, middle, best)]->search;
+  return std::ldexp(spacetime::distance_bound(s.geometry, s.trees(), s.legs(), from, to, tolerance_), -exponent_);
+}
+
+}  // namespace taut

@@ -1,0 +1,82 @@
+#include "spacetime/distance_bound.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/interruption.hpp"
+#include "spacetime/stretch.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+/// More than the rounding of the few operations on what a stretch says, and of its directions' lengths.
+constexpr double rounded_up = 1 + 0x1p-40;
+
+/// Of a moving vertex from an edge that rests, in the edge's frame.
+double vertex_bound(const Carriage& carriage, double r, Vector vertex, Vector from, Vector to) {
+  const Vector way = to - from;
+  const double length = std::sqrt(dot(way, way));
+  const Vector e{way.x / length, way.y / length};
+  const Path path = carriage.place(vertex, from);
+  const Parabola along_edge = along(e, path), across = along(turned(e), path);
+  const double before = -along_edge.least(r), behind = -(-along_edge).least(r) - length;
+  const double beside = std::max(-across.least(r), -(-across).least(r));
+  const double past = std::max({0.0, before, behind}) + carriage.error, off = beside + carriage.error;
+  return std::sqrt(past * past + off * off) * rounded_up + length * 0x1p-45;
+}
+
+class PieceBound {
+ public:
+  PieceBound(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+             const ClearanceTolerance& tolerance)
+      : geometry_(geometry), trees_(trees), legs_(legs), tolerance_(tolerance) {}
+
+  /// Of the edges that are nearest in the middle of the stretch.
+  double of(const Stretch& s) const {
+    Nearest nearest;
+    nearest.distance = INFINITY;
+    find_nearest_within(geometry_, trees_, legs_, s.middle, s.middle, tolerance_, nearest);
+    if (!(nearest.distance < INFINITY)) return INFINITY;
+    const Vector a = point(nearest.edge_p), b = point(geometry_.next(nearest.edge_p));
+    const Vector c = point(nearest.edge_q), d = point(geometry_.next(nearest.edge_q));
+    return std::min({vertex_bound(s.in_p, s.r, c, a, b), vertex_bound(s.in_p, s.r, d, a, b),
+                     vertex_bound(s.in_q, s.r, a, c, d), vertex_bound(s.in_q, s.r, b, c, d)});
+  }
+
+ private:
+  Vector point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
+
+  const PairGeometry& geometry_;
+  const TreePair& trees_;
+  const std::vector<Leg>& legs_;
+  const ClearanceTolerance& tolerance_;
+};
+
+double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double to) {
+  if (leg.translation) return piece.of(Stretch::of_translation(leg, TranslationPolynomial(leg), from, to));
+  double most = 0;
+  for (double t = from; t < to;) {
+    interruption_point();
+    FrameWindow window(leg, t, to, to - t);
+    const double end = window.end();
+    most = std::max(
+        most, piece.of(window.smooth() ? Stretch::of_window(leg, window, t, end) : Stretch::of_range(leg, window)));
+    t = end;
+  }
+  return most;
+}
+
+}  // namespace
+
+double distance_bound(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
+                      double to, const ClearanceTolerance& tolerance) {
+  const PieceBound piece(geometry, trees, legs, tolerance);
+  double most = 0;
+  for (const Leg& leg : legs) {
+    const double start = std::max(from, leg.start), end = std::min(to, leg.end);
+    if (!leg.bridge && start < end) most = std::max(most, bound_on_leg(piece, leg, start, end));
+  }
+  return most;
+}
+
+}  // namespace taut::spacetime

@@ -1,0 +1,263 @@
+#include "world_examination.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "support/world_changes.hpp"
+#include "support/world_judge.hpp"
+#include "taut/clearance.hpp"
+#include "taut/error.hpp"
+#include "taut/intervals.hpp"
+#include "taut/proof.hpp"
+#include "taut/static_map.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// Enclosures of one instant, whose computations may differ by rounding.
+bool meet(const TimeInterval& a, const TimeInterval& b) { return a.lo <= b.hi + 1e-9 && b.lo <= a.hi + 1e-9; }
+
+std::string time_text(const TimeInterval& t) { return fmt::format("[{}, {}]", t.lo, t.hi); }
+
+std::string answer_difference(const Answer& a, const Answer& b) {
+  if (a.outcome != b.outcome) return fmt::format("{} against {}", to_string(a.outcome), to_string(b.outcome));
+  if (a.contact && !meet(a.contact->time, b.contact->time))
+    return time_text(a.contact->time) + " against " + time_text(b.contact->time);
+  return {};
+}
+
+/// Asks all there is to ask about one world, in one touch mode, and remembers the answers for the next question.
+class WorldExamination {
+ public:
+  WorldExamination(std::uint64_t number, const MadeWorld& world, double max_seconds, Tally& tally)
+      : rng_(number), world_(world), scene_(scene_of(world)), tally_(tally), judge_(world, 48) {
+    options_.engine = EngineChoice::spacetime;
+    options_.tell_touching = false;
+    options_.max_seconds = max_seconds;
+  }
+
+  std::string run() {
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      options_.touch = touch;
+      for (const auto ask : {&WorldExamination::pairs, &WorldExamination::proof, &WorldExamination::overlaps,
+                             &WorldExamination::ranges, &WorldExamination::map, &WorldExamination::law}) {
+        const std::string wrong = (this->*ask)();
+        if (!wrong.empty()) return fmt::format("touch {}: {}", to_string(touch), wrong);
+      }
+    }
+    if (const std::string wrong = touching_no_later(); !wrong.empty()) return wrong;
+    if (const std::string wrong = clearances(); !wrong.empty()) return wrong;
+    return profile();
+  }
+
+ private:
+  std::string name_of(BodyId id) const { return scene_.bodies[static_cast<std::size_t>(id)].name; }
+
+  std::string named(const std::array<BodyId, 2>& pair, const std::string& what) const {
+    return what.empty() ? what : name_of(pair[0]) + " and " + name_of(pair[1]) + ": " + what;
+  }
+
+  Answer answer_to(const Scene& scene, bool all = false) const {
+    CheckOptions options = options_;
+    options.all_pairs = all;
+    return check(scene, options);
+  }
+
+  /// Every pair by definition, and the first one as the headline.
+  std::string pairs() {
+    last_ = std::move(all_);
+    all_ = answer_to(scene_, true);
+    headline_ = answer_to(scene_);
+    ++(headline_.outcome == Outcome::free      ? tally_.free
+       : headline_.outcome == Outcome::contact ? tally_.contact
+                                               : tally_.at_start);
+    for (const PairAnswer& pair : *all_.pairs) {
+      if (const std::string wrong = judge_.pair_fault(pair); !wrong.empty()) return named(pair.bodies, wrong);
+      ++tally_.judged;
+    }
+    if (const std::string wrong = headline_fault(all_, *all_.pairs); !wrong.empty()) return "all pairs: " + wrong;
+    return headline_fault(headline_, *all_.pairs);
+  }
+
+  std::string proof() {
+    std::ostringstream out;
+    const Answer proved = prove(scene_, out, options_);
+    if (const std::string wrong = answer_difference(headline_, proved); !wrong.empty())
+      return "prove: " + wrong + (proved.reason.empty() ? "" : ", " + proved.reason);
+    if (proved.outcome == Outcome::overlap_at_start) return {};
+    std::istringstream in(out.str());
+    const Verified v = verify(scene_, in);
+    if (v.outcome != headline_.outcome) return fmt::format("the log proves {}", to_string(v.outcome));
+    if (v.contact && !meet(v.contact->time, headline_.contact->time)) return "the log proves another time";
+    ++tally_.proofs;
+    return {};
+  }
+
+  /// Intervals begin at the first contacts, and hold what the definition says.
+  std::string overlaps() {
+    intervals_ = intervals(scene_, options_);
+    if (!intervals_.undecided.empty()) return "intervals: undecided: " + intervals_.undecided[0].reason;
+    auto next = intervals_.intervals.begin();
+    for (const PairAnswer& pair : *all_.pairs) {
+      std::vector<OverlapInterval> own;
+      while (next != intervals_.intervals.end() && next->pair == pair.bodies) own.push_back(*next++);
+      if (const std::string wrong = judge_.intervals_fault(pair.bodies, own); !wrong.empty())
+        return named(pair.bodies, "intervals: " + wrong);
+      if (own.empty() != (pair.outcome == Outcome::free))
+        return named(pair.bodies, fmt::format("{} intervals, and {}", own.size(), to_string(pair.outcome)));
+      if (own.empty()) continue;
+      const TimeInterval first = pair.contact ? pair.contact->time : TimeInterval{scene_.start, scene_.start};
+      if (!meet(own[0].from, first))
+        return named(pair.bodies, "intervals begin in " + time_text(own[0].from) + ", not in " + time_text(first));
+    }
+    return next == intervals_.intervals.end() ? "" : "intervals of pairs that are not asked about";
+  }
+
+  /// The stretch around an instant is what the intervals leave.
+  std::string ranges() {
+    const double t = rng_.real(scene_.start, scene_.end);
+    TimeInterval before{-INFINITY, -INFINITY}, after{INFINITY, INFINITY};
+    bool inside = false;
+    for (const OverlapInterval& o : intervals_.intervals) {
+      if (o.from.hi <= t && t <= o.to.lo) inside = true;
+      if (o.to.hi < t && o.to.lo > before.lo) before = o.to;
+      if (o.from.lo > t && o.from.lo < after.lo) after = o.from;
+    }
+    try {
+      const Range found = range(scene_, t, options_);
+      if (inside) return fmt::format("a range around {}, where bodies overlap", t);
+      if (!found.decided) return "range: undecided: " + found.reason;
+      if (found.from ? !meet(*found.from, before) : before.lo > scene_.start + 1e-9)
+        return fmt::format("the range around {} does not begin at {}", t, time_text(before));
+      if (found.to ? !meet(*found.to, after) : after.lo < scene_.end - 1e-9)
+        return fmt::format("the range around {} does not end at {}", t, time_text(after));
+      return {};
+    } catch (const InputError& error) {
+      return inside ? "" : std::string("range: ") + error.what();
+    }
+  }
+
+  /// A body of the world alone among the others, at rest: as a map says it, and as a scene.
+  std::string map() {
+    std::vector<int> movers;
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      if (!world_.bodies[i].keyframes.empty()) movers.push_back(static_cast<int>(i));
+    }
+    if (movers.empty()) return {};
+    MadeWorld alone = with_one_mover(world_, rng_.pick(movers));
+    const auto moves = [](const MadeBody& body) { return !body.keyframes.empty(); };
+    std::rotate(std::find_if(alone.bodies.begin(), alone.bodies.end(), moves),
+                std::find_if(alone.bodies.begin(), alone.bodies.end(), moves) + 1, alone.bodies.end());
+    const Scene scene = scene_of(alone);
+    const Body& mover = scene.bodies.back();
+    double reach = 0;
+    for (const Part& part : alone.bodies.back().parts) {
+      for (const Point& p : part.outline) reach = std::max({reach, std::fabs(p.x), std::fabs(p.y)});
+    }
+    const StaticMap map({scene.bodies.begin(), scene.bodies.end() - 1}, reach);
+    const Answer answer = map.check(map.prepare(mover), mover.motion, scene.start, scene.end, options_);
+    const std::string wrong = answer_difference(answer, answer_to(scene));
+    return wrong.empty() ? wrong : "map, " + mover.name + " moves: " + wrong;
+  }
+
+  /// The same world in other words.
+  std::string law() {
+    int cut = 0;
+    std::optional<MadeWorld> other;
+    const char* const laws[] = {"cut at seams", "carried as a whole", "with far bodies", "in another order",
+                                "seen from a moving frame"};
+    const int which = rng_.below(5);
+    // Of two bodies at rest the pair is asked about; of more it is not.
+    const bool two = world_.bodies.size() == 2;
+    if (which == 0) other = cut_at_seams(rng_, world_, cut);
+    if (which == 1 && !two) other = carried_as_a_whole(rng_, world_);
+    if (which == 2 && !two) other = with_far_bodies(rng_.next(), world_);
+    if (which == 3) other = in_another_order(rng_, world_);
+    if (which == 4 && !two) other = seen_from_a_moving_frame(rng_, world_);
+    if (!other) return {};
+    const std::string wrong = answer_difference(headline_, answer_to(scene_of(*other)));
+    return wrong.empty() ? wrong : std::string(laws[which]) + ": " + wrong;
+  }
+
+  std::string touching_no_later() const {
+    for (std::size_t i = 0; i < all_.pairs->size(); ++i) {
+      const PairAnswer &open = (*last_.pairs)[i], &closed = (*all_.pairs)[i];
+      if (open.outcome == Outcome::free || closed.outcome == Outcome::overlap_at_start) continue;
+      if (closed.outcome == Outcome::free || (open.contact && closed.contact->time.lo > open.contact->time.hi))
+        return named(open.bodies, "they overlap before they touch");
+    }
+    return {};
+  }
+
+  /// Asked last: `all_` is of closed touching.
+  std::string clearances() {
+    ClearanceOptions options;
+    options.all_pairs = true;
+    options.relative = 1e-6;
+    options.max_seconds = options_.max_seconds;
+    const Clearance& answer = clearance_ = clearance(scene_, options);
+    if (!answer.reason.empty()) return "clearance: undecided: " + answer.reason;
+    if (answer.pairs.size() != all_.pairs->size()) return "clearance: other pairs";
+    for (std::size_t i = 0; i < answer.pairs.size(); ++i) {
+      const NearestPoints& n = answer.pairs[i];
+      const PairAnswer& pair = (*all_.pairs)[i];
+      // Bodies that nearly touch may have 0 as their lower end.
+      if ((n.hi > 0) != (pair.outcome == Outcome::free))
+        return named(pair.bodies, fmt::format("clearance [{}, {}], and {}", n.lo, n.hi, to_string(pair.outcome)));
+      if (n.lo > n.hi || n.hi - n.lo > 1e-6 * n.hi + 1e-9) return named(pair.bodies, "a wide clearance");
+      if (const std::string wrong = judge_.clearance_fault(pair.bodies, n.lo); n.lo > 0 && !wrong.empty())
+        return named(pair.bodies, wrong);
+    }
+    return {};
+  }
+
+  /// Of some pair, at some instants and between.
+  std::string profile() {
+    if (clearance_.pairs.empty()) return {};
+    const NearestPoints& n = rng_.pick(clearance_.pairs);
+    Scene two = scene_;
+    for (const PairAnswer& pair : *all_.pairs) {
+      if (pair.bodies != n.pair) two.ignore.push_back({name_of(pair.bodies[0]), name_of(pair.bodies[1])});
+    }
+    ProfileOptions options;
+    options.instants = rng_.between(2, 12);
+    options.relative = 1e-6;
+    options.max_seconds = options_.max_seconds;
+    const DistanceProfile answer = distance_profile(two, options);
+    if (!answer.reason.empty()) return "profile: undecided: " + answer.reason;
+    const std::string wrong = answer.curves.size() == 1 ? judge_.curve_fault(n.pair, answer.curves[0]) : "no curve";
+    if (!wrong.empty()) return named(n.pair, "profile: " + wrong);
+    double least = INFINITY;
+    for (const DistanceWithin& s : answer.curves[0].stretches) least = std::min(least, s.lo);
+    const bool same = least <= n.hi && (n.lo == 0 || least >= n.lo - 1e-6 * n.hi - 1e-9);
+    return same ? "" : named(n.pair, fmt::format("profile: at least {}, clearance [{}, {}]", least, n.lo, n.hi));
+  }
+
+  Rng rng_;
+  const MadeWorld& world_;
+  Scene scene_;
+  Tally& tally_;
+  WorldJudge judge_;
+  CheckOptions options_;
+  Answer headline_, all_, last_;
+  Intervals intervals_;
+  Clearance clearance_;
+};
+
+}  // namespace
+
+std::string examine_world(std::uint64_t number, const LargeWorld& made, double max_seconds, Tally& tally) {
+  ++tally.scenes;
+  try {
+    return WorldExamination(number, made.world, max_seconds, tally).run();
+  } catch (const InputError& error) {
+    ++tally.invalid;
+    return std::string("not valid: ") + error.what();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace taut::testing
