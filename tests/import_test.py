@@ -88,7 +88,9 @@ def flattened(entity):
         return [line for inner in entity.virtual_entities() for line in flattened(inner)]
     if kind == "LINE":
         return [[tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]]]
-    return [[(p.x, p.y) for p in entity.flattening(FINE)]]
+    # It looks at the middle of a segment only, which an inflection passes through.
+    more = {"segments": 64} if kind == "SPLINE" else {}
+    return [[(p.x, p.y) for p in entity.flattening(FINE, **more)]]
 
 
 def distance(p, lines):
