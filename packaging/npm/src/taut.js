@@ -1,6 +1,6 @@
 // The questions, each of which is one call into WebAssembly: a scene as JSON text goes in, an answer comes out.
 import createModule from "taut-module";
-import wasm from "taut-wasm";
+import compressed from "taut-wasm";
 
 /** What taut refuses, or cannot decide: `kind` is "input", "undecided" or "internal". */
 export class TautError extends Error {
@@ -16,9 +16,14 @@ export class TautError extends Error {
 
 let loading = null;
 
+async function decompressed() {
+  const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
 /** Compiled with the first question, and once. */
 function load() {
-  loading ??= createModule({ wasmBinary: wasm });
+  loading ??= decompressed().then((wasmBinary) => createModule({ wasmBinary }));
   return loading;
 }
 
@@ -42,7 +47,9 @@ async function ask(question, scene, options = {}, log = new Uint8Array()) {
   const sceneText = typeof scene === "string" ? scene : JSON.stringify(scene);
   if (typeof sceneText !== "string") throw new TypeError("the scene is neither an object nor JSON text");
   if (sceneText.includes("\0")) throw new TypeError("the scene has a NUL character in it");
-  const held = [encode(question), encode(sceneText), encode(JSON.stringify(options)), log].map((b) => copyIn(module, b));
+  const held = [encode(question), encode(sceneText), encode(JSON.stringify(options)), log].map((b) =>
+    copyIn(module, b),
+  );
   try {
     const answer = JSON.parse(readOut(module, module._taut_ask(...held, log.length)));
     if (answer.error) throw new TautError(answer.error);
