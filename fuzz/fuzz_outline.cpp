@@ -17,20 +17,52 @@ ReadLimits limits() {
   return few;
 }
 
+std::string wkt_ring(const Polygon& ring) {
+  std::string s;
+  for (const Point& p : ring) s += (s.empty() ? "" : ",") + io::number_text(p.x) + " " + io::number_text(p.y);
+  return "(" + s + ")";
+}
+
+std::string json_ring(const Polygon& ring) {
+  std::string s;
+  for (const Point& p : ring) s += (s.empty() ? "" : ",") + io::point_text(p);
+  return "[" + s + "]";
+}
+
+bool same(const std::vector<Part>& a, const std::vector<Part>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].outline != b[i].outline || a[i].holes != b[i].holes) return false;
+  return true;
+}
+
+/// One that does not change where it is closed and opened again.
+bool reads_back(const Polygon& ring) { return ring.size() >= 2 && ring.front() != ring.back(); }
+
 template <class Read>
 void look(const Read& read) {
   try {
-    const Polygon ring = read();
-    // A ring of one more that does not close passes here, and is refused where polygons are validated.
-    fuzz::require(ring.size() <= max_vertices + 1, "more vertices than the limit");
-    std::string wkt = "POLYGON ((", json = R"({"type":"Polygon","coordinates":[[)";
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      wkt += (i ? "," : "") + io::number_text(ring[i].x) + " " + io::number_text(ring[i].y);
-      json += (i ? "," : "") + io::point_text(ring[i]);
+    const std::vector<Part> parts = read();
+    std::string wkt, json;
+    for (const Part& part : parts) {
+      std::vector<Polygon> rings = part.holes;
+      rings.insert(rings.begin(), part.outline);
+      std::string wkt_part, json_part;
+      for (const Polygon& ring : rings) {
+        fuzz::require(ring.size() <= max_vertices, "more vertices than the limit");
+        if (!reads_back(ring)) return;
+        wkt_part += (wkt_part.empty() ? "" : ",") + wkt_ring(ring);
+        json_part += (json_part.empty() ? "" : ",") + json_ring(ring);
+      }
+      wkt += (wkt.empty() ? "(" : ",(") + wkt_part + ")";
+      json += (json.empty() ? "[" : ",[") + json_part + "]";
     }
-    if (ring.size() < 2 || ring.front() == ring.back()) return;
-    fuzz::require(io::parse_wkt(wkt + "))", "again", limits()) == ring, "the outline changes on its way through WKT");
-    fuzz::require(io::parse_geojson(json + "]]}", "again", limits()) == ring, "the outline changes as GeoJSON");
+    fuzz::require(!parts.empty(), "a file without polygons");
+    fuzz::require(same(io::parse_wkt("MULTIPOLYGON (" + wkt + ")", "again", limits()), parts),
+                  "the polygons change on their way through WKT");
+    fuzz::require(
+        same(io::parse_geojson(R"({"type":"MultiPolygon","coordinates":[)" + json + "]}", "again", limits()), parts),
+        "the polygons change as GeoJSON");
   } catch (const InputError& error) {
     fuzz::require(!error.problem().empty(), "an error that says nothing");
     // Nothing of the file is quoted, and so nothing that a terminal would obey.

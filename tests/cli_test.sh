@@ -72,7 +72,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo check clearance intervals range separate trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -81,6 +81,25 @@ expect 2 '' 'SCENE' check
 expect 2 '' '--nonsense' check --nonsense hit.json
 expect 2 '' 'ajar' check --touch ajar hit.json
 expect 2 '' '--max-seconds' check --max-seconds -1 hit.json
+
+# Drawings.
+cat >plate.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="20mm" viewBox="0 0 40 40">
+  <g id="plate"><path d="M0 0H40V40H0Z M10 10a5 5 0 1 0 10 0 5 5 0 1 0-10 0Z"/><text>a</text></g>
+</svg>
+END
+expect 0 '"holes":\[\[' '2 curves as [0-9]+ chords.*0.01|skipped: <text> at plate.svg:2' import plate.svg
+expect 0 '"name":"plate","file":"plate.svg","parts":1,"holes":1' '' import plate.svg --json -o plate.json
+is_json_lines
+expect 2 '' '--tolerance: 0 is not a positive number' import plate.svg --tolerance 0
+expect 2 '' '--output|-o' import plate.svg --json
+touch plate.png
+expect 2 '' 'plate.png: the ending of the file' import plate.png
+expect 2 '' 'missing.svg' import missing.svg
+sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
+expect 2 '' 'broken.svg:2:17: the path.s data cannot be read' import broken.svg
+echo '<svg><text>a</text></svg>' >empty.svg
+expect 2 '' 'empty.svg: nothing in the file encloses an area; skipped: <text>' import empty.svg
 
 # Answers.
 expect 1 '^CONTACT  anvil x hammer   t = \[?(8|7\.99999)' '' check hit.json

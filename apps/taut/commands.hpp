@@ -36,5 +36,6 @@ void add_demo(const Command& app, Action& action, const std::string& program);
 void add_completion(const Command& app, Action& action);
 void add_man(const Command& app, Action& action);
 void add_gen(const Command& app, Action& action);
+void add_import(const Command& app, Action& action);
 
 }  // namespace taut::cli

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   taut::cli::add_separate(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);
+  taut::cli::add_import(app, action);
   taut::cli::add_schema(app, action);
   taut::cli::add_completion(app, action);
   taut::cli::add_man(app, action);

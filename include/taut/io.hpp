@@ -41,9 +41,22 @@ Scene parse_scene(const std::string& text, const std::string& name = "scene", co
 /// is lost).
 std::string write_scene(const Scene& scene);
 
-/// Reads the outer ring of a WKT POLYGON (a repeated last vertex is dropped).
+/// Reads the polygons of a file with a WKT POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION of these, holes included
+/// (repeated last vertices are dropped): at least one. Throws InputError naming the file, line and column, and the
+/// remedy, also for geometries that are no polygons.
+std::vector<Part> read_wkt_parts(const std::string& path, const ReadLimits& limits = {});
+/// Reads the polygons of a GeoJSON Polygon, MultiPolygon or GeometryCollection, and of a Feature or a FeatureCollection
+/// of these, holes included: at least one. Throws as read_wkt_parts() does.
+std::vector<Part> read_geojson_parts(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory; `name` stands for the file in messages.
+std::vector<Part> parse_wkt_parts(const std::string& text, const std::string& name = "outline",
+                                  const ReadLimits& limits = {});
+/// The same from text in memory.
+std::vector<Part> parse_geojson_parts(const std::string& text, const std::string& name = "outline",
+                                      const ReadLimits& limits = {});
+/// The only outline of a file that read_wkt_parts() reads. Throws InputError if there are several polygons, or holes.
 Polygon read_wkt(const std::string& path, const ReadLimits& limits = {});
-/// Reads the outer ring of a GeoJSON Polygon, also inside a Feature or a FeatureCollection of one feature.
+/// The only outline of a file that read_geojson_parts() reads. Throws InputError if there are several, or holes.
 Polygon read_geojson(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages.
 Polygon parse_wkt(const std::string& text, const std::string& name = "outline", const ReadLimits& limits = {});

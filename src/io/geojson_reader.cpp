@@ -1,8 +1,9 @@
-// Outlines as GeoJSON (RFC 7946). Members that taut has no use for are allowed, as the RFC demands.
+// Polygons as GeoJSON (RFC 7946). Members that taut has no use for are allowed, as the RFC demands.
 #include <algorithm>
 
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
+#include "io/json_object.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -35,12 +36,6 @@ std::size_t get_member(const JsonDocument& document, std::size_t object, const s
   return value;
 }
 
-std::size_t count_elements(const JsonDocument& document, std::size_t array) {
-  std::size_t count = 0;
-  for (std::size_t i = array + 1; i < document.after(array); i = document.after(i)) ++count;
-  return count;
-}
-
 /// Readers differ in which of two they take.
 void require_distinct_keys(const JsonDocument& document) {
   std::vector<std::size_t> keys;
@@ -58,73 +53,166 @@ void require_distinct_keys(const JsonDocument& document) {
 
 /// The types of GeoJSON that are not polygons; other words are not quoted.
 std::string found_type(const std::string& name) {
-  for (const char* known :
-       {"Point", "MultiPoint", "LineString", "MultiLineString", "MultiPolygon", "GeometryCollection"}) {
+  for (const char* known : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
     if (name == known) return "\"" + name + "\"";
   }
   return "another type";
 }
 
-/// Goes down through FeatureCollection and Feature, and leaves the path of the geometry in `path`.
-std::size_t find_geometry(const JsonDocument& document, std::string* path) {
-  std::size_t here = 0;
-  for (;;) {
-    const std::size_t type = get_member(document, here, *path, "type", JsonKind::string);
-    const std::string& name = document.string_at(type);
-    const std::string prefix = path->empty() ? "" : *path + ".";
+/// Goes through collections, features and geometries, which nest no deeper than JSON may.
+class GeoJsonReader {
+ public:
+  /// Without `lenient`, what is no polygon is refused.
+  GeoJsonReader(const JsonDocument& document, const ReadLimits& limits, bool lenient)
+      : document_(document), limits_(limits), lenient_(lenient) {}
+
+  std::vector<GeoFeature> read() {
+    read_object(0, "");
+    return std::move(features_);
+  }
+
+ private:
+  void read_object(std::size_t here, const std::string& path) {
+    const std::size_t type = get_member(document_, here, path, "type", JsonKind::string);
+    const std::string& name = document_.string_at(type);
+    const std::string prefix = path.empty() ? "" : path + ".";
     if (name == "FeatureCollection") {
-      const std::size_t features = get_member(document, here, *path, "features", JsonKind::array);
-      const std::size_t count = count_elements(document, features);
-      if (count != 1) {
-        throw document.error(features, prefix + "features", "found " + std::to_string(count) + " features",
-                             "keep the one whose polygon is wanted");
-      }
-      here = features + 1;
-      *path = prefix + "features[0]";
+      const std::size_t list = get_member(document_, here, path, "features", JsonKind::array);
+      require_some(list, prefix + "features", "there are no features");
+      for_each_element(list, prefix + "features", [this](std::size_t i, const std::string& p) { read_object(i, p); });
     } else if (name == "Feature") {
-      here = get_member(document, here, *path, "geometry", JsonKind::object);
-      *path = prefix + "geometry";
-    } else if (name == "Polygon") {
-      return here;
+      features_.push_back({feature_name(here), {}, {}});
+      read_geometry_of_feature(here, path);
     } else {
-      throw document.error(type, prefix + "type", "expected a Polygon, found " + found_type(name),
-                           std::string("write ") + polygon_shape);
+      features_.push_back({});
+      read_geometry(here, path);
     }
   }
+
+  void read_geometry_of_feature(std::size_t here, const std::string& path) {
+    const std::string inner = path.empty() ? "geometry" : path + ".geometry";
+    const std::size_t geometry = find_member(document_, here, "geometry");
+    if (lenient_ && geometry != 0 && document_.at(geometry).kind() == JsonKind::null) {
+      features_.back().skipped.push_back(document_.error(geometry, inner, "a feature without a geometry", "").what());
+      return;
+    }
+    read_geometry(get_member(document_, here, path, "geometry", JsonKind::object), inner);
+  }
+
+  void read_geometry(std::size_t here, const std::string& path) {
+    const std::size_t type = get_member(document_, here, path, "type", JsonKind::string);
+    const std::string& name = document_.string_at(type);
+    const std::string prefix = path.empty() ? "" : path + ".";
+    if (name == "GeometryCollection") {
+      const std::size_t list = get_member(document_, here, path, "geometries", JsonKind::array);
+      require_some(list, prefix + "geometries", "there are no geometries");
+      for_each_element(list, prefix + "geometries",
+                       [this](std::size_t i, const std::string& p) { read_geometry(i, p); });
+    } else if (name == "Polygon") {
+      read_polygon(get_member(document_, here, path, "coordinates", JsonKind::array), prefix + "coordinates");
+    } else if (name == "MultiPolygon") {
+      const std::size_t list = get_member(document_, here, path, "coordinates", JsonKind::array);
+      require_some(list, prefix + "coordinates", "there are no polygons");
+      for_each_element(list, prefix + "coordinates",
+                       [this](std::size_t i, const std::string& p) { read_polygon(i, p); });
+    } else {
+      const InputError error =
+          document_.error(type, prefix + "type", "expected a Polygon or MultiPolygon, found " + found_type(name),
+                          std::string("write ") + polygon_shape);
+      if (!lenient_) throw error;
+      features_.back().skipped.push_back(error.place() + ": " + found_type(name) + " is no polygon");
+    }
+  }
+
+  void read_polygon(std::size_t rings, const std::string& path) {
+    document_.require(rings, JsonKind::array, path, polygon_shape);
+    require_some(rings, path, "the polygon is empty");
+    Part part;
+    for_each_element(rings, path, [&](std::size_t i, const std::string& p) {
+      Polygon ring = read_ring(i, p);
+      if (i == rings + 1)
+        part.outline = std::move(ring);
+      else
+        part.holes.push_back(std::move(ring));
+    });
+    features_.back().parts.push_back(std::move(part));
+  }
+
+  Polygon read_ring(std::size_t token, const std::string& path) const {
+    // One more than the limit, for the repeated vertex.
+    Polygon ring = read_points(document_, token, path, limits_.max_vertices + 1, true);
+    drop_repeated_last_vertex(ring);
+    if (ring.size() > limits_.max_vertices) fail_size(document_, token, path, limits_.max_vertices);
+    return ring;
+  }
+
+  /// The id, or the name among the properties.
+  std::string feature_name(std::size_t feature) const {
+    std::size_t name = find_member(document_, feature, "id");
+    const std::size_t properties = find_member(document_, feature, "properties");
+    if (name == 0 && properties != 0 && document_.at(properties).kind() == JsonKind::object)
+      name = find_member(document_, properties, "name");
+    if (name == 0) return "";
+    if (document_.at(name).kind() == JsonKind::string) return document_.string_at(name);
+    return document_.at(name).kind() == JsonKind::number ? value_text(document_, name) : "";
+  }
+
+  void require_some(std::size_t array, const std::string& path, const char* problem) const {
+    if (document_.after(array) == array + 1)
+      throw document_.error(array, path, problem, std::string("write ") + polygon_shape);
+  }
+
+  template <class Visit>
+  void for_each_element(std::size_t array, const std::string& path, const Visit& visit) const {
+    std::size_t count = 0;
+    for (std::size_t i = array + 1; i < document_.after(array); i = document_.after(i))
+      visit(i, element_path(path, count++));
+  }
+
+  const JsonDocument& document_;
+  const ReadLimits& limits_;
+  bool lenient_;
+  std::vector<GeoFeature> features_;
+};
+
+std::vector<GeoFeature> read_features(std::string text, const std::string& name, const ReadLimits& limits, bool lenient,
+                                      Quoting quoting) {
+  const JsonDocument document = parse_json(std::move(text), name, std::string("write ") + polygon_shape, quoting);
+  require_distinct_keys(document);
+  return GeoJsonReader(document, limits, lenient).read();
 }
 
 }  // namespace
 
-Polygon parse_geojson(std::string text, const std::string& name, const ReadLimits& limits) {
-  const JsonDocument document =
-      parse_json(std::move(text), name, std::string("write ") + polygon_shape, Quoting::never);
-  require_distinct_keys(document);
-  std::string path;
-  const std::size_t geometry = find_geometry(document, &path);
-  const std::size_t rings = get_member(document, geometry, path, "coordinates", JsonKind::array);
-  path += path.empty() ? "coordinates" : ".coordinates";
-  const std::size_t count = count_elements(document, rings);
-  if (count == 0) throw document.error(rings, path, "the polygon is empty", std::string("write ") + polygon_shape);
-  if (count > 1) {
-    throw document.error(rings, path, "the polygon has a hole",
-                         "a body is a simple polygon: cut it open along a slit, or leave the hole out");
+std::vector<Part> parse_geojson(std::string text, const std::string& name, const ReadLimits& limits) {
+  std::vector<Part> parts;
+  for (GeoFeature& feature : read_features(std::move(text), name, limits, false, Quoting::never)) {
+    for (Part& part : feature.parts) parts.push_back(std::move(part));
   }
-  // One more than the limit, for the repeated vertex.
-  Polygon ring = read_points(document, rings + 1, path + "[0]", limits.max_vertices + 1, true);
-  drop_repeated_last_vertex(ring);
-  if (ring.size() > limits.max_vertices) fail_size(document, rings + 1, path + "[0]", limits.max_vertices);
-  return ring;
+  return parts;
+}
+
+std::vector<GeoFeature> parse_geojson_features(std::string text, const std::string& name, const ReadLimits& limits) {
+  return read_features(std::move(text), name, limits, true, Quoting::allowed);
 }
 
 }  // namespace io
 
-Polygon read_geojson(const std::string& path, const ReadLimits& limits) {
+std::vector<Part> read_geojson_parts(const std::string& path, const ReadLimits& limits) {
   return io::parse_geojson(io::read_text_file(path, limits.max_bytes), path, limits);
 }
 
-Polygon parse_geojson(const std::string& text, const std::string& name, const ReadLimits& limits) {
+std::vector<Part> parse_geojson_parts(const std::string& text, const std::string& name, const ReadLimits& limits) {
   io::require_size(text, name, limits.max_bytes);
   return io::parse_geojson(text, name, limits);
+}
+
+Polygon read_geojson(const std::string& path, const ReadLimits& limits) {
+  return io::only_outline(read_geojson_parts(path, limits), path);
+}
+
+Polygon parse_geojson(const std::string& text, const std::string& name, const ReadLimits& limits) {
+  return io::only_outline(parse_geojson_parts(text, name, limits), name);
 }
 
 }  // namespace taut

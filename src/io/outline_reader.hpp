@@ -1,16 +1,30 @@
-// Outlines kept in files of their own.
+// Polygons kept in files of their own.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 
 namespace taut::io {
 
-/// As taut::read_wkt and taut::read_geojson, but from text; `name` stands for the file in messages.
-Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits);
-Polygon parse_geojson(std::string text, const std::string& name, const ReadLimits& limits);
+/// As taut::read_wkt_parts and taut::read_geojson_parts, but from text; `name` stands for the file in messages.
+std::vector<Part> parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits);
+std::vector<Part> parse_geojson(std::string text, const std::string& name, const ReadLimits& limits);
+
+/// The outline of the only part. Throws InputError if there are more, or holes.
+Polygon only_outline(std::vector<Part> parts, const std::string& name);
+
+/// A feature of GeoJSON with the polygons in it, or a geometry that is in none.
+struct GeoFeature {
+  std::string name;  ///< its id, or the name in its properties; may be empty
+  std::vector<Part> parts;
+  std::vector<std::string> skipped;  ///< what is no polygon: where it is, and what
+};
+
+/// Every feature by itself. What is no polygon is told instead of refused.
+std::vector<GeoFeature> parse_geojson_features(std::string text, const std::string& name, const ReadLimits& limits);
 
 /// Files repeat a ring's first vertex at its end; a Polygon does not.
 void drop_repeated_last_vertex(Polygon& ring);

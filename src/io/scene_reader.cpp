@@ -149,12 +149,11 @@ class SceneReader {
 
   /// What stands for a polygon: points, an outline with holes, or a file, which may have several.
   std::vector<Part> read_parts(std::size_t token, const std::string& path) const {
-    if (document_.at(token).kind() == JsonKind::object) {
-      const JsonObject object(document_, token, path, {"outline", "holes", "wkt", "geojson"},
-                              R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file})");
-      if (object.find("outline") || object.find("holes")) return {read_part(token, path)};
-    }
-    return {{read_polygon(token, path), {}}};
+    if (document_.at(token).kind() != JsonKind::object) return {{read_points(token, path), {}}};
+    const JsonObject object(document_, token, path, {"outline", "holes", "wkt", "geojson"},
+                            R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file})");
+    if (object.find("outline") || object.find("holes")) return {read_part(token, path)};
+    return read_file(token, path);
   }
 
   Part read_part(std::size_t token, const std::string& path) const {
@@ -175,10 +174,7 @@ class SceneReader {
     return io::read_points(document_, token, path, limits_.max_vertices, false);
   }
 
-  Polygon read_polygon(std::size_t token, const std::string& path) const {
-    if (document_.at(token).kind() != JsonKind::object) {
-      return read_points(token, path);
-    }
+  std::vector<Part> read_file(std::size_t token, const std::string& path) const {
     const std::string shape =
         R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file}, or {"geojson": file})";
     const JsonObject object(document_, token, path, {"wkt", "geojson"}, shape);
@@ -191,7 +187,7 @@ class SceneReader {
     document_.require(file, JsonKind::string, object.path(wkt ? "wkt" : "geojson"), shape);
     try {
       const std::string outline = io::named_file(folder_, document_.string_at(file), limits_.allow_outside);
-      return wkt ? read_wkt(outline, limits_) : read_geojson(outline, limits_);
+      return wkt ? read_wkt_parts(outline, limits_) : read_geojson_parts(outline, limits_);
     } catch (const InputError& e) {
       throw e.within(document_.error(file, path, "", "").place());
     }

@@ -1,4 +1,4 @@
-// Outlines as well-known text (OGC Simple Features).
+// Polygons as well-known text (OGC Simple Features).
 #include <cctype>
 #include <cmath>
 
@@ -13,12 +13,15 @@ namespace io {
 
 namespace {
 
+/// As deep as JSON may be nested.
+constexpr int max_nesting = 32;
+
 class WktReader {
  public:
   WktReader(const std::string& text, const std::string& name, const ReadLimits& limits)
       : text_(text), name_(name), limits_(limits) {}
 
-  Polygon read() {
+  std::vector<Part> read() {
     std::string word = read_word();
     if (word == "SRID") {  // EWKT: "SRID=4326;POLYGON ..."
       const std::size_t semicolon = text_.find(';', position_);
@@ -26,21 +29,46 @@ class WktReader {
       position_ = semicolon + 1;
       word = read_word();
     }
-    if (word != "POLYGON") fail("expected POLYGON" + found(word));
-    const std::string dimensions = read_word();
-    if (dimensions == "EMPTY") fail("the polygon is empty");
-    expect('(', "before the first ring");
-    Polygon ring = read_ring();
+    read_geometry(word, 0);
     skip_space();
-    if (position_ < text_.size() && text_[position_] == ',')
-      fail("the polygon has a hole", "a body is a simple polygon: cut it open along a slit, or leave the hole out");
-    expect(')', "after the ring");
-    skip_space();
-    if (position_ < text_.size()) fail("unexpected text after the polygon", "one polygon per file");
-    return ring;
+    if (position_ < text_.size()) {
+      fail("unexpected text after the " + std::string(word == "POLYGON" ? "polygon" : "geometry"),
+           "one geometry per file; several polygons are a MULTIPOLYGON");
+    }
+    return std::move(parts_);
   }
 
  private:
+  /// What follows its name; `depth` collections are around it.
+  void read_geometry(const std::string& word, int depth) {
+    const bool collection = word == "GEOMETRYCOLLECTION", several = word == "MULTIPOLYGON";
+    if (word != "POLYGON" && !several && !collection) fail("expected POLYGON or MULTIPOLYGON" + found(word));
+    if (depth == max_nesting) fail("collections are nested more than " + std::to_string(max_nesting) + " deep");
+    const std::string dimensions = read_word();
+    if (dimensions == "EMPTY") fail_empty();
+    if (word == "POLYGON") return read_polygon();
+    expect('(', several ? "before the first polygon" : "before the first geometry");
+    do {
+      const std::string inner = read_word();
+      if (collection)
+        read_geometry(inner, depth + 1);
+      else if (inner == "EMPTY")
+        fail_empty();
+      else
+        read_polygon();
+    } while (take(','));
+    expect(')', several ? "after the polygons" : "after the geometries");
+  }
+
+  void read_polygon() {
+    expect('(', "before the first ring");
+    Part part;
+    part.outline = read_ring();
+    while (take(',')) part.holes.push_back(read_ring());
+    expect(')', "after the ring");
+    parts_.push_back(std::move(part));
+  }
+
   Polygon read_ring() {
     Polygon ring;
     expect('(', "before the vertices");
@@ -76,8 +104,7 @@ class WktReader {
   /// The geometries of WKT that are not polygons; other words are not quoted, the file may be any.
   static std::string found(const std::string& word) {
     if (word.empty()) return "";
-    for (const char* known :
-         {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
+    for (const char* known : {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "CURVEPOLYGON", "MULTISURFACE"}) {
       if (word == known) return ", found " + word;
     }
     return ", found another word";
@@ -107,6 +134,8 @@ class WktReader {
     if (!take(c)) fail(std::string("expected \"") + c + "\" " + where);
   }
 
+  [[noreturn]] void fail_empty() { fail("the polygon is empty"); }
+
   [[noreturn]] void fail_size() {
     fail("more vertices than the limit of " + std::to_string(limits_.max_vertices),
          "simplify the outline, or raise ReadLimits::max_vertices");
@@ -120,6 +149,7 @@ class WktReader {
   std::string name_;
   const ReadLimits& limits_;
   std::size_t position_ = 0;
+  std::vector<Part> parts_;
 };
 
 }  // namespace
@@ -128,7 +158,13 @@ void drop_repeated_last_vertex(Polygon& ring) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
 
-Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
+Polygon only_outline(std::vector<Part> parts, const std::string& name) {
+  if (parts.size() == 1 && parts[0].holes.empty()) return std::move(parts[0].outline);
+  throw InputError(name, parts.size() == 1 ? "the polygon has a hole" : "there are several polygons",
+                   "one outline is wanted here: leave the rest out, or read the file as parts, as scenes do");
+}
+
+std::vector<Part> parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError(name, "the file is empty", "write POLYGON ((x y, x y, x y, ...))");
   }
@@ -137,13 +173,21 @@ Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLi
 
 }  // namespace io
 
-Polygon read_wkt(const std::string& path, const ReadLimits& limits) {
+std::vector<Part> read_wkt_parts(const std::string& path, const ReadLimits& limits) {
   return io::parse_wkt(io::read_text_file(path, limits.max_bytes), path, limits);
 }
 
-Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
+std::vector<Part> parse_wkt_parts(const std::string& text, const std::string& name, const ReadLimits& limits) {
   io::require_size(text, name, limits.max_bytes);
   return io::parse_wkt(text, name, limits);
+}
+
+Polygon read_wkt(const std::string& path, const ReadLimits& limits) {
+  return io::only_outline(read_wkt_parts(path, limits), path);
+}
+
+Polygon parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
+  return io::only_outline(parse_wkt_parts(text, name, limits), name);
 }
 
 }  // namespace taut

@@ -14,8 +14,89 @@ namespace {
 
 const Polygon triangle{{0, 0}, {1.5, 0}, {-0.5, 1e3}};
 
-Polygon wkt(const std::string& text) { return io::parse_wkt(text, "o.wkt", {}); }
-Polygon geojson(const std::string& text) { return io::parse_geojson(text, "o.geojson", {}); }
+const Polygon square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+const Polygon slot{{1, 1}, {2, 1}, {2, 2}};
+
+Polygon wkt(const std::string& text) { return parse_wkt(text, "o.wkt", {}); }
+Polygon geojson(const std::string& text) { return parse_geojson(text, "o.geojson", {}); }
+
+/// Outline and holes of each part, one after the other, and how many holes each has.
+struct Rings {
+  explicit Rings(const std::vector<Part>& parts) {
+    for (const Part& part : parts) {
+      all.push_back(part.outline);
+      all.insert(all.end(), part.holes.begin(), part.holes.end());
+      holes.push_back(part.holes.size());
+    }
+  }
+  std::vector<Polygon> all;
+  std::vector<std::size_t> holes;
+};
+
+void expect_parts(const std::vector<Part>& parts) {
+  const Rings rings(parts);
+  EXPECT_EQ(rings.all, (std::vector<Polygon>{square, slot, triangle}));
+  EXPECT_EQ(rings.holes, (std::vector<std::size_t>{1, 0}));
+}
+
+TEST(Wkt, ReadsPartsAndHoles) {
+  const std::string first = "((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 1))",
+                    second = "((0 0, 1.5 0, -.5 1e3, 0 0))";
+  expect_parts(parse_wkt_parts("MULTIPOLYGON (" + first + ", " + second + ")"));
+  expect_parts(parse_wkt_parts("GeometryCollection(POLYGON" + first + ",MultiPolygon(" + second + "))"));
+  expect_parts(parse_wkt_parts("SRID=1;GEOMETRYCOLLECTION Z (GEOMETRYCOLLECTION (POLYGON " + first + "), POLYGON Z " +
+                               "((0 0 1, 1.5 0 1, -.5 1e3 1)))"));
+  EXPECT_EQ(Rings(parse_wkt_parts("POLYGON " + first)).all, (std::vector<Polygon>{square, slot}));
+}
+
+TEST(GeoJson, ReadsPartsAndHoles) {
+  const std::string first = "[[[0,0],[9,0],[9,9],[0,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]";
+  const std::string second = "[[[0,0],[1.5,0],[-0.5,1000],[0,0]]]";
+  const auto polygon = [](const std::string& c) { return R"({"type":"Polygon","coordinates":)" + c + "}"; };
+  const auto feature = [](const std::string& g) { return R"({"type":"Feature","geometry":)" + g + "}"; };
+  const std::string multi = R"({"type":"MultiPolygon","coordinates":[)" + first + "," + second + "]}";
+  const std::string group =
+      R"({"type":"GeometryCollection","geometries":[)" + polygon(first) + "," + polygon(second) + "]}";
+  for (const std::string& text : {multi, group, feature(multi), feature(group),
+                                  R"({"type":"FeatureCollection","features":[)" + feature(polygon(first)) + "," +
+                                      feature(polygon(second)) + "]}"})
+    expect_parts(parse_geojson_parts(text));
+  EXPECT_EQ(Rings(parse_geojson_parts(polygon(first))).all, (std::vector<Polygon>{square, slot}));
+}
+
+TEST(GeoJson, TellsFeaturesApartAndWhatIsNoPolygon) {
+  const std::string geometry = R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[1.5,0],[-0.5,1000]]]})";
+  const std::string text = R"({"type":"FeatureCollection","features":[{"type":"Feature","id":7,)" + geometry +
+                           R"(},{"type":"Feature","properties":{"name":"bay"},)" + geometry +
+                           R"(},{"type":"Feature","geometry":null},
+{"type":"Feature","properties":null,"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point"}]}}]})";
+  const auto features = io::parse_geojson_features(text, "f", {});
+  ASSERT_EQ(features.size(), 4u);
+  EXPECT_EQ(features[0].name, "7");
+  EXPECT_EQ(features[1].name, "bay");
+  EXPECT_EQ(features[0].parts.size() + features[1].parts.size(), 2u);
+  EXPECT_EQ(features[2].skipped,
+            (std::vector<std::string>{"f:1:291: features[2].geometry: a feature without a geometry"}));
+  EXPECT_EQ(features[3].skipped,
+            (std::vector<std::string>{"f:2:99: features[3].geometry.geometries[0].type: \"Point\" is no polygon"}));
+  EXPECT_THROW(parse_geojson_parts(text), InputError);
+}
+
+TEST(OneOutline, IsNeitherSeveralNorOneWithAHole) {
+  const auto refused = [](const auto& read, const char* problem) {
+    try {
+      read();
+      ADD_FAILURE() << "was accepted";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.problem(), problem);
+      EXPECT_FALSE(e.hint().empty());
+    }
+  };
+  refused([] { wkt("POLYGON ((0 0,9 0,0 9),(1 1,2 1,1 2))"); }, "the polygon has a hole");
+  refused([] { wkt("MULTIPOLYGON (((0 0,9 0,0 9)),((1 1,2 1,1 2)))"); }, "there are several polygons");
+  refused([] { geojson(R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[0,9]],[[1,1],[2,1],[1,2]]]})"); },
+          "the polygon has a hole");
+}
 
 TEST(Wkt, ReadsAPolygonHoweverItIsSpelt) {
   EXPECT_EQ(wkt("POLYGON ((0 0, 1.5 0, -0.5 1e3, 0 0))"), triangle);
@@ -45,20 +126,24 @@ std::vector<testing::BadInput> bad_wkt() {
   const std::string shape = "POLYGON ((x y, x y, x y, ...))";
   return {
       {"empty", "\n", "o.wkt", "the file is empty", shape},
-      {"point", "POINT (1 2)", "o.wkt:1:6", "expected POLYGON, found POINT", shape},
-      {"multipolygon", "MULTIPOLYGON (((0 0,1 0,0 1)))", "o.wkt:1:13", "found MULTIPOLYGON", shape},
+      {"point", "POINT (1 2)", "o.wkt:1:6", "expected POLYGON or MULTIPOLYGON, found POINT", shape},
+      {"half_a_multipolygon", "MULTIPOLYGON (((0 0,1 0,0 1)),", "o.wkt:1:31", "expected \"(\" before the first ring",
+       shape},
+      {"multipolygon_of_nothing", "MULTIPOLYGON (EMPTY)", "o.wkt:1:20", "the polygon is empty", shape},
+      {"point_in_a_collection", "GEOMETRYCOLLECTION (POLYGON ((0 0,1 0,0 1)), POINT (1 2))", "o.wkt:1:51",
+       "expected POLYGON or MULTIPOLYGON, found POINT", shape},
       {"number", "12", "o.wkt:1:1", "expected POLYGON", shape},
       {"empty_polygon", "POLYGON EMPTY", "o.wkt:1:14", "the polygon is empty", shape},
       {"flat", "POLYGON (0 0, 1 0, 0 1)", "o.wkt:1:10", "expected \"(\" before the vertices", shape},
-      {"hole", "POLYGON ((0 0,9 0,0 9),(1 1,2 1,1 2))", "o.wkt:1:23", "the polygon has a hole", "slit"},
+      {"half_a_hole", "POLYGON ((0 0,9 0,0 9),(1 1,2 1,1))", "o.wkt:1:34", "expected a number", shape},
       {"half_a_vertex", "POLYGON ((0 0,\n1,2 2))", "o.wkt:2:2", "expected a number", shape},
       {"nan", "POLYGON ((0 nan,1 1,2 2))", "o.wkt:1:13", "expected a number", shape},
       {"overflow", "POLYGON ((0 1e999,1 1,2 2))", "o.wkt:1:13", "the number is too large", "1.8e308"},
       {"truncated", "POLYGON ((0 0, 1 1", "o.wkt:1:19", "expected \")\" after the vertices", shape},
-      {"rest", "POLYGON ((0 0,1 0,0 1)) POLYGON", "o.wkt:1:25", "unexpected text", "one polygon"},
+      {"rest", "POLYGON ((0 0,1 0,0 1)) POLYGON", "o.wkt:1:25", "unexpected text", "one geometry"},
       {"srid", "SRID=12", "o.wkt:1:5", "without a \";\"", shape},
       {"after_a_nul", std::string("POLYGON ((0 0,1 0,0 1))\0 POLYGON", 32), "o.wkt:1:24", "unexpected text",
-       "one polygon"},
+       "one geometry"},
   };
 }
 
@@ -70,16 +155,22 @@ std::vector<testing::BadInput> bad_geojson() {
       {"array", "[]", "o.geojson:1:1", "expected an object, found an array", shape},
       {"no_type", "{}", "o.geojson:1:1", "the key \"type\" is missing", shape},
       {"point", R"({"type":"Point","coordinates":[0,0]})", "o.geojson:1:9: type", "found \"Point\"", shape},
-      {"two_features", R"({"type":"FeatureCollection","features":[1,2]})", "o.geojson:1:40: features",
-       "found 2 features", "keep the one"},
+      {"two_features", R"({"type":"FeatureCollection","features":[1,2]})", "o.geojson:1:41: features[0]",
+       "expected an object, found a number", shape},
+      {"no_features", R"({"type":"FeatureCollection","features":[]})", "o.geojson:1:40: features",
+       "there are no features", shape},
+      {"line_in_a_collection", R"({"type":"GeometryCollection","geometries":[{"type":"LineString"}]})",
+       "o.geojson:1:52: geometries[0].type", "found \"LineString\"", shape},
+      {"no_polygons", R"({"type":"MultiPolygon","coordinates":[]})", "o.geojson:1:38: coordinates",
+       "there are no polygons", shape},
       {"no_geometry", R"({"type":"Feature","geometry":null})", "o.geojson:1:30: geometry",
        "expected an object, found null", shape},
-      {"hole", R"({"type":"Polygon","coordinates":[[[0,0]],[[1,1]]]})", "o.geojson:1:33: coordinates", "has a hole",
-       "slit"},
+      {"half_a_hole", R"({"type":"Polygon","coordinates":[[[0,0]],[[1]]]})", "o.geojson:1:43: coordinates[1][0]",
+       "two coordinates, found 1", "[x, y]"},
       {"no_ring", R"({"type":"Polygon","coordinates":[]})", "o.geojson:1:33: coordinates", "the polygon is empty",
        shape},
-      {"flat", R"({"type":"Polygon","coordinates":[[0,0],[1,1]]})", "o.geojson:1:33: coordinates", "has a hole",
-       "slit"},
+      {"flat", R"({"type":"Polygon","coordinates":[[0,0],[1,1]]})", "o.geojson:1:35: coordinates[0][0]",
+       "expected an array, found a number", "[x, y]"},
       {"text", R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[0,"a"]]]}})",
        "o.geojson:1:67: geometry.coordinates[0][0][1]", "expected a number, found a string", "[x, y]"},
       {"twice", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1]]],"coordinates":[]})", "o.geojson:1:55",
@@ -112,6 +203,7 @@ TEST(OutlineLimits, CountVerticesWithoutTheRepeatedOne) {
     const std::string text = R"({"type":"Polygon","coordinates":[[)" + ring + "]]}";
     return problem_of([&] { io::parse_geojson(text, "o.geojson", {.max_vertices = limit}); });
   };
+  EXPECT_EQ(wkt("0 0,1 0,0 1),(0 0,1 0,1 1,0 1", 3), "more vertices than the limit of 3");
   for (const char* ring : {"0 0,1 0,0 1", "0 0,1 0,0 1,0 0"}) {
     EXPECT_EQ(wkt(ring, 3), "");
     EXPECT_EQ(wkt(ring, 2), "more vertices than the limit of 2");
@@ -154,9 +246,13 @@ TEST(OutlineLimits, NestingEndsAtOnceAndWithoutRecursion) {
   for (int i = 0; i < 1000000; ++i) text += R"({"type":"FeatureCollection","features":[)";
   const auto problem = problem_of([&] { io::parse_geojson(text, "o.geojson", {}); });
   EXPECT_EQ(problem, "arrays or objects are nested more than 32 deep");
-  EXPECT_EQ(problem_of([] { io::parse_wkt(std::string(1000000, '('), "o.wkt", {}); }), "expected POLYGON");
+  EXPECT_EQ(problem_of([] { io::parse_wkt(std::string(1000000, '('), "o.wkt", {}); }),
+            "expected POLYGON or MULTIPOLYGON");
   EXPECT_EQ(problem_of([] { io::parse_wkt("POLYGON " + std::string(1000000, '('), "o.wkt", {}); }),
             "expected a number");
+  std::string collections;
+  for (int i = 0; i < 1000000; ++i) collections += "GEOMETRYCOLLECTION(";
+  EXPECT_EQ(problem_of([&] { io::parse_wkt(collections, "o.wkt", {}); }), "collections are nested more than 32 deep");
 }
 
 TEST(OutlineLimits, FilesAreReadNoFurtherThanTheLimit) {
@@ -225,6 +321,13 @@ TEST(Outline, IsFoundNextToTheScene) {
   EXPECT_EQ(scene.bodies[0].polygon, triangle);
   EXPECT_EQ(scene.bodies[1].polygon, triangle);
   EXPECT_EQ(parse_scene(text, "scene", folder.string()).bodies[0].polygon, triangle);
+  write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 2 1, 2 2))");
+  const Body holed = read_scene((folder / "scene.json").string()).bodies[0];
+  EXPECT_TRUE(holed.polygon.empty());
+  EXPECT_EQ(Rings(holed.parts).all, (std::vector<Polygon>{square, slot}));
+  const std::string parts = R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","parts":[{"wkt":"p.wkt"},)"
+                            R"({"geojson":"q.geojson"}]}]})";
+  expect_parts(parse_scene(parts, "scene", folder.string()).bodies[0].parts);
   write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 1.5 0, x))");
   try {
     read_scene((folder / "scene.json").string());

@@ -1,0 +1,29 @@
+// The entities of DXF that are lines and curves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "import/affine.hpp"
+#include "import/curves.hpp"
+#include "import/dxf_text.hpp"
+
+namespace taut::drawing {
+
+/// How the entity's own coordinates lie in the drawing: it may be seen from below. Nothing if it stands on the plane.
+std::optional<Affine> own_plane(const DxfItem& item);
+
+/// A vertex of a polyline, and a quarter of the tangent of the arc to the next one.
+struct BulgedVertex {
+  Point at;
+  double bulge = 0;
+};
+
+std::vector<BulgedVertex> vertices_of(const DxfItem& lwpolyline);
+Chain bulged_chain(const std::vector<BulgedVertex>& vertices, bool closed, const std::string& place,
+                   const Affine& where, Flattener& flattener);
+
+/// LINE, LWPOLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE as a chain; nothing for other types. Throws InputError.
+std::optional<Chain> chain_of(const DxfItem& item, const Affine& where, Flattener& flattener);
+
+}  // namespace taut::drawing

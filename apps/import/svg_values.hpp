@@ -1,0 +1,52 @@
+// What attributes of SVG say: numbers, lengths, transformations, styles.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/affine.hpp"
+#include "import/xml_reader.hpp"
+
+namespace taut::drawing {
+
+/// Numbers with commas or spaces between them, as far as there are any.
+class NumberScanner {
+ public:
+  explicit NumberScanner(const std::string& text) : text_(text) {}
+  /// The next number, which is finite; nothing if there is none.
+  std::optional<double> number();
+  /// A flag of an arc: 0 or 1, after which the next number may follow at once.
+  std::optional<bool> flag();
+  /// The next letter or bracket; 0 if a number follows, or nothing.
+  char letter();
+  bool at_end();
+  std::size_t position() const { return position_; }
+
+ private:
+  void skip();
+  const std::string& text_;
+  std::size_t position_ = 0;
+};
+
+/// A length with its unit: "12.5mm".
+struct Length {
+  double value = 0;
+  std::string unit;
+};
+std::optional<Length> parse_length(const std::string& text);
+/// How many millimetres the unit has; nothing for pixels, percent and font sizes.
+std::optional<double> millimetres(const std::string& unit);
+
+/// The value of an attribute as a length in the user's own units, or `otherwise`. Throws InputError for other units
+/// than px.
+double user_length(const XmlElement& element, const char* key, double otherwise);
+
+/// The attribute `transform`. Throws InputError.
+Affine parse_transform(const XmlElement& element);
+
+/// The property, from the attribute `style` or from the attribute of its name; empty if neither is there.
+std::string style_property(const XmlElement& element, const std::string& name);
+
+}  // namespace taut::drawing

@@ -1,0 +1,57 @@
+// As much of XML as drawings have: elements and their attributes, one after the other.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taut::drawing {
+
+struct XmlElement {
+  std::string name;  ///< "svg:" before it is dropped, other prefixes stay
+  std::vector<std::pair<std::string, std::string>> attributes;
+  std::string place;  ///< file, line and column
+
+  /// The attribute's value; null if it is not there.
+  const std::string* find(const std::string& key) const;
+};
+
+/// Goes through a text. An element that closes itself is opened and closed. Comments, character data, processing
+/// instructions and the document type are passed over; a document type that declares entities is refused, as there is
+/// nothing that may not hide behind them.
+class XmlReader {
+ public:
+  XmlReader(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
+
+  enum class Event { open, close, end };
+  /// Throws InputError.
+  Event next();
+  /// What was opened or closed last; when it is closed, it has no attributes.
+  const XmlElement& element() const { return element_; }
+
+ private:
+  Event open();
+  Event close();
+  void read_attribute();
+  std::string read_name();
+  std::string decoded(std::size_t begin, std::size_t end);
+  std::string decoded_entity(const std::string& entity, std::size_t at);
+  void pass(const char* end, const char* what);
+  void pass_document_type();
+  void skip_space();
+  bool starts_with(const char* word) const { return text_.compare(position_, std::string(word).size(), word) == 0; }
+  std::string place(std::size_t offset);
+  [[noreturn]] void fail(std::size_t at, const std::string& problem, const std::string& hint);
+
+  const std::string& text_;
+  std::string file_;
+  std::size_t position_ = 0;
+  /// Up to where lines are counted.
+  std::size_t counted_ = 0, line_start_ = 0;
+  int line_ = 1;
+  std::vector<std::string> open_;
+  bool closing_ = false;
+  XmlElement element_;
+};
+
+}  // namespace taut::drawing

@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "import/import.hpp"
+#include "support/bad_input.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+drawing::Import svg_import(const std::string& inside, drawing::ImportSettings settings = {},
+                           const std::string& root = "<svg>") {
+  return drawing::import_drawings({drawing::read_drawing(root + inside + "</svg>", "d.svg", settings)}, settings);
+}
+
+double area_of(const Polygon& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    sum += (a.x * b.y - a.y * b.x) / 2;
+  }
+  return std::fabs(sum);
+}
+
+/// Outline less holes, of all parts.
+double area_of(const Body& body) {
+  double sum = area_of(body.polygon);
+  for (const Part& part : body.parts) {
+    sum += area_of(part.outline);
+    for (const Polygon& hole : part.holes) sum -= area_of(hole);
+  }
+  return sum;
+}
+
+constexpr double pi = 3.14159265358979323846;
+
+TEST(ImportSvg, TakesStraightPathsExactlyWithYUp) {
+  const Polygon wanted{{1, -2}, {5, -2}, {5, -6}, {1, -6}};
+  for (const char* d : {"M1 2H5V6H1Z", "m1,2h4v4h-4z", "M1 2 5 2 5 6 1 6", "m 1 2 4 0 0 4 -4 0 z",
+                        "M1 2L5 2L5 6L1 6L1 2Z", "M1 2l4-0 0 4 -4,0z"})
+    EXPECT_EQ(svg_import("<path d=\"" + std::string(d) + "\"/>").scene.bodies.at(0).polygon, wanted) << d;
+  EXPECT_EQ(svg_import("<polygon points='1,2 5,2 5,6 1,6'/>").scene.bodies[0].polygon, wanted);
+  EXPECT_EQ(svg_import("<polyline points='1,2 5,2 5,6 1,6 1,2' fill='none'/>").scene.bodies[0].polygon, wanted);
+  const auto rectangle = svg_import("<rect x='1' y='2' width='4' height='4px'/>").scene.bodies[0].polygon;
+  EXPECT_EQ(area_of(rectangle), 16);
+}
+
+TEST(ImportSvg, HasCurvesWithinTheToleranceAndSaysSo) {
+  for (const double tolerance : {0.1, 0.01, 0.0001}) {
+    drawing::ImportSettings settings;
+    settings.tolerance = tolerance;
+    for (const char* shape :
+         {"<circle cx='3' cy='4' r='10'/>", "<ellipse cx='3' cy='4' rx='10' ry='10'/>",
+          "<path d='M-7 4a10 10 0 0 1 20 0a10 10 0 0 1-20 0'/>", "<rect width='20' height='20' rx='10' x='-7' y='-6'/>",
+          "<path d='M-7 4A10 10 0 1 1 3 14 10 10 0 0 1-7 4'/>"}) {
+      const auto import = svg_import(shape, settings);
+      const auto& counts = import.files[0].curves;
+      EXPECT_GT(counts.segments, 0u);
+      EXPECT_LE(counts.deviation, tolerance);
+      EXPECT_GT(counts.deviation, tolerance / 20);
+      const Polygon& ring = import.scene.bodies.at(0).polygon;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        EXPECT_NEAR(std::hypot(a.x - 3, a.y + 4), 10, 1e-9) << shape;
+        EXPECT_GE(std::hypot((a.x + b.x) / 2 - 3, (a.y + b.y) / 2 + 4), 10 - counts.deviation - 1e-9) << shape;
+      }
+      EXPECT_NEAR(area_of(ring), 100 * pi, 63 * tolerance) << shape;
+    }
+  }
+}
+
+TEST(ImportSvg, FollowsBezierCurves) {
+  // Under y = x (1 - x), by all spellings of the same parabola: a sixth.
+  drawing::ImportSettings settings;
+  settings.tolerance = 1e-5;
+  for (const char* d : {"M0 0Q.5 1 1 0", "m0 0q.5 1 1 0z",
+                        "M0 0C.33333333333333333 .66666666666666666 .66666666666666666 .66666666666666666 1 0"})
+    EXPECT_NEAR(area_of(svg_import("<path d='" + std::string(d) + "'/>", settings).scene.bodies[0]), 1.0 / 3, 2e-5)
+        << d;
+  // Smooth continuations are mirrored: two arcs of the same area above and below.
+  const auto wave = svg_import("<path d='M0 0Q.5 1 1 0T2 0V-3H0Z'/>", settings).scene.bodies[0];
+  EXPECT_NEAR(area_of(wave), 6, 1e-5);
+  const auto smooth = svg_import("<path d='M0 0C0 1 1 1 1 0S2-1 2 0V-3H0Z'/>", settings).scene.bodies[0];
+  EXPECT_NEAR(area_of(smooth), 6, 1e-5);
+}
+
+TEST(ImportSvg, PlacesGroupsByTheirTransformations) {
+  const auto body = [](const std::string& transform) {
+    return svg_import("<g transform='translate(10 0)'><rect transform='" + transform + "' width='2' height='1'/></g>")
+        .scene.bodies.at(0)
+        .polygon;
+  };
+  const auto has = [](const Polygon& ring, Point p) { return std::count(ring.begin(), ring.end(), p) == 1; };
+  EXPECT_TRUE(has(body("rotate(90)"), {9, -2}));
+  EXPECT_TRUE(has(body("rotate(90 1 0)"), {11, -1}));
+  EXPECT_TRUE(has(body("scale(2,-3)"), {14, 3}));
+  EXPECT_TRUE(has(body("translate(1) scale(2)"), {15, -2}));
+  EXPECT_TRUE(has(body("matrix(1 0 1 1 0 0)"), {13, -1}));
+  EXPECT_NEAR(area_of(body("skewX(30)")), 2, 1e-12);
+}
+
+TEST(ImportSvg, CallsBodiesByGroupsAndIds) {
+  const std::string two =
+      "<g id='a' inkscape:label='arm'><rect id='r' width='1' height='1'/><g id='b'><rect x='3' "
+      "width='1' height='1'/></g></g><circle id='c' r='1' cx='9'/><rect x='20' width='1' height='1'/>"
+      "<g id='arm'><rect x='30' width='1' height='1'/></g>";
+  const auto import = svg_import(two);
+  std::vector<std::string> names;
+  for (const Body& body : import.scene.bodies) names.push_back(body.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"arm", "c", "body", "arm-2"}));
+  EXPECT_EQ(import.scene.bodies[0].parts.size(), 2u);
+  drawing::ImportSettings split;
+  split.split = true;
+  names.clear();
+  for (const Body& body : svg_import(two, split).scene.bodies) names.push_back(body.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"r", "arm", "c", "body", "arm-2"}));
+}
+
+TEST(ImportSvg, ObeysTheFillRule) {
+  const auto area = [](const std::string& attributes, const std::string& inner) {
+    return area_of(svg_import("<path " + attributes + " d='M0 0H10V10H0Z " + inner + "'/>").scene.bodies.at(0));
+  };
+  const std::string same = "M2 2H4V4H2Z", other = "M2 2V4H4V2Z";
+  EXPECT_EQ(area("", other), 96);
+  EXPECT_EQ(area("", same), 100);
+  EXPECT_EQ(area("fill-rule='evenodd'", same), 96);
+  EXPECT_EQ(area("style='fill: red; fill-rule: evenodd'", same), 96);
+  EXPECT_EQ(area("fill='none'", same), 96);
+  EXPECT_EQ(area("fill-rule='evenodd'", same + "M2.5 2.5H3V3H2.5Z"), 96.25);
+  const auto idle = svg_import("<path d='M0 0H10V10H0Z" + same + "'/>").files[0].skipped;
+  ASSERT_EQ(idle.size(), 1u);
+  EXPECT_EQ(idle[0].reason, "has filled area on both of its sides");
+}
+
+TEST(ImportSvg, TakesMillimetresFromTheSizeOfThePage) {
+  const auto width = [](const std::string& root, const std::string& shape = "<rect width='10' height='1'/>") {
+    double most = 0;
+    for (const Point& p : svg_import(shape, {}, root).scene.bodies[0].polygon) most = std::max(most, p.x);
+    return most;
+  };
+  EXPECT_EQ(width("<svg width='100mm' viewBox='0 0 200 100'>"), 5);
+  EXPECT_DOUBLE_EQ(width("<svg width='1in' viewBox='0 0 254 100'>"), 1);
+  EXPECT_EQ(width("<svg width='100' viewBox='0 0 200 100'>"), 10);
+  EXPECT_EQ(width("<svg>", "<rect width='1in' height='1'/>"), 96);
+  EXPECT_EQ(svg_import("<rect width='1' height='1'/>", {}, "<svg width='4mm' viewBox='0 0 2 2'>").files[0].units,
+            "mm (2 mm for each of the drawing's own)");
+}
+
+TEST(ImportSvg, TellsWhatItSkips) {
+  const auto skipped = svg_import(
+                           "<rect width='1' height='1'/>\n<text>a</text><text>b</text><use href='#x'/><defs><rect "
+                           "width='9' height='9'/></defs>\n<rect width='0' height='1'/><g style='display:none'><circle "
+                           "r='1'/></g><line x2='5' y2='5'/><metadata><a/></metadata><sodipodi:namedview/>")
+                           .files[0]
+                           .skipped;
+  std::vector<std::string> what;
+  for (const auto& s : skipped) what.push_back(s.what + " " + s.place + " " + std::to_string(s.times));
+  EXPECT_EQ(what, (std::vector<std::string>{"<text> d.svg:2:1 2", "<use> d.svg:2:29 1", "<defs> d.svg:2:45 1",
+                                            "<rect> d.svg:3:1 1", "<circle> d.svg:3:53 1", "line d.svg:3:72 1"}));
+}
+
+class BadSvgTest : public ::testing::TestWithParam<testing::BadInput> {};
+
+TEST_P(BadSvgTest, IsRefused) {
+  testing::expect_refused(GetParam(), [](const std::string& text) {
+    drawing::import_drawings({drawing::read_drawing(text, "d.svg", {})}, {});
+  });
+}
+
+std::vector<testing::BadInput> bad_svg() {
+  std::string deep;
+  for (int i = 0; i < 300; ++i) deep += "<g>";
+  return {
+      {"empty", "", "d.svg", "there is no <svg> element", "SVG"},
+      {"html", "<html/>", "d.svg:1:1", "its element is <html>", "SVG"},
+      {"cut_off", "<svg>\n<g", "d.svg:2:1", "without a \">\"", "cut off"},
+      {"open", "<svg><g></g>", "d.svg:1:13", "ends inside the element \"svg\"", "cut off"},
+      {"crossed", "<svg><g></svg></g>", "d.svg:1:9", "not open", "save"},
+      {"entity", "<svg id='&lol;'/>", "d.svg:1:10", "an entity that XML does not have", "character"},
+      {"entities", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "d.svg:1:15", "declares entities", "plain SVG"},
+      {"attribute", "<svg><rect width=4/></svg>", "d.svg:1:12", "name=\"value\"", "save"},
+      {"twice", "<svg><rect x='1' x='1'/></svg>", "d.svg:1:18", "appears twice", "keep one"},
+      {"deep", "<svg>" + deep, "d.svg:1:771", "more than 256 deep", "ungroup"},
+      {"no_shape", "<svg/>", "d.svg", "nothing in the file encloses an area", "--join"},
+      {"command", "<svg>\n <path d='M0 0X'/></svg>", "d.svg:2:2", "a command that SVG does not have", "A and Z"},
+      {"half_a_point", "<svg><path d='M0 0L1'/></svg>", "d.svg:1:6", "expected a number at character 7", "A and Z"},
+      {"no_move", "<svg><path d='L1 1'/></svg>", "d.svg:1:6", "begins with M", "A and Z"},
+      {"flag", "<svg><path d='M0 0A1 1 0 2 0 1 1'/></svg>", "d.svg:1:6", "a flag of an arc", "A and Z"},
+      {"transform", "<svg><g transform='turn(3)'/></svg>", "d.svg:1:6", "cannot be read", "rotate"},
+      {"points", "<svg><polygon points='1 2 3'/></svg>", "d.svg:1:6", "pairs of numbers", "points="},
+      {"length", "<svg><rect width='50%' height='1'/></svg>", "d.svg:1:6", "is no length", "number"},
+      {"viewbox", "<svg width='1mm' viewBox='0 0 0 1'/>", "d.svg:1:1", "viewBox", "four numbers"},
+      {"bow", "<svg><path id='bow' d='M0 0L1 1 1 0 0 1Z'/></svg>", "d.svg:1:6: bow", "not simple", ""},
+      {"hole_touches", "<svg><path d='M0 0H9V9H0ZM0 2V4H2V2Z'/></svg>", "d.svg:1:6", "meets", "gap"},
+      {"far", "<svg><rect width='1e200' height='1' transform='scale(1e100)'/></svg>", "d.svg:1:6", "beyond 2^400",
+       "unit"},
+      {"many_chords", "<svg><circle r='1e30'/></svg>", "d.svg", "more than 20000000 chords", "--tolerance"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Svg, BadSvgTest, ::testing::ValuesIn(bad_svg()), testing::name_of);
+
+}  // namespace
+}  // namespace taut
