@@ -18,9 +18,9 @@ constexpr int deepest_window = 60;
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-class Verifier {
+class SeparationsVerifier {
  public:
-  Verifier(const Scene& scene, ByteReader& in, const Header& header)
+  SeparationsVerifier(const Scene& scene, ByteReader& in, const Header& header)
       : scene_(scene),
         in_(in),
         header_(header),
@@ -189,7 +189,7 @@ class Verifier {
 }  // namespace
 
 Verified verify_separations(const Scene& scene, ByteReader& in, const Header& header) {
-  return Verifier(scene, in, header).run();
+  return SeparationsVerifier(scene, in, header).run();
 }
 
 }  // namespace taut::proof
