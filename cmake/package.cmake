@@ -17,6 +17,7 @@ set(CPACK_COMPONENT_TAUT_DESCRIPTION
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/taut RENAME copyright)
 
 if(TARGET _taut2d)
+  find_package(Python REQUIRED COMPONENTS Interpreter)
   list(APPEND CPACK_COMPONENTS_ALL python)
   # Where Debian's Python looks; the module is for the version that it was compiled for.
   set(taut_python_folder lib/python3/dist-packages/taut2d)

@@ -33,7 +33,7 @@ double area_of(const Body& body) {
   return sum;
 }
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double half_turn = 3.14159265358979323846;
 
 TEST(ImportSvg, TakesStraightPathsExactlyWithYUp) {
   const Polygon wanted{{1, -2}, {5, -2}, {5, -6}, {1, -6}};
@@ -65,7 +65,7 @@ TEST(ImportSvg, HasCurvesWithinTheToleranceAndSaysSo) {
         EXPECT_NEAR(std::hypot(a.x - 3, a.y + 4), 10, 1e-9) << shape;
         EXPECT_GE(std::hypot((a.x + b.x) / 2 - 3, (a.y + b.y) / 2 + 4), 10 - counts.deviation - 1e-9) << shape;
       }
-      EXPECT_NEAR(area_of(ring), 100 * pi, 63 * tolerance) << shape;
+      EXPECT_NEAR(area_of(ring), 100 * half_turn, 63 * tolerance) << shape;
     }
   }
 }

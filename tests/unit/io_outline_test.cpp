@@ -14,8 +14,8 @@ namespace {
 
 const Polygon triangle{{0, 0}, {1.5, 0}, {-0.5, 1e3}};
 
-const Polygon square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
-const Polygon slot{{1, 1}, {2, 1}, {2, 2}};
+const Polygon holed_square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+const Polygon square_hole{{1, 1}, {2, 1}, {2, 2}};
 
 Polygon wkt(const std::string& text) { return parse_wkt(text, "o.wkt", {}); }
 Polygon geojson(const std::string& text) { return parse_geojson(text, "o.geojson", {}); }
@@ -35,7 +35,7 @@ struct Rings {
 
 void expect_parts(const std::vector<Part>& parts) {
   const Rings rings(parts);
-  EXPECT_EQ(rings.all, (std::vector<Polygon>{square, slot, triangle}));
+  EXPECT_EQ(rings.all, (std::vector<Polygon>{holed_square, square_hole, triangle}));
   EXPECT_EQ(rings.holes, (std::vector<std::size_t>{1, 0}));
 }
 
@@ -46,7 +46,7 @@ TEST(Wkt, ReadsPartsAndHoles) {
   expect_parts(parse_wkt_parts("GeometryCollection(POLYGON" + first + ",MultiPolygon(" + second + "))"));
   expect_parts(parse_wkt_parts("SRID=1;GEOMETRYCOLLECTION Z (GEOMETRYCOLLECTION (POLYGON " + first + "), POLYGON Z " +
                                "((0 0 1, 1.5 0 1, -.5 1e3 1)))"));
-  EXPECT_EQ(Rings(parse_wkt_parts("POLYGON " + first)).all, (std::vector<Polygon>{square, slot}));
+  EXPECT_EQ(Rings(parse_wkt_parts("POLYGON " + first)).all, (std::vector<Polygon>{holed_square, square_hole}));
 }
 
 TEST(GeoJson, ReadsPartsAndHoles) {
@@ -61,7 +61,7 @@ TEST(GeoJson, ReadsPartsAndHoles) {
                                   R"({"type":"FeatureCollection","features":[)" + feature(polygon(first)) + "," +
                                       feature(polygon(second)) + "]}"})
     expect_parts(parse_geojson_parts(text));
-  EXPECT_EQ(Rings(parse_geojson_parts(polygon(first))).all, (std::vector<Polygon>{square, slot}));
+  EXPECT_EQ(Rings(parse_geojson_parts(polygon(first))).all, (std::vector<Polygon>{holed_square, square_hole}));
 }
 
 TEST(GeoJson, TellsFeaturesApartAndWhatIsNoPolygon) {
@@ -324,7 +324,7 @@ TEST(Outline, IsFoundNextToTheScene) {
   write_file((folder / "p.wkt").string(), "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 2 1, 2 2))");
   const Body holed = read_scene((folder / "scene.json").string()).bodies[0];
   EXPECT_TRUE(holed.polygon.empty());
-  EXPECT_EQ(Rings(holed.parts).all, (std::vector<Polygon>{square, slot}));
+  EXPECT_EQ(Rings(holed.parts).all, (std::vector<Polygon>{holed_square, square_hole}));
   const std::string parts = R"({"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","parts":[{"wkt":"p.wkt"},)"
                             R"({"geojson":"q.geojson"}]}]})";
   expect_parts(parse_scene(parts, "scene", folder.string()).bodies[0].parts);
