@@ -7,6 +7,7 @@
 #include "interrupt.hpp"
 #include "report.hpp"
 #include "taut/clearance.hpp"
+#include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
 #include "terminal.hpp"
@@ -76,6 +77,9 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
 }
 
 int run_profile(const ClearanceArguments& arguments) {
+  if (arguments.csv == "-" && arguments.svg == "-")
+    throw InputError("--svg", "the plot and the values cannot both go to standard output",
+                     "name a file for one of them");
   const Scene scene = load_scene(arguments.scene);
   ProfileOptions options = arguments.profile;
   options.relative = arguments.options.relative;
