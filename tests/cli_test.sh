@@ -149,6 +149,7 @@ expect 0 '^PROFILE' '' clearance --profile 5 --svg profile.svg hit.json
 grep -q 'class="distance"' profile.svg || { echo "FAILED: profile.svg"; failures=$((failures + 1)); }
 expect 2 '' '--profile' clearance --csv - hit.json
 expect 2 '' '--profile' clearance --profile 1 hit.json
+expect 2 '' 'cannot both go to standard output' clearance --profile 5 --csv - --svg - hit.json
 expect 3 '^UNDECIDED' '' clearance --profile 5 --max-seconds 0 hit.json
 expect 1 'class="overlap".*' '' intervals --svg - hit.json
 expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json

@@ -7,6 +7,7 @@
 #include "interrupt.hpp"
 #include "report.hpp"
 #include "taut/clearance.hpp"
+#include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
 #include "terminal.hpp"
@@ -53,14 +54,16 @@ std::string curve_line(const Scene& scene, const DistanceCurve& c) {
   const std::string pair = c.pair ? body_name(scene, (*c.pair)[0]) + " x " + body_name(scene, (*c.pair)[1])
                                   : std::string("all pairs, the least");
   return fmt::format("{}   greatest {} at t = {:.9g}{}\n", pair, time_text({c.largest_lo, c.largest_hi}), c.largest_at,
-                     c.settled ? "" : "   (the limit of stretches was reached)");
+                     c.settled ? "" : "   (not as narrow as was asked for)");
 }
 
 std::string instants_text(const DistanceCurve& c) {
   std::string text = fmt::format("  {:>14}  {:>14}   {}\n", "t", "distance", "until the next");
   for (std::size_t k = 0; k < c.instants.size(); ++k) {
     const DistanceAt& d = c.instants[k];
-    text += fmt::format("  {:>14.9g}  {:>14.9g}", d.t, d.hi);
+    const bool is_wide = d.hi - d.lo > 1e-8 * d.hi && d.lo > 0;
+    text += fmt::format("  {:>14.9g}  {:>14}", d.t,
+                        is_wide ? fmt::format("[{:.6g}, {:.6g}]", d.lo, d.hi) : fmt::format("{:.9g}", d.hi));
     if (k < c.stretches.size()) text += fmt::format("   {:.6g} to {:.6g}", c.stretches[k].lo, c.stretches[k].hi);
     text += '\n';
   }
@@ -76,6 +79,9 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
 }
 
 int run_profile(const ClearanceArguments& arguments) {
+  if (arguments.csv == "-" && arguments.svg == "-")
+    throw InputError("--svg", "the plot and the values cannot both go to standard output",
+                     "name a file for one of them");
   const Scene scene = load_scene(arguments.scene);
   ProfileOptions options = arguments.profile;
   options.relative = arguments.options.relative;

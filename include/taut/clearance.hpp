@@ -94,7 +94,8 @@ struct DistanceCurve {
   std::vector<DistanceWithin> stretches;  ///< between an instant and the next one
   double largest_lo = 0, largest_hi = 0;  ///< certainly enclose the greatest distance over the scene's time
   double largest_at = 0;                  ///< a time at which the distance is at least `largest_lo`
-  /// Is the bracket of the greatest distance as narrow as was asked for? If not, the limit of stretches was reached.
+  /// Is the bracket of the greatest distance as narrow as was asked for? If not, ProfileOptions::halvings
+  /// did not suffice, or doubles do not tell more, as where a body turns with infinite speed.
   bool settled = false;
 };
 

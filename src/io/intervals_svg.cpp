@@ -15,7 +15,7 @@ namespace {
 
 using io::chart_number;
 
-constexpr double lane_height = 46, bar_height = 16, chart_top = 44;
+constexpr double lane_height = 46, lane_bar = 16, chart_top = 44;
 
 struct Lane {
   std::vector<const OverlapInterval*> overlaps;
@@ -47,10 +47,10 @@ std::string ends_text(const Scene& scene, const OverlapInterval& o) {
 std::string end_mark(double x, double y, bool open, double outwards) {
   if (!open)
     return fmt::format("<path class=\"end\" d=\"M{},{}v{}\" stroke=\"{}\" stroke-width=\"2\"/>\n", chart_number(x),
-                       chart_number(y - 3), chart_number(bar_height + 6), io::body_line[1]);
+                       chart_number(y - 3), chart_number(lane_bar + 6), io::body_line[1]);
   return fmt::format("<path class=\"open\" d=\"M{},{}l{},{}l{},{}Z\" fill=\"{}\"/>\n", chart_number(x), chart_number(y),
-                     chart_number(outwards), chart_number(bar_height / 2), chart_number(-outwards),
-                     chart_number(bar_height / 2), io::body_fill[1]);
+                     chart_number(outwards), chart_number(lane_bar / 2), chart_number(-outwards),
+                     chart_number(lane_bar / 2), io::body_fill[1]);
 }
 
 std::string overlap_bar(const Scene& scene, const io::PlotPanel& panel, const OverlapInterval& o, double y) {
@@ -58,7 +58,7 @@ std::string overlap_bar(const Scene& scene, const io::PlotPanel& panel, const Ov
   std::string s =
       fmt::format("<g class=\"overlap\"><title>overlap from t = {}</title>\n", io::escape_xml(ends_text(scene, o)));
   s += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", chart_number(from),
-                   chart_number(y), chart_number(std::max(to - from, 1.0)), chart_number(bar_height), io::body_fill[1]);
+                   chart_number(y), chart_number(std::max(to - from, 1.0)), chart_number(lane_bar), io::body_fill[1]);
   return s + end_mark(from, y, !o.enter, -7) + end_mark(to, y, !o.exit, 7) + "</g>\n";
 }
 
@@ -82,16 +82,16 @@ std::string lane_svg(const Scene& scene, const io::PlotPanel& panel, const std::
                      const Lane& lane, double y) {
   std::string s = "<g class=\"lane\">\n" + io::chart_text(panel.left - 14, y + 13, lane_name(scene, pair), "end");
   s += fmt::format("<path d=\"M{},{}h{}\" stroke=\"#9aa5b1\"/>\n", chart_number(panel.left),
-                   chart_number(y + bar_height / 2), chart_number(panel.width));
+                   chart_number(y + lane_bar / 2), chart_number(panel.width));
   if (lane.undecided) {
     const double from = panel.x(std::clamp(lane.undecided->free_until, panel.t_lo, panel.t_hi));
     s += fmt::format(
         "<rect class=\"undecided\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"url(#hatched)\" "
         "stroke=\"#5f6b76\"/>\n",
-        chart_number(from), chart_number(y), chart_number(panel.left + panel.width - from), chart_number(bar_height));
+        chart_number(from), chart_number(y), chart_number(panel.left + panel.width - from), chart_number(lane_bar));
   }
   for (const OverlapInterval* o : lane.overlaps) s += overlap_bar(scene, panel, *o, y);
-  s += all_ends(scene, panel, lane, y + bar_height + 14);
+  s += all_ends(scene, panel, lane, y + lane_bar + 14);
   return s + "</g>\n";
 }
 

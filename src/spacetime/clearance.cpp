@@ -75,11 +75,14 @@ class LegClearance {
   }
 
  private:
-  /// Windows have a length: this one begins with the instant, or ends with the leg.
+  /// Windows have a length: this one begins with the instant, or ends with the leg. Where the motion is singular, it
+  /// moves the less the shorter the window is.
   void at_instant() {
-    const double some = (leg_.end - leg_.start) * length_of_instant;
-    window_.emplace(leg_, std::max(leg_.start, std::min(from_, leg_.end - some)), leg_.end, some);
-    while (window_->end() < from_) window_.emplace(leg_, window_->end(), leg_.end, some);
+    for (double some = (leg_.end - leg_.start) * length_of_instant;; some *= 0x1p-10) {
+      window_.emplace(leg_, std::max(leg_.start, std::min(from_, leg_.end - some)), leg_.end, some);
+      while (window_->end() < from_) window_.emplace(leg_, window_->end(), leg_.end, some);
+      if (window_->smooth() || some < (leg_.end - leg_.start) * 0x1p-45) break;
+    }
     from_root(from_, from_);
   }
   void from_root(double from, double to) {
@@ -128,8 +131,8 @@ class LegClearance {
     }
   }
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
-  /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on a
-  /// bridge, say, all over which bodies may nearly touch.
+  /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on
+  /// a bridge, say, all over which bodies may nearly touch.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
     const bool is_short = s.r <= shortest_of_clearance * (leg_.end - leg_.start);
     const bool is_rounding = s.in_p.error <= error_of_rounding * s.in_p.reach;

@@ -137,7 +137,7 @@ std::optional<MadeWorld> seen_from_a_moving_frame(Rng& rng, const MadeWorld& wor
       body.keyframes[1].t = world.end;
     }
     for (Keyframe& k : body.keyframes) {
-      if (k.way != Way::straight) return std::nullopt;
+      if (k.way != taut::Way::straight) return std::nullopt;
       k.x -= v.x * k.t;
       k.y -= v.y * k.t;
     }
