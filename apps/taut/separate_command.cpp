@@ -22,7 +22,7 @@ struct SeparateArguments {
 
 double middle_of(const DirectionInterval& d) { return d.lo + (d.hi - d.lo) / 2; }
 
-std::string body_name(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
+std::string name_of_body(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
 
 std::string ends_text(const Scene& scene, const std::array<VertexRef, 2>& vertices) {
   return vertex_text(scene, vertices[0]) + " comes to " + vertex_text(scene, vertices[1]);
@@ -41,9 +41,9 @@ std::string arc_in_words(const Scene& scene, const DirectionArc& arc) {
 }
 
 std::string directions_in_words(const Scene& scene, const BodyDirections& body) {
-  if (body.all) return fmt::format("  {} goes in every direction\n", body_name(scene, body.body));
-  if (body.free.empty()) return fmt::format("  {} goes nowhere\n", body_name(scene, body.body));
-  std::string text = fmt::format("  {} goes\n", body_name(scene, body.body));
+  if (body.all) return fmt::format("  {} goes in every direction\n", name_of_body(scene, body.body));
+  if (body.free.empty()) return fmt::format("  {} goes nowhere\n", name_of_body(scene, body.body));
+  std::string text = fmt::format("  {} goes\n", name_of_body(scene, body.body));
   for (const DirectionArc& arc : body.free) text += arc_in_words(scene, arc);
   return text;
 }
@@ -52,11 +52,11 @@ std::string order_in_words(const Scene& scene, const Separation& answer) {
   std::string text = answer.order.empty() ? "" : "  one by one:\n";
   for (std::size_t i = 0; i < answer.order.size(); ++i) {
     const RemovalStep& step = answer.order[i];
-    text += fmt::format("    {}. {} towards {:.9g} deg\n", i + 1, body_name(scene, step.body), step.direction_deg);
+    text += fmt::format("    {}. {} towards {:.9g} deg\n", i + 1, name_of_body(scene, step.body), step.direction_deg);
   }
   if (answer.stuck.empty()) return text;
   text += "  locked, one by one:";
-  for (const BodyId id : answer.stuck) text += " " + body_name(scene, id);
+  for (const BodyId id : answer.stuck) text += " " + name_of_body(scene, id);
   return text + "\n";
 }
 

@@ -17,17 +17,17 @@ namespace {
 constexpr double to_radians = 3.14159265358979323846 / 180;
 
 /// Is the angle certainly in the arc, or certainly outside of it? By less than a hair, neither.
-enum class Place { inside, outside, near };
+enum class PlaceInArcs { inside, outside, near };
 
-Place place_of(double deg, const BodyDirections& body) {
-  if (body.all) return Place::inside;
+PlaceInArcs place_of(double deg, const BodyDirections& body) {
+  if (body.all) return PlaceInArcs::inside;
   const double hair = 1e-7;
   const auto turned = [](double x) { return x - 360 * std::floor(x / 360); };
-  Place place = Place::outside;
+  PlaceInArcs place = PlaceInArcs::outside;
   for (const DirectionArc& arc : body.free) {
     const double width = arc.point ? 0 : turned(arc.to.lo - arc.from.hi), at = turned(deg - arc.from.hi);
-    if (at > hair && at < width - hair) return Place::inside;
-    if (at < hair || at > 360 - hair || std::fabs(at - width) < hair) place = Place::near;
+    if (at > hair && at < width - hair) return PlaceInArcs::inside;
+    if (at < hair || at > 360 - hair || std::fabs(at - width) < hair) place = PlaceInArcs::near;
   }
   return place;
 }
@@ -98,10 +98,10 @@ void expect_as_moving(const Scene& scene, std::uint64_t seed, DirectionCounts& c
   Rng rng(seed);
   for (int i = 0; i < 24; ++i) {
     const double deg = 15 * i + rng.real(0, 15);
-    const Place place = place_of(deg, answer.bodies[0]);
-    if (place == Place::near) continue;
-    ++(place == Place::inside ? counts.inside : counts.outside);
-    ASSERT_EQ(leaves(scene, 1, deg), place == Place::inside) << deg;
+    const PlaceInArcs place = place_of(deg, answer.bodies[0]);
+    if (place == PlaceInArcs::near) continue;
+    ++(place == PlaceInArcs::inside ? counts.inside : counts.outside);
+    ASSERT_EQ(leaves(scene, 1, deg), place == PlaceInArcs::inside) << deg;
   }
   for (const DirectionArc& arc : answer.bodies[0].free) {
     EXPECT_LE(arc.from.lo, arc.from.hi);
@@ -214,9 +214,9 @@ TEST(Separate, AssembliesComeApart) {
     ++(answer.stuck.empty() ? whole : stuck);
     for (const BodyDirections& body : answer.bodies) {
       const double deg = 33 + 7 * static_cast<double>(seed);
-      const Place place = place_of(std::fmod(deg, 360), body);
-      if (place == Place::near) continue;
-      EXPECT_EQ(leaves(scene, static_cast<std::size_t>(body.body), deg), place == Place::inside);
+      const PlaceInArcs place = place_of(std::fmod(deg, 360), body);
+      if (place == PlaceInArcs::near) continue;
+      EXPECT_EQ(leaves(scene, static_cast<std::size_t>(body.body), deg), place == PlaceInArcs::inside);
     }
   }
   EXPECT_GE(whole, static_cast<int>(enough(5)));

@@ -45,11 +45,11 @@ void expect_soon(const char* what, const std::function<void()>& work) {
   EXPECT_LT(processor_seconds() - start, factor * soon_seconds) << what;
 }
 
-const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Polygon small_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 Scene with_motion(Motion motion, double start, double end) {
   Scene scene;
-  scene.bodies = {{"p", square, {}}, {"q", square, std::move(motion)}};
+  scene.bodies = {{"p", small_square, {}}, {"q", small_square, std::move(motion)}};
   scene.start = start;
   scene.end = end;
   return scene;

@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-const Scene& gears() {
+const Scene& meshing_gears() {
   static const Scene scene = gen::make_gears({});
   return scene;
 }
@@ -21,12 +21,12 @@ void expect_undecided(Simulation& simulation, const std::string& reason) {
   EXPECT_NE(simulation.reason().find(reason), std::string::npos) << simulation.reason();
   const double time = simulation.time();
   const std::uint64_t events = simulation.events();
-  EXPECT_GE(time, gears().start);
-  EXPECT_LT(time, gears().end);
+  EXPECT_GE(time, meshing_gears().start);
+  EXPECT_LT(time, meshing_gears().end);
   EXPECT_FALSE(simulation.contact());
   EXPECT_FALSE(simulation.next_event());
   EXPECT_FALSE(simulation.step());
-  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::undecided);
+  EXPECT_EQ(simulation.advance_to(meshing_gears().end), SimulationState::undecided);
   EXPECT_EQ(simulation.time(), time);
   EXPECT_EQ(simulation.events(), events);
   EXPECT_THROW(simulation.tiling(), UndecidedError);
@@ -37,14 +37,14 @@ void expect_undecided(Simulation& simulation, const std::string& reason) {
 TEST(SimulationLimits, StopsAfterSoManyEventsAsCheckDoes) {
   SimulationOptions options;
   options.max_events = 5;
-  Simulation simulation(gears(), options);
+  Simulation simulation(meshing_gears(), options);
   EXPECT_EQ(simulation.reason(), "");
-  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::undecided);
+  EXPECT_EQ(simulation.advance_to(meshing_gears().end), SimulationState::undecided);
   EXPECT_EQ(simulation.events(), 5u);
   expect_undecided(simulation, "the limit of 5 events was reached");
   CheckOptions same;
   same.max_events = 5;
-  const Answer answer = check(gears(), same);
+  const Answer answer = check(meshing_gears(), same);
   EXPECT_EQ(simulation.time(), answer.free_until);
   EXPECT_EQ(simulation.reason(), answer.reason);
 }
@@ -55,16 +55,16 @@ TEST(SimulationLimits, EnoughEventsChangeNothing) {
   options.max_seconds = 1000;
   std::atomic<bool> stop{false};
   options.stop = &stop;
-  Simulation simulation(gears(), options);
-  EXPECT_EQ(simulation.advance_to(gears().end), SimulationState::finished);
-  EXPECT_EQ(simulation.events(), check(gears()).events);
+  Simulation simulation(meshing_gears(), options);
+  EXPECT_EQ(simulation.advance_to(meshing_gears().end), SimulationState::finished);
+  EXPECT_EQ(simulation.events(), check(meshing_gears()).events);
 }
 
 TEST(SimulationLimits, StopsWhenTold) {
   std::atomic<bool> stop{false};
   SimulationOptions options;
   options.stop = &stop;
-  Simulation simulation(gears(), options);
+  Simulation simulation(meshing_gears(), options);
   ASSERT_TRUE(simulation.step());
   stop = true;
   EXPECT_FALSE(simulation.step());
@@ -76,12 +76,12 @@ TEST(SimulationLimits, StopsWhileItIsMade) {
   std::atomic<bool> stop{true};
   SimulationOptions options;
   options.stop = &stop;
-  Simulation told(gears(), options);
+  Simulation told(meshing_gears(), options);
   expect_undecided(told, "interrupted");
-  EXPECT_EQ(told.time(), gears().start);
+  EXPECT_EQ(told.time(), meshing_gears().start);
   options.stop = nullptr;
   options.max_seconds = -1;
-  Simulation late(gears(), options);
+  Simulation late(meshing_gears(), options);
   expect_undecided(late, "the time limit was reached");
   EXPECT_EQ(late.certificates(), 0u);
 }
@@ -103,7 +103,7 @@ TEST(SimulationLimits, DoNotTakeBackAContact) {
 }
 
 TEST(SimulationLimits, RefusedInputIsNoMatterOfLimits) {
-  Scene scene = gears();
+  Scene scene = meshing_gears();
   scene.bodies.pop_back();
   EXPECT_THROW(Simulation{scene}, InputError);
 }
