@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/nearest_points.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -22,26 +23,6 @@ double distance_of(const SweptBox& a, const SweptBox& b) {
   const double x = std::max({0.0, a.lo_x - b.hi_x, b.lo_x - a.hi_x});
   const double y = std::max({0.0, a.lo_y - b.hi_y, b.lo_y - a.hi_y});
   return std::sqrt(x * x + y * y) * (1 - 0x1p-45);
-}
-
-/// The nearest points of two edges that do not cross.
-std::array<Point, 2> nearest_points(const Point& a, const Point& b, const Point& c, const Point& d) {
-  std::array<Point, 2> best{a, c};
-  double least = INFINITY;
-  const auto attempt = [&](const Point& v, const Point& from, const Point& to, bool first) {
-    const double ex = to.x - from.x, ey = to.y - from.y;
-    const double share = std::clamp(((v.x - from.x) * ex + (v.y - from.y) * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-    const Point foot{from.x + share * ex, from.y + share * ey};
-    const double distance = length(v.x - foot.x, v.y - foot.y);
-    if (!(distance < least)) return;
-    least = distance;
-    best = first ? std::array<Point, 2>{v, foot} : std::array<Point, 2>{foot, v};
-  };
-  attempt(a, c, d, true);
-  attempt(b, c, d, true);
-  attempt(c, a, b, false);
-  attempt(d, a, b, false);
-  return best;
 }
 
 /// Whether bodies touch is not told: why.
@@ -151,16 +132,8 @@ class ClearanceSearch {
   }
 
   void describe(const PairSearch& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
+    found = nearest_points_of(search, nearest.leg, nearest.parameter, nearest.edge_p, nearest.edge_q);
     const Leg& leg = search.legs()[nearest.leg];
-    const Witness witness(search.plan, search.geometry, false);
-    const auto at = [&](VertexId v) { return witness.world(v, leg, nearest.parameter); };
-    found.points = nearest_points(at(nearest.edge_p), at(search.geometry.next(nearest.edge_p)), at(nearest.edge_q),
-                                  at(search.geometry.next(nearest.edge_q)));
-    found.edges = {witness.edge(nearest.edge_p), witness.edge(nearest.edge_q)};
-    if (found.edges[0].body != found.pair[0]) {
-      std::swap(found.points[0], found.points[1]);
-      std::swap(found.edges[0], found.edges[1]);
-    }
     const double t = std::clamp(leg.time(nearest.parameter), plan_.start(), plan_.end());
     found.time = {t, t};
     found.hi = std::ldexp(nearest.distance, -plan_.exponent());

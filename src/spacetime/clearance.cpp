@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "spacetime/box_separation.hpp"
+#include "spacetime/closest.hpp"
 
 namespace taut::spacetime {
 namespace {
@@ -14,30 +15,6 @@ namespace {
 struct NodePair {
   std::uint32_t p, q;
 };
-
-/// The nearest points of two segments that do not cross.
-struct Closest {
-  Vector on_p, on_q;
-  double distance = INFINITY;
-};
-
-void try_point(Vector v, Vector a, Vector b, bool v_of_p, Closest& best) {
-  const Vector e = b - a, w = v - a;
-  const double share = std::clamp(dot(w, e) / dot(e, e), 0.0, 1.0);
-  const Vector foot{a.x + share * e.x, a.y + share * e.y}, way = v - foot;
-  const double d = std::sqrt(dot(way, way));
-  if (!(d < best.distance)) return;
-  best = v_of_p ? Closest{v, foot, d} : Closest{foot, v, d};
-}
-
-Closest closest(Vector a, Vector b, Vector c, Vector d) {
-  Closest best;
-  try_point(a, c, d, true, best);
-  try_point(b, c, d, true, best);
-  try_point(c, a, b, false, best);
-  try_point(d, a, b, false, best);
-  return best;
-}
 
 /// Boxes that move farther than this share of their size are left to shorter stretches of time.
 constexpr double patience_of_clearance = 0.75;
@@ -163,7 +140,8 @@ class LegClearance {
       const Path path = s.in_p.place(point(v), {0, 0});
       return Vector{path.x.a, path.y.a};
     };
-    const Closest found = closest(point(of_p), point(geometry_.next(of_p)), placed(of_q), placed(geometry_.next(of_q)));
+    const Closest found =
+        Closest::of(point(of_p), point(geometry_.next(of_p)), placed(of_q), placed(geometry_.next(of_q)));
     // No direction is wrong by more than the stretch's error, so neither is the distance.
     const double distance = found.distance * (1 + 0x1p-48) + s.in_p.error;
     if (distance < best_.distance) best_ = {distance, index_, s.middle, of_p, of_q, best_.unresolved};
