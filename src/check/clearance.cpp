@@ -153,9 +153,9 @@ class ClearanceSearch {
 Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
   const InterruptionScope scope(options.stop, options.max_seconds);
-  validate_world(scene);
   Clearance answer;
   try {
+    validate_world(scene);
     return ClearanceSearch(scene, options).run();
   } catch (const TouchUndecided& limit) {
     answer.reason = limit.reason;

@@ -60,10 +60,11 @@ void search_pair(const WorldPlan& plan, int a, int b, bool inwards, Intervals& a
 }  // namespace
 
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  // Limits begin with the first pair: what they end is then said pair by pair.
   validate_world(scene);
   const WorldPlan plan(scene);
   const BoxTest boxes(plan);
+  const InterruptionScope scope(options.stop, options.max_seconds);
   Intervals answer;
   answer.coverage = plan.coverage();
   const int n = static_cast<int>(plan.bodies().size());

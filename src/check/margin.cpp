@@ -162,9 +162,9 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
   const InterruptionScope scope(options.stop, options.max_seconds);
-  validate_world(scene);
   MarginAnswer answer;
   try {
+    validate_world(scene);
     return MarginSearch(scene, clearance, options).run();
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;

@@ -124,9 +124,9 @@ class SeparationSearch {
 
 Separation separate(const Scene& scene, const SeparateOptions& options) {
   const InterruptionScope scope(options.stop, options.max_seconds);
-  validate_world(scene);
   Separation answer;
   try {
+    validate_world(scene);
     return SeparationSearch(scene).run();
   } catch (const Undecidable& limit) {
     answer.reason = not_decided(limit);

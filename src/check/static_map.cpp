@@ -204,7 +204,6 @@ StaticMap::Mover StaticMap::prepare(const Body& body) const {
 
 Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, double end,
                         const CheckOptions& options) const {
-  const InterruptionScope scope(options.stop, options.max_seconds);
   if (mover.impl_->map != impl_.get())
     throw InputError(mover.name(), "the mover was prepared for another map", "prepare it for this one");
   Scene time;
@@ -212,6 +211,7 @@ Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, 
   time.end = end;
   validate_time(time);
   validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
+  const InterruptionScope scope(options.stop, options.max_seconds);
   return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
 }
 
