@@ -136,7 +136,8 @@ TEST(ImportSvg, ObeysTheFillRule) {
 TEST(ImportSvg, TakesMillimetresFromTheSizeOfThePage) {
   const auto width = [](const std::string& root, const std::string& shape = "<rect width='10' height='1'/>") {
     double most = 0;
-    for (const Point& p : svg_import(shape, {}, root).scene.bodies[0].polygon) most = std::max(most, p.x);
+    const auto imported = svg_import(shape, {}, root);
+    for (const Point& p : imported.scene.bodies[0].polygon) most = std::max(most, p.x);
     return most;
   };
   EXPECT_EQ(width("<svg width='100mm' viewBox='0 0 200 100'>"), 5);
