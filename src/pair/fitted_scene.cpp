@@ -1,10 +1,9 @@
 #include "pair/fitted_scene.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "geometry/displacement_check.hpp"
@@ -21,10 +20,14 @@ namespace {
 /// stay well below 0.05 times that.
 constexpr double least_share = 0x1p-40;
 
-/// As short as tells it from other doubles.
+/// As short as tells it from other doubles, or nearly.
 std::string number_of(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+  for (int digits = 6;; ++digits) {
+    std::ostringstream s;
+    s.precision(digits);
+    s << x;
+    if (digits == 17 || std::stod(s.str()) == x) return s.str();
+  }
 }
 
 double largest_in(const Scene& scene) {
