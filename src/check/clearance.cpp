@@ -67,16 +67,7 @@ class ClearanceSearch {
 
   /// All pairs, those first whose boxes come nearest.
   std::vector<BoxedPair> pairs_by_distance() const {
-    constexpr int windows = 16;
-    const double length = plan_.end() - plan_.start();
-    std::vector<std::vector<SweptBox>> boxes;
-    for (const WorldBody& body : plan_.bodies()) {
-      boxes.emplace_back();
-      for (int k = 0; k < windows; ++k) {
-        const double to = k + 1 == windows ? plan_.end() : plan_.start() + length * (k + 1) / windows;
-        boxes.back().push_back(swept_box(body, plan_.start() + length * k / windows, to));
-      }
-    }
+    const std::vector<std::vector<SweptBox>> boxes = boxes_over_windows(plan_);
     std::vector<BoxedPair> pairs;
     const int n = static_cast<int>(boxes.size());
     for (int a = 0; a < n; ++a) {
@@ -84,7 +75,7 @@ class ClearanceSearch {
         interruption_point();
         if (!plan_.asked(a, b)) continue;
         double bound = INFINITY;
-        for (std::size_t k = 0; k < windows; ++k)
+        for (std::size_t k = 0; k < coarse_windows; ++k)
           bound = std::min(bound,
                            distance_of(boxes[static_cast<std::size_t>(a)][k], boxes[static_cast<std::size_t>(b)][k]));
         pairs.push_back({bound, a, b});

@@ -14,23 +14,10 @@
 namespace taut {
 namespace {
 
-/// Into so many windows is time divided to see whether boxes meet at all.
-constexpr int windows = 16;
-
 /// May the two bodies meet at any time, as far as boxes tell?
 class BoxTest {
  public:
-  explicit BoxTest(const WorldPlan& plan) {
-    const double length = plan.end() - plan.start();
-    for (const WorldBody& body : plan.bodies()) {
-      boxes_.emplace_back();
-      for (int k = 0; k < windows; ++k) {
-        const double from = plan.start() + length * k / windows;
-        const double to = k + 1 == windows ? plan.end() : plan.start() + length * (k + 1) / windows;
-        boxes_.back().push_back(swept_box(body, from, std::max(from, to)));
-      }
-    }
-  }
+  explicit BoxTest(const WorldPlan& plan) : boxes_(boxes_over_windows(plan)) {}
   bool may_meet(int a, int b) const {
     const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
     for (std::size_t k = 0; k < first.size(); ++k) {

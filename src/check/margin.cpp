@@ -15,9 +15,6 @@ namespace {
 
 using spacetime::MarginResult;
 
-/// Boxes of all bodies over windows of time are compared first: pairs that never come near are not looked at.
-constexpr int windows_of_margins = 16;
-
 class MarginSearch {
  public:
   MarginSearch(const Scene& scene, double clearance, const CheckOptions& options)
@@ -28,7 +25,7 @@ class MarginSearch {
 
   MarginAnswer run() {
     const int n = static_cast<int>(plan_.bodies().size());
-    make_boxes();
+    boxes_ = boxes_over_windows(plan_);
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
         interruption_point();
@@ -42,18 +39,6 @@ class MarginSearch {
   }
 
  private:
-  void make_boxes() {
-    const double length = plan_.end() - plan_.start();
-    for (const WorldBody& body : plan_.bodies()) {
-      boxes_.emplace_back();
-      for (int k = 0; k < windows_of_margins; ++k) {
-        const double to =
-            k + 1 == windows_of_margins ? plan_.end() : plan_.start() + length * (k + 1) / windows_of_margins;
-        boxes_.back().push_back(swept_box(body, plan_.start() + length * k / windows_of_margins, to));
-      }
-    }
-  }
-
   bool never_near(int a, int b) const {
     const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
     for (std::size_t k = 0; k < first.size(); ++k) {

@@ -81,8 +81,8 @@ class SeparationsVerifier {
       if (now == 0) {
         left.push_back(pair);
       } else {
-        section(world_.pair(pair.first, pair.second), stretches(world_.pair(pair.first, pair.second).legs, time),
-                time.first, {});
+        const ProvedPair& met = world_.pair(pair.first, pair.second);
+        section(met, stretches(met.legs, time), time.first, {});
       }
     }
     if (left.empty()) return;

@@ -22,4 +22,9 @@ inline bool is_long(const SweptBox& a, const SweptBox& b, double sizes) {
 /// The box of the body, displaced either way, all over [from, to], in the world's frame.
 SweptBox swept_box(const WorldBody& body, double from, double to);
 
+/// Into so many windows is a world's time divided to see which bodies may come near each other at all.
+inline constexpr int coarse_windows = 16;
+/// Of each body the boxes over these windows, which follow each other from the start to the end.
+std::vector<std::vector<SweptBox>> boxes_over_windows(const WorldPlan& plan);
+
 }  // namespace taut
