@@ -20,8 +20,8 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
 which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors;
-sweep() does, too, into files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by
-matplotlib.
+sweep() does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and
+Simulation goes from event to event, with plans that may change. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -36,8 +36,9 @@ from . import _taut2d
 from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
-from .errors import InputError, InternalError, TautError
+from .errors import InputError, InternalError, TautError, UndecidedError
 from .margins import MarginAnswer, PairMargin, margin_from_json
+from .maps import Mover, StaticMap
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Sweep, Turn, Velocity)
@@ -49,19 +50,20 @@ from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Me
                         Range, clearance_from_json, intervals_from_json, profile_from_json, range_from_json)
 from .scene import Body, Scene, _plain_places
 from .shape import Shape
+from .simulations import Simulation
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
-    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile", "HalfAngleTangent",
-    "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting",
-    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
-    "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
-    "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate",
-    "sweep", "verify",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage",
+    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile",
+    "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes",
+    "MarginAnswer", "Meeting", "Mover", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin",
+    "Part", "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape",
+    "Simulation", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Turn", "UndecidedError", "Velocity",
+    "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_clearance",
+    "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
