@@ -105,8 +105,8 @@ int run_margin(const CheckArguments& arguments) {
 }
 
 int margin_of(const CheckBatch& batch, double clearance) {
-  if (batch.paths.size() != 1 || batch.lines)
-    throw InputError("--clearance", "it is asked about one scene at a time", "leave out --lines and the other scenes");
+  if (batch.paths.size() != 1 || batch.lines || batch.shard.count > 1 || !batch.resume.empty())
+    throw InputError("--clearance", "it is asked about one scene at a time", "leave out --lines, --shard, --resume and the other scenes");
   CheckArguments arguments = single(batch);
   arguments.clearance = clearance;
   return run_margin(arguments);
@@ -129,6 +129,13 @@ void add_check(const Command& app, Action& action) {
   command.add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
       .value("N")
       .within(1, 1024);
+  const auto shard = std::make_shared<std::string>();
+  command.add_option("--shard", *shard, "of every N scenes check the I-th, from 1 on: N runs then check all of them")
+      .value("I/N");
+  command
+      .add_option("--resume", arguments->resume,
+                  "append the answers to a file, and leave out the scenes that it has answers to")
+      .value("FILE");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs,
                      "first: up to the first contact of any pair; all: each pair's own first contact");
@@ -145,6 +152,8 @@ void add_check(const Command& app, Action& action) {
       "  taut check --touch closed scene.json\n"
       "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
       "  taut check --json --lines scenes.jsonl     one scene on each line\n"
+      "  taut check --json --lines scenes.jsonl --shard 3/8 --resume answers-3.jsonl\n"
+      "                                             one run of eight, which may be killed, and goes on where it was\n"
       "\n"
       "A scene is a JSON file:\n"
       "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
@@ -152,10 +161,11 @@ void add_check(const Command& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command.on_chosen([&action, arguments, clearance] {
-    action = [arguments, clearance] {
+  command.on_chosen([&action, arguments, clearance, shard] {
+    action = [arguments, clearance, shard] {
+      if (!shard->empty()) arguments->shard = shard_of(*shard);
       if (*clearance) return margin_of(*arguments, **clearance);
-      const bool one = arguments->paths.size() == 1 && !arguments->lines;
+      const bool one = arguments->paths.size() == 1 && !arguments->lines && shard->empty() && arguments->resume.empty();
       return one ? run_check(single(*arguments)) : check_batch(*arguments);
     };
   });
