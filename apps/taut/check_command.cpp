@@ -106,7 +106,8 @@ int run_margin(const CheckArguments& arguments) {
 
 int margin_of(const CheckBatch& batch, double clearance) {
   if (batch.paths.size() != 1 || batch.lines || batch.shard.count > 1 || !batch.resume.empty())
-    throw InputError("--clearance", "it is asked about one scene at a time", "leave out --lines, --shard, --resume and the other scenes");
+    throw InputError("--clearance", "it is asked about one scene at a time",
+                     "leave out --lines, --shard, --resume and the other scenes");
   CheckArguments arguments = single(batch);
   arguments.clearance = clearance;
   return run_margin(arguments);
