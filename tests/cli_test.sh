@@ -151,6 +151,18 @@ expect 2 '' '--profile' clearance --csv - hit.json
 expect 2 '' '--profile' clearance --profile 1 hit.json
 expect 2 '' 'cannot both go to standard output' clearance --profile 5 --csv - --svg - hit.json
 expect 3 '^UNDECIDED' '' clearance --profile 5 --max-seconds 0 hit.json
+expect 0 '<g class="distance">.*stroke="#6a1fb5"' '' clearance --svg - free.json
+expect 0 'anvil x hammer: 4<' '' clearance --svg - free.json
+expect 1 'the least distance, at t = 8, is 0: anvil x hammer' '' clearance --svg - hit.json
+expect 0 '^CLEARANCE' '' clearance --svg closest.svg free.json
+grep -q 'class="distance"' closest.svg || { echo "FAILED: no closest points in the picture"; failures=$((failures + 1)); }
+expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
+expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
+grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }
+expect 1 'overlap: anvil x hammer' '' separate --svg - overlap.json
+expect 0 'class="free".*' '' range --from 1 --svg - hit.json
+expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
+expect 0 '>the start<' '' range --from 1 --svg - hit.json
 expect 1 'class="overlap".*' '' intervals --svg - hit.json
 expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json
 
