@@ -23,7 +23,7 @@ namespace py = pybind11;
 namespace taut_python {
 namespace {
 
-const char* word(taut::SimulationState state) {
+const char* state_word(taut::SimulationState state) {
   switch (state) {
     case taut::SimulationState::running:
       return "running";
@@ -69,7 +69,8 @@ class LiveSimulation {
     const py::gil_scoped_release released;
     const std::lock_guard turn(mutex_);
     const taut::Simulation& s = *simulation_;
-    Standing found{word(s.state()), s.reason(), s.time(), s.events(), s.certificates(), s.certificates_max(), {}, {}};
+    Standing found{state_word(s.state()), s.reason(),           s.time(), s.events(),
+                   s.certificates(),      s.certificates_max(), {},       {}};
     if (s.contact()) found.contact = taut::io::contact_json(scene_, *s.contact());
     if (s.overlap_point()) found.overlap.emplace(s.overlap_point()->x, s.overlap_point()->y);
     return found;
@@ -89,7 +90,7 @@ class LiveSimulation {
   }
 
   std::string advance_to(double t) {
-    return change<std::string>([&] { return word(simulation_->advance_to(t)); });
+    return change<std::string>([&] { return state_word(simulation_->advance_to(t)); });
   }
 
   /// `text` is a scene of one body, which has the motion.
