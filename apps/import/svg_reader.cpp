@@ -17,7 +17,7 @@ namespace taut::drawing {
 namespace {
 
 constexpr int deepest_clone = 16;
-constexpr std::size_t most_drawn = 5000000;
+constexpr std::size_t most_cloned = 1000000;
 
 /// What an element hands down to those inside it.
 struct Surroundings {
@@ -47,8 +47,8 @@ class SvgReader {
       }
       const std::size_t node = level.next;
       level.next = xml_.end(node);
-      if (++drawn_ > most_drawn)
-        throw InputError(xml_.element(node).place, "clones within clones make more than 5000000 elements",
+      if (level.around.clones > 0 && ++cloned_ > most_cloned)
+        throw InputError(xml_.element(node).place, "clones within clones make more than 1000000 elements",
                          "unlink the clones that are wanted");
       open(node);
     }
@@ -304,7 +304,7 @@ class SvgReader {
   std::vector<Level> open_;
   std::vector<std::size_t> definitions_;
   std::set<std::size_t> drawn_definitions_;
-  std::size_t drawn_ = 0;
+  std::size_t cloned_ = 0;
 };
 
 }  // namespace

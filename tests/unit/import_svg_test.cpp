@@ -264,7 +264,13 @@ TEST_P(BadSvgTest, IsRefused) {
 }
 
 std::vector<testing::BadInput> bad_svg() {
-  std::string deep, rules;
+  std::string deep, rules, laughs = "<svg><defs><g id='a0'/>";
+  for (int i = 1; i < 15; ++i) {
+    laughs += "<g id='a" + std::to_string(i) + "'>";
+    for (int k = 0; k < 9; ++k) laughs += "<use href='#a" + std::to_string(i - 1) + "'/>";
+    laughs += "</g>";
+  }
+  laughs += "</defs><use href='#a14'/></svg>";
   for (int i = 0; i < 300; ++i) deep += "<g>";
   for (int i = 0; i < 1001; ++i) rules += "a{fill:none}";
   return {
@@ -286,6 +292,7 @@ std::vector<testing::BadInput> bad_svg() {
       {"transform", "<svg><g transform='turn(3)'/></svg>", "d.svg:1:6", "cannot be read", "rotate"},
       {"points", "<svg><polygon points='1 2 3'/></svg>", "d.svg:1:6", "pairs of numbers", "points="},
       {"clone_of_itself", "<svg><g id='a'><use href='#a'/></g></svg>", "d.svg:1:16", "more than 16 deep", "unlink"},
+      {"clones_of_clones", laughs, "d.svg:1:12", "more than 1000000 elements", "unlink"},
       {"rules", "<svg><style>" + rules + "</style></svg>", "d.svg:1:6", "more than 1000 rules", "plain SVG"},
       {"length", "<svg><rect width='50%' height='1'/></svg>", "d.svg:1:6", "is no length", "number"},
       {"viewbox", "<svg width='1mm' viewBox='0 0 0 1'/>", "d.svg:1:1", "viewBox", "four numbers"},
