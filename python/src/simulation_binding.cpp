@@ -39,6 +39,31 @@ const char* state_word(taut::SimulationState state) {
   return "";
 }
 
+const char* kind_word(taut::FaceKind kind) {
+  switch (kind) {
+    case taut::FaceKind::node:
+      return "node";
+    case taut::FaceKind::root:
+      return "root";
+    case taut::FaceKind::infinite:
+      return "infinite";
+    case taut::FaceKind::polygon_interior:
+      return "polygon_interior";
+  }
+  return "";
+}
+
+/// Vertices (body, index, x, y), edges (from, to, of a body, between bodies), faces (kind, body, depth, boundary).
+py::tuple tuple_of(const taut::Tiling& tiling) {
+  py::list vertices, edges, faces;
+  for (const taut::TilingVertex& v : tiling.vertices)
+    vertices.append(py::make_tuple(v.vertex.body, v.vertex.index, v.position.x, v.position.y));
+  for (const taut::TilingEdge& e : tiling.edges) edges.append(py::make_tuple(e.from, e.to, e.polygon, e.pq));
+  for (const taut::TilingFace& f : tiling.faces)
+    faces.append(py::make_tuple(kind_word(f.kind), f.body, f.depth, py::cast(f.boundary)));
+  return py::make_tuple(tiling.time, vertices, edges, faces);
+}
+
 /// What is known of a simulation between two calls.
 struct Standing {
   std::string state, reason;
@@ -93,6 +118,10 @@ class LiveSimulation {
     return change<std::string>([&] { return state_word(simulation_->advance_to(t)); });
   }
 
+  py::tuple tiling() {
+    return tuple_of(change<taut::Tiling>([&] { return simulation_->tiling(); }));
+  }
+
   /// `text` is a scene of one body, which has the motion.
   void set_motion(int body, const SceneText& text) {
     change<bool>([&] {
@@ -136,6 +165,7 @@ void bind_simulations(py::module_& module) {
       .def("next_event", &LiveSimulation::next_event)
       .def("step", &LiveSimulation::step)
       .def("advance_to", &LiveSimulation::advance_to)
+      .def("tiling", &LiveSimulation::tiling)
       .def("set_motion", &LiveSimulation::set_motion);
 }
 

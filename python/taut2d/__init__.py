@@ -50,7 +50,7 @@ from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Me
                         Range, clearance_from_json, intervals_from_json, profile_from_json, range_from_json)
 from .scene import Body, Scene, _plain_places
 from .shape import Shape
-from .simulations import Simulation
+from .simulations import Simulation, Tiling, TilingEdge, TilingFace
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
@@ -61,9 +61,10 @@ __all__ = [
     "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes",
     "MarginAnswer", "Meeting", "Mover", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin",
     "Part", "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape",
-    "Simulation", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Turn", "UndecidedError", "Velocity",
-    "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_clearance",
-    "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate", "sweep", "verify",
+    "Simulation", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
+    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype",
+    "check", "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range",
+    "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()

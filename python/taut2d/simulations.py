@@ -3,18 +3,57 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from typing import Optional
 
 from . import _taut2d
 from ._numbers import number
-from .answers import Contact, _contact
+from .answers import Contact, VertexRef, _contact
 from .errors import InputError
 from .maps import motion_text, plain_motions
 from .motions import Motion
 from .options import run_options, scene_text
 from .scene import Scene, _names, _plain_places
 
-__all__ = ["Simulation"]
+__all__ = ["Simulation", "Tiling", "TilingEdge", "TilingFace"]
+
+
+@dataclass(frozen=True)
+class TilingEdge:
+    """An edge of the tiling, between two of Tiling.vertices. ``polygon``: it is an edge of a body. ``joins``: it joins the
+    two bodies."""
+
+    start: int
+    end: int
+    polygon: bool
+    joins: bool
+
+
+@dataclass(frozen=True)
+class TilingFace:
+    """A face of the tiling.
+
+    ``kind``: "node" (the pseudo-triangle of a node of a body's chain tree), "root" (the root pseudo-triangle),
+    "infinite" (what is outside of everything), or "polygon_interior". ``body``: of a node, or of an interior, whose it is;
+    else None. ``depth``: of a node, in its tree, 0 at the root. ``boundary``: the face on the left, as places in
+    Tiling.vertices; empty for interiors.
+    """
+
+    kind: str
+    body: Optional[str]
+    depth: int
+    boundary: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Tiling:
+    """The planar map at one instant: a copy. ``points``: where ``vertices`` are, in the world, rounded."""
+
+    time: float
+    vertices: tuple[VertexRef, ...]
+    points: tuple[tuple[float, float], ...]
+    edges: tuple[TilingEdge, ...]
+    faces: tuple[TilingFace, ...]
 
 
 class Simulation:
@@ -114,6 +153,18 @@ class Simulation:
         with plain_motions():
             self._core.set_motion(places[0], motion_text(motion, *self._scene.time))
         self._scene = changed
+
+    def tiling(self) -> Tiling:
+        """The external relative geodesic triangulation at ``time``: pseudo-triangles that fill the space between the
+        bodies. Of bodies that overlap at the start it has no edges and faces. Raises UndecidedError if the state is
+        "undecided"."""
+        names = [body.name for body in self._scene.bodies]
+        time, vertices, edges, faces = self._core.tiling()
+        return Tiling(
+            time, tuple(VertexRef(names[body], index) for body, index, _, _ in vertices),
+            tuple((x, y) for _, _, x, y in vertices), tuple(TilingEdge(*edge) for edge in edges),
+            tuple(TilingFace(kind, names[body] if kind in ("node", "polygon_interior") else None, depth, tuple(boundary))
+                  for kind, body, depth, boundary in faces))
 
     def __repr__(self) -> str:
         standing = self._core.standing()

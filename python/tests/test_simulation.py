@@ -45,12 +45,49 @@ def test_events_lead_to_the_answer_of_check(name, touch):
     assert simulation.certificates_max == answer.certificates_max >= simulation.certificates >= 0
 
 
+def test_the_tiling_fills_the_space_between_the_bodies():
+    scene = Scene.load(root / "examples" / "combs.json")
+    simulation = Simulation(scene)
+    for t in (scene.time[0], 0.5, 1.5):
+        simulation.advance_to(t)
+        tiling = simulation.tiling()
+        assert tiling.time == simulation.time
+        names = [body.name for body in scene.bodies]
+        sizes = {body.name: len(body.shape.outline) for body in scene.bodies}
+        assert {name: sum(v.body == name for v in tiling.vertices) for name in names} == sizes
+        assert sum(edge.polygon for edge in tiling.edges) == len(tiling.vertices)
+        assert any(edge.joins for edge in tiling.edges)
+        for edge in tiling.edges:
+            assert edge.joins == (tiling.vertices[edge.start].body != tiling.vertices[edge.end].body)
+        # Euler: the map is connected, and every face is told once.
+        assert len(tiling.vertices) - len(tiling.edges) + len(tiling.faces) == 2
+        assert sorted(face.body for face in tiling.faces if face.kind == "polygon_interior") == sorted(names)
+        assert {"node", "root", "infinite"} <= {face.kind for face in tiling.faces}
+        # The free faces within the relative hull and the bodies fill what the infinite face leaves.
+        shoelace = lambda ring: sum(tiling.points[a][0] * tiling.points[b][1] - tiling.points[b][0] * tiling.points[a][1]
+                                    for a, b in zip(ring, ring[1:] + ring[:1])) / 2
+        areas = {kind: sum(shoelace(face.boundary) for face in tiling.faces if face.kind == kind)
+                 for kind in ("node", "root", "infinite")}
+        bodies = sum(abs(ring_area(body.shape.outline)) for body in scene.bodies)
+        assert areas["node"] + areas["root"] + bodies == pytest.approx(-areas["infinite"], rel=1e-9)
+        poses = scene.poses(t)
+        for vertex, (x, y) in zip(tiling.vertices, tiling.points):
+            u, v = scene.bodies[names.index(vertex.body)].shape.outline[vertex.index]
+            pose = poses[vertex.body]
+            assert (pose.x + u * pose.cos - v * pose.sin, pose.y + u * pose.sin + v * pose.cos) == pytest.approx((x, y))
+
+
+def ring_area(ring):
+    return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(ring, ring[1:] + ring[:1])) / 2
+
+
 def test_overlap_at_the_start():
     simulation = Simulation(Scene([WALL, Body("b", WALL.shape)], (0, 1)))
     assert simulation.state == "overlap_at_start" and simulation.overlap_point is not None
     x, y = simulation.overlap_point
     assert 8 < x < 9 and -5 < y < 5 and simulation.advance_to(1) == "overlap_at_start"
     assert repr(simulation) == "<taut2d.Simulation: overlap_at_start at 0.0, 0 events>"
+    assert (len(simulation.tiling().vertices), simulation.tiling().edges, simulation.tiling().faces) == (8, (), ())
 
 
 def test_a_contact_of_a_sweep_has_its_angle():
@@ -91,6 +128,8 @@ def test_limits_leave_it_undecided():
     assert not simulation.step() and simulation.next_event() is None
     with pytest.raises(UndecidedError, match="20 events"):
         simulation.set_motion("pinion", None)
+    with pytest.raises(UndecidedError, match="20 events"):
+        simulation.tiling()
     assert Simulation(scene, max_seconds=0).state == "undecided"
 
 
