@@ -139,16 +139,16 @@ def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e
             _taut2d.distance_profile(scene_text(scene), int(instants), number(tolerance, "tolerance"), options))
 
 
-def check_clearance(scene: Scene, clearance: float, *, pairs: str = "first",
+def check_clearance(scene: Scene, clearance: float, *, touch: str = "open", pairs: str = "first",
                     max_seconds: Optional[float] = None) -> MarginAnswer:
-    """Do all bodies keep at least this distance, in the scene's units, and if not, when and where do they first come
-    closer?
+    """Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer?
 
-    ``clearance`` must be positive. ``pairs``: "first": up to the first pair that comes closer; "all": each pair on its
-    own, in MarginAnswer.pairs. "free" is proved, and so is that they are closer at the end of a contact's time; a
-    distance that comes to the clearance and no closer, or stays at it, is "undecided". Errors are those of check().
+    ``clearance`` must be positive. ``touch``: bodies that come to the clearance and no closer, or stay at it, are free
+    if it is "open", and in contact if it is "closed". ``pairs``: "first": up to the first pair that comes closer; "all":
+    each pair on its own, in MarginAnswer.pairs. "free" is proved, and so is the time of a contact. Errors are those of
+    check().
     """
-    options = run_options("open", "spacetime", pairs, max_seconds, None)
+    options = run_options(touch, "spacetime", pairs, max_seconds, None)
     with _plain_places():
         return margin_from_json(_taut2d.check_clearance(scene_text(scene), number(clearance, "clearance"), options))
 
