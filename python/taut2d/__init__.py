@@ -19,7 +19,8 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
-which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors;
+which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
+along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors;
 sweep() does, too, into files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by
 matplotlib.
 
@@ -37,10 +38,11 @@ from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError
+from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .margins import MarginAnswer, PairMargin, margin_from_json
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
-                      Polynomial, Sweep, Turn, Velocity)
+                      Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
 from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, separation_from_json
 from .options import run_options, scene_text, seconds
 from .parts import GeojsonFile, Part, WktFile
@@ -55,13 +57,13 @@ from .viewer import Viewer
 
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
-    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile", "HalfAngleTangent",
-    "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting",
-    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
-    "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
-    "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate",
-    "sweep", "verify",
+    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope", "EnvelopeCell",
+    "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
+    "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "Meeting", "NearestPoints", "Outcome", "OverlapInterval",
+    "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Revolute",
+    "Scene", "Separation", "Shape", "Slide", "Sweep", "SweepAnswers", "TautError", "Turn", "Velocity", "VelocityRows",
+    "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check", "check_clearance", "check_many",
+    "clearance", "distance_profile", "envelope", "intervals", "prove", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
