@@ -2,6 +2,7 @@
 # The taut command as scripts see it: exit codes, what goes to stdout and what to stderr. usage: cli_test.sh TAUT
 set -uo pipefail
 taut="$(realpath "$1")"
+examples="$(realpath "$(dirname "$0")/../examples")"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -72,7 +73,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate envelope trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -415,6 +416,16 @@ world '{"name":"b","polygon":[[2,0],[9,0],[9,9],[2,9]]}'
 expect 0 'b goes' '' separate world.json
 expect 1 '^OVERLAP AT START' '' separate "$(world '{"name":"b","polygon":[[0,0],[9,0],[9,9],[0,9]]}' && echo world.json)"
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
+expect 1 '^COLLIDES  for some combinations of lift from -35 to 50' '' envelope "$examples/linkages/loader.json"
+expect 1 '"outcome":"contact","joints":\[{"name":"door","range":\[0,120\]}' '' envelope --json "$examples/linkages/door.json"
+expect 1 '"cells":\[{"state":' '' envelope --json --cells --tolerance 0.1 "$examples/linkages/lift.json"
+expect 1 'class="colliding"' '' envelope --svg - "$examples/linkages/lift.json"
+expect 3 'time limit' '' envelope --max-seconds 0 "$examples/linkages/lift.json"
+expect 2 '' 'tolerance: it is not between' envelope --tolerance 0 "$examples/linkages/lift.json"
+expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"
+expect 2 '' '"joints"' envelope hit.json
+echo '{"format":"taut-scene/1","joints":{"x":[0,2]},"bodies":[{"name":"a","polygon":[[0,0],[1,0],[0,1]],"motion":{"slide":{"direction":[1,0],"by":"y"}}}]}' > joints.json
+expect 2 '' 'there is no joint "y"' envelope joints.json
 expect 0 'proof in world.proof' '' prove -o world.proof world.json
 expect 0 '^VALID' '' verify world.json world.proof --expect free
 expect 1 'NOT VALID' '' verify three.json world.proof

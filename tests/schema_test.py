@@ -37,7 +37,8 @@ def fits(scene):
 
 def reads(scene):
     """Does the program read the scene? (What is wrong with its geometry has another message.)"""
-    run = subprocess.run([taut, "check", "-"], input=json.dumps(scene), capture_output=True, text=True)
+    question = "envelope" if "joints" in scene and "time" not in scene else "check"
+    run = subprocess.run([taut, question, "-"], input=json.dumps(scene), capture_output=True, text=True)
     return run.returncode in (0, 1, 3)
 
 
@@ -89,7 +90,26 @@ def changed(change):
     return scene
 
 
+good_joint_motions = [
+    None, {"revolute": {"pivot": [0, 0], "by": "lift"}}, {"slide": {"direction": [1, 0], "by": "lift"}},
+    {"revolute": {"pivot": [1, 0], "by": "lift", "times": -2, "plus": 10}},
+]
+bad_joint_motions = [
+    {}, {"revolute": {"pivot": [0, 0]}}, {"revolute": {"by": "lift"}}, {"slide": {"pivot": [1, 0], "by": "lift"}},
+    {"slide": {"direction": [1], "by": "lift"}}, {"slide": {"direction": [1, 0], "by": 1}}, {"velocity": [1, 0]},
+    {"revolute": {"pivot": [0, 0], "by": "lift"}, "slide": {"direction": [1, 0], "by": "lift"}},
+]
+
+
+def with_joints(motion, joints={"lift": [0, 60]}):
+    scene = with_motion(motion)
+    del scene["time"]
+    scene["joints"] = joints
+    return scene
+
+
 good = [(json.dumps(m), with_motion(m)) for m in good_motions]
+good += [("joints: " + json.dumps(m), with_joints(m)) for m in good_joint_motions]
 good += [
     ("$schema", changed(lambda s: s.update({"$schema": "x"}))),
     ("one body", changed(lambda s: s["bodies"].pop())),
@@ -101,6 +121,9 @@ good += [
                                                    {"t": 2, "arc": {"center": [0, 0], "deg": -90}}]})),
 ]
 bad = [(json.dumps(m), with_motion(m)) for m in bad_motions]
+bad += [("joints: " + json.dumps(m), with_joints(m)) for m in bad_joint_motions]
+bad += [("joints: " + json.dumps(j), with_joints(None, j)) for j in ({}, {"a": [1]}, {"a": 1}, [], None)]
+bad += [("a joint's motion in time", with_motion(good_joint_motions[1]))]
 bad += [("no " + key, changed(lambda s, key=key: s.pop(key))) for key in ("format", "time", "bodies")]
 bad += [
     ("misspelt key", changed(lambda s: s.update({"tiem": [0, 1]}))),

@@ -68,10 +68,21 @@ int run_check(const CheckArguments& arguments) {
 
 std::string margin_subject(const Scene& scene, const PairMargin& pair) { return subject_text(scene, pair.bodies); }
 
+/// What of one body of the pair is so close: a vertex, if it is known to be one, or an edge.
+std::string close_feature_text(const Scene& scene, const PairMargin& pair, const EdgeRef& edge) {
+  if (pair.features) {
+    for (const std::optional<VertexRef>& vertex : {std::optional(pair.features->vertex), pair.features->other}) {
+      if (vertex && vertex->body == edge.body) return vertex_text(scene, *vertex);
+    }
+  }
+  return edge_text(scene, edge);
+}
+
 std::string closeness_in_words(const Scene& scene, const PairMargin& pair) {
   const NearestPoints& n = *pair.nearest;
-  return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {:.9g} apart\n", edge_text(scene, n.edges[0]),
-                     n.points[0].x, n.points[0].y, edge_text(scene, n.edges[1]), n.points[1].x, n.points[1].y, n.hi);
+  return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {:.9g} apart\n",
+                     close_feature_text(scene, pair, n.edges[0]), n.points[0].x, n.points[0].y,
+                     close_feature_text(scene, pair, n.edges[1]), n.points[1].x, n.points[1].y, n.hi);
 }
 
 std::string margin_in_words(const Scene& scene, double clearance, const MarginAnswer& answer) {

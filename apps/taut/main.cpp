@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   taut::cli::add_view(app, action);
   taut::cli::add_trace(app, action);
   taut::cli::add_separate(app, action);
+  taut::cli::add_envelope(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_gen(app, action);
   taut::cli::add_import(app, action);

@@ -15,17 +15,32 @@ void add_scene(const Command& command, SceneSource& scene) {
   add_allow_outside(command, scene.allow_outside);
 }
 
-Scene load_scene(const SceneSource& source) {
-  ReadLimits limits;
-  limits.allow_outside = source.allow_outside;
-  if (source.path != "-") return read_scene(source.path, limits);
+namespace {
+
+std::string text_of_standard_input(std::size_t most) {
   std::string text;
   char buffer[1 << 16];
   while (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin)) {
     text.append(buffer, n);
-    if (text.size() > limits.max_bytes) break;  // parse_scene refuses it
+    if (text.size() > most) break;  // the parser refuses it
   }
-  return parse_scene(text, display_name(source.path), ".", limits);
+  return text;
+}
+
+}  // namespace
+
+Scene load_scene(const SceneSource& source) {
+  ReadLimits limits;
+  limits.allow_outside = source.allow_outside;
+  if (source.path != "-") return read_scene(source.path, limits);
+  return parse_scene(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
+}
+
+Linkage load_linkage(const SceneSource& source) {
+  ReadLimits limits;
+  limits.allow_outside = source.allow_outside;
+  if (source.path != "-") return read_linkage(source.path, limits);
+  return parse_linkage(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
 }
 
 std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }

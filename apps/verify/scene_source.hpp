@@ -4,6 +4,7 @@
 #include <string>
 #include "command_line/command_line.hpp"
 
+#include "taut/envelope.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::cli {
@@ -20,6 +21,8 @@ void add_scene(const Command& command, SceneSource& scene);
 
 /// Throws InputError.
 Scene load_scene(const SceneSource& source);
+/// The same of a scene that has joints instead of a time.
+Linkage load_linkage(const SceneSource& source);
 
 /// What the path is called in messages.
 std::string display_name(const std::string& path);

@@ -31,8 +31,8 @@ struct Clearance {
 
 /// How precise the bracket is to be.
 struct ClearanceOptions {
-  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate, as far as doubles tell: bodies that come closer than
-  /// about 1e-4 of the scene's size may have a bracket some times wider. At least 1e-12.
+  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate; wider only where the highest precision does not tell
+  /// whether a margin is kept. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
   double max_seconds = 1e300;
@@ -40,19 +40,29 @@ struct ClearanceOptions {
 };
 
 /// The least distance of the closures of any two bodies that are asked about, over the scene's time: 0 if they touch or
-/// overlap. The bracket is certain, by branch and bound over time and pairs of boxes with certified bounds; instants in
-/// between are in it as well. Throws InputError.
+/// overlap. The bracket is certain, by branch and bound over time and pairs of boxes with certified bounds, and where
+/// these do not tell, by roots of any precision; instants in between are in it as well. Throws InputError.
 Clearance clearance(const Scene& scene, const ClearanceOptions& options = {});
+
+/// Which features come as close as a clearance: a vertex of one body, and an edge of the other one beside which it is,
+/// or a vertex. One of `edge` and `other` is there.
+struct CloseFeatures {
+  VertexRef vertex;
+  std::optional<EdgeRef> edge;
+  std::optional<VertexRef> other;
+};
 
 /// What is known of one pair of bodies and a clearance that it should keep.
 struct PairMargin {
   std::array<BodyId, 2> bodies{};  ///< in the order of the scene
-  /// contact: they come closer, first within `time`. overlap_at_start: they are closer at the start. undecided: they
-  /// come as close as that, as far as doubles can tell, or a limit was reached.
+  /// contact: they come closer (`closed` touching: as close), first within `time`. overlap_at_start: they are at the
+  /// start. undecided: the highest precision does not tell, or a limit was reached.
   Outcome outcome = Outcome::free;
-  TimeInterval time;  ///< of a contact: certainly closer at its end, and certainly not before its beginning
-  /// Of a contact: two points that are closer than the clearance at the end of `time`; `hi` is no less than the
-  /// distance of the bodies then.
+  TimeInterval time;  ///< of a contact: encloses the instant, as that of check() does
+  /// As of a contact of check(): the bracket is wider than the clock is fine, since they come closer so slowly.
+  bool grazing = false;
+  std::optional<CloseFeatures> features;  ///< of a contact
+  /// Where they are nearest then: `hi` is no less than the distance. Not of bodies that overlap at the start.
   std::optional<NearestPoints> nearest;
   double free_until = 0;  ///< certainly not closer before this time
   std::string reason;     ///< why it is `undecided`
@@ -69,11 +79,11 @@ struct MarginAnswer {
   Coverage coverage;
 };
 
-/// Do all bodies keep at least this distance, in the scene's units, and if not, when and where do they first come
-/// closer? The question of check() with a margin; `clearance` must be positive. Free is proved, and so is that they are
-/// closer at the end of a contact's time. By branch and bound in doubles with certified bounds: a distance that comes
-/// to the clearance and no closer, or stays at it, is `undecided`, for either kind of touching, which makes no
-/// difference otherwise. Engines, tracers and events mean nothing here. Throws InputError.
+/// Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? The
+/// question of check() with a margin; `clearance` must be positive. With CheckOptions::touch `open` bodies that come to
+/// the clearance and no closer, or stay at it, are free; `closed`, they are in contact. Free is proved, and so is the
+/// time of a contact: certified bounds in doubles tell what stays away, roots of any precision the rest. Engines,
+/// tracers and events mean nothing here. Throws InputError.
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options = {});
 
 /// The distance at an instant: certainly lo <= d(t) <= hi.

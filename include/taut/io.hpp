@@ -9,6 +9,7 @@
 
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
+#include "taut/envelope.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
 #include "taut/scene.hpp"
@@ -36,6 +37,12 @@ Scene read_scene(const std::string& path, const ReadLimits& limits = {});
 /// The same from text in memory; `name` stands for the file in messages, `folder` is where outlines are looked up.
 Scene parse_scene(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",
                   const ReadLimits& limits = {});
+/// Reads a scene that has joints instead of a time, for envelope(): {"format":"taut-scene/1","joints":{"lift":[0,60]},
+/// "bodies":[...]}, where a body's "motion" follows a joint. Otherwise as read_scene().
+Linkage read_linkage(const std::string& path, const ReadLimits& limits = {});
+/// The same from text in memory.
+Linkage parse_linkage(const std::string& text, const std::string& name = "scene", const std::string& folder = ".",
+                      const ReadLimits& limits = {});
 /// One JSON object, the inverse of parse_scene: numbers are written so that they read back the same. Motions are
 /// written as their pieces, whatever they were compiled from: a sweep is then a rotation like any other (Motion::sweep
 /// is lost).
@@ -181,9 +188,13 @@ std::string range_svg(const Scene& scene, double from, const Range& answer, int 
 /// The answer of range(scene, from) as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
 
-/// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked: it makes
-/// no difference beyond what is undecided.
+/// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
+
+/// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
+std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);
+/// All combinations as an SVG picture, of one or two joints. Throws InputError if there are more.
+std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int width = 720);
 
 /// The answer of separate() as `taut separate --json` prints it.
 std::string separation_json(const Scene& scene, const Separation& answer);

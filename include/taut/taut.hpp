@@ -22,6 +22,7 @@
 // taut/static_map.hpp  one body among many that rest, asked often
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separate.hpp    in which directions bodies come apart, and in which order
+// taut/envelope.hpp    for which combinations of joint values bodies keep apart
 // taut/separator.hpp   curves with the fewest edges between the bodies
 // taut/scene.hpp       bodies, motions, time
 // taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
@@ -34,6 +35,7 @@
 #pragma once
 
 #include "taut/check.hpp"
+#include "taut/envelope.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
 #include "taut/geometry.hpp"

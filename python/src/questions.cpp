@@ -137,6 +137,17 @@ std::string separate(const SceneText& text, const RunOptions& options) {
   });
 }
 
+std::string envelope(const SceneText& text, double tolerance, bool cells, const RunOptions& options) {
+  return attended<std::string>([&](const std::atomic<bool>& stop) {
+    taut::EnvelopeOptions how;
+    how.tolerance = tolerance;
+    how.max_seconds = check_options(options, stop).max_seconds;
+    how.stop = &stop;
+    const taut::Linkage linkage = text.read_linkage();
+    return taut::envelope_json(linkage, taut::envelope(linkage, how), tolerance, cells);
+  });
+}
+
 void validate(const SceneText& text) {
   attended<bool>([&](const std::atomic<bool>&) {
     taut::validate(text.read());
@@ -148,6 +159,13 @@ void validate(const SceneText& text) {
 void read_form(const SceneText& text) {
   attended<bool>([&](const std::atomic<bool>&) {
     text.read();
+    return true;
+  });
+}
+
+void read_linkage_form(const SceneText& text) {
+  attended<bool>([&](const std::atomic<bool>&) {
+    text.read_linkage();
     return true;
   });
 }
@@ -165,6 +183,8 @@ void bind_questions(py::module_& module) {
   module.def("clearance", &clearance);
   module.def("check_clearance", &check_clearance);
   module.def("separate", &separate);
+  module.def("envelope", &envelope);
+  module.def("read_linkage", &read_linkage_form);
   module.def("distance_profile", &distance_profile);
   module.def("prove", &prove);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {

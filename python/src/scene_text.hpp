@@ -19,6 +19,7 @@ struct SceneText {
   std::string folder;
 
   taut::Scene read() const { return taut::parse_scene(json, name, folder); }
+  taut::Linkage read_linkage() const { return taut::parse_linkage(json, name, folder); }
 };
 
 /// Words that are not looked at before check_options().

@@ -19,9 +19,10 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
-which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors;
-sweep() does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and
-Simulation goes from event to event, with plans that may change. Scene.plot() and Scene.animate() draw by matplotlib.
+which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
+along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
+does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
+goes from event to event, with plans that may change. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -37,11 +38,12 @@ from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
 from .errors import InputError, InternalError, TautError, UndecidedError
+from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .margins import MarginAnswer, PairMargin, margin_from_json
 from .maps import Mover, StaticMap
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
-                      Polynomial, Sweep, Turn, Velocity)
+                      Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
 from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, separation_from_json
 from .options import run_options, scene_text, seconds
 from .parts import GeojsonFile, Part, WktFile
@@ -57,14 +59,15 @@ from .viewer import Viewer
 
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage",
-    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile",
-    "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes",
-    "MarginAnswer", "Meeting", "Mover", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin",
-    "Part", "Pieces", "Polynomial", "Pose", "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape",
-    "Simulation", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
+    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope",
+    "EnvelopeCell", "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError",
+    "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "Meeting", "Mover",
+    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial",
+    "Pose", "Proof", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Slide",
+    "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
     "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype",
-    "check", "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range",
-    "separate", "sweep", "verify",
+    "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals", "prove",
+    "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -142,16 +145,16 @@ def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e
             _taut2d.distance_profile(scene_text(scene), int(instants), number(tolerance, "tolerance"), options))
 
 
-def check_clearance(scene: Scene, clearance: float, *, pairs: str = "first",
+def check_clearance(scene: Scene, clearance: float, *, touch: str = "open", pairs: str = "first",
                     max_seconds: Optional[float] = None) -> MarginAnswer:
-    """Do all bodies keep at least this distance, in the scene's units, and if not, when and where do they first come
-    closer?
+    """Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer?
 
-    ``clearance`` must be positive. ``pairs``: "first": up to the first pair that comes closer; "all": each pair on its
-    own, in MarginAnswer.pairs. "free" is proved, and so is that they are closer at the end of a contact's time; a
-    distance that comes to the clearance and no closer, or stays at it, is "undecided". Errors are those of check().
+    ``clearance`` must be positive. ``touch``: bodies that come to the clearance and no closer, or stay at it, are free
+    if it is "open", and in contact if it is "closed". ``pairs``: "first": up to the first pair that comes closer; "all":
+    each pair on its own, in MarginAnswer.pairs. "free" is proved, and so is the time of a contact. Errors are those of
+    check().
     """
-    options = run_options("open", "spacetime", pairs, max_seconds, None)
+    options = run_options(touch, "spacetime", pairs, max_seconds, None)
     with _plain_places():
         return margin_from_json(_taut2d.check_clearance(scene_text(scene), number(clearance, "clearance"), options))
 

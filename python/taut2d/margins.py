@@ -6,22 +6,27 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from .answers import Coverage, EdgeRef, Interval, Point, _floats, _pair
+from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
 
 
 @dataclass(frozen=True)
 class PairMargin:
-    """One pair and the clearance. ``outcome``: "free": always kept. "contact": they first come closer within ``t``:
-    certainly closer at its end, and not before its beginning. "overlap_at_start": closer at the start. "undecided": they
-    come as close as that, as far as doubles can tell, or a limit was reached: see ``reason``.
+    """One pair and the clearance. ``outcome``: "free": always kept. "contact": they first come closer (with
+    ``touch="closed"``: as close) within ``t``. "overlap_at_start": they are at the start. "undecided": the highest
+    precision does not tell, or a limit was reached: see ``reason``.
 
-    ``points``, ``edges``: nearest points then, on each body, no more than ``distance`` apart. ``free_until``: certainly
-    not closer before.
+    Of a contact, ``vertex`` and either ``edge`` or ``other_vertex`` are the features that come so close; ``grazing``:
+    they do so slowly that ``t`` is wider than the clock is fine. ``points``, ``edges``: nearest points then, on each
+    body, no more than ``distance`` apart. ``free_until``: certainly not closer before.
     """
 
     bodies: tuple[str, str]
     outcome: str
     t: Optional[Interval] = None
+    grazing: bool = False
+    vertex: Optional[VertexRef] = None
+    edge: Optional[EdgeRef] = None
+    other_vertex: Optional[VertexRef] = None
     distance: Optional[float] = None
     points: Optional[tuple[Point, Point]] = None
     edges: Optional[tuple[EdgeRef, EdgeRef]] = None
@@ -52,7 +57,10 @@ class MarginAnswer:
 
 def _margin(value: Any) -> PairMargin:
     points, edges, t = value.get("points"), value.get("edges"), value.get("t")
+    vertex, edge, other = (value.get(key) for key in ("vertex", "edge", "other_vertex"))
     return PairMargin(_pair(value["bodies"]), value["outcome"], None if t is None else _floats(t),
+                      value.get("grazing", False), None if vertex is None else VertexRef(**vertex),
+                      None if edge is None else EdgeRef(**edge), None if other is None else VertexRef(**other),
                       value.get("distance"), None if points is None else (_floats(points[0]), _floats(points[1])),
                       None if edges is None else (EdgeRef(**edges[0]), EdgeRef(**edges[1])),
                       None if value.get("free_until") is None else float(value["free_until"]), value.get("reason"))

@@ -16,7 +16,7 @@ from ._numbers import number, numbers, path_text, point
 
 __all__ = [
     "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
-    "Pieces", "Polynomial", "Rotation", "Sweep", "Turn", "Velocity",
+    "Pieces", "Polynomial", "Revolute", "Rotation", "Slide", "Sweep", "Turn", "Velocity",
 ]
 
 # What is accepted; once made, fields hold tuples of floats.
@@ -281,7 +281,53 @@ class Pieces:
         return [piece._json() for piece in self.pieces]
 
 
-Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces]
+def _joint_json(vector: str, value: Point, by: str, times: float, plus: float) -> dict[str, Any]:
+    return {vector: list(value), "by": by, **({} if times == 1 else {"times": times}),
+            **({} if plus == 0 else {"plus": plus})}
+
+
+def _joint(instance: Any, vector: str) -> None:
+    if not isinstance(instance.by, str):
+        raise InputError("by", f"expected the name of a joint, found {type(instance.by).__name__}")
+    _set(instance, **{vector: point(getattr(instance, vector), vector)}, times=number(instance.times, "times"),
+         plus=number(instance.plus, "plus"))
+
+
+@dataclass(frozen=True)
+class Revolute:
+    """Of a Linkage: the body turns about ``pivot``, a point of its own coordinates, counterclockwise, by
+    times * value + plus degrees, where value is that of the joint called ``by``."""
+
+    pivot: Point
+    by: str
+    times: float = 1.0
+    plus: float = 0.0
+
+    def __post_init__(self) -> None:
+        _joint(self, "pivot")
+
+    def _json(self) -> dict[str, Any]:
+        return {"revolute": _joint_json("pivot", self.pivot, self.by, self.times, self.plus)}
+
+
+@dataclass(frozen=True)
+class Slide:
+    """Of a Linkage: the body is moved by times * value + plus times ``direction``, where value is that of the joint called
+    ``by``: give a direction of length 1 if the value is a length."""
+
+    direction: Point
+    by: str
+    times: float = 1.0
+    plus: float = 0.0
+
+    def __post_init__(self) -> None:
+        _joint(self, "direction")
+
+    def _json(self) -> dict[str, Any]:
+        return {"slide": _joint_json("direction", self.direction, self.by, self.times, self.plus)}
+
+
+Motion = Union[Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide]
 
 
 def _rotation_from_json(value: Any) -> Optional[Rotation]:
@@ -315,4 +361,8 @@ def motion_from_json(value: Any) -> Optional[Motion]:
         return Sweep(**value["sweep"])
     if "velocity" in value or "spin_deg" in value:
         return Velocity(**value)
+    if "revolute" in value:
+        return Revolute(**value["revolute"])
+    if "slide" in value:
+        return Slide(**value["slide"])
     return _piece_from_json(value)

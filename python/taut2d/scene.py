@@ -12,7 +12,8 @@ from . import _taut2d, pictures
 from ._numbers import number, point
 from .answers import Answer, Contact
 from .errors import InputError
-from .motions import CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Sweep, Velocity, motion_from_json
+from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
+                      motion_from_json)
 from .parts import GeojsonFile, OnePart, Part, WktFile, shape_of_value
 from .pictures import Pose
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Body", "Scene"]
 
-_motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces)
+_motions = (Keyframes, CsvKeyframes, Velocity, Sweep, Polynomial, Pieces, Revolute, Slide)
 
 
 def _name(value: Any, place: str) -> str:
@@ -63,7 +64,8 @@ class Body:
             raise InputError(f"{self.name}: {error.place}", error.problem, error.hint) from error
         if self.motion is not None and not isinstance(self.motion, _motions):
             raise InputError(f"{self.name}: motion", f"expected a motion, found {type(self.motion).__name__}",
-                             "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, or None")
+                             "write Keyframes, Sweep, Velocity, Polynomial, Pieces or CsvKeyframes, in a Linkage Revolute or "
+                             "Slide, or None")
 
     def _json(self) -> dict[str, Any]:
         object: dict[str, Any] = {"name": self.name}

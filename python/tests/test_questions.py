@@ -88,13 +88,16 @@ def test_proofs_of_worlds():
 def test_margins(taut, tmp_path):
     kept = taut2d.check_clearance(scene(), 0.25)
     assert kept.outcome == "contact" and kept.first.bodies == ("rests", "moves") and kept.t == kept.first.t
-    assert kept.t[0] <= 0.6875 <= kept.t[1] and kept.first.distance < 0.25
+    assert kept.t[0] <= 0.6875 <= kept.t[1] and kept.first.distance == 0.25
+    first = kept.first
+    assert first.vertex is not None and (first.edge is None) != (first.other_vertex is None) and not first.grazing
     path = tmp_path / "scene.json"
     scene().save(path)
     assert kept.json == printed(taut, "check", "--clearance", "0.25", "--json", path)
     far = taut2d.Scene([taut2d.Body("a", [(0, 0), (1, 0), (0, 1)]), taut2d.Body("b", [(3, 0), (4, 0), (4, 1)])], (0, 1))
     assert taut2d.check_clearance(far, 1.5).outcome == "free"
-    assert taut2d.check_clearance(far, 2).outcome == "undecided"
+    assert taut2d.check_clearance(far, 2).outcome == "free"
+    assert taut2d.check_clearance(far, 2, touch="closed").outcome == "overlap_at_start"
     assert taut2d.check_clearance(far, 2.5, pairs="all").pairs[0].outcome == "overlap_at_start"
     with pytest.raises(taut2d.InputError):
         taut2d.check_clearance(far, 0)

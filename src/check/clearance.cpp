@@ -11,7 +11,7 @@
 #include "pair/validate_world.hpp"
 #include "search/pair_search.hpp"
 #include "sign/witness.hpp"
-#include "spacetime/clearance.hpp"
+#include "spacetime/settle_nearest.hpp"
 #include "taut/error.hpp"
 #include "world/swept_box.hpp"
 
@@ -54,6 +54,8 @@ class ClearanceSearch {
     }
     answer_.coverage.apart =
         answer_.coverage.pairs - answer_.coverage.ignored - answer_.coverage.at_rest - answer_.coverage.checked;
+    if (answer_.nearest)
+      answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -plan_.exponent()) * (1 - 0x1p-50));
     std::sort(answer_.pairs.begin(), answer_.pairs.end(),
               [](const NearestPoints& a, const NearestPoints& b) { return a.pair < b.pair; });
     return std::move(answer_);
@@ -95,6 +97,8 @@ class ClearanceSearch {
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
       spacetime::find_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
+      spacetime::settle_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
+      certain_ = std::min(certain_, nearest.unresolved);
       if (!options_.all_pairs && !(nearest.distance < before)) return;
       describe(search, nearest, found);
     }
@@ -135,7 +139,8 @@ class ClearanceSearch {
   const ClearanceOptions& options_;
   WorldPlan plan_;
   spacetime::ClearanceTolerance tolerance_;
-  double best_;  ///< internal units
+  double best_;                ///< internal units
+  double certain_ = INFINITY;  ///< no pair comes closer than this where that is not told as well as was asked for
   Clearance answer_;
 };
 

@@ -6,6 +6,8 @@
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
+#include "sign/witness.hpp"
+#include "spacetime/clearance.hpp"
 #include "spacetime/margin.hpp"
 #include "taut/clearance.hpp"
 #include "world/swept_box.hpp"
@@ -18,7 +20,12 @@ using spacetime::MarginResult;
 class MarginSearch {
  public:
   MarginSearch(const Scene& scene, double clearance, const CheckOptions& options)
-      : options_(options), plan_(scene), margin_(std::ldexp(clearance, plan_.exponent())), stop_(plan_.end()) {
+      : options_(options),
+        plan_(scene),
+        clearance_(clearance),
+        margin_(std::ldexp(clearance, plan_.exponent())),
+        inwards_(options.touch == Touch::open),
+        stop_(plan_.end()) {
     answer_.coverage = plan_.coverage();
     answer_.free_until = plan_.end();
   }
@@ -59,7 +66,7 @@ class MarginSearch {
     pair.free_until = plan_.end();
     if (!never_near(a, b)) {
       ++answer_.coverage.checked;
-      settle(PairSearch(plan_, a, b, false), pair);
+      settle(PairSearch(plan_, a, b, inwards_), pair);
     }
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
@@ -82,11 +89,7 @@ class MarginSearch {
       pair.free_until = plan_.start();
       return;
     }
-    const auto until = [&](double end) {
-      return spacetime::first_closer(search.geometry, search.trees(), search.legs(), margin_, end);
-    };
-    const MarginResult start = until(plan_.start());
-    take(search, start.outcome == MarginResult::close ? start : until(stop_), pair);
+    take(search, spacetime::first_closer(search.geometry, search.trees(), search.legs(), margin_, stop_), pair);
   }
 
   void take(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
@@ -96,15 +99,61 @@ class MarginSearch {
     pair.free_until = time_at(found.lo);
     if (found.outcome == MarginResult::undecided) {
       pair.outcome = Outcome::undecided;
-      pair.reason = "the bodies come as close as the clearance, as far as doubles can tell";
+      pair.reason = found.reason;
       return;
     }
-    pair.time = {time_at(found.lo), time_at(found.hi)};
-    pair.outcome = pair.time.hi <= plan_.start() ? Outcome::overlap_at_start : Outcome::contact;
-    NearestPoints nearest = nearest_points_of(search, found.leg, found.hi, found.edge_p, found.edge_q);
-    nearest.hi = std::ldexp(found.distance, -plan_.exponent());
+    if (found.at_once && found.lo <= plan_.start()) {
+      pair.outcome = Outcome::overlap_at_start;
+      pair.nearest = nearest_at_start(search);
+      return;
+    }
+    const ContactBracket bracket = bracket_of(search, found);
+    pair.outcome = Outcome::contact;
+    pair.time = {time_at(bracket.lo), time_at(bracket.hi)};
+    pair.grazing = bracket.grazing;
+    pair.free_until = pair.time.lo;
+    name_features(search, found, pair);
+  }
+
+  ContactBracket bracket_of(const PairSearch& search, const MarginResult& found) const {
+    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.plan, !inwards_);
+    const Leg& leg = search.legs()[found.leg];
+    if (found.at_once) return {found.lo, found.hi, false};
+    if (!other) return {inwards_ ? leg.start : found.lo, inwards_ ? found.hi : leg.end, true};
+    const spacetime::PreciseApproaches here(search.geometry, leg, margin_), there(*other, leg, margin_);
+    return bracket_of_sides(
+        found.lo, found.hi, inwards_, leg, [&](double t) { return here.side(found.pair, t); },
+        [&](double t) { return there.side(found.pair, t); });
+  }
+
+  void name_features(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
+    const VertexId vertex = found.pair.vertex, peer = found.pair.peer;
+    const bool first = search.geometry.in_p(vertex);
+    NearestPoints nearest =
+        nearest_points_of(search, found.leg, found.hi, first ? vertex : peer, first ? peer : vertex);
+    nearest.hi = clearance_;
     nearest.time = {pair.time.hi, pair.time.hi};
     pair.nearest = nearest;
+    const Witness witness(search.plan, search.geometry, inwards_);
+    CloseFeatures features;
+    features.vertex = witness.vertex(vertex);
+    if (found.pair.is_edge) {
+      features.edge = witness.edge(peer);
+    } else {
+      features.other = witness.vertex(peer);
+    }
+    pair.features = features;
+  }
+
+  NearestPoints nearest_at_start(const PairSearch& search) const {
+    spacetime::Nearest found;
+    found.distance = margin_ * 2;
+    spacetime::find_nearest_within(search.geometry, search.trees(), search.legs(), plan_.start(), plan_.start(),
+                                   {1e-9, 0}, found);
+    NearestPoints nearest = nearest_points_of(search, found.leg, found.parameter, found.edge_p, found.edge_q);
+    nearest.hi = std::ldexp(found.distance, -plan_.exponent());
+    nearest.time = {plan_.start(), plan_.start()};
+    return nearest;
   }
 
   /// What happens first, and what cannot be told from it.
@@ -135,7 +184,9 @@ class MarginSearch {
 
   const CheckOptions& options_;
   WorldPlan plan_;
-  double margin_, stop_;
+  double clearance_, margin_;  ///< in the scene's units, and in internal ones
+  bool inwards_;
+  double stop_;
   std::vector<std::vector<SweptBox>> boxes_;
   std::vector<PairMargin> events_;
   MarginAnswer answer_;

@@ -11,11 +11,19 @@ std::string close_edge_text(const Scene& scene, const EdgeRef& edge) {
   return io::vertex_json(scene, {edge.body, edge.index, edge.part, edge.ring});
 }
 
+std::string features_text(const Scene& scene, const CloseFeatures& features) {
+  return ",\"vertex\":" + io::vertex_json(scene, features.vertex) +
+         (features.edge ? ",\"edge\":" + close_edge_text(scene, *features.edge)
+                        : ",\"other_vertex\":" + io::vertex_json(scene, *features.other));
+}
+
 /// The members of one pair's answer, without the braces.
 std::string members_of(const Scene& scene, const PairMargin& pair) {
   std::string s =
       "\"bodies\":" + io::pair_names_json(scene, pair.bodies) + ",\"outcome\":\"" + to_string(pair.outcome) + "\"";
   if (pair.outcome == Outcome::contact) s += ",\"t\":" + io::array_text({pair.time.lo, pair.time.hi});
+  if (pair.grazing) s += ",\"grazing\":true";
+  if (pair.features) s += features_text(scene, *pair.features);
   if (pair.nearest) {
     const NearestPoints& n = *pair.nearest;
     s += ",\"distance\":" + io::number_text(n.hi) + ",\"points\":[" + io::point_text(n.points[0]) + "," +

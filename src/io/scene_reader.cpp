@@ -1,6 +1,7 @@
 // The format taut-scene/1.
 #include <set>
 
+#include "io/joint_reader.hpp"
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
@@ -23,6 +24,9 @@ using io::JsonObject;
 const char* const scene_shape =
     R"(a scene as {"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"P","polygon":[[0,0],[1,0],[0,1]],"motion":null},{...}]})";
 
+const char* const linkage_shape =
+    R"(a scene with joints as {"format":"taut-scene/1","joints":{"lift":[0,60]},"bodies":[...]})";
+
 class SceneReader {
  public:
   SceneReader(const JsonDocument& document, const std::string& folder, const ReadLimits& limits)
@@ -30,17 +34,45 @@ class SceneReader {
 
   Scene read() const {
     // "$schema" is for editors.
-    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "ignore", "id", "$schema"}, scene_shape);
-    read_format(root.get("format"));
+    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "ignore", "id", "joints", "$schema"},
+                          scene_shape);
+    if (const auto joints = root.find("joints"))
+      throw document_.error(*joints, "joints", "the scene has joints instead of a time",
+                            "ask taut envelope about it, or give it a \"time\" and motions");
     Scene scene;
+    read_format(root.get("format"));
     read_time(root.get("time"), scene);
-    read_bodies(root.get("bodies"), scene);
-    if (const auto ignore = root.find("ignore")) read_ignored(*ignore, scene);
-    if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
+    read_rest(root, scene, [&](std::size_t token, const std::string& path, Body& body) {
+      const io::MotionContext context{scene.start, scene.end, folder_, limits_};
+      body.motion = io::read_motion(document_, token, path, context);
+    });
     return scene;
   }
 
+  Linkage read_linkage() const {
+    const JsonObject root(document_, 0, "", {"format", "joints", "bodies", "ignore", "id", "$schema"}, linkage_shape);
+    read_format(root.get("format"));
+    Linkage linkage;
+    linkage.joints = io::read_joints(document_, root.get("joints"));
+    std::vector<std::optional<JointMotion>>& motions = linkage.motions;
+    read_rest(root, linkage.scene, [&](std::size_t token, const std::string& path, Body&) {
+      // This body is the next one.
+      motions.resize(linkage.scene.bodies.size());
+      motions.push_back(io::read_joint_motion(document_, token, path, linkage.joints));
+    });
+    motions.resize(linkage.scene.bodies.size());
+    return linkage;
+  }
+
  private:
+  /// Bodies, what is ignored, and the id. `read_motion(token, path, body)` reads what a body's "motion" says.
+  template <class ReadMotion>
+  void read_rest(const JsonObject& root, Scene& scene, const ReadMotion& read_motion) const {
+    read_bodies(root.get("bodies"), scene, read_motion);
+    if (const auto ignore = root.find("ignore")) read_ignored(*ignore, scene);
+    if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
+  }
+
   void read_format(std::size_t token) const {
     document_.require(token, JsonKind::string, "format", R"("format": "taut-scene/1")");
     const std::string& format = document_.string_at(token);
@@ -60,12 +92,13 @@ class SceneReader {
     scene.end = time[1];
   }
 
-  void read_bodies(std::size_t token, Scene& scene) const {
+  template <class ReadMotion>
+  void read_bodies(std::size_t token, Scene& scene, const ReadMotion& read_motion) const {
     document_.require(token, JsonKind::array, "bodies", R"("bodies": [{...}, {...}])");
     const std::size_t end = document_.after(token);
     std::set<std::string> names;
     for (std::size_t i = token + 1; i < end; i = document_.after(i)) {
-      scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size()), scene));
+      scene.bodies.push_back(read_body(i, element_path("bodies", scene.bodies.size()), read_motion));
       const std::string& name = scene.bodies.back().name;
       if (!names.insert(name).second) {
         throw document_.error(token, "bodies", "two bodies are called \"" + io::excerpt(name) + "\"",
@@ -74,7 +107,8 @@ class SceneReader {
     }
   }
 
-  Body read_body(std::size_t token, const std::string& path, const Scene& scene) const {
+  template <class ReadMotion>
+  Body read_body(std::size_t token, const std::string& path, const ReadMotion& read_motion) const {
     const JsonObject object(document_, token, path, {"name", "polygon", "parts", "motion", "relative_to", "id"},
                             R"(a body as {"name":"P","polygon":[[x,y],...],"motion":null})");
     Body body;
@@ -83,10 +117,7 @@ class SceneReader {
     if (const auto parent = object.find("relative_to"))
       body.relative_to = read_name(*parent, object.path("relative_to"));
     if (const auto id = object.find("id")) body.id = io::value_text(document_, *id);
-    if (const auto motion = object.find("motion")) {
-      const io::MotionContext context{scene.start, scene.end, folder_, limits_};
-      body.motion = io::read_motion(document_, *motion, object.path("motion"), context);
-    }
+    if (const auto motion = object.find("motion")) read_motion(*motion, object.path("motion"), body);
     return body;
   }
 
@@ -211,6 +242,19 @@ Scene read_scene(const std::string& path, const ReadLimits& limits) {
   const JsonDocument document =
       io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + scene_shape);
   return SceneReader(document, io::folder_of(path), limits).read();
+}
+
+Linkage parse_linkage(const std::string& text, const std::string& name, const std::string& folder,
+                      const ReadLimits& limits) {
+  io::require_size(text, name, limits.max_bytes);
+  const JsonDocument document = io::parse_json(text, name, std::string("write ") + linkage_shape);
+  return SceneReader(document, folder, limits).read_linkage();
+}
+
+Linkage read_linkage(const std::string& path, const ReadLimits& limits) {
+  const JsonDocument document =
+      io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + linkage_shape);
+  return SceneReader(document, io::folder_of(path), limits).read_linkage();
 }
 
 }  // namespace taut

@@ -63,6 +63,26 @@ struct Magnitudes {
   }
 };
 
+/// Does a search get on? Where a function is so small that its value decides and no range does, as one that is constant
+/// but for what cancels, all intervals have to be as short as the first one. Near a root of whatever order they grow.
+class Progress {
+ public:
+  /// An interval of this length is done, and `left` is left. False if there is no hope.
+  bool goes_on(double length, double left) {
+    if (!(left > few * length) || length > longest_) {
+      alike_ = 0;
+      longest_ = length;
+    }
+    return ++alike_ < many;
+  }
+
+ private:
+  static constexpr double few = 0x1p18;  ///< more than a search has steps for
+  static constexpr int many = 1024;
+  double longest_ = 0;
+  int alike_ = 0;
+};
+
 /// The first root in (a, b] at which the sign changes from `sign`, which holds just after a.
 /// Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted.
 /// The idea: exclude the sign change over an interval, or certify monotonicity, or cut in two.
@@ -77,6 +97,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   Real lo = a;
   const double tiny =
       unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
+  Progress progress;
   for (int budget = 200000; !ends.empty(); --budget) {
     if (budget == 0) throw PrecisionExhausted{};
     interruption_point();
@@ -100,6 +121,8 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
         continue;
       }
     }
+    if (!progress.goes_on(RealTraits<Real>::magnitude(Real(hi - lo)), RealTraits<Real>::magnitude(Real(b - hi))))
+      throw PrecisionExhausted{};
     lo = hi;
     ends.pop_back();
   }

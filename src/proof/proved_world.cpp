@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/interruption.hpp"
+#include "pair/crossing_edges.hpp"
 #include "pair/placement.hpp"
 
 namespace taut::proof {
@@ -75,10 +76,11 @@ bool inside_the_other(const Placement& place, VertexId vertex) {
   return winds > 0;
 }
 
-bool one_inside_the_other(const ProvedPair& pair, const Leg& leg, double t) {
+bool overlap_at(const ProvedPair& pair, const Leg& leg, double t) {
   const MotionWindow instant(leg, t, t);
   if (separating_step(instant, pair.ranges.p[EdgeRanges::all], pair.ranges.q[EdgeRanges::all])) return false;
-  const Placement place(pair.geometry, leg, t, Positions::on_demand);
+  const Placement place(pair.geometry, leg, t);
+  if (crossing_edges(place)) return true;
   const auto any_outline = [&](const DisplacedPolygon& body, std::uint32_t first) {
     if (body.rings.empty()) return inside_the_other(place, VertexId(first));
     return std::any_of(body.rings.begin(), body.rings.end(), [&](const RingSpan& ring) {

@@ -68,8 +68,9 @@ class ProvedWorld {
 /// What of a pair's legs lies in that time.
 std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time);
 
-/// Bodies whose boundaries do not meet at an instant: does one lie in the other's material?
-bool one_inside_the_other(const ProvedPair& pair, const Leg& leg, double t);
+/// Do the two bodies overlap at an instant: do their boundaries cross, or does one lie in the other's material?
+/// Separations show that no vertex is on an edge; where two edges cross in the shape of a plus none is.
+bool overlap_at(const ProvedPair& pair, const Leg& leg, double t);
 /// Does the other body's material contain that vertex?
 bool inside_the_other(const Placement& place, VertexId vertex);
 

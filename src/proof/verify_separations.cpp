@@ -102,8 +102,7 @@ class SeparationsVerifier {
       apart.check(stretches[i].from, stretches[i].to);
       result_.separations += apart.separations();
     }
-    if (from_start && one_inside_the_other(pair, pair.legs[0], scene_.start))
-      throw ProofError("one body lies inside the other at the start");
+    if (from_start && overlap_at(pair, pair.legs[0], scene_.start)) throw ProofError("the bodies overlap at the start");
   }
 
   /// A vertex reaches an edge from outside, and has not met it before; and the two bodies have separations of their

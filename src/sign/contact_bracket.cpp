@@ -87,15 +87,19 @@ ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometr
   if (is_steep(geometry, leg, found)) return bracket;
   const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, !inwards);
   if (!other) return {inwards ? leg.start : found.lo, inwards ? found.hi : leg.end, true};
-  const Side side_here(leg, geometry, found), side_there(leg, *other, found);
+  return bracket_of_sides(found.lo, found.hi, inwards, leg, Side(leg, geometry, found), Side(leg, *other, found));
+}
+
+ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
+                                const std::function<int(double)>& here, const std::function<int(double)>& there) {
+  ContactBracket bracket{lo, hi, false};
   if (inwards) {
-    bracket.lo = first_place(found.lo, leg.start, [&](double t) { return side_there(t) < 0; });
+    bracket.lo = first_place(lo, leg.start, [&](double t) { return there(t) < 0; });
   } else {
-    const auto over = [&](double t) { return side_there(t) > 0 || side_here(t) < 0; };
-    bracket.hi = first_place(found.hi, leg.end, over);
+    bracket.hi = first_place(hi, leg.end, [&](double t) { return there(t) > 0 || here(t) < 0; });
   }
   const double scale = std::max({std::fabs(leg.start), std::fabs(leg.end), leg.end - leg.start});
-  bracket.grazing = (bracket.hi - bracket.lo) - (found.hi - found.lo) > 0x1p-50 * scale;
+  bracket.grazing = (bracket.hi - bracket.lo) - (hi - lo) > 0x1p-50 * scale;
   return bracket;
 }
 

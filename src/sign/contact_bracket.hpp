@@ -1,6 +1,8 @@
 // The time of a contact, said so that it is true of the bodies as they were given.
 #pragma once
 
+#include <functional>
+
 #include "pair/pair_plan.hpp"
 #include "taut/check.hpp"
 
@@ -33,5 +35,10 @@ struct ContactBracket {
 /// displaced as `inwards` says.
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
                                const FoundContact& found);
+
+/// The same of anything that is outside before, and inside after: given its side (negative outside, 0 if unknown) at
+/// any instant of the leg, for bodies displaced as those that [lo, hi] was found for, and for the others.
+ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
+                                const std::function<int(double)>& here, const std::function<int(double)>& there);
 
 }  // namespace taut

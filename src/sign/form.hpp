@@ -4,22 +4,21 @@
 // fixed linear combination of the leg's frame functions (FrameOf in leg.hpp). Everything behind it (doubles with
 // bounds, exact lines, balls of any precision, identities, roots) sees the coefficients alone.
 //
-// To ask another question, add its coefficients here, and to the frame the functions that are missing. The distance of
-// two vertices, |p - q|^2 - r^2, is in P's frame |D|^2 + 2 conj(D) (x q) - 2 conj(D) p - 2 p (x q) + (|p|^2 + |q|^2 -
-// r^2): both pairs of functions for D, c and s with the coefficients of a projection, and one function more, |D|^2. The
-// distance of a vertex from an edge's line less a margin m is the orientation minus m times the edge's length, which
-// rests in its body: a term of coefficient 0 alone. Neither needs another solver.
+// To ask another question, add its coefficients here, and to the frame the functions that are missing. Distances are
+// made of forms, too: see closeness.hpp.
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
 
 namespace taut {
 
-/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a).
-enum class Measure : unsigned char { orientation, projection };
+/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a), or one of the
+/// coordinates of c - a in the frame of a's body, for which b does not matter.
+enum class Measure : unsigned char { orientation, projection, offset_x, offset_y };
 
 /// Two vertices a, b of one body and a vertex c of the other, and what is measured of them.
 struct Form {
@@ -59,12 +58,26 @@ template <class N>
 struct FormPoints {
   N ex, ey, ax, ay, cx, cy;
 
-  /// For the projection on the edge instead of the orientation: the edge turned by -90 degrees takes its place.
+  /// For another measure than the orientation another edge takes the edge's place: for the projection the edge turned
+  /// by -90 degrees, for a coordinate a unit vector.
   void measure(Measure what) {
-    if (what == Measure::orientation) return;
-    const N turn = ex;
-    ex = ey;
-    ey = -turn;
+    if (what == Measure::projection) {
+      const N turn = ex;
+      ex = ey;
+      ey = -turn;
+    } else if (what != Measure::orientation) {
+      ex = small(what == Measure::offset_y ? 1 : 0);
+      ey = small(what == Measure::offset_x ? -1 : 0);
+    }
+  }
+
+ private:
+  static N small(double x) {
+    if constexpr (std::is_same_v<N, double>) {
+      return x;
+    } else {
+      return N::exact(x);
+    }
   }
 };
 

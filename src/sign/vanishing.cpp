@@ -36,6 +36,7 @@ bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const F
 
 Portion portion_of(const Leg& leg, const PairGeometry& g, const Form& form) {
   if (leg.translation || leg.bridge) return Portion::whole;
+  if (form.measure == Measure::offset_x || form.measure == Measure::offset_y) return Portion::whole;
   return vanishes_before_displacement(leg, g, form) ? Portion::displacement : Portion::whole;
 }
 

@@ -68,13 +68,25 @@ bool farther(const Stretch& s, const Box& p, const Box& q, Vector towards, doubl
   return along_sides(s.in_p, p, q, way) || along_sides(s.in_q, q, p, s.in_q.place(p.centre, q.centre));
 }
 
-bool apart_around_middle(const Stretch& s, double share, const Box& p, const Box& q) {
+namespace {
+
+/// The part of a stretch around its middle; what is left out are third powers of time.
+Stretch middle_part(const Stretch& s, double share) {
   Stretch part = s;
   part.r *= share;
-  // What is left out are third powers of time.
   part.in_p.error -= s.rest * (1 - share * share * share);
   part.in_q.error -= s.rest * (1 - share * share * share);
-  return apart(part, p, q);
+  return part;
+}
+
+}  // namespace
+
+bool apart_around_middle(const Stretch& s, double share, const Box& p, const Box& q) {
+  return apart(middle_part(s, share), p, q);
+}
+
+bool farther_around_middle(const Stretch& s, double share, const Box& p, const Box& q, Vector towards, double margin) {
+  return farther(middle_part(s, share), p, q, towards, margin);
 }
 
 double motion(const Stretch& s, const Box& p, const Box& q) {
@@ -82,16 +94,22 @@ double motion(const Stretch& s, const Box& p, const Box& q) {
   return way.x.swing(s.r) + way.y.swing(s.r) + s.in_p.swing * q.radius + s.rest;
 }
 
-bool misses(const Stretch& s, const Carriage& carriage, Vector vertex, Vector from, Vector to) {
+bool misses(const Stretch& s, const Carriage& carriage, Vector vertex, Vector from, Vector to, double margin) {
   const Vector edge = to - from;
   const Path way = carriage.place(vertex, from);
   // The displacement counts in the edge's direction, times the way, and in both points, along the edge, whose
   // coordinates are at most 1.
   const double error = carriage.error * size(edge) + displacement_room * (1 + carriage.reach);
+  const double room = margin > 0 ? margin * size(edge) * (1 + 0x1p-45) : 0;
   const Parabola line = along(turned(edge), way), ahead = along(edge, way);
   const Parabola beyond{ahead.a - dot(edge, edge), ahead.b, ahead.c};
-  return line.least(s.r) > error || (-line).least(s.r) > error || (-ahead).least(s.r) > error ||
+  return line.least(s.r) > error || (-line).least(s.r) > error + room || (-ahead).least(s.r) > error ||
          beyond.least(s.r) > error;
+}
+
+bool vertices_farther(const Stretch& s, Vector of_p, Vector of_q, double margin) {
+  const Path way = s.in_p.place(of_q, of_p);
+  return discs_apart(s.in_p.error + margin, s.r, way, 2 * displacement_room);
 }
 
 }  // namespace taut::spacetime

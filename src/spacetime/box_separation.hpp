@@ -19,8 +19,15 @@ bool apart_around_middle(const Stretch& stretch, double share, const Box& p, con
 /// About how far the boxes move relative to each other within the stretch, turning included.
 double motion(const Stretch& stretch, const Box& p, const Box& q);
 
-/// A vertex and an edge, both as input: is it certain that the displaced vertex does not meet the displaced edge in the
-/// stretch? `carriage` is the one into the edge's frame.
-bool misses(const Stretch& stretch, const Carriage& carriage, Vector vertex, Vector from, Vector to);
+/// Certainly farther than `margin` within that share of the stretch around its middle, as far as one can tell. No
+/// proof.
+bool farther_around_middle(const Stretch& stretch, double share, const Box& p, const Box& q, Vector towards,
+                           double margin);
+
+/// A vertex and an edge, both as input: is it certain that the displaced vertex is not beside the displaced edge in the
+/// stretch, or not on its line, nor in front of it within the margin? `carriage` is the one into the edge's frame.
+bool misses(const Stretch& stretch, const Carriage& carriage, Vector vertex, Vector from, Vector to, double margin = 0);
+/// Two vertices, as input: is it certain that they, displaced, are farther apart than the margin all over the stretch?
+bool vertices_farther(const Stretch& stretch, Vector of_p, Vector of_q, double margin);
 
 }  // namespace taut::spacetime

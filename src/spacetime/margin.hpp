@@ -1,6 +1,9 @@
-// When do two bodies first come closer than a margin? Branch over time and pairs of boxes, in order of time.
+// When do two bodies first come closer than a margin?
 #pragma once
 
+#include <string>
+
+#include "spacetime/approach.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut::spacetime {
@@ -9,18 +12,21 @@ namespace taut::spacetime {
 struct MarginResult {
   enum Outcome : unsigned char {
     free,       ///< proved: never closer than the margin
-    close,      ///< certainly closer at `hi`, and not before `lo`
-    undecided,  ///< not closer before `lo`; there they come as close as the margin, as far as doubles tell
+    close,      ///< as close as the margin within [lo, hi], and closer just after; not before
+    undecided,  ///< the precision of the last stage did not suffice, or the run was interrupted; not closer before `lo`
   };
   Outcome outcome = free;
   std::size_t leg = 0;
-  double lo = 0, hi = 0;    ///< of that leg's parameter
-  VertexId edge_p, edge_q;  ///< if `close`: the edges that are, by their first vertices
-  double distance = 0;      ///< of these at `hi`: no less than the bodies' distance then
+  double lo = 0, hi = 0;  ///< of that leg's parameter
+  VertexPeer pair;        ///< if `close`: which features are
+  bool at_once = false;   ///< if `close`: closer from the beginning of the leg on
+  std::string reason;     ///< if undecided: why
 };
 
-/// Up to the end of the window. The bodies must not overlap at its start: those that come to, come closer than any
-/// margin before. The margin is in internal units, and positive.
+/// Up to the end of the window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are
+/// rounding. The bodies must not overlap at its start: those that come to, come closer than any margin before. The
+/// margin is in internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly
+/// closer than it, bodies displaced outwards where they are as close as it.
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
                           double margin, double until);
 

@@ -1,0 +1,98 @@
+// taut envelope: for which combinations of joint values do bodies keep apart?
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "feature_text.hpp"
+#include "interrupt.hpp"
+#include "scene_argument.hpp"
+#include "taut/envelope.hpp"
+#include "taut/io.hpp"
+#include "terminal.hpp"
+#include "watched_run.hpp"
+
+namespace taut::cli {
+namespace {
+
+struct EnvelopeArguments {
+  SceneSource scene;
+  EnvelopeOptions options;
+  bool json = false, cells = false;
+  std::string svg;
+};
+
+std::string name_in(const Linkage& linkage, BodyId id) {
+  return linkage.scene.bodies[static_cast<std::size_t>(id)].name;
+}
+
+std::string combination_text(const Linkage& linkage, const std::array<double, max_joints>& values) {
+  std::string text;
+  for (std::size_t k = 0; k < linkage.joints.size(); ++k)
+    text += fmt::format("{}{} = {:.9g}", k ? ", " : "", linkage.joints[k].name, values[k]);
+  return text;
+}
+
+std::string joints_in_words(const Linkage& linkage) {
+  std::string text;
+  for (const Joint& joint : linkage.joints)
+    text += fmt::format("{}{} from {:.9g} to {:.9g}", text.empty() ? "" : ", ", joint.name, joint.lo, joint.hi);
+  return text;
+}
+
+std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
+  std::string text = answer.outcome == Outcome::free      ? "FREE  for every combination of "
+                     : answer.outcome == Outcome::contact ? "COLLIDES  for some combinations of "
+                                                          : "UNDECIDED  for some combinations of ";
+  text += joints_in_words(linkage) + "\n";
+  if (answer.witness)
+    text += fmt::format("  {} x {} at {}\n", name_in(linkage, answer.witness->pair[0]),
+                        name_in(linkage, answer.witness->pair[1]), combination_text(linkage, answer.witness->values));
+  text += fmt::format("  free {:.6g} %, colliding {:.6g} %, undecided {:.6g} %, in {} cells\n", 100 * answer.free,
+                      100 * answer.colliding, 100 * answer.undecided, answer.cells.size());
+  if (!answer.reason.empty()) text += "  " + answer.reason + "\n";
+  return text;
+}
+
+int run_envelope(const EnvelopeArguments& arguments) {
+  const Linkage linkage = load_linkage(arguments.scene);
+  EnvelopeOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const Envelope answer = within_file(arguments.scene.path, [&] { return envelope(linkage, options); });
+  if (!arguments.svg.empty()) write_output(arguments.svg, envelope_svg(linkage, answer));
+  // What goes to standard output is one thing.
+  if (arguments.svg != "-")
+    print_text(arguments.json ? envelope_json(linkage, answer, options.tolerance, arguments.cells) + "\n"
+                              : envelope_in_words(linkage, answer));
+  return exit_code(answer.outcome);
+}
+
+}  // namespace
+
+void add_envelope(const Command& app, Action& action) {
+  const Command command = app.add_command("envelope", "Say for which combinations of joint values bodies keep apart");
+  const auto arguments = std::make_shared<EnvelopeArguments>();
+  add_scene(command, arguments->scene);
+  command
+      .add_option("--tolerance", arguments->options.tolerance,
+                  "divide cells down to this share of each joint's range (1e-3)")
+      .value("X");
+  command.add_option("--svg", arguments->svg, "draw all combinations of two joints to FILE (- is standard output)")
+      .value("FILE");
+  command.add_option("--max-seconds", arguments->options.max_seconds, "stop dividing after S seconds")
+      .value("S")
+      .not_negative();
+  command.add_flag("--json", arguments->json, "print one JSON object");
+  command.add_flag("--cells", arguments->cells, "with --json: the whole partition, too");
+  command.footer(
+      "Example:\n"
+      "  taut envelope loader.json --svg loader.svg\n"
+      "\n"
+      "The scene has joints instead of a time: \"joints\": {\"lift\": [0, 60]}; bodies follow them, as\n"
+      "{\"revolute\": {\"pivot\": [x, y], \"by\": \"lift\"}} or {\"slide\": {\"direction\": [1, 0], \"by\": "
+      "\"lift\"}}. Exit codes:\n"
+      "0 free for every combination, 1 a combination collides, 2 bad input, 3 undecided, 4 internal error.\n");
+  command.on_chosen([&action, arguments] { action = [arguments] { return run_envelope(*arguments); }; });
+}
+
+}  // namespace taut::cli

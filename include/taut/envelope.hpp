@@ -1,0 +1,109 @@
+// For which combinations of joint values do bodies keep apart?
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// The most joints that a linkage may have.
+inline constexpr int max_joints = 3;
+
+/// A value that somebody or something sets, in [lo, hi]: an angle in degrees, or a length.
+struct Joint {
+  std::string name;
+  double lo = 0, hi = 0;
+};
+
+/// The body turns about a point of its own coordinates, counterclockwise, by the joint's degrees.
+struct Revolute {
+  Point pivot;
+};
+/// The body moves along a vector, by the joint's value times it: give one of length 1 if the value is a length.
+struct Slide {
+  Point direction;
+};
+
+/// How a body follows a joint: by times * value + plus, in degrees or lengths. A gear's wheel, a rack, and both jaws of
+/// a gripper follow one joint.
+struct JointMotion {
+  std::variant<Revolute, Slide> kind;
+  int joint = 0;  ///< its position in Linkage::joints
+  double times = 1, plus = 0;
+};
+
+/// Bodies whose place is given by joint values instead of time. Angles in radians are the sum of two terms, (pi / 180)
+/// times * value and (pi / 180) plus, each of whose coefficients is rounded once, as elsewhere.
+struct Linkage {
+  std::vector<Joint> joints;
+  /// Bodies, their frames (`relative_to`: an arm's links are chained by it), and pairs that are ignored. Its time, and
+  /// the motions of its bodies, mean nothing.
+  Scene scene;
+  /// For each body, in order, the joint that it follows; without one it rests in its frame. May be shorter.
+  std::vector<std::optional<JointMotion>> motions;
+};
+
+/// What is known of a box of joint values.
+enum class CellState : unsigned char {
+  free,       ///< for all values in it, no asked pair touches
+  colliding,  ///< for all values in it, the interiors of one pair overlap
+  undecided,  ///< neither was shown before the box became as small as the tolerance
+};
+
+/// "free", "colliding", "undecided".
+const char* to_string(CellState state);
+
+/// A box of joint values: `lo[k]` to `hi[k]` of joint k.
+struct EnvelopeCell {
+  CellState state = CellState::undecided;
+  std::array<double, max_joints> lo{}, hi{};
+  std::array<BodyId, 2> pair{};  ///< which overlaps, or was not told apart
+};
+
+/// A combination at which two bodies overlap.
+struct EnvelopeWitness {
+  std::array<double, max_joints> values{};
+  std::array<BodyId, 2> pair{};
+};
+
+/// The answer of envelope().
+struct Envelope {
+  /// free: for every combination. contact: not for the one in `witness`. undecided: no combination was found that
+  /// collides, and not all were shown to be free.
+  Outcome outcome = Outcome::undecided;
+  std::optional<EnvelopeWitness> witness;
+  /// Shares of all combinations; they sum to 1, up to rounding.
+  double free = 0, colliding = 0, undecided = 0;
+  /// A partition of all combinations.
+  std::vector<EnvelopeCell> cells;
+  std::string reason;  ///< why cells larger than the tolerance are undecided; empty otherwise
+};
+
+/// How to ask.
+struct EnvelopeOptions {
+  /// Cells no side of which is longer than this share of its joint's range are not divided any more. In [1e-6, 1].
+  double tolerance = 1e-3;
+  double max_seconds = 1e300;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Divides all combinations of joint values into cells that are free, that collide, and small ones of which that is not
+/// shown: the border between the two, and bodies that touch without overlap. Every two bodies are asked about that are
+/// not ignored and are not fixed to each other. By subdivision; in each cell bodies are bounded to first order in the
+/// joint values, with a certified bound of the rest. Coarse cells come first, so that a limit leaves a coarser answer.
+/// Throws InputError.
+Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options = {});
+
+/// Throws InputError unless the linkage can be asked about: joints and their ranges, motions, and what validate() wants
+/// of shapes and frames.
+void validate(const Linkage& linkage);
+
+/// The bodies where these joint values put them, at rest, as a scene with time [0, 0].
+Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values);
+
+}  // namespace taut

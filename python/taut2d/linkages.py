@@ -1,0 +1,169 @@
+"""Linkages: bodies whose place is given by joint values instead of time, and for which of these they keep apart."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Optional, Union
+
+from . import _taut2d
+from ._numbers import number, point
+from .answers import _pair
+from .errors import InputError
+from .options import run_options
+from .scene import Body, Scene, _body_from_json, _plain_places, _scene_text
+
+__all__ = ["Envelope", "EnvelopeCell", "EnvelopeWitness", "Linkage", "envelope"]
+
+
+@dataclass(frozen=True)
+class Linkage:
+    """Bodies that follow joints.
+
+    ``bodies``: Body with a motion that is Revolute, Slide, or None; an arm's links are chained by ``relative_to``.
+    ``joints``: {"lift": (0, 60), "reach": (0, 2.5)}: one to three names, each with the range of its value, in degrees or
+    lengths.
+    ``ignore``, ``id``, ``folder``: as of a Scene.
+    """
+
+    bodies: Sequence[Body]
+    joints: Mapping[str, Sequence[float]]
+    ignore: Sequence[Sequence[str]] = ()
+    id: Any = None
+    folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
+
+    def __post_init__(self) -> None:
+        # What a scene looks at, with a time that means nothing.
+        scene = Scene(self.bodies, (0, 0), self.ignore, self.id, self.folder)
+        if not isinstance(self.joints, Mapping):
+            raise InputError("joints", f"expected a dict, found {type(self.joints).__name__}",
+                             'write {"lift": (0, 60)}')
+        for name in ("bodies", "ignore", "folder"):
+            object.__setattr__(self, name, getattr(scene, name))
+        object.__setattr__(self, "joints", {name: point(range, f"joints.{name}") for name, range in self.joints.items()})
+
+    def to_json(self) -> str:
+        """The linkage in the format taut-scene/1, on one line: what ``taut envelope`` reads."""
+        object = json.loads(Scene(self.bodies, (0, 0), self.ignore, self.id).to_json())
+        del object["time"]
+        object["joints"] = {name: list(range) for name, range in self.joints.items()}
+        return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+
+    @classmethod
+    def from_json(cls, text: str, *, folder: Union[str, os.PathLike[str]] = ".") -> Linkage:
+        """The linkage that a JSON text describes. Raises InputError with line and column if it is not such a text."""
+        return cls._read(text, "scene", folder)
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike[str]]) -> Linkage:
+        """Reads a file. Raises InputError with line and column if it is not right, and OSError if it cannot be read."""
+        path = os.fspath(path)
+        with open(path, encoding="utf-8") as file:
+            return cls._read(file.read(), path, os.path.dirname(path) or os.curdir)
+
+    @classmethod
+    def _read(cls, text: str, name: str, folder: Union[str, os.PathLike[str]]) -> Linkage:
+        _taut2d.read_linkage(_scene_text(text, name, folder))
+        object = json.loads(text)
+        return cls([_body_from_json(body) for body in object["bodies"]], object["joints"], object.get("ignore", ()),
+                   object.get("id"), folder)
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes to_json() and a line break into a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_json() + "\n")
+
+
+@dataclass(frozen=True)
+class EnvelopeCell:
+    """A box of joint values, from ``lo[k]`` to ``hi[k]`` of joint k. ``state``: "free": for all values in it no pair
+    touches; "colliding": for all, the interiors of ``pair`` overlap; "undecided": neither was shown before the box became
+    as small as the tolerance."""
+
+    state: str
+    lo: tuple[float, ...]
+    hi: tuple[float, ...]
+    pair: Optional[tuple[str, str]] = None
+
+
+@dataclass(frozen=True)
+class EnvelopeWitness:
+    """A combination, by the joints' names, at which the two bodies of ``pair`` overlap."""
+
+    values: Mapping[str, float]
+    pair: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """For which combinations bodies keep apart. ``outcome``: "free": for every one, proved. "contact": not for the one in
+    ``witness``. "undecided": none was found that collides, and not all were shown to be free. ``free``, ``colliding``,
+    ``undecided``: shares of all combinations. ``cells``: a partition of them, if it was asked for. ``reason``: why it
+    ended early. ``json`` is what ``taut envelope --json`` prints."""
+
+    outcome: str
+    witness: Optional[EnvelopeWitness]
+    free: float
+    colliding: float
+    undecided: float
+    tolerance: float
+    cells: tuple[EnvelopeCell, ...]
+    reason: Optional[str]
+    json: str = field(repr=False, compare=False)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the cells of two joints by matplotlib, and returns the axes. Raises InputError without cells, or for
+        another number of joints."""
+        if not self.cells or len(self.cells[0].lo) != 2:
+            raise InputError("cells", "there is no partition of two joints to draw", "ask envelope(..., cells=True)")
+        from matplotlib import pyplot
+        from matplotlib.collections import PolyCollection
+
+        axes = pyplot.gca() if ax is None else ax
+        for state, colour in (("free", "#bfe3c6"), ("colliding", "#d98a80"), ("undecided", "#4a4a4a")):
+            boxes = [[(c.lo[0], c.lo[1]), (c.hi[0], c.lo[1]), (c.hi[0], c.hi[1]), (c.lo[0], c.hi[1])]
+                     for c in self.cells if c.state == state]
+            axes.add_collection(PolyCollection(boxes, facecolors=colour, edgecolors=colour, linewidths=0.3, label=state))
+        axes.autoscale_view()
+        first, second = (joint["name"] for joint in json.loads(self.json)["joints"])
+        axes.set_xlabel(first)
+        axes.set_ylabel(second)
+        if self.witness is not None:
+            axes.plot([self.witness.values[first]], [self.witness.values[second]], "o", color="#7d130a",
+                      markerfacecolor="white", label="witness")
+        return axes
+
+
+def _envelope_from_json(text: str) -> Envelope:
+    value = json.loads(text)
+    witness = value["witness"]
+    cells = tuple(EnvelopeCell(c["state"], tuple(map(float, c["lo"])), tuple(map(float, c["hi"])),
+                               _pair(c["pair"]) if "pair" in c else None) for c in value.get("cells", ()))
+    return Envelope(value["outcome"],
+                    None if witness is None else EnvelopeWitness({name: float(x) for name, x in witness["values"].items()},
+                                                                 _pair(witness["pair"])),
+                    float(value["free"]), float(value["colliding"]), float(value["undecided"]),
+                    float(value["tolerance"]), cells, value.get("reason"), text)
+
+
+def envelope(linkage: Linkage, *, tolerance: float = 1e-3, cells: bool = False,
+             max_seconds: Optional[float] = None) -> Envelope:
+    """For which combinations of joint values do bodies keep apart?
+
+    Divides all combinations into boxes that are free, that collide, and small ones of which that is not shown: the border
+    between the two, and bodies that touch without overlap. What is said of a box is proved for every combination in it.
+    Every two bodies are asked about that are not ignored and not fixed to each other.
+
+    ``tolerance``: boxes are divided down to this share of each joint's range, from 1e-6 to 1. ``cells``: hand out the
+    boxes, in Envelope.cells. ``max_seconds``: stop dividing after so much wall time; large boxes are looked at first.
+    Raises InputError for joints, motions and shapes that make no sense.
+    """
+    if not isinstance(linkage, Linkage):
+        raise InputError("linkage", f"expected a Linkage, found {type(linkage).__name__}",
+                         "Linkage.load(path) reads a file, and Linkage(bodies, joints) makes one")
+    options = run_options("open", "spacetime", "first", max_seconds, None)
+    with _plain_places():
+        text = _scene_text(linkage.to_json(), "scene", linkage.folder)
+        return _envelope_from_json(_taut2d.envelope(text, number(tolerance, "tolerance"), bool(cells), options))

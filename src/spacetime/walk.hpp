@@ -1,0 +1,143 @@
+// The walk that all searches of the spacetime engine take: through stretches of a leg, and pairs of boxes.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/interruption.hpp"
+#include "spacetime/box_separation.hpp"
+
+namespace taut::spacetime {
+
+/// Two boxes, as nodes of P's and Q's trees.
+struct BoxPair {
+  std::uint32_t p, q;
+};
+
+/// A stretch of time, and what can be done with it.
+struct StretchOfTime {
+  const Stretch& bounds;
+  double start, end;
+  bool divisible;  ///< into halves, in which the same pairs are looked at again
+};
+
+/// What becomes of two boxes in a stretch.
+enum class Fate : unsigned char {
+  done,      ///< nothing more is to be known of them there
+  divided,   ///< into the boxes below the larger one
+  deferred,  ///< to the halves of the stretch
+};
+
+/// Boxes that move farther than this share of their size are left to shorter stretches of time; others are divided.
+constexpr double patience = 0.75;
+/// After a window could not be made longer than the one before, this many do not try to be.
+constexpr int windows_before_growing = 8;
+
+/// Stretches of time are halved, each with the pairs of boxes about which something is still to be known in it, and
+/// worked on in their order: the motion is evaluated once for all pairs of a stretch. What is to be known is the
+/// question's to say; it has
+///   bool begins(double start)                            a stretch begins; false if nothing in it matters any more
+///   Fate look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
+///   double shortest                                      of the stretches' lengths, that are halved
+/// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
+template <class Question>
+class Walk {
+ public:
+  Walk(const TreePair& trees, const Leg& leg, Question& question)
+      : trees_(trees), leg_(leg), question_(question), polynomial_(leg) {}
+
+  /// From the root of both trees, throughout [from, to] of the leg's parameter.
+  void through(double from, double to) {
+    if (leg_.translation) return from_root(from, to);
+    for (double t = from; t < to && question_.begins(t); t = window_->end()) {
+      next_window(t, from, to);
+      from_root(t, window_->end());
+    }
+  }
+  /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the leg. Where the
+  /// motion is singular, it moves the less the shorter the window is.
+  void at(double t) {
+    if (leg_.translation) return from_root(t, t);
+    const double whole = leg_.end - leg_.start;
+    for (double some = whole * length_of_instant;; some *= 0x1p-10) {
+      window_.emplace(leg_, std::max(leg_.start, std::min(t, leg_.end - some)), leg_.end, some);
+      while (window_->end() < t) window_.emplace(leg_, window_->end(), leg_.end, some);
+      if (window_->smooth() || some < whole * shortest_instant) break;
+    }
+    from_root(t, t);
+  }
+  /// The window around the stretch at hand, unless the leg is a translation.
+  FrameWindow& window() { return *window_; }
+
+ private:
+  static constexpr double length_of_instant = 0x1p-20, shortest_instant = 0x1p-45;
+
+  /// Motions seldom change their character: the last length will do.
+  void next_window(double start, double from, double to) {
+    double wanted = to - from;
+    if (window_) wanted = std::min(wanted, window_->length() * (window_->smooth() && resting_ > 0 ? 1 : 2));
+    window_.emplace(leg_, start, to, wanted);
+    resting_ = window_->length() < 0.75 * wanted ? windows_before_growing : std::max(0, resting_ - 1);
+  }
+  void from_root(double from, double to) {
+    pairs_.assign(1, {0, 0});
+    cover(0, from, to);
+  }
+  Stretch stretch(double from, double to) {
+    if (leg_.translation) return Stretch::of_translation(leg_, polynomial_, from, to);
+    return window_->smooth() ? Stretch::of_window(leg_, *window_, from, to) : Stretch::of_range(leg_, *window_);
+  }
+  /// All of [start, end], for the pairs from `first` on. Those before belong to longer stretches.
+  void cover(std::size_t first, double start, double end) {
+    if (!question_.begins(start)) return;
+    const Stretch s = stretch(start, end);
+    const double middle = start + (end - start) / 2;
+    const StretchOfTime time{s, start, end, s.r > question_.shortest && start < middle && middle < end};
+    const std::size_t last = pairs_.size();
+    for (std::size_t i = first; i < last; ++i) {
+      todo_.assign(1, pairs_[i]);
+      while (!todo_.empty()) {
+        interruption_point();
+        const BoxPair pair = todo_.back();
+        todo_.pop_back();
+        const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
+        const Fate fate = question_.look(time, p, q);
+        if (fate == Fate::deferred) pairs_.push_back(pair);
+        if (fate == Fate::divided) divide(pair, p, q, s);
+      }
+    }
+    if (pairs_.size() > last) {
+      cover(last, start, middle);
+      cover(last, middle, end);
+    }
+    pairs_.resize(last);
+  }
+  /// The larger one, with what comes first on top.
+  void divide(const BoxPair& pair, const BoxNode& p, const BoxNode& q, const Stretch& s) {
+    const bool of_p = q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius);
+    BoxPair left{of_p ? p.left : pair.p, of_p ? pair.q : q.left};
+    BoxPair right{of_p ? p.right : pair.p, of_p ? pair.q : q.right};
+    if constexpr (requires { Question::nearer_first; }) {
+      if (between_centres(s, right) < between_centres(s, left)) std::swap(left, right);
+    }
+    todo_.push_back(right);
+    todo_.push_back(left);
+  }
+  /// The square of the distance in the middle of the stretch.
+  double between_centres(const Stretch& s, const BoxPair& pair) const {
+    const Path way = s.in_p.place(trees_.q.node(pair.q).box.centre, trees_.p.node(pair.p).box.centre);
+    return way.x.a * way.x.a + way.y.a * way.y.a;
+  }
+
+  TreePair trees_;
+  const Leg& leg_;
+  Question& question_;
+  TranslationPolynomial polynomial_;
+  std::optional<FrameWindow> window_;
+  int resting_ = 0;
+  std::vector<BoxPair> pairs_, todo_;
+};
+
+}  // namespace taut::spacetime
