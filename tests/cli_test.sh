@@ -157,6 +157,12 @@ expect 0 'anvil x hammer: 4<' '' clearance --svg - free.json
 expect 1 'the least distance, at t = 8, is 0: anvil x hammer' '' clearance --svg - hit.json
 expect 0 '^CLEARANCE' '' clearance --svg closest.svg free.json
 grep -q 'class="distance"' closest.svg || { echo "FAILED: no closest points in the picture"; failures=$((failures + 1)); }
+expect 1 'closer than 1 at t = 6' '' check --clearance 1 --svg - hit.json
+expect 1 '<g class="distance">.*stroke="#6a1fb5"' '' check --clearance 1 --svg - hit.json
+expect 0 'all keep 1 on \[0, 10\]' '' check --clearance 1 --svg - free.json
+expect 1 'closer than 5 at t = 0' '' check --clearance 5 --svg - hit.json
+expect 1 'overlap: anvil x hammer' '' check --clearance 1 --svg - overlap.json
+expect 2 '' 'clearance' check --svg - hit.json
 expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
 expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
 grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }

@@ -24,6 +24,7 @@ struct CheckArguments {
   CheckOptions options;
   bool json = false, timing = false;
   double clearance = 0;  ///< 0: none was asked for
+  std::string svg = {};  ///< a picture of the answer about a clearance
 };
 
 CheckArguments single(const CheckBatch& batch) {
@@ -110,17 +111,21 @@ int run_margin(const CheckArguments& arguments) {
   options.stop = stop_on_signals();
   const MarginAnswer answer =
       within_file(arguments.scene.path, [&] { return check_clearance(scene, arguments.clearance, options); });
-  print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
-                            : margin_in_words(scene, arguments.clearance, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, margin_svg(scene, arguments.clearance, answer));
+  // What goes to standard output is one thing.
+  if (arguments.svg != "-")
+    print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
+                              : margin_in_words(scene, arguments.clearance, answer));
   return exit_code(answer.outcome);
 }
 
-int margin_of(const CheckBatch& batch, double clearance) {
+int margin_of(const CheckBatch& batch, double clearance, const std::string& svg) {
   if (batch.paths.size() != 1 || batch.lines || batch.shard.count > 1 || !batch.resume.empty())
     throw InputError("--clearance", "it is asked about one scene at a time",
                      "leave out --lines, --shard, --resume and the other scenes");
   CheckArguments arguments = single(batch);
   arguments.clearance = clearance;
+  arguments.svg = svg;
   return run_margin(arguments);
 }
 
@@ -157,8 +162,14 @@ void add_check(const Command& app, Action& action) {
                   "shrink bodies by E to 2 E first: overlaps by rounding are none then")
       .value("E");
   const auto clearance = std::make_shared<std::optional<double>>();
-  command.add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
-      .value("C");
+  const Option margin =
+      command
+          .add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
+          .value("C");
+  const auto svg = std::make_shared<std::string>();
+  command.add_option("--svg", *svg, "with --clearance, draw the bodies where they first come closer to FILE")
+      .value("FILE")
+      .needs(margin);
   command.footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"
@@ -173,10 +184,10 @@ void add_check(const Command& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command.on_chosen([&action, arguments, clearance, shard] {
-    action = [arguments, clearance, shard] {
+  command.on_chosen([&action, arguments, clearance, shard, svg] {
+    action = [arguments, clearance, shard, svg] {
       if (!shard->empty()) arguments->shard = shard_of(*shard);
-      if (*clearance) return margin_of(*arguments, **clearance);
+      if (*clearance) return margin_of(*arguments, **clearance, *svg);
       const bool one = arguments->paths.size() == 1 && !arguments->lines && shard->empty() && arguments->resume.empty();
       return one ? run_check(single(*arguments)) : check_batch(*arguments);
     };

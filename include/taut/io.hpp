@@ -190,6 +190,8 @@ std::string range_json(const Scene& scene, double from, const Range& answer, Tou
 
 /// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
+/// The bodies where they first come closer, in SVG, with the points that do; at the start, if they keep the clearance.
+std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width = 800);
 
 /// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
 std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);

@@ -38,6 +38,28 @@ std::string clearance_svg(const Scene& scene, const Clearance& answer, int width
   return draw_world_svg(scene, n.time.lo, options);
 }
 
+std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width) {
+  WorldDrawOptions options;
+  options.width = width;
+  if (answer.outcome == Outcome::free)
+    options.title = fmt::format("{}: all keep {:.7g} on [{:.7g}, {:.7g}]", io::world_title(scene), clearance,
+                                scene.start, scene.end);
+  if (!answer.first || answer.first->outcome == Outcome::undecided) {
+    if (answer.outcome == Outcome::undecided) options.title = io::world_title(scene) + ": undecided";
+    return draw_world_svg(scene, scene.start, options);
+  }
+  const PairMargin& first = *answer.first;
+  const double t = first.outcome == Outcome::contact ? first.time.lo : scene.start;
+  options.title = fmt::format("{}: closer than {:.7g} at t = {:.10g}", io::world_title(scene), clearance, t);
+  const std::string pair = io::pair_text(scene, first.bodies[0], first.bodies[1]);
+  if (first.nearest) {
+    options.distances.push_back({first.nearest->points, fmt::format("{}: {:.7g}", pair, first.nearest->hi)});
+  } else {
+    options.overlaps.push_back(first.bodies);
+  }
+  return draw_world_svg(scene, t, options);
+}
+
 std::string separation_svg(const Scene& scene, const Separation& answer, int width) {
   WorldDrawOptions options;
   options.width = width;

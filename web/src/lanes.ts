@@ -1,7 +1,7 @@
 // Above the slider, and along it: a lane for each question about all of the time.
 import { fitCanvas, h } from "./dom";
 import type { Player } from "./player";
-import type { DistanceCurve, IntervalsAnswer, Nearest, QuestionName, Questions } from "./questions";
+import type { DistanceCurve, IntervalsAnswer, Nearest, QuestionName, Questions, RangeAnswer } from "./questions";
 import type { Colours } from "./theme";
 import { roundText, timeText } from "./words";
 
@@ -21,7 +21,7 @@ interface Place {
   x: (t: number) => number;
 }
 
-type LaneName = "intervals" | "distance";
+type LaneName = "intervals" | "range" | "distance";
 
 export class Lanes {
   readonly element = h("div", { class: "lanes", id: "lanes" });
@@ -44,8 +44,8 @@ export class Lanes {
       canvas.addEventListener("pointermove", move);
       return canvas;
     };
-    this.canvases = { intervals: lane("intervals"), distance: lane("distance") };
-    this.element.append(this.canvases.intervals, this.canvases.distance);
+    this.canvases = { intervals: lane("intervals"), range: lane("range"), distance: lane("distance") };
+    this.element.append(...Object.values(this.canvases));
   }
 
   draw(colours: Colours): void {
@@ -57,10 +57,16 @@ export class Lanes {
       if (intervals) drawIntervals(place, intervals);
       else write(place, `overlaps: ${wait("intervals")}`);
     });
+    this.lane("range", asked.range !== undefined, 24, colours, (place) => {
+      const { start, end } = this.player;
+      if (answers.range?.range) drawRange(place, answers.range, [start, end]);
+      else write(place, `without overlap: ${answers.range?.reason ?? wait("range")}`);
+    });
     const wanted = asked.distance_profile !== undefined || asked.clearance !== undefined;
     const height = asked.distance_profile ? 84 : 24;
     this.lane("distance", wanted, height, colours, (place) => {
       if (curve) drawCurve(place, curve, this.player.t, clearance?.clearance ?? null);
+      if (curve && answers.check_clearance) drawMargin(place, curve, answers.check_clearance.clearance);
       if (clearance?.clearance) drawLeast(place, clearance.clearance, curve);
       if (!curve && asked.distance_profile) write(place, `distance: ${wait("distance_profile")}`);
       else if (!clearance && asked.clearance) write(place, `clearance: ${wait("clearance")}`);
@@ -75,6 +81,7 @@ export class Lanes {
     const count = intervals?.intervals.length ?? 0;
     say("intervals", `Overlaps over time: ${intervals ? count : "not known yet"}`);
     const least = clearance?.clearance;
+    say("range", "How far the bodies can go without overlap");
     say("distance", `Distance over time${least ? `, at least ${roundText(least.lo, 9)}` : ""}`);
   }
 
@@ -141,6 +148,8 @@ function write({ c, colours }: Place, text: string, at = 12, left = edge): void 
   c.fillText(text, left, at);
 }
 
+const labelEnd = (c: CanvasRenderingContext2D, text: string): number => edge + c.measureText(text).width + 5;
+
 function drawIntervals(place: Place, answer: IntervalsAnswer): void {
   const { c, colours, width, x } = place;
   const pairs = pairsOf(answer);
@@ -164,8 +173,30 @@ function drawIntervals(place: Place, answer: IntervalsAnswer): void {
     if (row >= 0) hatch(place, line(row));
   }
   if (rows.length === 0) write(place, "no overlap", 15);
-  else if (pairs.length > 1) rows.forEach((name, row) => write(place, name, line(row) + 10));
+  else if (pairs.length > 1) {
+    rows.forEach((name, row) => {
+      const covered = answer.intervals.some((o) => o.pair.join(" x ") === name && x(o.from[0]) < labelEnd(c, name));
+      if (!covered) c.clearRect(0, line(row), labelEnd(c, name), 13);
+      write(place, name, line(row) + 10);
+    });
+  }
   if (pairs.length > mostRows) write(place, `and ${pairs.length - mostRows} more pairs`, line(mostRows) + 10);
+}
+
+/** What is free around an instant, which is marked. */
+function drawRange({ c, colours, x }: Place, { range, around }: RangeAnswer, [start, end]: [number, number]): void {
+  const from = x(range!.from?.[1] ?? start);
+  const to = x(range!.to?.[0] ?? end);
+  c.fillStyle = colours.free;
+  c.globalAlpha = 0.7;
+  c.fillRect(from, 6, Math.max(1.5, to - from), 12);
+  c.globalAlpha = 1;
+  c.fillStyle = colours.ink;
+  c.beginPath();
+  c.moveTo(x(around), 12);
+  c.lineTo(x(around) - 5, 3);
+  c.lineTo(x(around) + 5, 3);
+  c.fill();
 }
 
 function hatch({ c, colours, width }: Place, y: number): void {
@@ -211,6 +242,20 @@ function drawCurve(place: Place, curve: DistanceCurve, t: number, least: Nearest
   if (least) return;
   const [at, lo] = curve.instants.reduce((a, b) => (b[1] < a[1] ? b : a));
   dot(place, x(at), y(lo), colours.distance);
+}
+
+/** The clearance that is to be kept, if it is within the lane. */
+function drawMargin({ c, colours, width, height }: Place, curve: DistanceCurve, clearance: number): void {
+  const y = levelOf(height, curve)(clearance);
+  if (y < 16) return;
+  c.strokeStyle = colours.contact;
+  c.lineWidth = 1;
+  c.setLineDash([5, 4]);
+  c.beginPath();
+  c.moveTo(edge, y);
+  c.lineTo(width - edge, y);
+  c.stroke();
+  c.setLineDash([]);
 }
 
 function dot({ c, colours }: Place, x: number, y: number, colour: string): void {

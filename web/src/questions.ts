@@ -64,12 +64,33 @@ export interface SeparationAnswer extends Partial<FreeDirections> {
   reason?: string;
 }
 
+export interface RangeAnswer {
+  /** An end is null where it is the scene's own. */
+  range: { from: [number, number] | null; to: [number, number] | null } | null;
+  around: number;
+  before?: Overlap;
+  after?: Overlap;
+  reason?: string;
+}
+
+export interface MarginAnswer {
+  outcome: "free" | "contact" | "overlap_at_start" | "undecided";
+  clearance: number;
+  t?: [number, number];
+  pair?: [string, string];
+  /** The pair that comes closer first; points where the bodies do not overlap. */
+  first?: { distance?: number; points?: [[number, number], [number, number]] };
+  reason?: string;
+}
+
 /** What the library calls each question, and its answer. */
 export interface Answers {
   intervals: IntervalsAnswer;
   clearance: ClearanceAnswer;
   distance_profile: ProfileAnswer;
   separate: SeparationAnswer;
+  range: RangeAnswer;
+  check_clearance: MarginAnswer;
 }
 export type QuestionName = keyof Answers;
 
@@ -133,8 +154,8 @@ export class Questions {
 
   /** What is asked about all of the time is shown for all of the time. */
   private showBeyond(): void {
-    const { intervals, clearance, distance_profile } = this.asked;
-    this.player.beyond = [intervals, clearance, distance_profile].some((options) => options !== undefined);
+    const { intervals, clearance, distance_profile, range } = this.asked;
+    this.player.beyond = [intervals, clearance, distance_profile, range].some((options) => options !== undefined);
   }
 
   private wait(): void {
