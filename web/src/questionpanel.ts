@@ -15,7 +15,7 @@ const questions: [QuestionName, string, string][] = [
   ["check_clearance", "Do they keep a clearance?", "taut check --clearance C"],
   ["distance_profile", "How far apart, all of the time?", "taut clearance --profile 200"],
   ["intervals", "When do they overlap, all of the time?", "taut intervals"],
-  ["range", "How far can they go, both ways, from here?", "taut range --from T"],
+  ["range", "How far can they go from here?", "taut range --from T"],
   ["separate", "In which directions do they come apart?", "taut separate"],
 ];
 
