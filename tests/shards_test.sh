@@ -2,6 +2,7 @@
 # Many scenes in runs that share them, and that are killed and taken up again. usage: shards_test.sh TAUT
 set -uo pipefail
 taut="$(realpath "$1")"
+page="$(realpath "$(dirname "${BASH_SOURCE[0]}")/../docs/answers.md")"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -131,7 +132,19 @@ grep -q 'limited.jsonl: cannot write an answer: File too large' err || fail "a f
 "$taut" "${check[@]}" --resume limited.jsonl 2>/dev/null
 cmp -s limited.jsonl whole.jsonl || fail "a disk that was full has left another file"
 
-# The recipe of docs/answers.md.
+# The script for Slurm of docs/answers.md, as the tasks of an array run it.
+mkdir -p programs slurm
+ln -s "$taut" programs/taut
+sed -n '/^#!\/bin\/bash$/,/^\$ sbatch/p' "$page" | grep -v '^\$ sbatch' >slurm/check.slurm
+grep -v '"format":$' scenes.jsonl >slurm/scenes.jsonl
+(cd slurm && "$taut" check --json --lines scenes.jsonl >whole.jsonl)
+for task in 1 2 3 4; do
+  (cd slurm && SLURM_ARRAY_TASK_ID="$task" SLURM_ARRAY_TASK_COUNT=4 SLURM_CPUS_PER_TASK=1 PATH="$folder/programs:$PATH" \
+    bash check.slurm) || fail "the script for Slurm: task $task has failed"
+done
+(cd slurm && paste -d '\n' answers-?.jsonl | grep . | cmp -s - whole.jsonl) || fail "the script for Slurm: other answers"
+
+# The recipe for GNU parallel.
 if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q '^GNU parallel'; then
   export HOME="$folder" taut
   mkdir -p .parallel && touch .parallel/will-cite
