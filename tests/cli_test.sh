@@ -398,6 +398,15 @@ expect 2 '' 'clearance: it is not a positive number' check --clearance 0 hit.jso
 expect 1 '"fit":0.001}' '' check --json --fit 0.001 hit.json
 expect 2 '' 'for a fit of 100' check --fit 100 hit.json
 expect 2 '' 'one scene at a time' check --clearance 1 hit.json free.json
+expect 0 'proof in kept.proof' '' prove --clearance 0.001 -o kept.proof free.json
+expect 0 'all keep 0.001 on' '' verify free.json kept.proof --expect free --clearance 0.001
+expect 1 'NOT AS EXPECTED: .*clearance 0.002' '' verify free.json kept.proof --expect free --clearance 0.002
+expect 0 '"clearance":0.001' '' verify --json free.json kept.proof --expect free
+expect 1 'proof in broken.proof' '' prove --clearance 0.5 -o broken.proof hit.json
+expect 0 'closer within' '' verify hit.json broken.proof --expect contact --clearance 0.5
+expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect contact
+expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect free
+expect 2 '' 'clearance: it is not a positive number' prove --clearance 0 -o x.proof hit.json
 expect 1 '^LOCKED  a x b' '' separate "$(world '{"name":"b","polygon":{"outline":[[-9,-9],[9,-9],[9,9],[-9,9]],"holes":[[[-3,-3],[4,-3],[4,4],[-3,4]]]}}' && echo world.json)"
 expect 1 '"outcome":"locked","body":"b","all":false,"directions":\[\]' '' separate --json world.json
 world '{"name":"b","polygon":[[2,0],[9,0],[9,9],[2,9]]}'
