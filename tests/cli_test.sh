@@ -152,6 +152,24 @@ expect 2 '' '--profile' clearance --csv - hit.json
 expect 2 '' '--profile' clearance --profile 1 hit.json
 expect 2 '' 'cannot both go to standard output' clearance --profile 5 --csv - --svg - hit.json
 expect 3 '^UNDECIDED' '' clearance --profile 5 --max-seconds 0 hit.json
+expect 0 '<g class="distance">.*stroke="#6a1fb5"' '' clearance --svg - free.json
+expect 0 'anvil x hammer: 4<' '' clearance --svg - free.json
+expect 1 'the least distance, at t = 8, is 0: anvil x hammer' '' clearance --svg - hit.json
+expect 0 '^CLEARANCE' '' clearance --svg closest.svg free.json
+grep -q 'class="distance"' closest.svg || { echo "FAILED: no closest points in the picture"; failures=$((failures + 1)); }
+expect 1 'closer than 1 at t = 6' '' check --clearance 1 --svg - hit.json
+expect 1 '<g class="distance">.*stroke="#6a1fb5"' '' check --clearance 1 --svg - hit.json
+expect 0 'all keep 1 on \[0, 10\]' '' check --clearance 1 --svg - free.json
+expect 1 'closer than 5 at t = 0' '' check --clearance 5 --svg - hit.json
+expect 1 'overlap: anvil x hammer' '' check --clearance 1 --svg - overlap.json
+expect 2 '' 'clearance' check --svg - hit.json
+expect 0 '<g class="rose".*<path class="free"' '' separate --svg - hit.json
+expect 0 '"outcome":"free"' '' separate --json --svg rose.svg hit.json
+grep -q 'class="rose"' rose.svg || { echo "FAILED: no rose in the picture"; failures=$((failures + 1)); }
+expect 1 'overlap: anvil x hammer' '' separate --svg - overlap.json
+expect 0 'class="free".*' '' range --from 1 --svg - hit.json
+expect 0 '>8: anvil x hammer<' '' range --from 1 --svg - hit.json
+expect 0 '>the start<' '' range --from 1 --svg - hit.json
 expect 1 'class="overlap".*' '' intervals --svg - hit.json
 expect 3 'class="undecided"' '' intervals --svg - --max-seconds 0 hit.json
 
@@ -559,6 +577,10 @@ expect 2 '' 'no/lid.json: cannot write' demo lid -d no
 echo '<script type="application/json">@TAUT-DATA@</script><script>page</script>' >page.html
 expect 0 '^<script type="application/json">\{"touch":"open","scene":\{"format":"taut-scene/1",' '' view free.json --template page.html
 expect 0 '\{"touch":"closed","at":2.5,"title":"a \\"title\\"","scene"' '' view free.json --template page.html --touch closed --at 2.5 --title 'a "title"'
+expect 0 '"touch":"open","ask":\{"intervals":\{\},"clearance":\{\},"distance_profile":\{"instants":50\},"separate":\{\}\},"scene"' '' \
+  view free.json --template page.html --intervals --clearance --profile 50 --separate
+expect 0 '"at":1,"ask":\{"separate":\{\}\},"scene"' '' view free.json --template page.html --separate --at 1
+expect 2 '' 'profile' view free.json --template page.html --profile 1
 expect 0 '' '' view free.json --template page.html -o a.html
 "$taut" view - --template page.html <free.json >b.html
 cmp -s a.html b.html || { echo "FAILED: the same scene gives different pages"; failures=$((failures + 1)); }

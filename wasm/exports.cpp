@@ -5,8 +5,10 @@
 #include <memory>
 #include <string>
 
+#include "base/interruption.hpp"
 #include "io/json_text.hpp"
 #include "pair/validate_world.hpp"
+#include "questions.hpp"
 #include "recording.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -77,6 +79,8 @@ const char* answered(const Work& work) {
     result = error_text("input", e.place(), e.problem(), e.hint(), body, e.culprits());
   } catch (const UndecidedError& e) {
     result = error_text("undecided", "", e.what(), "");
+  } catch (const Interrupted& e) {
+    result = error_text("undecided", "", e.reason, "");
   } catch (const std::exception& e) {
     result = error_text("internal", "", e.what(), "this is a defect of taut: please report it, with the scene");
   }
@@ -203,6 +207,15 @@ EMSCRIPTEN_KEEPALIVE const char* taut_open(const char* text, const char* name, i
     recording = std::move(fresh);
     world.reset();
     return status_text(*recording, true);
+  });
+}
+
+/// {"answer": ...} to a question about any valid scene, as the commands print it with `--json`.
+EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* text, const char* options) {
+  return answered([&](Scene& scene) {
+    scene = parse_scene(text, "scene");
+    std::string proof;
+    return "{\"answer\":" + answer_to({question, options, {}}, scene, proof) + "}";
   });
 }
 

@@ -123,6 +123,7 @@ class DxfReader {
     } else {
       chain = chain_of(item, placed, flattener_);
     }
+    if (!chain && type == "HATCH") return skip(item, "is a filling: draw its boundary as lines, if it is to be a body");
     if (!chain) return skip(item, "is no line or curve");
     if (chain->points.size() < 2) return skip(item, "has fewer than two points");
     Layer& target = drawing_.layer(layer);

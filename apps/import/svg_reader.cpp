@@ -5,7 +5,9 @@
 #include <set>
 
 #include "import/svg_path.hpp"
+#include "import/svg_styles.hpp"
 #include "import/svg_values.hpp"
+#include "import/xml_tree.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -14,12 +16,16 @@ namespace taut::drawing {
 
 namespace {
 
+constexpr int deepest_clone = 16;
+constexpr std::size_t most_cloned = 1000000;
+
 /// What an element hands down to those inside it.
 struct Surroundings {
   Affine where;
-  bool filled = true, visible = true;
+  bool filled = true, displayed = true, hidden = false;
   Fill fill = Fill::nonzero;
   int layer = -1;
+  int clones = 0;  ///< how many <use> it is within
 };
 
 class SvgReader {
@@ -31,49 +37,94 @@ class SvgReader {
   }
 
   Drawing read() {
-    for (;;) {
-      const XmlReader::Event event = xml_.next();
-      if (event == XmlReader::Event::end) break;
-      if (event == XmlReader::Event::open)
-        open(xml_.element());
-      else if (ignored_ > 0)
-        --ignored_;
-      else
-        stack_.pop_back();
+    open_root();
+    for (const auto& [node, css] : xml_.style_texts()) styles_.read(css, xml_.element(node), drawing_);
+    while (!open_.empty()) {
+      Level& level = open_.back();
+      if (level.next == level.end) {
+        open_.pop_back();
+        continue;
+      }
+      const std::size_t node = level.next;
+      level.next = xml_.end(node);
+      if (level.around.clones > 0 && ++cloned_ > most_cloned)
+        throw InputError(xml_.element(node).place, "clones within clones make more than 1000000 elements",
+                         "unlink the clones that are wanted");
+      open(node);
     }
-    if (!rooted_) throw InputError(drawing_.file, "there is no <svg> element", "give an SVG drawing");
+    tell_what_is_not_drawn();
     drawing_.curves = flattener_.counts();
     return std::move(drawing_);
   }
 
  private:
-  void open(const XmlElement& element) {
-    if (ignored_ > 0) {
-      ++ignored_;
-    } else if (stack_.empty()) {
-      open_root(element);
-    } else if (element.name == "g" || element.name == "a" || element.name == "switch") {
-      stack_.push_back(inside(element, true));
+  /// Elements whose turn comes, and what surrounds them.
+  struct Level {
+    std::size_t next, end;
+    Surroundings around;
+  };
+
+  void open(std::size_t node) {
+    const XmlElement& element = xml_.element(node);
+    if (element.name == "g" || element.name == "a" || element.name == "switch") {
+      open_.push_back({node + 1, xml_.end(node), inside(element, true)});
     } else if (is_shape(element.name)) {
-      stack_.push_back(inside(element, false));
-      read_shape(element);
+      read_shape(element, inside(element, false));
+    } else if (element.name == "use") {
+      open_clone(element);
+    } else if (element.name == "defs" || element.name == "symbol") {
+      definitions_.push_back(node);
     } else {
       pass_over(element);
-      ++ignored_;
     }
   }
 
-  void open_root(const XmlElement& element) {
-    if (rooted_ || element.name != "svg")
+  void open_root() {
+    if (xml_.size() == 0) throw InputError(drawing_.file, "there is no <svg> element", "give an SVG drawing");
+    const XmlElement& element = xml_.element(0);
+    if (xml_.end(0) != xml_.size() || element.name != "svg")
       throw InputError(element.place,
                        "the document is not an SVG drawing: its element is <" + io::excerpt(element.name) + ">",
                        "give an SVG drawing, or WKT, GeoJSON or DXF with its usual file ending");
-    rooted_ = true;
     Surroundings root;
     const double unit = unit_of(element) * settings_.scale;
     root.where = scaling(unit, -unit);
-    stack_.push_back(root);
-    if (element.find("transform")) stack_.back().where = root.where * parse_transform(element);
+    if (element.find("transform")) root.where = root.where * parse_transform(element);
+    open_.push_back({1, xml_.end(0), root});
+  }
+
+  /// What a <use> stands for, as if it were within it.
+  void open_clone(const XmlElement& use) {
+    const std::string* link = use.find("href");
+    if (!link) link = use.find("xlink:href");
+    const auto target = link && !link->empty() && (*link)[0] == '#' ? xml_.by_id(link->substr(1)) : std::nullopt;
+    if (!target) return drawing_.skip(use.place, "<use>", "clones what is not in the file");
+    const XmlElement& what = xml_.element(*target);
+    if (what.name == "symbol" && what.find("viewBox"))
+      return drawing_.skip(use.place, "<use>", "clones a symbol with a viewBox: unlink it in the program that drew it");
+    Surroundings s = inside(use, true, what);
+    if (++s.clones > deepest_clone)
+      throw InputError(use.place, "clones are within clones more than 16 deep",
+                       "an element must not clone what it is within: unlink the clone");
+    s.where = s.where * translation(user_length(use, "x", 0), user_length(use, "y", 0));
+    drawn_definitions_.insert(*target);
+    if (what.name != "symbol") return open_.push_back({*target, xml_.end(*target), s});
+    // What stands for the symbol is a group.
+    open_.push_back({*target + 1, xml_.end(*target), s});
+  }
+
+  /// Shapes of definitions that no clone has drawn.
+  void tell_what_is_not_drawn() {
+    for (const std::size_t definition : definitions_) {
+      const XmlElement& element = xml_.element(definition);
+      bool idle = false;
+      for (std::size_t node = definition; node < xml_.end(definition) && !idle;) {
+        const bool drawn = drawn_definitions_.count(node) != 0;
+        idle = !drawn && is_shape(xml_.element(node).name);
+        node = drawn || is_paint(xml_.element(node).name) ? xml_.end(node) : node + 1;
+      }
+      if (idle) drawing_.skip(element.place, "<" + element.name + ">", "is not drawn where it stands, nor cloned");
+    }
   }
 
   /// How long a unit of the drawing is in millimetres, where the document says so; otherwise 1.
@@ -101,19 +152,36 @@ class SvgReader {
     return unit;
   }
 
-  Surroundings inside(const XmlElement& element, bool group) {
-    Surroundings s = stack_.back();
+  Surroundings inside(const XmlElement& element, bool group) { return inside(element, group, element); }
+
+  /// `named`: by which the layer is called where the element itself has no name.
+  Surroundings inside(const XmlElement& element, bool group, const XmlElement& named) {
+    Surroundings s = open_.back().around;
     s.where = s.where * parse_transform(element);
-    const std::string fill = style_property(element, "fill"), rule = style_property(element, "fill-rule");
+    const std::string fill = styles_.property(element, "fill"), rule = styles_.property(element, "fill-rule");
     if (!fill.empty() && fill != "inherit") s.filled = fill != "none" && fill != "transparent";
     if (!rule.empty() && rule != "inherit") s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
-    const std::string visibility = style_property(element, "visibility");
-    if (style_property(element, "display") == "none" || visibility == "hidden") s.visible = false;
+    const std::string visibility = styles_.property(element, "visibility");
+    if (!visibility.empty() && visibility != "inherit") s.hidden = visibility != "visible";
+    if (styles_.property(element, "display") == "none") s.displayed = false;
+    tell_what_is_not_obeyed(element);
     if (s.layer < 0) {
       s.layer = static_cast<int>(drawing_.layers.size());
-      drawing_.layers.push_back({name_of(element, group), {}});
+      const std::string name = name_of(element, group);
+      drawing_.layers.push_back({name.empty() ? name_of(named, group) : name, {}});
     }
     return s;
+  }
+
+  void tell_what_is_not_obeyed(const XmlElement& element) {
+    for (const char* cut : {"clip-path", "mask"}) {
+      const std::string* value = element.find(cut);
+      if (value && *value != "none")
+        drawing_.skip(element.place, "\"" + std::string(cut) + "\"", "is not obeyed: the whole of it is taken");
+    }
+    const std::string unread = unread_in_style(element);
+    if (!unread.empty())
+      drawing_.skip(element.place, "\"" + unread + "\" in a style", "is not read: use the attribute");
   }
 
   static std::string name_of(const XmlElement& element, bool group) {
@@ -128,9 +196,15 @@ class SvgReader {
     return false;
   }
 
-  void read_shape(const XmlElement& element) {
-    const Surroundings& s = stack_.back();
-    if (!s.visible) return drawing_.skip(element.place, "<" + element.name + ">", "is not visible");
+  /// What fills or marks others.
+  static bool is_paint(const std::string& name) {
+    for (const char* known : {"pattern", "marker", "clipPath", "mask", "linearGradient", "radialGradient", "filter"})
+      if (name == known) return true;
+    return false;
+  }
+
+  void read_shape(const XmlElement& element, const Surroundings& s) {
+    if (s.hidden || !s.displayed) return drawing_.skip(element.place, "<" + element.name + ">", "is not visible");
     std::vector<Chain> chains = chains_of(element, s.where);
     if (chains.empty()) return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
     Layer& layer = drawing_.layers[static_cast<std::size_t>(s.layer)];
@@ -215,24 +289,22 @@ class SvgReader {
     static const std::set<std::string> described{"title", "desc", "metadata"};
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;
     const std::string what = "<" + io::excerpt(element.name, 30) + ">";
-    if (element.name == "defs" || element.name == "symbol" || element.name == "clipPath" || element.name == "mask")
-      return drawing_.skip(element.place, what, "is not drawn where it stands");
-    if (element.name == "use")
-      return drawing_.skip(element.place, what, "is a clone: unlink it in the program that drew it");
+    if (element.name == "style" || is_paint(element.name)) return;
     if (element.name == "text")
       return drawing_.skip(element.place, what, "is text: turn it into paths if it is to be part of a body");
-    if (element.name == "style") return drawing_.skip(element.place, what, "style sheets are not read");
     if (element.name == "svg") return drawing_.skip(element.place, what, "is a drawing in the drawing: ungroup it");
     drawing_.skip(element.place, what, "is no path or basic shape");
   }
 
-  XmlReader xml_;
+  XmlTree xml_;
   ImportSettings settings_;
   Flattener flattener_;
+  StyleSheet styles_;
   Drawing drawing_;
-  std::vector<Surroundings> stack_;
-  int ignored_ = 0;
-  bool rooted_ = false;
+  std::vector<Level> open_;
+  std::vector<std::size_t> definitions_;
+  std::set<std::size_t> drawn_definitions_;
+  std::size_t cloned_ = 0;
 };
 
 }  // namespace

@@ -13,13 +13,6 @@ namespace {
 
 bool is_gap(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-std::string trimmed(const std::string& s) {
-  std::size_t a = 0, b = s.size();
-  while (a < b && is_gap(s[a])) ++a;
-  while (b > a && is_gap(s[b - 1])) --b;
-  return s.substr(a, b - a);
-}
-
 /// One function of a `transform`; nothing if it is not one.
 std::optional<Affine> transformation(const std::string& name, const std::vector<double>& v) {
   const std::size_t n = v.size();
@@ -35,6 +28,13 @@ std::optional<Affine> transformation(const std::string& name, const std::vector<
 }
 
 }  // namespace
+
+std::string trimmed_text(const std::string& s) {
+  std::size_t a = 0, b = s.size();
+  while (a < b && is_gap(s[a])) ++a;
+  while (b > a && is_gap(s[b - 1])) --b;
+  return s.substr(a, b - a);
+}
 
 void NumberScanner::skip() {
   while (position_ < text_.size() && (is_gap(text_[position_]) || text_[position_] == ',')) ++position_;
@@ -70,11 +70,11 @@ bool NumberScanner::at_end() {
 }
 
 std::optional<Length> parse_length(const std::string& text) {
-  const std::string s = trimmed(text);
+  const std::string s = trimmed_text(text);
   std::size_t position = 0;
   const auto value = io::scan_number(s, &position);
   if (!value || !std::isfinite(*value)) return std::nullopt;
-  return Length{*value, trimmed(s.substr(position))};
+  return Length{*value, trimmed_text(s.substr(position))};
 }
 
 std::optional<double> millimetres(const std::string& unit) {
@@ -117,23 +117,6 @@ Affine parse_transform(const XmlElement& element) {
     result = result * *step;
   }
   return result;
-}
-
-std::string style_property(const XmlElement& element, const std::string& name) {
-  if (const std::string* style = element.find("style")) {
-    std::size_t begin = 0;
-    while (begin < style->size()) {
-      const std::size_t end = std::min(style->find(';', begin), style->size());
-      const std::size_t colon = style->find(':', begin);
-      if (colon < end && trimmed(style->substr(begin, colon - begin)) == name) {
-        const std::string value = style->substr(colon + 1, end - colon - 1);
-        return trimmed(value.substr(0, value.find("!important")));
-      }
-      begin = end + 1;
-    }
-  }
-  const std::string* attribute = element.find(name);
-  return attribute ? trimmed(*attribute) : "";
 }
 
 }  // namespace taut::drawing

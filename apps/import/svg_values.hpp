@@ -46,7 +46,7 @@ double user_length(const XmlElement& element, const char* key, double otherwise)
 /// The attribute `transform`. Throws InputError.
 Affine parse_transform(const XmlElement& element);
 
-/// The property, from the attribute `style` or from the attribute of its name; empty if neither is there.
-std::string style_property(const XmlElement& element, const std::string& name);
+/// Without the spaces around it.
+std::string trimmed_text(const std::string& s);
 
 }  // namespace taut::drawing

@@ -56,6 +56,7 @@ void XmlReader::fail(std::size_t at, const std::string& problem, const std::stri
 XmlReader::Event XmlReader::next() {
   if (closing_) {
     closing_ = false;
+    begin_ = position_;
     element_.attributes.clear();
     open_.pop_back();
     return Event::close;
@@ -77,8 +78,10 @@ XmlReader::Event XmlReader::next() {
       pass("?>", "processing instruction");
     else if (starts_with("<!"))
       pass_document_type();
-    else
+    else {
+      begin_ = position_;
       return starts_with("</") ? close() : open();
+    }
   }
 }
 

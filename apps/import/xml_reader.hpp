@@ -28,6 +28,10 @@ class XmlReader {
   Event next();
   /// What was opened or closed last; when it is closed, it has no attributes.
   const XmlElement& element() const { return element_; }
+  /// Where the mark of what was opened or closed last begins, and what is behind it. Of an element that closes itself
+  /// both are behind it when it is closed.
+  std::size_t begin() const { return begin_; }
+  std::size_t position() const { return position_; }
 
  private:
   Event open();
@@ -45,7 +49,7 @@ class XmlReader {
 
   const std::string& text_;
   std::string file_;
-  std::size_t position_ = 0;
+  std::size_t position_ = 0, begin_ = 0;
   /// Up to where lines are counted.
   std::size_t counted_ = 0, line_start_ = 0;
   int line_ = 1;

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <thread>
+#include <utility>
 
+#include "answer_file.hpp"
 #include "batch.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -24,12 +27,20 @@ namespace taut::cli {
 
 namespace {
 
-/// Files one by one, or their lines.
+/// Files one by one, or their lines, as far as they are the shard's.
 class Tasks {
  public:
-  Tasks(const std::vector<std::string>& paths, bool lines) : paths_(paths), lines_(lines) {}
+  explicit Tasks(const CheckBatch& batch) : paths_(batch.paths), lines_(batch.lines), shard_(batch.shard) {}
 
   std::optional<BatchTask> next() {
+    while (const std::optional<BatchTask> task = any()) {
+      if (number_++ % shard_.count == shard_.index) return task;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<BatchTask> any() {
     while (current_ < paths_.size()) {
       if (!lines_) return BatchTask{paths_[current_++], {}};
       if (line_ == 0 && paths_[current_] != "-") {
@@ -52,7 +63,6 @@ class Tasks {
     return std::nullopt;
   }
 
- private:
   static bool is_regular(const std::string& path) {
     try {
       io::open_regular_file(path);
@@ -64,6 +74,8 @@ class Tasks {
 
   const std::vector<std::string>& paths_;
   bool lines_;
+  Shard shard_;
+  std::uint64_t number_ = 0;
   std::size_t current_ = 0;
   std::ifstream file_;
   std::uint64_t line_ = 0;
@@ -125,27 +137,95 @@ class WorstCode {
   bool seen_[exit_internal + 1] = {};
 };
 
+/// Where answers go: to standard output, or behind those of a file.
+class Output {
+ public:
+  explicit Output(const CheckBatch& batch) : touch_(batch.options.touch) {
+    if (!batch.resume.empty()) file_.emplace(batch.resume);
+  }
+
+  /// Leaves out what the file has answers to.
+  void take_up(Tasks& tasks, WorstCode& worst) {
+    if (!file_) return;
+    int code = exit_free;
+    while ((waiting_ = tasks.next()) && file_->has(waiting_->place, touch_, code)) worst.note(code);
+    if (!waiting_) file_->expect_none();
+  }
+
+  /// The next task, the one that take_up() came to first. What is left when a run was stopped is for the next run.
+  std::optional<BatchTask> next(Tasks& tasks, bool stopped) {
+    if (file_ && (stopped || !writes_)) return std::nullopt;
+    if (!waiting_) return tasks.next();
+    return std::exchange(waiting_, std::nullopt);
+  }
+
+  /// True if it was written: an answer that a signal may have ended is not, where the run can go on.
+  bool write(const BatchResult& result, bool stopped) {
+    if (file_) {
+      incomplete_ = incomplete_ || stopped;
+      if (incomplete_ || !(writes_ = writes_ && file_->append(result.out))) return false;
+    } else {
+      std::fwrite(result.out.data(), 1, result.out.size(), stdout);
+    }
+    if (!result.err.empty()) {
+      std::fflush(stdout);
+      std::fwrite(result.err.data(), 1, result.err.size(), stderr);
+    }
+    return true;
+  }
+
+  /// Throws InputError if answers could not be written.
+  void expect_written() const {
+    if (file_) file_->expect_written();
+  }
+
+ private:
+  Touch touch_;
+  std::optional<AnswerFile> file_;
+  std::optional<BatchTask> waiting_;
+  bool writes_ = true, incomplete_ = false;
+};
+
 }  // namespace
 
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  char beyond = 0;
+  unsigned long long index = 0, count = 0;
+  if (std::sscanf(text.c_str(), "%12llu/%12llu%c", &index, &count, &beyond) != 2 || index < 1 || index > count ||
+      text.find_first_not_of("0123456789/") != text.npos)
+    throw InputError("--shard", fmt::format("{} is no shard", io::string_text(io::excerpt(text))),
+                     "write I/N: of every N scenes the I-th, where I is from 1 to N");
+  shard.index = index - 1;
+  shard.count = count;
+  return shard;
+}
+
 int check_batch(const CheckBatch& batch) {
+  if (!batch.resume.empty() && !batch.json)
+    throw InputError("--resume", "answers are taken up line by line, and a report has several", "add --json");
   CheckBatch shared = batch;
   shared.options.stop = stop_on_signals();
+  const std::atomic<bool>& stop = *shared.options.stop;
   const unsigned threads = batch.threads > 0 ? batch.threads : std::max(1u, std::thread::hardware_concurrency());
   const auto start = std::chrono::steady_clock::now();
-  Tasks tasks(batch.paths, batch.lines);
+  Tasks tasks(batch);
+  Output output(batch);
   WorstCode worst;
+  output.take_up(tasks, worst);
   std::uint64_t scenes = 0;
   run_batch(
-      threads, [&] { return tasks.next(); }, [&](const BatchTask& task) { return answer(task, shared); },
+      threads, [&] { return output.next(tasks, stop); }, [&](const BatchTask& task) { return answer(task, shared); },
       [&](const BatchResult& result) {
-        std::fwrite(result.out.data(), 1, result.out.size(), stdout);
-        if (!result.err.empty()) {
-          std::fflush(stdout);
-          std::fwrite(result.err.data(), 1, result.err.size(), stderr);
-        }
+        if (output.write(result, stop)) ++scenes;
         worst.note(result.code);
-        ++scenes;
       });
+  output.expect_written();
+  if (!batch.resume.empty() && stop) {
+    fmt::print(stderr, "taut: stopped; the same command goes on behind the last answer in {}\n",
+               io::line_for_terminal(batch.resume));
+    worst.note(exit_undecided);
+  }
   if (batch.timing) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print(stderr, "{} scenes in {}, {:.0f} a second, {} thread{}\n", scenes, seconds_text(seconds),

@@ -1,6 +1,7 @@
 // taut check over many scenes.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,11 +9,21 @@
 
 namespace taut::cli {
 
+/// Of every `count` scenes the one at `index`, from 0: the scenes of several runs are then all of them, each once.
+struct Shard {
+  std::uint64_t index = 0, count = 1;
+};
+
+/// From "I/N", I from 1 to N. Throws InputError.
+Shard shard_of(const std::string& text);
+
 struct CheckBatch {
   std::vector<std::string> paths;
   bool allow_outside = false;  ///< see SceneSource
   bool lines = false;          ///< each file holds a scene on every line
   unsigned threads = 0;        ///< 0: as many as the machine has
+  Shard shard;
+  std::string resume;  ///< a file that answers are appended to, and are taken up from; empty: standard output
   CheckOptions options;
   bool json = false, timing = false;
 };

@@ -25,6 +25,7 @@ struct CheckArguments {
   CheckOptions options;
   bool json = false, timing = false;
   double clearance = 0;  ///< 0: none was asked for
+  std::string svg = {};  ///< a picture of the answer about a clearance
 };
 
 CheckArguments single(const CheckBatch& batch) {
@@ -73,16 +74,21 @@ int run_margin(const CheckArguments& arguments) {
   options.stop = stop_on_signals();
   const MarginAnswer answer =
       within_file(arguments.scene.path, [&] { return check_clearance(scene, arguments.clearance, options); });
-  print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
-                            : margin_in_words(scene, arguments.clearance, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, margin_svg(scene, arguments.clearance, answer));
+  // What goes to standard output is one thing.
+  if (arguments.svg != "-")
+    print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
+                              : margin_in_words(scene, arguments.clearance, answer));
   return exit_code(answer.outcome);
 }
 
-int margin_of(const CheckBatch& batch, double clearance) {
-  if (batch.paths.size() != 1 || batch.lines)
-    throw InputError("--clearance", "it is asked about one scene at a time", "leave out --lines and the other scenes");
+int margin_of(const CheckBatch& batch, double clearance, const std::string& svg) {
+  if (batch.paths.size() != 1 || batch.lines || batch.shard.count > 1 || !batch.resume.empty())
+    throw InputError("--clearance", "it is asked about one scene at a time",
+                     "leave out --lines, --shard, --resume and the other scenes");
   CheckArguments arguments = single(batch);
   arguments.clearance = clearance;
+  arguments.svg = svg;
   return run_margin(arguments);
 }
 
@@ -103,6 +109,13 @@ void add_check(const Command& app, Action& action) {
   command.add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
       .value("N")
       .within(1, 1024);
+  const auto shard = std::make_shared<std::string>();
+  command.add_option("--shard", *shard, "of every N scenes check the I-th, from 1 on: N runs then check all of them")
+      .value("I/N");
+  command
+      .add_option("--resume", arguments->resume,
+                  "append the answers to a file, and leave out the scenes that it has answers to")
+      .value("FILE");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs,
                      "first: up to the first contact of any pair; all: each pair's own first contact");
@@ -112,13 +125,21 @@ void add_check(const Command& app, Action& action) {
                   "shrink bodies by E to 2 E first: overlaps by rounding are none then")
       .value("E");
   const auto clearance = std::make_shared<std::optional<double>>();
-  command.add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
-      .value("C");
+  const Option margin =
+      command
+          .add_option("--clearance", *clearance, "ask whether bodies keep at least this distance, in the scene's units")
+          .value("C");
+  const auto svg = std::make_shared<std::string>();
+  command.add_option("--svg", *svg, "with --clearance, draw the bodies where they first come closer to FILE")
+      .value("FILE")
+      .needs(margin);
   command.footer(
       "Example:\n"
       "  taut check --touch closed scene.json\n"
       "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
       "  taut check --json --lines scenes.jsonl     one scene on each line\n"
+      "  taut check --json --lines scenes.jsonl --shard 3/8 --resume answers-3.jsonl\n"
+      "                                             one run of eight, which may be killed, and goes on where it was\n"
       "\n"
       "A scene is a JSON file:\n"
       "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
@@ -126,10 +147,11 @@ void add_check(const Command& app, Action& action) {
       "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
       "\n"
       "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
-  command.on_chosen([&action, arguments, clearance] {
-    action = [arguments, clearance] {
-      if (*clearance) return margin_of(*arguments, **clearance);
-      const bool one = arguments->paths.size() == 1 && !arguments->lines;
+  command.on_chosen([&action, arguments, clearance, shard, svg] {
+    action = [arguments, clearance, shard, svg] {
+      if (!shard->empty()) arguments->shard = shard_of(*shard);
+      if (*clearance) return margin_of(*arguments, **clearance, *svg);
+      const bool one = arguments->paths.size() == 1 && !arguments->lines && shard->empty() && arguments->resume.empty();
       return one ? run_check(single(*arguments)) : check_batch(*arguments);
     };
   });

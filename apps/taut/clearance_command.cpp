@@ -102,7 +102,9 @@ int run_clearance(const ClearanceArguments& arguments) {
   ClearanceOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Clearance answer = within_file(arguments.scene.path, [&] { return clearance(scene, options); });
-  print_text(arguments.json ? clearance_json(scene, answer) + "\n" : clearance_text(scene, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, clearance_svg(scene, answer));
+  if (arguments.svg != "-")
+    print_text(arguments.json ? clearance_json(scene, answer) + "\n" : clearance_text(scene, answer));
   if (!answer.reason.empty()) return exit_undecided;
   return answer.nearest && !(answer.nearest->hi > 0) ? exit_contact : exit_free;
 }
@@ -129,11 +131,14 @@ void add_clearance(const Command& app, Action& action) {
   command.add_option("--csv", arguments->csv, "with --profile, write it to FILE (- is standard output)")
       .value("FILE")
       .needs(profile);
-  command.add_option("--svg", arguments->svg, "with --profile, draw it to FILE").value("FILE").needs(profile);
+  command
+      .add_option("--svg", arguments->svg,
+                  "draw the bodies where they are closest to FILE (- is standard output);\nwith --profile, the curve")
+      .value("FILE");
   command.add_flag("--json", arguments->json, "print one JSON object");
   command.footer(
       "Example:\n"
-      "  taut clearance scene.json --pairs all\n"
+      "  taut clearance scene.json --pairs all --svg closest.svg\n"
       "  taut clearance scene.json --profile 200 --svg distance.svg\n"
       "\n"
       "Prints the least distance over the scene's time, when, and between which points. Exit codes: 0, or 1 if bodies\n"

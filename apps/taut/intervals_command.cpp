@@ -92,8 +92,10 @@ int run_range(const IntervalArguments& arguments) {
   CheckOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Range answer = within_file(arguments.scene.path, [&] { return range(scene, arguments.from, options); });
-  print_text(arguments.json ? range_json(scene, arguments.from, answer, options.touch) + "\n"
-                            : text_of_answer(scene, arguments.from, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, range_svg(scene, arguments.from, answer));
+  if (arguments.svg != "-")
+    print_text(arguments.json ? range_json(scene, arguments.from, answer, options.touch) + "\n"
+                              : text_of_answer(scene, arguments.from, answer));
   return answer.decided ? exit_free : exit_undecided;
 }
 
@@ -128,6 +130,7 @@ void add_range(const Command& app, Action& action) {
   const auto arguments = std::make_shared<IntervalArguments>();
   add_question(command, *arguments);
   command.add_option("--from", arguments->from, "an instant at which no bodies overlap").required().value("T");
+  command.add_option("--svg", arguments->svg, "draw it over time to FILE (- is standard output)").value("FILE");
   command.footer(
       "Example:\n"
       "  taut range scene.json --from 0.5\n"

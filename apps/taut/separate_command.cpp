@@ -18,6 +18,7 @@ struct SeparateArguments {
   SceneSource scene;
   SeparateOptions options;
   bool json = false;
+  std::string svg;
 };
 
 double middle_of(const DirectionInterval& d) { return d.lo + (d.hi - d.lo) / 2; }
@@ -77,7 +78,10 @@ int run_separate(const SeparateArguments& arguments) {
   SeparateOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Separation answer = within_file(arguments.scene.path, [&] { return separate(scene, options); });
-  print_text(arguments.json ? separation_json(scene, answer) + "\n" : in_words(scene, answer));
+  if (!arguments.svg.empty()) write_output(arguments.svg, separation_svg(scene, answer));
+  // What goes to standard output is one thing.
+  if (arguments.svg != "-")
+    print_text(arguments.json ? separation_json(scene, answer) + "\n" : in_words(scene, answer));
   if (!answer.reason.empty()) return exit_undecided;
   return answer.overlap || is_locked(answer) ? exit_contact : exit_free;
 }
@@ -92,6 +96,8 @@ void add_separate(const Command& app, Action& action) {
       .value("S")
       .not_negative();
   command.add_flag("--json", arguments->json, "print one JSON object");
+  command.add_option("--svg", arguments->svg, "draw the bodies with a rose for each to FILE (- is standard output)")
+      .value("FILE");
   command.footer(
       "Example:\n"
       "  taut separate --json scene.json\n"

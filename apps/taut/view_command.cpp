@@ -47,6 +47,13 @@ void add_view(const Command& app, Action& action) {
   command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
   add_touch(command, arguments->options.touch);
   command.add_option("--at", arguments->options.at, "the instant to show first (the start)").value("T");
+  ViewerQuestions& ask = arguments->options.ask;
+  command.add_flag("--intervals", ask.intervals, "ask when bodies overlap, all of the time: a lane along the time");
+  command.add_flag("--clearance", ask.clearance, "ask how close they come: the closest points, and when");
+  command.add_option("--profile", ask.profile, "ask how far apart they are, all of the time, at N instants and between")
+      .within(2, 1000000)
+      .value("N");
+  command.add_flag("--separate", ask.separate, "ask in which directions they come apart: a rose for each body");
   command.add_option("--title", arguments->options.title, "of the page (the bodies' names)").value("TEXT");
   command
       .add_option("--template", arguments->options.template_path,
@@ -55,6 +62,7 @@ void add_view(const Command& app, Action& action) {
   command.footer(
       "Example:\n"
       "  taut view scene.json -o scene.html\n"
+      "  taut view scene.json --intervals --clearance --profile 200 --separate -o scene.html\n"
       "\n"
       "The page is one file, with the scene and the program inside; it opens without a network. The browser computes\n"
       "the answer anew, by the same code. docs/viewer.md tells what is seen, and the keys.\n");

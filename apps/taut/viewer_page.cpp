@@ -55,10 +55,25 @@ std::string for_script(const std::string& json) {
   return s;
 }
 
+/// By the names that the library has for them, with their options.
+std::string ask_text(const ViewerQuestions& ask) {
+  std::string s;
+  const auto add = [&s](bool asked, const char* name, const std::string& options) {
+    if (asked) s += std::string(s.empty() ? "\"" : ",\"") + name + "\":{" + options + "}";
+  };
+  add(ask.intervals, "intervals", "");
+  add(ask.clearance, "clearance", "");
+  add(ask.profile > 0, "distance_profile", "\"instants\":" + std::to_string(ask.profile));
+  add(ask.separate, "separate", "");
+  return s;
+}
+
 std::string data_text(const Scene& scene, const ViewerOptions& options) {
   std::string s = std::string("{\"touch\":\"") + to_string(options.touch) + "\"";
   if (options.at) s += ",\"at\":" + io::number_text(*options.at);
   if (!options.title.empty()) s += ",\"title\":" + io::string_text(options.title);
+  const std::string ask = ask_text(options.ask);
+  if (!ask.empty()) s += ",\"ask\":{" + ask + "}";
   return for_script(s + ",\"scene\":" + write_scene(scene) + "}");
 }
 

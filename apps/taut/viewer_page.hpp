@@ -9,10 +9,17 @@
 
 namespace taut::cli {
 
+/// Questions that the page answers from the beginning, besides that of the first contact.
+struct ViewerQuestions {
+  bool intervals = false, clearance = false, separate = false;
+  int profile = 0;  ///< instants of the distance over time; 0: it is not asked for
+};
+
 struct ViewerOptions {
   Touch touch = Touch::open;
-  std::optional<double> at;   ///< the instant to show first; without it, the start
-  std::string title;          ///< of the page; empty: the bodies' names
+  std::optional<double> at;  ///< the instant to show first; without it, the start
+  std::string title;         ///< of the page; empty: the bodies' names
+  ViewerQuestions ask;
   std::string template_path;  ///< empty: look next to the executable
 };
 

@@ -137,6 +137,19 @@ struct AnimateOptions {
 /// frame.
 std::string animate_svg(const Scene& scene, const std::vector<Tiling>& frames, const AnimateOptions& options = {});
 
+/// A distance to mark in a picture: two points in world coordinates, and what is written beside them.
+struct DrawnDistance {
+  std::array<Point, 2> points{};
+  std::string text;
+};
+
+/// Directions to mark where a body has most room: sectors of a circle.
+struct DrawnRose {
+  BodyId body = 0;
+  /// Counterclockwise from the first angle to the second, in degrees; where they are one, a line.
+  std::vector<std::array<double, 2>> arcs;
+};
+
 /// What draw_world_svg() shows, and how.
 struct WorldDrawOptions {
   int width = 800;  ///< pixels
@@ -146,6 +159,8 @@ struct WorldDrawOptions {
   std::vector<Contact> contacts = {};
   /// Pairs of bodies that overlap, to mark.
   std::vector<std::array<BodyId, 2>> overlaps = {};
+  std::vector<DrawnDistance> distances = {};
+  std::vector<DrawnRose> roses = {};
 };
 /// The same options with the contacts and overlaps of an answer, those at the same time included.
 WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options = {});
@@ -168,11 +183,15 @@ std::string animate_world_svg(const Scene& scene, double end, const WorldAnimate
 
 /// The answer of intervals() as `taut intervals --json` prints it.
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch);
+/// The same as a chart in SVG: the interval along the scene's time, and what ends it.
+std::string range_svg(const Scene& scene, double from, const Range& answer, int width = 800);
 /// The answer of range(scene, from) as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
 
 /// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);
+/// The bodies where they first come closer, in SVG, with the points that do; at the start, if they keep the clearance.
+std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer& answer, int width = 800);
 
 /// The answer of envelope() as `taut envelope --json` prints it; `cells`: with the whole partition.
 std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells);
@@ -181,9 +200,14 @@ std::string envelope_svg(const Linkage& linkage, const Envelope& answer, int wid
 
 /// The answer of separate() as `taut separate --json` prints it.
 std::string separation_json(const Scene& scene, const Separation& answer);
+/// The bodies as they stand at the start, each with a rose of the directions in which it can leave: in SVG.
+std::string separation_svg(const Scene& scene, const Separation& answer, int width = 800);
 
 /// The answer of clearance() as `taut clearance --json` prints it.
 std::string clearance_json(const Scene& scene, const Clearance& answer);
+/// The bodies where they are closest, in SVG, with the closest points and their distance; where nothing was found, at
+/// the start.
+std::string clearance_svg(const Scene& scene, const Clearance& answer, int width = 800);
 /// The answer of distance_profile() as `taut clearance --profile N --json` prints it.
 std::string profile_json(const Scene& scene, const DistanceProfile& answer);
 /// As comma-separated values, a line for each instant of each curve: first, second (the pair; empty for the least

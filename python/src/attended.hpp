@@ -20,10 +20,9 @@ constexpr std::chrono::milliseconds signal_period{20};
 
 /// Runs `work` on a thread of its own, and hands over what it returns or throws. Called with the interpreter's lock,
 /// which is free meanwhile: other threads of Python go on. Where a handler of signals raises an exception, as for
-/// Ctrl-C, the work is told to stop, and the exception goes on as soon as it has.
+/// Ctrl-C, `stop` tells the work to stop, and the exception goes on as soon as it has.
 template <class Result>
-Result attended(const std::function<Result(const std::atomic<bool>&)>& work) {
-  std::atomic<bool> stop{false};
+Result attended(std::atomic<bool>& stop, const std::function<Result()>& work) {
   std::mutex mutex;
   std::condition_variable finished;
   bool done = false;
@@ -31,7 +30,7 @@ Result attended(const std::function<Result(const std::atomic<bool>&)>& work) {
   std::exception_ptr error;
   std::thread worker([&] {
     try {
-      result.emplace(work(stop));
+      result.emplace(work());
     } catch (...) {
       error = std::current_exception();
     }
@@ -60,6 +59,13 @@ Result attended(const std::function<Result(const std::atomic<bool>&)>& work) {
   if (raised) throw pybind11::error_already_set();
   if (error) std::rethrow_exception(error);
   return std::move(*result);
+}
+
+/// The same with a flag of its own, which the work is given.
+template <class Result>
+Result attended(const std::function<Result(const std::atomic<bool>&)>& work) {
+  std::atomic<bool> stop{false};
+  return attended<Result>(stop, [&] { return work(stop); });
 }
 
 }  // namespace taut_python

@@ -33,6 +33,8 @@ void translate(std::exception_ptr pointer) {
     raise("InputError", text_of(error.place()), text_of(error.problem()), text_of(error.hint()));
   } catch (const taut::InternalError& error) {
     raise("InternalError", text_of(error.what()));
+  } catch (const taut::UndecidedError& error) {
+    raise("UndecidedError", text_of(error.what()));
   } catch (const taut::Error& error) {
     raise("TautError", text_of(error.what()));
   }

@@ -11,42 +11,13 @@
 #include "attended.hpp"
 #include "base/interruption.hpp"
 #include "bindings.hpp"
+#include "buffers.hpp"
 #include "check_rows.hpp"
 
 namespace py = pybind11;
 
 namespace taut_python {
 namespace {
-
-/// Buffers that are held while rows point into them. They hold the interpreter's objects: made and let go with its
-/// lock.
-class Buffers {
- public:
-  /// Doubles without gaps, as many as there are said to be; the callers in Python see to that.
-  double* doubles(const py::buffer& buffer, std::size_t count, bool writable = false) {
-    held_.push_back(buffer.request(writable));
-    const py::buffer_info& info = held_.back();
-    if (info.format != py::format_descriptor<double>::format() || static_cast<std::size_t>(info.size) != count)
-      throw py::value_error("the buffer is not as it must be");
-    return static_cast<double*>(info.ptr);
-  }
-  AnswerRow* answers(const py::buffer& buffer, std::size_t count) {
-    held_.push_back(buffer.request(true));
-    const py::buffer_info& info = held_.back();
-    if (static_cast<std::size_t>(info.itemsize) != sizeof(AnswerRow) || static_cast<std::size_t>(info.size) != count)
-      throw py::value_error("the buffer of answers is not as it must be");
-    return static_cast<AnswerRow*>(info.ptr);
-  }
-  PivotColumn pivots(const py::object& given, std::size_t rows) {
-    if (given.is_none()) return {};
-    const auto buffer = given.cast<py::buffer>();
-    const bool one_each = buffer.request().ndim == 2;
-    return {doubles(buffer, one_each ? 2 * rows : 2), one_each};
-  }
-
- private:
-  std::vector<py::buffer_info> held_;
-};
 
 /// A template and its columns, for Python to fill in.
 class Template {

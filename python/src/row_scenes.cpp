@@ -3,7 +3,6 @@
 #include "taut/motions.hpp"
 
 namespace taut_python {
-namespace {
 
 taut::Motion motion_of(const KeyframeColumn& column, std::size_t row) {
   std::vector<taut::Keyframe> keyframes(column.count);
@@ -22,8 +21,6 @@ taut::Motion motion_of(const VelocityColumn& column, std::size_t row) {
   const double* values = column.values + row * 3;
   return taut::from_velocity({values[0], values[1]}, values[2], column.pivots.at(row));
 }
-
-}  // namespace
 
 taut::Point PivotColumn::at(std::size_t row) const {
   if (!values) return {};

@@ -36,6 +36,10 @@ struct VelocityColumn {
   PivotColumn pivots;
 };
 
+/// Throws InputError.
+taut::Motion motion_of(const KeyframeColumn& column, std::size_t row);
+taut::Motion motion_of(const VelocityColumn& column, std::size_t row);
+
 /// Shapes of one body, one for each row.
 struct ShapeColumn {
   std::size_t body;

@@ -20,9 +20,9 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
 which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
-along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors;
-sweep() does, too, into files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by
-matplotlib.
+along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
+does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
+goes from event to event, with plans that may change. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -37,9 +37,10 @@ from . import _taut2d
 from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, ProvedCloseness, Verified, VertexRef,
                       answer_from_json, verified_from_json)
-from .errors import InputError, InternalError, TautError
+from .errors import InputError, InternalError, TautError, UndecidedError
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .margins import MarginAnswer, MarginProof, PairMargin, margin_from_json
+from .maps import Mover, StaticMap
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
@@ -51,6 +52,7 @@ from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Me
                         Range, clearance_from_json, intervals_from_json, profile_from_json, range_from_json)
 from .scene import Body, Scene, _plain_places
 from .shape import Shape
+from .simulations import Simulation, Tiling, TilingEdge, TilingFace
 from .sweeps import SweepAnswers, sweep
 from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
@@ -59,10 +61,11 @@ __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
     "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope", "EnvelopeCell",
     "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
-    "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting", "NearestPoints", "Outcome",
-    "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness",
-    "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Slide", "Sweep", "SweepAnswers", "TautError",
-    "Turn", "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
+    "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting", "Mover", "NearestPoints",
+    "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose", "Proof",
+    "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Slide",
+    "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
     "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals", "prove",
     "prove_clearance", "range", "separate", "sweep", "verify",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["InputError", "InternalError", "TautError"]
+__all__ = ["InputError", "InternalError", "TautError", "UndecidedError"]
 
 
 class TautError(Exception):
@@ -25,6 +25,10 @@ class InputError(TautError, ValueError):
     def __str__(self) -> str:
         text = f"{self.place}: {self.problem}" if self.place else self.problem
         return f"{text}\nhint: {self.hint}" if self.hint else text
+
+
+class UndecidedError(TautError):
+    """Precision, or a limit, does not suffice, where there is no answer to say so in."""
 
 
 class InternalError(TautError):

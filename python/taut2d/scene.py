@@ -218,16 +218,19 @@ class Scene:
         with _plain_places():
             return pictures.animate(self, ax, until, frames, seconds)
 
-    def view(self, *, touch: str = "open", at: Optional[float] = None,
+    def view(self, *, touch: str = "open", at: Optional[float] = None, intervals: bool = False,
+             clearance: bool = False, profile: Optional[int] = None, separate: bool = False,
              template: Union[None, str, os.PathLike[str]] = None) -> Viewer:
         """The viewer, as ``taut view`` writes it: Jupyter shows it in place, and ``.save(path)`` makes a page of it.
 
-        ``touch``: as in check(). ``at``: the instant to show first; None is the start. ``template``: the page that
+        ``touch``: as in check(). ``at``: the instant to show first; None is the start. ``intervals``, ``clearance``,
+        ``profile`` (a number of instants, 2 to 1,000,000), ``separate``: what the page asks besides, from the beginning:
+        intervals(), clearance(), distance_profile() and separate(); the reader can ask all of it, too. ``template``: the page that
         ``./dev web`` builds; None looks in the package, and where taut is installed. Raises InputError if there is none,
         if the scene is not valid, or if it names files.
         """
-        from .viewer import viewer_of
-        return viewer_of(self, touch, at, template)
+        from .viewer import questions_of, viewer_of
+        return viewer_of(self, touch, at, questions_of(intervals, clearance, profile, separate), template)
 
     def _repr_html_(self) -> str:
         """What Jupyter shows: the motion, or what is wrong with the scene."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import concurrent.futures
 import json
 import os
 import re
@@ -24,6 +25,7 @@ __all__ = ["SweepAnswers", "sweep"]
 _FORMAT = "taut-sweep/1"
 _FEATURE = ("body", "part", "ring", "index")
 _NO_POINT = (float("nan"), float("nan"))
+_OUTCOMES = [outcome.name.lower() for outcome in Outcome]
 
 
 @dataclass(frozen=True)
@@ -57,23 +59,36 @@ class SweepAnswers:
         return answers
 
 
-def _line(number: int, row: Any, names: Sequence[str]) -> str:
-    """A row as JSON; doubles read back as the same doubles."""
-    outcome = Outcome(row["outcome"])
-    line: dict[str, Any] = {"row": number, "outcome": outcome.name.lower(), "free_until": float(row["free_until"]),
-                            "events": int(row["events"])}
-    if row["pair"][0] >= 0:
-        line["pair"] = [names[k] for k in row["pair"]]
-    if row["vertex"]["index"] >= 0:
-        line["t"] = [float(row["t_lo"]), float(row["t_hi"])]
-        for name in ("vertex", "edge"):
-            line[name] = {field: int(row[name][field]) for field in _FEATURE}
-            line[name]["body"] = names[line[name]["body"]]
-        line["normal"] = row["normal"].tolist()
-        line.update({flag: True for flag in ("touching", "grazing") if row[flag]})
-    if row["point"][0] == row["point"][0]:
-        line["point"] = row["point"].tolist()
-    return json.dumps(line, separators=(",", ":"), ensure_ascii=False)
+def _line(number: int, row: tuple[Any, ...], names: Sequence[str]) -> str:
+    """A row of answer_dtype() as JSON; doubles read back as the same doubles. ``names``: those of the bodies, as JSON."""
+    (t_lo, t_hi, free_until, point, normal, events, pair, vertex, edge, outcome, touching, grazing) = row
+    line = f'{{"row":{number},"outcome":"{_OUTCOMES[outcome]}","free_until":{free_until!r},"events":{events}'
+    if pair[0] >= 0:
+        line += f',"pair":[{names[pair[0]]},{names[pair[1]]}]'
+    if vertex[3] >= 0:
+        line += f',"t":[{t_lo!r},{t_hi!r}]'
+        for name, (body, part, ring, index) in (("vertex", vertex), ("edge", edge)):
+            line += f',"{name}":{{"body":{names[body]},"part":{part},"ring":{ring},"index":{index}}}'
+        line += f',"normal":[{normal[0]!r},{normal[1]!r}]'
+        line += (',"touching":true' if touching else "") + (',"grazing":true' if grazing else "")
+    if point[0] == point[0]:
+        line += f',"point":[{point[0]!r},{point[1]!r}]'
+    return line + "}\n"
+
+
+def _lines(given: Union[Variants, Scenes], begin: int, answers: Any) -> str:
+    """All rows, the first of which has this number."""
+    def names(row: int) -> list[str]:
+        return [json.dumps(name, ensure_ascii=False) for name in given.names(row)]
+
+    alike = names(0) if isinstance(given, Variants) and len(given) else None
+    # tolist() makes floats and tuples of all at once; fields of a row, one by one, take five times as long.
+    return "".join(_line(begin + k, _plain(row), alike or names(k)) for k, row in enumerate(answers.tolist()))
+
+
+def _plain(row: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Arrays within a row as lists."""
+    return tuple(value.tolist() if hasattr(value, "tolist") else value for value in row)
 
 
 def _read(row: Any, line: dict[str, Any], names: Sequence[str]) -> None:
@@ -99,14 +114,17 @@ class _Options:
     max_seconds: Optional[float]
     max_events: Optional[int]
 
-    def text_of(self, part: Union[Variants, Scenes], begin: int, threads: int) -> str:
-        """The lines of a shard whose first row is the one that is said."""
+    def answers_of(self, part: Union[Variants, Scenes], begin: int, threads: int) -> Any:
+        """Those of a shard whose first row is the one that is said."""
         options = run_options(self.touch, self.engine, "first", self.max_seconds, self.max_events)
         try:
-            answers = answers_to(part, options, threads)
+            return answers_to(part, options, threads)
         except InputError as error:
             raise _from_row(error, begin) from error
-        return "".join(_line(begin + k, row, part.names(k)) + "\n" for k, row in enumerate(answers))
+
+    def text_of(self, part: Union[Variants, Scenes], begin: int) -> str:
+        """The lines of such a shard, made by one thread."""
+        return _lines(part, begin, self.answers_of(part, begin, 1))
 
 
 def _from_row(error: InputError, begin: int) -> InputError:
@@ -153,7 +171,7 @@ def _on_cluster(client: Any, options: _Options, given: Union[Variants, Scenes],
 
     def send(shard: tuple[int, int, str]) -> Any:
         begin, end, path = shard
-        future = client.submit(options.text_of, given.part(begin, end), begin, 1, pure=False)
+        future = client.submit(options.text_of, given.part(begin, end), begin, pure=False)
         paths[future.key] = path
         return future
 
@@ -168,6 +186,24 @@ def _on_cluster(client: Any, options: _Options, given: Union[Variants, Scenes],
                 break
     finally:
         client.cancel(list(waiting.futures))
+
+
+def _on_threads(count: int, options: _Options, given: Union[Variants, Scenes],
+                missing: Sequence[tuple[int, int, str]]) -> None:
+    """Shards one after the other, each on all threads; a file is written while the library is at the next one."""
+    def write(path: str, part: Union[Variants, Scenes], begin: int, answers: Any) -> None:
+        _write(path, _lines(part, begin, answers))
+
+    with concurrent.futures.ThreadPoolExecutor(1) as writer:
+        written: Optional[concurrent.futures.Future[None]] = None
+        for begin, end, path in missing:
+            part = given.part(begin, end)
+            answers = options.answers_of(part, begin, count)
+            if written is not None:
+                written.result()
+            written = writer.submit(write, path, part, begin, answers)
+        if written is not None:
+            written.result()
 
 
 def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *, to: Union[str, os.PathLike[str]],
@@ -199,7 +235,6 @@ def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {},
     if client is not None:
         _on_cluster(client, options, given, missing)
     else:
-        for begin, end, path in missing:
-            _write(path, options.text_of(given.part(begin, end), begin, count))
+        _on_threads(count, options, given, missing)
     return SweepAnswers(folder, rows, tuple(path for _, _, path in shards),
                         None if names is None else tuple(names))

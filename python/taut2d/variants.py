@@ -74,7 +74,7 @@ class KeyframeRows:
     def _part(self, rows: slice) -> KeyframeRows:
         return KeyframeRows(self.values[rows], _pivots_of(self.pivot, rows))
 
-    def _add(self, table: _taut2d.Template, body: int) -> None:
+    def _add(self, table: Union[_taut2d.Template, _taut2d.MapRows], body: int) -> None:
         table.keyframes(body, self.values, self.values.shape[1], self.values.shape[2], self.pivot)
 
 
@@ -99,7 +99,7 @@ class VelocityRows:
     def _part(self, rows: slice) -> VelocityRows:
         return VelocityRows(self.values[rows, :2], self.values[rows, 2], _pivots_of(self.pivot, rows))
 
-    def _add(self, table: _taut2d.Template, body: int) -> None:
+    def _add(self, table: Union[_taut2d.Template, _taut2d.MapRows], body: int) -> None:
         table.velocities(body, self.values, self.pivot)
 
 

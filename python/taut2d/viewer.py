@@ -6,7 +6,7 @@ import html
 import json
 import os
 import sys
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 from ._numbers import number
 from .errors import InputError
@@ -62,13 +62,28 @@ def _require_no_files(scene: Scene) -> None:
                              "`taut view` puts what files say into the page")
 
 
-def viewer_of(scene: Scene, touch: str, at: Optional[float], template: Optional[Union[str, os.PathLike[str]]]) -> Viewer:
+def questions_of(intervals: bool, clearance: bool, profile: Optional[int], separate: bool) -> dict[str, Any]:
+    """What the page asks, as ``taut view`` writes it."""
+    ask: dict[str, Any] = {name: {} for name, wanted in (("intervals", intervals), ("clearance", clearance)) if wanted}
+    if profile is not None:
+        if not isinstance(profile, int) or not 2 <= profile <= 1000000:
+            raise InputError("profile", f"{profile!r} is no number of instants", "give 2 to 1000000, or None")
+        ask["distance_profile"] = {"instants": profile}
+    if separate:
+        ask["separate"] = {}
+    return ask
+
+
+def viewer_of(scene: Scene, touch: str, at: Optional[float], ask: dict[str, Any],
+              template: Optional[Union[str, os.PathLike[str]]]) -> Viewer:
     """See Scene.view()."""
     _require_no_files(scene)
     scene.validate()
     if touch not in ("open", "closed"):
         raise InputError("touch", f"unknown value {touch!r}", 'one of "open", "closed"')
-    about = {"touch": touch, "scene": json.loads(scene.to_json())}
+    about: dict[str, Any] = {"touch": touch, "scene": json.loads(scene.to_json())}
+    if ask:
+        about["ask"] = ask
     if at is not None:
         about["at"] = number(at, "at")
         if not scene.time[0] <= about["at"] <= scene.time[1]:

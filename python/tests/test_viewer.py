@@ -35,6 +35,18 @@ def test_a_page_holds_the_scene(template, tmp_path):
     assert html.unescape(re.search(r'srcdoc="([^"]*)"', inline)[1]) == viewer.page
 
 
+def test_a_page_asks_what_the_command_has_it_ask(taut, template, tmp_path):
+    SCENE.save(tmp_path / "scene.json")
+    for ask, flags in (({"intervals": True, "profile": 50}, ["--intervals", "--profile", "50"]),
+                       ({"clearance": True, "separate": True}, ["--clearance", "--separate"]), ({}, [])):
+        run = subprocess.run([taut, "view", str(tmp_path / "scene.json"), "--template", str(template), *flags],
+                             stdout=subprocess.PIPE, text=True, check=True)
+        assert data_in(SCENE.view(template=template, **ask).page).get("ask") == data_in(run.stdout).get("ask")
+    for wrong in (1, 2.5, "50", 10**7):
+        with pytest.raises(InputError, match="^profile: .* is no number of instants"):
+            SCENE.view(template=template, profile=wrong)
+
+
 def test_the_command_puts_the_same_into_the_page(taut, template, tmp_path):
     gears = root / "examples" / "gears.json"
     run = subprocess.run([taut, "view", str(gears), "--template", str(template)], stdout=subprocess.PIPE, text=True, check=True)

@@ -157,8 +157,102 @@ TEST(ImportSvg, TellsWhatItSkips) {
                            .skipped;
   std::vector<std::string> what;
   for (const auto& s : skipped) what.push_back(s.what + " " + s.place + " " + std::to_string(s.times));
-  EXPECT_EQ(what, (std::vector<std::string>{"<text> d.svg:2:1 2", "<use> d.svg:2:29 1", "<defs> d.svg:2:45 1",
-                                            "<rect> d.svg:3:1 1", "<circle> d.svg:3:53 1", "line d.svg:3:72 1"}));
+  EXPECT_EQ(what, (std::vector<std::string>{"<text> d.svg:2:1 2", "<use> d.svg:2:29 1", "<rect> d.svg:3:1 1",
+                                            "<circle> d.svg:3:53 1", "<defs> d.svg:2:45 1", "line d.svg:3:72 1"}));
+}
+
+std::vector<std::string> names_of(const drawing::Import& import) {
+  std::vector<std::string> names;
+  for (const Body& body : import.scene.bodies) names.push_back(body.name);
+  return names;
+}
+
+/// "what reason" of all that was skipped.
+std::vector<std::string> told_by(const drawing::Import& import) {
+  std::vector<std::string> told;
+  for (const drawing::Skipped& s : import.files[0].skipped) told.push_back(s.what + " " + s.reason);
+  return told;
+}
+
+TEST(ImportSvg, DrawsClonesWhereTheyStand) {
+  const auto import = svg_import(
+      "<defs><g id='pair'><rect width='2' height='1'/><rect id='right' x='3' width='1' height='1'/></g>"
+      "<symbol id='sign'><circle r='1'/></symbol><linearGradient id='paint'/></defs>"
+      "<use href='#pair' x='10' transform='scale(2)'/><use id='left' xlink:href='#right' y='5'/>"
+      "<g id='both'><use href='#sign'/><use href='#sign' x='9'/></g>");
+  EXPECT_EQ(names_of(import), (std::vector<std::string>{"pair", "left", "both"}));
+  EXPECT_EQ(told_by(import), std::vector<std::string>{});
+  const Body& pair = import.scene.bodies[0];
+  ASSERT_EQ(pair.parts.size(), 2u);
+  EXPECT_EQ(area_of(pair), 12);
+  double least = 1e9, most = -1e9;
+  for (const Part& part : pair.parts) {
+    for (const Point& p : part.outline) {
+      least = std::min(least, p.x);
+      most = std::max(most, p.x);
+    }
+  }
+  EXPECT_EQ(least, 20);
+  EXPECT_EQ(most, 28);
+  EXPECT_EQ(import.scene.bodies[2].parts.size(), 2u);
+}
+
+TEST(ImportSvg, HandsStylesDownToClones) {
+  const std::string path = "<path id='p' d='M0 0H10V10H0ZM2 2H4V4H2Z'/>";
+  EXPECT_EQ(area_of(svg_import("<defs>" + path + "</defs><use href='#p' fill-rule='evenodd'/>").scene.bodies.at(0)),
+            96);
+  EXPECT_EQ(area_of(svg_import("<defs>" + path + "</defs><use href='#p'/>").scene.bodies.at(0)), 100);
+  const auto import = svg_import("<rect width='1' height='1'/><defs>" + path +
+                                 "<circle r='1'/></defs>"
+                                 "<use href='#p' display='none'/><use href='other.svg#p'/><use/>"
+                                 "<symbol id='s' viewBox='0 0 1 1'><circle r='1'/></symbol><use href='#s'/>");
+  EXPECT_EQ(told_by(import),
+            (std::vector<std::string>{"<path> is not visible", "<use> clones what is not in the file",
+                                      "<use> clones a symbol with a viewBox: unlink it in the program that drew it",
+                                      "<defs> is not drawn where it stands, nor cloned",
+                                      "<symbol> is not drawn where it stands, nor cloned"}));
+}
+
+TEST(ImportSvg, ObeysStyleSheets) {
+  const auto names = [](const std::string& css, const std::string& more = "") {
+    return names_of(
+        svg_import("<style>" + css +
+                   "</style><rect id='a' class='thick cut' width='1' height='1'/><rect id='b' class='cut' x='3' "
+                   "width='1' height='1' " +
+                   more + "/><circle id='c' cx='9' r='1'/>"));
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(""), (Names{"a", "b", "c"}));
+  EXPECT_EQ(names(".thick{display:none}"), (Names{"b", "c"}));
+  EXPECT_EQ(names(".cut{display:none}"), (Names{"c"}));
+  EXPECT_EQ(names("rect{display:none} /* not .c */ #b { display : inline }"), (Names{"b", "c"}));
+  EXPECT_EQ(names("#b{display:inline}rect.cut{display:none}"), (Names{"b", "c"}));
+  EXPECT_EQ(names(".cut.thick, circle{visibility:hidden;fill:red}"), (Names{"b"}));
+  EXPECT_EQ(names("<![CDATA[ *{display:none} .cut{display:block} ]]>"), (Names{"a", "b"}));
+  EXPECT_EQ(names(".cut{display:none}", "style='display:inline'"), (Names{"b", "c"}));
+  EXPECT_EQ(names(".cut{display:none !important}", "style='display:inline'"), (Names{"c"}));
+  EXPECT_EQ(names(".cut{display:none !important}", "style='display:inline !important'"), (Names{"b", "c"}));
+  EXPECT_EQ(names("rect{display:none}", "display='inline'"), (Names{"c"})) << "an attribute is weaker than a rule";
+  EXPECT_EQ(names(".thic{display:none}.utter{display:none}"), (Names{"a", "b", "c"}));
+  const auto hidden = svg_import(
+      "<style>.s{visibility:hidden}.v{visibility:visible}</style><g class='s'><rect width='1' "
+      "height='1'/><g class='v'><rect x='3' width='1' height='1'/></g></g>");
+  EXPECT_EQ(area_of(hidden.scene.bodies.at(0)), 1);
+}
+
+TEST(ImportSvg, TellsWhatOfStylesItDoesNotRead) {
+  EXPECT_EQ(
+      told_by(svg_import("<style>@import url(x.css); @media print{rect{display:none}} @font-face{src:url(y)} "
+                         "g>rect{display:none} rect:hover{fill:none} g rect{stroke:red} rect{transform:none}</style>"
+                         "<rect width='1' height='1' clip-path='url(#x)' style='transform: scale(2)'/>")),
+      (std::vector<std::string>{"@import in a style sheet is not read", "@media in a style sheet is not read",
+                                "the rule \"g>rect\" is not read: only names, classes and ids are",
+                                "the rule \"rect:hover\" is not read: only names, classes and ids are",
+                                "\"transform\" in a style sheet is not read: use the attribute",
+                                "\"clip-path\" is not obeyed: the whole of it is taken",
+                                "\"transform\" in a style is not read: use the attribute"}));
+  EXPECT_EQ(told_by(svg_import("<style>rect{fill:red</style><rect width='1' height='1'/>")),
+            std::vector<std::string>{});
 }
 
 class BadSvgTest : public ::testing::TestWithParam<testing::BadInput> {};
@@ -170,8 +264,15 @@ TEST_P(BadSvgTest, IsRefused) {
 }
 
 std::vector<testing::BadInput> bad_svg() {
-  std::string deep;
+  std::string deep, rules, laughs = "<svg><defs><g id='a0'/>";
+  for (int i = 1; i < 15; ++i) {
+    laughs += "<g id='a" + std::to_string(i) + "'>";
+    for (int k = 0; k < 9; ++k) laughs += "<use href='#a" + std::to_string(i - 1) + "'/>";
+    laughs += "</g>";
+  }
+  laughs += "</defs><use href='#a14'/></svg>";
   for (int i = 0; i < 300; ++i) deep += "<g>";
+  for (int i = 0; i < 1001; ++i) rules += "a{fill:none}";
   return {
       {"empty", "", "d.svg", "there is no <svg> element", "SVG"},
       {"html", "<html/>", "d.svg:1:1", "its element is <html>", "SVG"},
@@ -190,6 +291,9 @@ std::vector<testing::BadInput> bad_svg() {
       {"flag", "<svg><path d='M0 0A1 1 0 2 0 1 1'/></svg>", "d.svg:1:6", "a flag of an arc", "A and Z"},
       {"transform", "<svg><g transform='turn(3)'/></svg>", "d.svg:1:6", "cannot be read", "rotate"},
       {"points", "<svg><polygon points='1 2 3'/></svg>", "d.svg:1:6", "pairs of numbers", "points="},
+      {"clone_of_itself", "<svg><g id='a'><use href='#a'/></g></svg>", "d.svg:1:16", "more than 16 deep", "unlink"},
+      {"clones_of_clones", laughs, "d.svg:1:12", "more than 1000000 elements", "unlink"},
+      {"rules", "<svg><style>" + rules + "</style></svg>", "d.svg:1:6", "more than 1000 rules", "plain SVG"},
       {"length", "<svg><rect width='50%' height='1'/></svg>", "d.svg:1:6", "is no length", "number"},
       {"viewbox", "<svg width='1mm' viewBox='0 0 0 1'/>", "d.svg:1:1", "viewBox", "four numbers"},
       {"bow", "<svg><path id='bow' d='M0 0L1 1 1 0 0 1Z'/></svg>", "d.svg:1:6: bow", "not simple", ""},

@@ -33,7 +33,7 @@ export class Painter {
   private readonly seen = new SeenSegments();
   /** Of all vertices of the map, in the present frame. */
   private readonly at: VertexPixels = { px: new Float64Array(0), py: new Float64Array(0) };
-  private readonly marks: Marks;
+  readonly marks: Marks;
   private readonly world: WorldPainter;
   /** Numbers of things drawn in the last frame. */
   readonly drawn = { vertices: 0, tilingEdges: 0, faceCorners: 0 };

@@ -158,6 +158,7 @@ interface Module {
   _taut_read_outline(text: number, name: number): number;
   _taut_shapes(text: number): number;
   _taut_open(text: number, name: number, closed: number): number;
+  _taut_ask(question: number, text: number, options: number): number;
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
   _taut_poses(t: number): number;
@@ -201,6 +202,13 @@ export class Engine {
     );
     this.bodies = scene.bodies.length;
     return status;
+  }
+
+  /** A question by its name in the library, about any valid scene. */
+  ask<Result>(question: string, scene: Scene, options: Record<string, unknown>): Result {
+    return this.call<{ answer: Result }>([question, JSON.stringify(scene), JSON.stringify(options)], (q, t, o) =>
+      this.module._taut_ask(q, t, o),
+    ).answer;
   }
 
   advance(until: number, milliseconds: number): Status {

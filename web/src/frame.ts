@@ -24,6 +24,12 @@ export interface ContactMarks {
   label: string;
 }
 
+/** Two points in the world, one on each of two bodies, and what is written beside them. */
+export interface NearestMarks {
+  points: [[number, number], [number, number]];
+  label: string;
+}
+
 /** A vertex, or the edge from it on. */
 export interface Culprit {
   part: number;

@@ -1,7 +1,7 @@
 // What is marked in the picture: events, the contact, faults; and what is written into it.
 import type { Camera } from "./camera";
 import { placed } from "./figure";
-import type { ContactMarks, Culprit, EventMarks, FaultMarks, Frame } from "./frame";
+import type { ContactMarks, Culprit, EventMarks, FaultMarks, Frame, NearestMarks } from "./frame";
 import { addSegment } from "./pixels";
 import type { Edge } from "./replay";
 import type { Colours } from "./theme";
@@ -119,6 +119,50 @@ export class Marks {
     c.fill();
     c.font = "600 13px system-ui, sans-serif";
     this.beside(contact.label, x, y + 18, colours);
+  }
+
+  /** The points at which two bodies are closest, and their distance; with rings where they are too close to be told apart. */
+  nearest({ points, label }: NearestMarks, colours: Colours): void {
+    const c = this.context;
+    const [[ax, ay], [bx, by]] = points.map((p) => this.camera.pixel(...p));
+    const near = Math.hypot(ax - bx, ay - by) < 12;
+    for (const [colour, width] of [
+      [colours.paper, 6],
+      [colours.nearest, 2.5],
+    ] as [string, number][]) {
+      c.strokeStyle = colour;
+      c.lineWidth = width;
+      c.beginPath();
+      addSegment(c, ax, ay, bx, by, this.camera);
+      for (const [x, y] of near ? [[(ax + bx) / 2, (ay + by) / 2]] : []) {
+        c.moveTo(x + 13, y);
+        c.arc(x, y, 13, 0, 2 * Math.PI);
+      }
+      c.stroke();
+    }
+    c.fillStyle = colours.nearest;
+    c.strokeStyle = colours.paper;
+    c.lineWidth = 1;
+    for (const [x, y] of [
+      [ax, ay],
+      [bx, by],
+    ]) {
+      c.beginPath();
+      c.arc(x, y, near ? 2 : 3.5, 0, 2 * Math.PI);
+      c.fill();
+      c.stroke();
+    }
+    c.font = "600 13px system-ui, sans-serif";
+    const [x, y] = [Math.max(ax, bx), Math.max(ay, by)];
+    const { width } = c.measureText(label);
+    const right = x + 18 + width < this.camera.width - 4;
+    this.text(
+      label,
+      right ? x + 18 : Math.max(4, Math.min(ax, bx) - 18 - width),
+      y + 18,
+      colours.nearest,
+      colours.paper,
+    );
   }
 
   /** In the colour of contacts, to the right of a pixel, or to the left where there is no room. */

@@ -22,6 +22,8 @@ export class Player {
   /** Grows with every scene that is opened and every plan that is changed. */
   opened = 0;
   speed = 1;
+  /** Time goes on behind the contact, where bodies pass through each other: there are questions about all of it. */
+  beyond = false;
   /** The event that was stepped to and is explained, or -1. */
   selected = -1;
   /** What the engine could not do after it had begun. */
@@ -71,15 +73,25 @@ export class Player {
     return this.scene.time[0];
   }
 
-  /** The last instant that can be shown: the contact, the end, or how far the engine has come. */
-  get limit(): number {
+  /** The last instant of which something is known: the contact, the end, or how far the engine has come. */
+  get known(): number {
     return this.status.answer.t?.[0] ?? Math.max(this.start, this.status.freeUntil);
+  }
+
+  /** The last instant that can be shown. */
+  get limit(): number {
+    return this.beyond && this.finished ? this.scene.time[1] : this.known;
   }
 
   /** The right end of the slider: as limit, but the scene's end while the engine is at work. */
   get end(): number {
     const whole = this.status.state === "running" || this.overlapping;
     return whole ? this.scene.time[1] : Math.max(this.limit, this.start);
+  }
+
+  /** To the contact; from there on to the end, if that is shown. */
+  toTheEnd(): void {
+    this.seek(this.t < this.known ? this.known : this.limit);
   }
 
   get finished(): boolean {
@@ -91,7 +103,12 @@ export class Player {
   }
 
   get atContact(): boolean {
-    return this.status.state === "contact" && this.t >= this.limit;
+    return this.status.state === "contact" && (this.beyond ? this.t === this.known : this.t >= this.known);
+  }
+
+  /** Behind the contact there is no tiling. */
+  get behind(): boolean {
+    return this.overlapping || this.t > this.known;
   }
 
   seek(t: number): void {
@@ -115,7 +132,7 @@ export class Player {
   /** Shows event k, right after its repair. */
   show(k: number): void {
     if (k < 0) return this.seek(this.start);
-    if (k >= this.replay.count) return this.seek(this.limit);
+    if (k >= this.replay.count) return this.seek(this.known);
     this.playing = false;
     this.wanted = null;
     this.t = Math.min(Math.max(this.replay.timeOf(k), this.start), this.limit);

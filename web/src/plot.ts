@@ -32,7 +32,7 @@ export class CountPlot {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0) return;
     const ratio = fitCanvas(this.canvas, width, height);
-    const { start, end, replay, limit, status } = this.player;
+    const { start, end, replay, known, status } = this.player;
     const key = [
       width,
       height,
@@ -40,7 +40,7 @@ export class CountPlot {
       start,
       end,
       replay.count,
-      limit,
+      known,
       status.max,
       this.player.opened,
       colours.paper,
@@ -117,7 +117,7 @@ export class CountPlot {
       pixel = Math.floor(at);
       level = highest = value;
     }
-    c.lineTo(x(this.player.limit), level);
+    c.lineTo(x(this.player.known), level);
     c.strokeStyle = colour;
     c.lineWidth = width;
     c.stroke();

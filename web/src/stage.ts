@@ -3,7 +3,7 @@ import { Camera, type Box } from "./camera";
 import { fitCanvas, h, iconButton } from "./dom";
 import { Painter } from "./drawing";
 import { placed } from "./figure";
-import type { FaultMarks, Frame, Layers } from "./frame";
+import type { FaultMarks, Frame, Layers, NearestMarks } from "./frame";
 import type { Player } from "./player";
 import { ringText, roundText } from "./words";
 import { coloursOf, type Colours, type ThemeChoice } from "./theme";
@@ -30,6 +30,8 @@ export class Stage {
   layers: Layers = { faces: true, tiling: true, corners: true, vertices: false };
   theme: ThemeChoice = "auto";
   faults: FaultMarks[] = [];
+  /** Where bodies are closest, if that is now. */
+  nearest: NearestMarks | null = null;
   /** Bodies of a world that are not to be seen. */
   readonly hidden = new Set<number>();
   tool: Tool | null = null;
@@ -74,7 +76,7 @@ export class Stage {
         poses: player.poses(),
         world: player.world,
         hidden: this.hidden,
-        replay: player.overlapping || player.world ? null : player.replay,
+        replay: player.behind || player.world ? null : player.replay,
         event: player.marks(),
         contacts: player.contactMarks(),
         overlaps: player.overlaps(),
@@ -90,6 +92,7 @@ export class Stage {
     this.camera.resize(width, height);
     const colours = this.colours();
     this.painter.draw(this.frame(), this.layers, colours, ratio);
+    if (this.nearest) this.painter.marks.nearest(this.nearest, colours);
     this.tool?.draw(this.canvas.getContext("2d")!, this.camera, colours);
   }
 

@@ -21,7 +21,7 @@ export class EventStrip {
       ratio,
       player.start,
       player.end,
-      player.limit,
+      player.known,
       player.replay.count,
       player.finished,
       player.opened,
@@ -60,11 +60,11 @@ export class EventStrip {
     });
     if (!player.finished) {
       c.fillStyle = colours.line;
-      c.fillRect(x(player.limit), height / 2, width - edge - x(player.limit), 2);
+      c.fillRect(x(player.known), height / 2, width - edge - x(player.known), 2);
     }
     if (player.status.answer.t) {
       c.fillStyle = colours.contact;
-      const at = x(player.limit);
+      const at = x(player.known);
       c.beginPath();
       c.moveTo(at, height);
       c.lineTo(at - 5, 1);

@@ -23,6 +23,11 @@ export interface Colours {
   come: string;
   contact: string;
   fault: string;
+  /** Where bodies are closest, and the least distance. */
+  nearest: string;
+  /** A distance, and what is free. */
+  distance: string;
+  free: string;
   certificates: string;
   events: string;
 }
@@ -57,6 +62,9 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
   come: ["#7b1fd1", "#c79bff"],
   contact: ["#c4161c", "#ff6b66"],
   fault: ["#c4161c", "#ff6b66"],
+  nearest: ["#7b1fd1", "#c79bff"],
+  distance: ["#2f5d8a", "#6fb1f2"],
+  free: ["#0f6b4f", "#5ad1a5"],
   certificates: ["#b8106f", "#ff6fbf"],
   events: ["#2f5d8a", "#6fb1f2"],
 };

@@ -2,12 +2,15 @@
 import { h } from "./dom";
 import { Engine, TautError, inParts, type Scene } from "./engine";
 import { Player } from "./player";
+import type { Asked } from "./questions";
 import { Workbench } from "./workbench";
 
 interface Data {
   touch: "open" | "closed";
   at?: number;
   title?: string;
+  /** Questions that are asked from the beginning. */
+  ask?: Asked;
   scene: Scene;
 }
 
@@ -16,6 +19,7 @@ async function main(): Promise<void> {
   const player = new Player(await Engine.load());
   const workbench = new Workbench(player);
   workbench.title = data.title ?? null;
+  workbench.questions.asked = data.ask ?? {};
   player.open(inParts(data.scene), data.touch === "closed", data.at);
   document.body.replaceChildren(workbench.element);
   workbench.opened();

@@ -10,6 +10,9 @@ import { CountPlot } from "./plot";
 import type { Player } from "./player";
 import { Stage } from "./stage";
 import { EventStrip } from "./strip";
+import { Lanes } from "./lanes";
+import { QuestionPanel } from "./questionpanel";
+import { Questions } from "./questions";
 import { isDark } from "./theme";
 import { clockText, explanation, headline, noTiling, roundText } from "./words";
 
@@ -41,6 +44,9 @@ export class Workbench {
     "aria-label": "Time",
   });
   private readonly strip: EventStrip;
+  readonly questions: Questions;
+  private readonly lanes: Lanes;
+  private readonly questionPanel: QuestionPanel;
   private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
   private readonly help: HTMLDialogElement;
   private readonly legend: Legend;
@@ -49,6 +55,7 @@ export class Workbench {
   readonly bodiesPart: HTMLElement;
   private dirty = true;
   private fittedFinal = false;
+  private fittedBeyond = false;
   private lastFrame = 0;
   private lastDrawn = 0;
   private drew = false;
@@ -62,6 +69,9 @@ export class Workbench {
     this.stage = new Stage(player, () => this.redraw());
     this.events = new EventList(player);
     this.strip = new EventStrip(player);
+    this.questions = new Questions(player, () => this.redraw());
+    this.lanes = new Lanes(player, this.questions);
+    this.questionPanel = new QuestionPanel(player, this.questions);
     const plotCanvas = h("canvas", {
       class: "plot",
       id: "plot",
@@ -79,6 +89,7 @@ export class Workbench {
       "aside",
       { "aria-label": "Details" },
       section("Answer", this.answerChip, this.answerText),
+      section("Questions", this.questionPanel.element),
       this.bodiesPart,
       section("Event", this.eventText.element),
       section("Counts over time", this.counts, plotCanvas),
@@ -172,7 +183,14 @@ export class Workbench {
       this.settledOnce = true;
     }
     document.documentElement.dataset.theme = isDark(stage.theme) ? "dark" : "light";
+    this.questions.update();
+    if (this.fittedBeyond !== player.beyond) {
+      this.fittedBeyond = player.beyond;
+      stage.refit();
+    }
+    stage.nearest = this.questionPanel.marks();
     stage.draw();
+    this.lanes.draw(stage.colours());
     this.showTime();
     this.plot.draw(stage.colours());
     // Words need not change faster than they can be read.
@@ -183,6 +201,7 @@ export class Workbench {
     this.showAnswer();
     this.eventText.show(player);
     this.showCounts();
+    this.questionPanel.show();
     this.events.update();
     this.strip.draw(stage.colours());
   }
@@ -285,9 +304,9 @@ export class Workbench {
         button("previous", "Previous event", () => player.stepEvent(-1), "←"),
         this.playButton,
         button("next", "Next event", () => player.stepEvent(1), "→"),
-        button("last", "Contact or end", () => player.seek(player.limit), "End"),
+        button("last", "Contact or end", () => player.toTheEnd(), "End"),
       ),
-      h("div", { class: "scrub" }, this.strip.canvas, this.slider),
+      h("div", { class: "scrub" }, this.lanes.element, this.strip.canvas, this.slider),
       this.clock,
       speed,
     );
@@ -328,7 +347,7 @@ export class Workbench {
       ArrowRight: () => (e.shiftKey ? player.seek(player.t + hundredth) : player.stepEvent(arrow as 1)),
       ArrowLeft: () => (e.shiftKey ? player.seek(player.t - hundredth) : player.stepEvent(arrow as -1)),
       Home: () => player.show(-1),
-      End: () => player.seek(player.limit),
+      End: () => player.toTheEnd(),
       "+": () => stage.zoom(1.4),
       "=": () => stage.zoom(1.4),
       "-": () => stage.zoom(1 / 1.4),

@@ -47,7 +47,7 @@ export interface Verified {
   [more: string]: unknown;
 }
 
-/** As `taut clearance --json`, `taut intervals --json` and `taut range --json` print them. */
+/** As `taut clearance --json`, `taut intervals --json`, `taut range --json` and the like print them. */
 export interface Report {
   [key: string]: unknown;
 }
@@ -67,6 +67,20 @@ export function clearance(
 export function intervals(scene: Scene, options?: Pick<Options, "touch" | "maxSeconds">): Promise<Report>;
 /** How far the bodies can go from the instant `from` without overlapping, both ways. */
 export function range(scene: Scene, from: number, options?: Pick<Options, "touch" | "maxSeconds">): Promise<Report>;
+
+/** Do bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? */
+export function checkClearance(
+  scene: Scene,
+  clearance: number,
+  options?: Pick<Options, "maxSeconds" | "allPairs">,
+): Promise<Report>;
+/** The distance over time in certain brackets: at `instants` (101), between them, and the greatest. */
+export function distanceProfile(
+  scene: Scene,
+  options?: Pick<Options, "maxSeconds" | "allPairs"> & { tolerance?: number; instants?: number },
+): Promise<Report>;
+/** In which directions bodies come apart, and in which order. */
+export function separate(scene: Scene, options?: Pick<Options, "maxSeconds">): Promise<Report>;
 
 /** What taut refuses, or cannot decide. */
 export class TautError extends Error {

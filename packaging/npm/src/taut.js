@@ -86,3 +86,15 @@ export async function intervals(scene, options) {
 export async function range(scene, from, options) {
   return (await ask("range", scene, { ...options, from }))[0];
 }
+
+export async function checkClearance(scene, clearance, options) {
+  return (await ask("check_clearance", scene, { ...options, clearance }))[0];
+}
+
+export async function distanceProfile(scene, options) {
+  return (await ask("distance_profile", scene, options))[0];
+}
+
+export async function separate(scene, options) {
+  return (await ask("separate", scene, options))[0];
+}

@@ -114,6 +114,13 @@ test("clearance(), intervals() and range() answer, too", async () => {
   const far = await taut.range(falls, 1);
   assert.deepEqual(Object.keys(far), ["range", "around", "after", "scope"]);
   await assert.rejects(taut.range(falls, 11), taut.TautError);
+  assert.equal((await taut.checkClearance(rises, hi * 0.99)).outcome, "free");
+  assert.equal((await taut.checkClearance(rises, hi * 1.01)).outcome, "overlap_at_start");
+  const { profile } = await taut.distanceProfile(rises, { instants: 5 });
+  assert.equal(profile[0].instants.length, 5);
+  assert.ok(profile[0].stretches.every(([, , low, high]) => lo <= high && low <= high));
+  assert.equal((await taut.separate(rises)).outcome, "free");
+  await assert.rejects(taut.distanceProfile(rises, { instants: 1 }), taut.TautError);
 });
 
 test("what is wrong is said with place and remedy", async () => {
@@ -173,7 +180,7 @@ test("it is as large as its page says", () => {
 test("its types are those that it has", () => {
   writeFileSync(
     join(folder, "typed.ts"),
-    `import { check, prove, verify, clearance, intervals, range, TautError, type Answer } from "taut2d";
+    `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, TautError, type Answer } from "taut2d";
 const scene = {};
 const answer: Answer = await check(scene, { touch: "closed", maxSeconds: 1 });
 const { log } = await prove(scene);
@@ -181,6 +188,9 @@ if (log) console.log((await verify(scene, log)).valid, answer.t?.[0]);
 await clearance(scene, { tolerance: 1e-6 });
 await intervals("{}");
 await range(scene, 2, { touch: "open" });
+await checkClearance(scene, 0.1);
+await distanceProfile(scene, { instants: 9 });
+await separate(scene);
 console.log(new TautError instanceof Error);
 // @ts-expect-error an unknown word
 await check(scene, { touch: "ajar" });

@@ -1,0 +1,169 @@
+#include "answer_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "commands.hpp"
+#include "io/json_document.hpp"
+#include "io/json_text.hpp"
+#include "io/text_file.hpp"
+#include "taut/check.hpp"
+
+namespace taut::cli {
+namespace {
+
+constexpr std::size_t bytes_at_once = 1 << 16;
+
+/// The offset behind the last line break.
+std::uint64_t end_of_lines(int file, std::uint64_t size) {
+  std::string text(bytes_at_once, '\0');
+  while (size > 0) {
+    const std::uint64_t from = size > bytes_at_once ? size - bytes_at_once : 0;
+    const ssize_t got = ::pread(file, text.data(), static_cast<std::size_t>(size - from), static_cast<off_t>(from));
+    if (got <= 0) return 0;
+    const std::size_t found = std::string_view(text.data(), static_cast<std::size_t>(got)).rfind('\n');
+    if (found != std::string::npos) return from + found + 1;
+    size = from;
+  }
+  return 0;
+}
+
+/// Members of an object of JSON, as far as they are looked at here.
+class Members {
+ public:
+  Members(const io::JsonDocument& document, std::size_t object) : document_(document), object_(object) {}
+
+  /// The token of a member's value.
+  std::optional<std::size_t> find(const std::string& key) const {
+    if (document_.at(object_).kind() != io::JsonKind::object) return std::nullopt;
+    const std::size_t end = document_.after(object_);
+    for (std::size_t t = object_ + 1; t < end; t = document_.after(t + 1)) {
+      if (document_.string_at(t) == key) return t + 1;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::string> word(const std::string& key) const {
+    const auto value = find(key);
+    if (!value || document_.at(*value).kind() != io::JsonKind::string) return std::nullopt;
+    return document_.string_at(*value);
+  }
+
+ private:
+  const io::JsonDocument& document_;
+  std::size_t object_;
+};
+
+std::optional<int> code_of(const Members& answer) {
+  if (const auto error = answer.word("error"))
+    return error->rfind("internal error", 0) == 0 ? exit_internal : exit_bad_input;
+  const auto outcome = answer.word("outcome");
+  for (const auto& [known, code] :
+       {std::pair(Outcome::free, exit_free), std::pair(Outcome::contact, exit_contact),
+        std::pair(Outcome::overlap_at_start, exit_contact), std::pair(Outcome::undecided, exit_undecided)}) {
+    if (outcome && *outcome == to_string(known)) return code;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+AnswerFile::AnswerFile(std::string path) : path_(std::move(path)) {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (file_ < 0) throw InputError(path_, fmt::format("cannot open it: {}", std::strerror(errno)), "");
+  struct stat status {};
+  const bool regular = ::fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
+  const bool alone = regular && ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+  if (!alone) ::close(file_);
+  if (!regular) throw InputError(path_, "it is not a regular file", "answers are taken up from a file on a disk");
+  if (!alone)
+    throw InputError(path_, "another process writes answers into it",
+                     "wait for it, or give each shard a file of its own");
+  end_ = end_of_lines(file_, static_cast<std::uint64_t>(status.st_size));
+  if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) {
+    const std::string why = std::strerror(errno);
+    ::close(file_);
+    throw InputError(path_, "cannot remove half a line at its end: " + why, "");
+  }
+}
+
+AnswerFile::~AnswerFile() { ::close(file_); }
+
+bool AnswerFile::next_line(std::string& line) {
+  std::size_t found;
+  while ((found = read_.find('\n', seen_)) == std::string::npos) {
+    if (position_ >= end_) return false;
+    read_.erase(0, seen_);
+    seen_ = 0;
+    std::string more(static_cast<std::size_t>(std::min<std::uint64_t>(bytes_at_once, end_ - position_)), '\0');
+    const ssize_t got = ::pread(file_, more.data(), more.size(), static_cast<off_t>(position_));
+    if (got <= 0) throw InputError(path_, "cannot read it", "");
+    position_ += static_cast<std::uint64_t>(got);
+    read_.append(more, 0, static_cast<std::size_t>(got));
+  }
+  line = read_.substr(seen_, found - seen_);
+  seen_ = found + 1;
+  ++line_;
+  return true;
+}
+
+void AnswerFile::refuse(const std::string& problem) const {
+  throw InputError(fmt::format("{}:{}", path_, line_), problem,
+                   "ask about the same scenes with the same options, or name another file");
+}
+
+bool AnswerFile::has(const std::string& scene, Touch touch, int& code) {
+  std::string line;
+  if (!next_line(line)) return false;
+  std::optional<io::JsonDocument> document;
+  try {
+    document = io::parse_json(line, path_, "", io::Quoting::never);
+  } catch (const InputError&) {
+    refuse("this is no answer of `taut check --json`");
+  }
+  const Members answer(*document, 0);
+  const auto about = answer.word("scene");
+  const auto found = code_of(answer);
+  if (!about || !found) refuse("this is no answer of `taut check --json` about one of several scenes");
+  if (*about != scene)
+    refuse(fmt::format("the answer is about {}, and should be about {}", io::excerpt(*about), io::excerpt(scene)));
+  if (const auto scope = answer.find("scope")) {
+    const auto touched = Members(*document, *scope).word("touch");
+    if (touched && *touched != to_string(touch))
+      refuse(fmt::format("the answer is with {} touching, and should be with {}", *touched, to_string(touch)));
+  }
+  code = *found;
+  return true;
+}
+
+void AnswerFile::expect_none() {
+  std::string line;
+  if (next_line(line)) refuse("there are more answers than scenes");
+}
+
+bool AnswerFile::append(const std::string& line) {
+  std::size_t written = 0;
+  while (error_ == 0 && written < line.size()) {
+    const ssize_t got = ::write(file_, line.data() + written, line.size() - written);
+    if (got >= 0) written += static_cast<std::size_t>(got);
+    if (got < 0 && errno != EINTR) error_ = errno;
+  }
+  return error_ == 0;
+}
+
+void AnswerFile::expect_written() const {
+  if (error_ == 0) return;
+  throw InputError(path_, fmt::format("cannot write an answer: {}", std::strerror(error_)),
+                   "the same command goes on behind the last whole line");
+}
+
+}  // namespace taut::cli

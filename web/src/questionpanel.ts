@@ -1,0 +1,188 @@
+// What is asked, and the answers in words; the free directions as roses.
+import { h } from "./dom";
+import type { NearestMarks } from "./frame";
+import type { Player } from "./player";
+import type { FreeDirections, Nearest, Overlap, QuestionName, Questions, SeparationAnswer } from "./questions";
+import { arcText, rose } from "./rose";
+import { roundText, timeText } from "./words";
+
+/** Bodies that have a rose of their own. */
+const mostRoses = 12;
+
+/** In the words of docs/questions.md, with the command that asks the same. */
+const questions: [QuestionName, string, string][] = [
+  ["clearance", "How close do they come?", "taut clearance"],
+  ["check_clearance", "Do they keep a clearance?", "taut check --clearance C"],
+  ["distance_profile", "How far apart, all of the time?", "taut clearance --profile 200"],
+  ["intervals", "When do they overlap, all of the time?", "taut intervals"],
+  ["range", "How far can they go, both ways, from here?", "taut range --from T"],
+  ["separate", "In which directions do they come apart?", "taut separate"],
+];
+
+export class QuestionPanel {
+  readonly element = h("div", { class: "questions", id: "questions" });
+  private readonly boxes = new Map<QuestionName, HTMLInputElement>();
+  private readonly words = new Map<QuestionName, HTMLElement>();
+  /** The clearance that is to be kept. */
+  private readonly margin = h("input", {
+    type: "number",
+    step: "any",
+    min: 0,
+    id: "margin",
+    "aria-label": "Clearance, in the scene's units",
+    onchange: () => this.choose("check_clearance"),
+  });
+  private shown = -1;
+
+  constructor(
+    private readonly player: Player,
+    private readonly asked: Questions,
+  ) {
+    for (const [name, text, command] of questions) {
+      const box = h("input", { type: "checkbox", id: `ask-${name}`, onchange: () => this.choose(name) });
+      const words = h("div", { class: "words", id: `answer-${name}`, "aria-live": "polite" });
+      this.boxes.set(name, box);
+      this.words.set(name, words);
+      const label = h("label", { title: command }, box, text);
+      this.element.append(label, ...(name === "check_clearance" ? [this.margin] : []), words);
+    }
+  }
+
+  private choose(name: QuestionName): void {
+    this.asked.choose(name, this.boxes.get(name)!.checked ? this.optionsOf(name) : null);
+  }
+
+  private optionsOf(name: QuestionName): Record<string, unknown> {
+    if (name === "distance_profile") return { instants: 200 };
+    if (name === "range") return { from: this.player.t };
+    if (name !== "check_clearance") return {};
+    // To begin with, a hundredth of the first body.
+    if (!(Number(this.margin.value) > 0)) this.margin.value = roundText(this.player.figures[0].diameter / 100, 1);
+    return { clearance: Number(this.margin.value) };
+  }
+
+  /** The points that are closest, or first closer than is wanted, while the instant is shown at which they are. */
+  marks(): NearestMarks | null {
+    const { clearance, check_clearance: margin } = this.asked.answers;
+    const nearest = clearance?.clearance;
+    const { t } = this.player;
+    if (nearest?.points && t === nearest.t[0])
+      return { points: nearest.points, label: `${roundText(nearest.hi, 9)} apart` };
+    const points = margin?.first?.points;
+    if (!points || t !== (margin.t?.[0] ?? this.player.start)) return null;
+    return { points, label: `${roundText(margin.first!.distance!, 9)} apart` };
+  }
+
+  show(): void {
+    if (this.shown === this.asked.version) return;
+    this.shown = this.asked.version;
+    this.margin.hidden = this.asked.asked.check_clearance === undefined;
+    for (const [name] of questions) {
+      this.boxes.get(name)!.checked = this.asked.asked[name] !== undefined;
+      this.words.get(name)!.replaceChildren(...this.wordsOf(name));
+    }
+  }
+
+  private wordsOf(name: QuestionName): Node[] {
+    const { asked, answers, failures } = this.asked;
+    if (!asked[name]) return [];
+    const failure = failures[name];
+    if (failure) return [h("p", {}, failure)];
+    if (!answers[name]) return [h("p", { class: "none" }, "…")];
+    if (name === "intervals") return this.intervalsWords();
+    if (name === "clearance") return this.clearanceWords();
+    if (name === "distance_profile") return this.profileWords();
+    if (name === "check_clearance") return this.marginWords();
+    if (name === "range") return this.rangeWords();
+    return separationWords(answers.separate!);
+  }
+
+  private intervalsWords(): Node[] {
+    const { intervals, undecided } = this.asked.answers.intervals!;
+    const lines = intervals.slice(0, 20).map(({ pair, from, to }) => {
+      const text = `${pair.join(" x ")}: ${timeText(...from)} to ${timeText(...to)}`;
+      return h("li", {}, this.link(text, from[0]));
+    });
+    if (intervals.length > lines.length) lines.push(h("li", {}, `and ${intervals.length - lines.length} more`));
+    lines.push(...undecided.map((u) => h("li", {}, `${u.bodies.join(" x ")}: not decided. ${u.reason ?? ""}`)));
+    return lines.length > 0 ? [h("ul", {}, ...lines)] : [h("p", {}, "They never overlap.")];
+  }
+
+  private clearanceWords(): Node[] {
+    const { clearance, reason } = this.asked.answers.clearance!;
+    if (reason) return [h("p", {}, reason)];
+    return [clearance ? h("p", {}, this.nearestText(clearance)) : h("p", {}, "No pair is asked about.")];
+  }
+
+  private nearestText(n: Nearest): Node {
+    const what = n.hi > 0 ? timeText(n.lo, n.hi) : "0, they touch";
+    return this.link(`${what}: ${n.pair.join(" x ")}, at t = ${roundText(n.t[0], 9)}`, n.t[0]);
+  }
+
+  private profileWords(): Node[] {
+    const { profile, reason } = this.asked.answers.distance_profile!;
+    if (reason || profile.length === 0) return [h("p", {}, reason ?? "No pair is asked about.")];
+    const { lo, hi, t, settled } = profile[0].largest;
+    const text = `Greatest: ${bracketText(lo, hi)}, at t = ${roundText(t)}${settled ? "" : " (not as narrow as wanted)"}`;
+    return [h("p", {}, this.link(text, t))];
+  }
+
+  private marginWords(): Node[] {
+    const { outcome, clearance, t, pair, reason } = this.asked.answers.check_clearance!;
+    const closer = `${pair?.join(" x ")}: closer than ${clearance}`;
+    if (outcome === "free") return [h("p", {}, `All keep ${clearance}: proved for the whole time.`)];
+    if (outcome === "contact") return [h("p", {}, this.link(`${closer} at t = ${timeText(...t!)}`, t![0]))];
+    if (outcome === "overlap_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];
+    return [h("p", {}, `Undecided. ${reason ?? ""}`)];
+  }
+
+  private rangeWords(): Node[] {
+    const { range, around, before, after, reason } = this.asked.answers.range!;
+    if (!range) return [h("p", {}, `Undecided. ${reason ?? ""}`)];
+    const end = (at: [number, number] | null, stop: Overlap | undefined, own: string): HTMLElement =>
+      h("li", {}, at ? this.link(`${timeText(...at)}: ${stop?.pair.join(" x ")}`, at[0]) : own);
+    return [
+      h("p", {}, `Around t = ${roundText(around, 9)}, without overlap:`),
+      h("ul", {}, end(range.from, before, "from the start"), end(range.to, after, "to the end")),
+    ];
+  }
+
+  /** Words that lead to an instant. */
+  private link(text: string, t: number): HTMLElement {
+    return h(
+      "button",
+      { type: "button", class: "instant", title: "Show this instant", onclick: () => this.seek(t) },
+      text,
+    );
+  }
+
+  private seek(t: number): void {
+    this.player.playing = false;
+    this.player.seek(t);
+  }
+}
+
+/** Of a distance: its digits, or its bracket where that is wide. */
+function bracketText(lo: number, hi: number): string {
+  return hi - lo < 1e-6 * hi ? roundText((lo + hi) / 2, 7) : `${roundText(lo)} to ${roundText(hi)}`;
+}
+
+function roseOf(directions: FreeDirections): HTMLElement {
+  const { body, all } = directions;
+  const free = all ? "free in every direction" : directions.directions.map((arc) => `${arcText(arc)}°`).join(", ");
+  return h("figure", {}, rose(directions), h("figcaption", {}, h("b", {}, body), " ", free || "locked"));
+}
+
+function separationWords(answer: SeparationAnswer): Node[] {
+  if (answer.reason) return [h("p", {}, answer.reason)];
+  if (answer.pair) return [h("p", {}, `${answer.pair.join(" and ")} overlap at the start.`)];
+  const bodies = answer.bodies ?? [answer as FreeDirections];
+  const words: Node[] = [h("div", { class: "roses" }, ...bodies.slice(0, mostRoses).map(roseOf))];
+  if (bodies.length > mostRoses) words.push(h("p", {}, `and ${bodies.length - mostRoses} more bodies`));
+  if (answer.order?.length) {
+    const steps = answer.order.map((s) => `${s.body} (${roundText(s.direction_deg, 4)}°)`);
+    words.push(h("p", {}, `One by one: ${steps.join(", ")}.`));
+  }
+  if (answer.stuck?.length) words.push(h("p", {}, `Stuck: ${answer.stuck.join(", ")}.`));
+  return words;
+}

@@ -1,0 +1,188 @@
+// Questions beyond the first contact: asked of the library by the names that they have there, answered as the commands
+// answer them with --json.
+import { TautError, type Coverage, type Feature, type PairAnswer, type Scene } from "./engine";
+import type { Player } from "./player";
+
+export interface Overlap {
+  pair: [string, string];
+  from: [number, number];
+  to: [number, number];
+}
+
+export interface IntervalsAnswer {
+  intervals: Overlap[];
+  undecided: (PairAnswer & { reason?: string })[];
+  coverage: Coverage;
+}
+
+export interface Nearest {
+  lo: number;
+  hi: number;
+  t: [number, number];
+  pair: [string, string];
+  /** Left out where the bodies touch. */
+  points?: [[number, number], [number, number]];
+  edges?: [Feature, Feature];
+}
+
+export interface ClearanceAnswer {
+  clearance: Nearest | null;
+  reason?: string;
+}
+
+export interface DistanceCurve {
+  largest: { lo: number; hi: number; t: number; settled: boolean };
+  /** Instant, and the bracket of the distance. */
+  instants: [number, number, number][];
+  /** From, to, and the bracket that the distance does not leave meanwhile. */
+  stretches: [number, number, number, number][];
+}
+
+export interface ProfileAnswer {
+  profile: DistanceCurve[];
+  reason?: string;
+}
+
+export interface DirectionArc {
+  from_deg: [number, number];
+  to_deg: [number, number];
+  point: boolean;
+}
+
+export interface FreeDirections {
+  body: string;
+  all: boolean;
+  directions: DirectionArc[];
+}
+
+export interface SeparationAnswer extends Partial<FreeDirections> {
+  outcome: "free" | "locked" | "overlap_at_start" | "undecided";
+  pair?: [string, string];
+  bodies?: FreeDirections[];
+  order?: { body: string; direction_deg: number }[];
+  stuck?: string[];
+  reason?: string;
+}
+
+export interface RangeAnswer {
+  /** An end is null where it is the scene's own. */
+  range: { from: [number, number] | null; to: [number, number] | null } | null;
+  around: number;
+  before?: Overlap;
+  after?: Overlap;
+  reason?: string;
+}
+
+export interface MarginAnswer {
+  outcome: "free" | "contact" | "overlap_at_start" | "undecided";
+  clearance: number;
+  t?: [number, number];
+  pair?: [string, string];
+  /** The pair that comes closer first; points where the bodies do not overlap. */
+  first?: { distance?: number; points?: [[number, number], [number, number]] };
+  reason?: string;
+}
+
+/** What the library calls each question, and its answer. */
+export interface Answers {
+  intervals: IntervalsAnswer;
+  clearance: ClearanceAnswer;
+  distance_profile: ProfileAnswer;
+  separate: SeparationAnswer;
+  range: RangeAnswer;
+  check_clearance: MarginAnswer;
+}
+export type QuestionName = keyof Answers;
+
+/** What is asked, with the options of each question: {"distance_profile": {"instants": 200}}. */
+export type Asked = { [Name in QuestionName]?: Record<string, unknown> };
+
+/** How long each question may take at most, in seconds: the page waits. */
+const longestWait = 10;
+/** For so long nothing may change before a question is asked, in milliseconds. */
+const settlingTime = 150;
+
+/** Asks what is chosen about the scene that is open, anew whenever another one is. */
+export class Questions {
+  asked: Asked = {};
+  readonly answers: Partial<Answers> = {};
+  readonly failures: Partial<Record<QuestionName, string>> = {};
+  /** Grows with every answer. */
+  version = 0;
+  private about = -1;
+  private timer = 0;
+
+  constructor(
+    private readonly player: Player,
+    private readonly changed: () => void,
+  ) {}
+
+  choose(name: QuestionName, options: Record<string, unknown> | null): void {
+    if (options) this.asked[name] = options;
+    else delete this.asked[name];
+    this.forget(name);
+    this.showBeyond();
+    this.changed();
+  }
+
+  /** To be called now and then: takes note of another scene. */
+  update(): void {
+    if (this.about !== this.player.opened) {
+      this.about = this.player.opened;
+      for (const name of this.names()) this.forget(name);
+      this.showBeyond();
+      this.wait();
+    } else if (this.waiting() && this.timer === 0) {
+      this.wait();
+    }
+  }
+
+  /** Is a question waiting for its answer? */
+  waiting(): boolean {
+    return this.names().some((name) => !this.answers[name] && !this.failures[name]);
+  }
+
+  private names(): QuestionName[] {
+    return Object.keys(this.asked) as QuestionName[];
+  }
+
+  private forget(name: QuestionName): void {
+    delete this.answers[name];
+    delete this.failures[name];
+    ++this.version;
+  }
+
+  /** What is asked about all of the time is shown for all of the time. */
+  private showBeyond(): void {
+    const { intervals, clearance, distance_profile, range } = this.asked;
+    this.player.beyond = [intervals, clearance, distance_profile, range].some((options) => options !== undefined);
+  }
+
+  private wait(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.askNext(), settlingTime);
+  }
+
+  /** One after the other, so that the page shows what is there already. */
+  private askNext(): void {
+    this.timer = 0;
+    if (this.about !== this.player.opened) return;
+    if (!this.player.finished) return this.wait();
+    const name = this.names().find((each) => !this.answers[each] && !this.failures[each]);
+    if (!name) return;
+    this.ask(name, this.player.scene);
+    ++this.version;
+    this.changed();
+    this.timer = window.setTimeout(() => this.askNext(), 0);
+  }
+
+  private ask<Name extends QuestionName>(name: Name, scene: Scene): void {
+    const touch = this.player.closed ? "closed" : "open";
+    const options = { touch, maxSeconds: longestWait, ...this.asked[name] };
+    try {
+      this.answers[name] = this.player.engine.ask<Answers[Name]>(name, scene, options) as Answers[typeof name];
+    } catch (error) {
+      this.failures[name] = error instanceof TautError ? error.message : String(error);
+    }
+  }
+}
