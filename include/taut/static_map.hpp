@@ -53,6 +53,7 @@ class StaticMap {
   struct Impl;
 
  private:
+  friend class MapQuery;
   std::shared_ptr<const Impl> impl_;
 };
 
@@ -66,6 +67,7 @@ class StaticMap::Mover {
 
  private:
   friend class StaticMap;
+  friend class MapQuery;
   explicit Mover(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };

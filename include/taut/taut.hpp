@@ -20,6 +20,7 @@
 // taut/check.hpp       the question and its answer
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/static_map.hpp  one body among many that rest, asked often
+// taut/map_query.hpp   what a planner asks of it, with memory of its own: places, straight ways, chains of links
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/separator.hpp   curves with the fewest edges between the bodies
@@ -38,6 +39,7 @@
 #include "taut/feature.hpp"
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
+#include "taut/map_query.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
 #include "taut/pose.hpp"

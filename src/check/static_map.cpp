@@ -8,11 +8,11 @@
 #include "base/interruption.hpp"
 #include "check/headline.hpp"
 #include "check/run.hpp"
+#include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_time.hpp"
 #include "pair/validate_world.hpp"
-#include "search/map_search.hpp"
 
 namespace taut {
 namespace {
@@ -55,25 +55,6 @@ Bounds unscaled(const RingSet& rings, int exponent) {
   const auto back = [&](const Point& p) { return Point{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent)}; };
   return {back(b.lo), back(b.hi)};
 }
-
-}  // namespace
-
-struct StaticMap::Impl {
-  std::vector<Body> bodies;
-  double largest = 0;  ///< magnitude of a coordinate that shapes may have
-  ShapeFacts range;    ///< of magnitudes
-  MapBodies prepared;
-};
-
-struct StaticMap::Mover::Impl {
-  std::string name;
-  SharedRings rings;
-  Bounds bounds;  ///< in the user's units
-  double extent = 0;
-  const void* map = nullptr;
-};
-
-namespace {
 
 std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
   std::vector<SweptBox> boxes;
