@@ -119,15 +119,16 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
 
 RobotFinding RobotSearch::at(double t) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    const EvenLeg leg(at_rest, states_[k].chain, t, t + 1);
-    if (!find_near(k, leg.stretch(t, t))) continue;
+    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, t, t + 1);
+    if (!find_near(k, leg.stretch(t, t).everywhere())) continue;
     if (const auto other = spacetime::overlapped_at(leg, others_, *states_[k].tree, t))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
   }
   for (const LinkPair& pair : pairs_) {
-    const EvenLeg leg(pair.chain_p, pair.chain_q, t, t + 1);
+    const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
+    const EvenLeg leg(pair.chain_p, pair.chain_q, mover, t, t + 1);
     const spacetime::Other other{&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree};
-    if (spacetime::overlapped_at(leg, {&other, 1}, *states_[static_cast<std::size_t>(pair.q)].tree, t))
+    if (spacetime::overlapped_at(leg, {&other, 1}, mover, t))
       return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
   }
   return {};
@@ -152,7 +153,7 @@ void RobotSearch::search(const EvenLeg& leg, const Hierarchy& mover, Names names
 void RobotSearch::cover(std::size_t link, const EvenLeg& leg, double from, double to, int depth, RobotFinding& best) {
   interruption_point();
   if (best.outcome != Outcome::free && (any_ || from > best.hi)) return;
-  if (!find_near(link, leg.stretch(from, to))) return;
+  if (!find_near(link, leg.stretch(from, to).everywhere())) return;
   const double middle = from + (to - from) / 2;
   if (near_.size() > crowd && box_.longest() > long_window * states_[link].size && depth < deepest_window &&
       from < middle && middle < to) {
@@ -169,14 +170,15 @@ RobotFinding RobotSearch::along(double from, double to, bool any) {
   best.lo = best.hi = to;
   const auto over = [&] { return best.outcome != Outcome::free && any_; };
   for (std::size_t k = 0; k < links_.size() && !over(); ++k) {
-    const EvenLeg leg(at_rest, states_[k].chain, from, to);
+    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, from, to);
     cover(k, leg, from, to, 0, best);
   }
   for (const LinkPair& pair : pairs_) {
     if (over()) break;
-    const EvenLeg leg(pair.chain_p, pair.chain_q, from, to);
+    const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
+    const EvenLeg leg(pair.chain_p, pair.chain_q, mover, from, to);
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
-    search(leg, *states_[static_cast<std::size_t>(pair.q)].tree, {pair.p, pair.q}, from, to, best);
+    search(leg, mover, {pair.p, pair.q}, from, to, best);
   }
   return best;
 }
@@ -197,9 +199,11 @@ void RobotSearch::cross(Leg bridge, const Hierarchy& mover, Names names, RobotFi
 /// Leaves of `others_` those that the link may come to on its way from where it was to where it is. These differ by
 /// rounding, which the stretch is widened by.
 void RobotSearch::find_crossed(std::size_t link, double t) {
-  const EvenLeg before(at_rest, states_[link].before, t, t + 1), after(at_rest, states_[link].chain, t, t + 1);
-  Stretch s = before.stretch(t, t);
-  const Stretch to = after.stretch(t, t);
+  const Hierarchy& mover = *states_[link].tree;
+  const EvenLeg before(at_rest, states_[link].before, mover, t, t + 1);
+  const EvenLeg after(at_rest, states_[link].chain, mover, t, t + 1);
+  Stretch s = before.stretch(t, t).everywhere();
+  const Stretch to = after.stretch(t, t).everywhere();
   const auto gap = [](const spacetime::Path& a, const spacetime::Path& b) {
     return std::fabs(a.x.a - b.x.a) + std::fabs(a.y.a - b.y.a);
   };
@@ -209,7 +213,7 @@ void RobotSearch::find_crossed(std::size_t link, double t) {
   find_near(link, s);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < others_.size(); ++i) {
-    if (spacetime::apart(s, *others_[i].tree, *states_[link].tree)) continue;
+    if (spacetime::apart(s, *others_[i].tree, mover)) continue;
     others_[kept] = others_[i];
     near_[kept++] = near_[i];
   }

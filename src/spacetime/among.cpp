@@ -42,9 +42,9 @@ std::optional<AmongSearch::Found> AmongSearch::run(const EvenLeg& leg, std::span
 void AmongSearch::cover(std::size_t first, double start, double end) {
   if (best_ && (any_ || start > best_->hi)) return;
   proved_ = best_ ? proved_ : start;
-  const Stretch s = leg_->stretch(start, end);
+  EvenStretch s = leg_->stretch(start, end);
   const double middle = start + (end - start) / 2;
-  const bool divisible = s.r > shortest_ && start < middle && middle < end;
+  const bool divisible = s.r() > shortest_ && start < middle && middle < end;
   const std::size_t last = pairs_.size();
   windows_.clear();
   for (std::size_t i = first; i < last && !ended(); ++i) {
@@ -64,9 +64,10 @@ void AmongSearch::cover(std::size_t first, double start, double end) {
 }
 
 /// Drops the pair if it is apart throughout, else divides it, or leaves it to the halves of the stretch.
-void AmongSearch::look(const Stretch& s, const Boxes& pair, double start, double end, bool divisible) {
+void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, double end, bool divisible) {
   const Other& other = others_[pair.other];
   const BoxNode &p = other.tree->node(pair.p), &q = mover_->node(pair.q);
+  const Stretch& s = even.near(p.box);
   if (apart(s, p.box, q.box)) return;
   const bool leaf = p.count == 1 && q.count == 1;
   if (divisible && (motion(s, p.box, q.box) > among_patience * (p.box.radius + q.box.radius) ||
@@ -140,7 +141,8 @@ bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q) {
 
 std::optional<std::size_t> overlapped_at(const EvenLeg& leg, std::span<const Other> others, const Hierarchy& mover,
                                          double t) {
-  const Stretch instant = leg.stretch(t, t);
+  EvenStretch even = leg.stretch(t, t);
+  const Stretch& instant = even.everywhere();
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Other& other = others[i];
     if (apart(instant, other.tree->node(0).box, mover.node(0).box)) continue;

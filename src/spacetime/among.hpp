@@ -21,14 +21,19 @@ struct Other {
 /// The motion in both its forms: for boxes, and as the leg that exact tests take, which is made when one is needed.
 class EvenLeg {
  public:
-  /// Seen from one frame; the chains must stay where they are.
-  EvenLeg(const PieceChain& p, const PieceChain& q, double start, double end)
-      : p_(p), q_(q), start_(start), end_(end), motion_(p, q) {}
+  /// Seen from one frame; the chains must stay where they are. `mover` is the tree of Q.
+  EvenLeg(const PieceChain& p, const PieceChain& q, const Hierarchy& mover, double start, double end)
+      : p_(p), q_(q), start_(start), end_(end), motion_(p, q, reach_of(mover)) {}
 
-  Stretch stretch(double start, double end) const { return motion_.stretch(start, end); }
+  EvenStretch stretch(double start, double end) const { return motion_.stretch(start, end); }
   const Leg& leg() const;
 
  private:
+  static double reach_of(const Hierarchy& mover) {
+    const Box& all = mover.node(0).box;
+    return (size(all.centre) + all.radius) * (1 + 0x1p-40);
+  }
+
   const PieceChain &p_, &q_;
   double start_, end_;
   EvenMotion motion_;
@@ -55,7 +60,7 @@ class AmongSearch {
     std::uint32_t other, p, q;
   };
   void cover(std::size_t first, double start, double end);
-  void look(const Stretch& s, const Boxes& pair, double start, double end, bool divisible);
+  void look(EvenStretch& s, const Boxes& pair, double start, double end, bool divisible);
   void settle(const Stretch& s, const Carriage& carriage, std::uint32_t other, const VertexEdge& pair, double start,
               double end);
   void note(LeafTest& leaves, std::uint32_t other, Crossing& found);

@@ -105,18 +105,15 @@ MovingPose even_pose(std::span<const MotionPiece> chain, double middle, double r
   return pose;
 }
 
-/// Bodies' points are no longer than this: coordinates are at most 1.
-constexpr double longest_point = 5;
-
-Carriage carriage_of(const MovingVector& shift, const MovingVector& turn, double r) {
+/// `longest`: the points that it is for are no farther from the origin. Without the error of the turn.
+Carriage carriage_of(const MovingVector& shift, const MovingVector& turn, double longest, double r) {
   Carriage out;
   out.shift = shift.path;
   out.turn = turn.path;
   out.swing = (turn.path.x.swing(r) + turn.path.y.swing(r) + turn.error) * (1 + 0x1p-40);
-  out.reach = (reach_of(shift, r) + longest_point * (1 + reach_of(turn, r))) * (1 + 0x1p-40);
+  out.reach = (reach_of(shift, r) + longest * (1 + reach_of(turn, r))) * (1 + 0x1p-40);
   // As for the stretches of windows: 2^-44 is enough for the 40 operations that may follow, and for the sums above.
-  out.error = shift.error + longest_point * turn.error + 0x1p-44 * out.reach;
-  out.error = out.error * (1 + 0x1p-40) + underflow_slack;
+  out.error = (shift.error + 0x1p-44 * out.reach) * (1 + 0x1p-40) + underflow_slack;
   return out;
 }
 
@@ -129,8 +126,9 @@ bool EvenMotion::is_even(const MotionPiece& piece) {
   return rotation && rotation->angle.size() <= 2;
 }
 
-Stretch EvenMotion::stretch(double start, double end) const {
-  Stretch out;
+EvenStretch EvenMotion::stretch(double start, double end) const {
+  EvenStretch even;
+  Stretch& out = even.stretch_;
   out.middle = start + (end - start) / 2;
   out.r = std::max(end - out.middle, out.middle - start) * (1 + 0x1p-50);
   MovingPose q = even_pose(q_, out.middle, out.r);
@@ -140,12 +138,22 @@ Stretch EvenMotion::stretch(double start, double end) const {
     q.origin = product(back, q.origin - p.origin, out.r);
     q.turn = product(back, q.turn, out.r);
   }
-  const MovingVector back = conj(q.turn);
+  out.in_p = carriage_of(q.origin, q.turn, reach_, out.r);
+  out.in_p.error = (out.in_p.error + reach_ * q.turn.error) * (1 + 0x1p-40);
+  // A point a of P is at back (a - origin) in Q's frame: what the parabola of `back` misses counts by that distance.
+  constexpr double longest_of_p = 4;
+  MovingVector back = conj(q.turn);
+  even.turn_error_ = back.error;
+  back.error = back.rest = 0;
   const MovingVector shift = -product(back, q.origin, out.r);
-  out.in_p = carriage_of(q.origin, q.turn, out.r);
-  out.in_q = carriage_of(shift, back, out.r);
-  out.rest = std::max(q.origin.rest, shift.rest) + longest_point * q.turn.rest;
-  return out;
+  back.error = q.turn.error;
+  out.in_q = carriage_of(shift, back, longest_of_p, out.r);
+  even.base_ = out.in_q.error + q.origin.error * q.turn.error;
+  even.origin_ = {q.origin.path.x.a, q.origin.path.y.a};
+  even.way_ = q.origin.path.x.swing(out.r) + q.origin.path.y.swing(out.r) + q.origin.error;
+  out.rest = q.origin.rest + reach_ * q.turn.rest;
+  even.everywhere();
+  return even;
 }
 
 }  // namespace taut::spacetime
