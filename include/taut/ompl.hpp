@@ -6,6 +6,8 @@
 //   si->setStateValidityChecker(std::make_shared<taut::for_ompl::StateValidityChecker>(si, robot));
 //   si->setMotionValidator(std::make_shared<taut::for_ompl::MotionValidator>(si, robot));
 //
+// for_ompl::path_scene() is a whole path as a scene: for prove(), for `taut prove` and `taut verify`, and for pictures.
+//
 // Header only, for those who have OMPL (Debian: libompl-dev); nothing else of taut needs it. Tried with OMPL 1.5.2.
 //
 // What is proved of an edge. In all coordinates straight, x(t) = from + t d for t from 0 to 1, where d is the double
@@ -25,6 +27,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "taut/for_ompl/path.hpp"
 #include "taut/for_ompl/robot.hpp"
 
 namespace taut::for_ompl {
@@ -99,8 +102,9 @@ class MotionValidator : public ob::MotionValidator {
       end = write_curve(curve, asker.from[0], asker.to[0], 0, pieces, &box);
     }
     if (!within_bounds(box)) return {false, 0};
+    const double until = end + closing_time;
     const MapFinding found =
-        any ? asker.query.passes(asker.motions, 0, end + 1) : asker.query.along(asker.motions, 0, end + 1);
+        any ? asker.query.passes(asker.motions, 0, until) : asker.query.along(asker.motions, 0, until);
     note(found);
     return {found.free(), end > 0 ? std::min(1.0, found.free_until / end) : 0};
   }

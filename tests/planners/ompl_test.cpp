@@ -10,11 +10,13 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <sstream>
 #include <thread>
 
 #include "planners/planning.hpp"
 #include "support/effort.hpp"
 #include "taut/pose.hpp"
+#include "taut/proof.hpp"
 
 namespace taut::testing {
 namespace {
@@ -180,7 +182,7 @@ double farthest_apart(const std::shared_ptr<Space>& shared, Rng& rng) {
     farthest = std::max({farthest, std::fabs(pose.x - at->getX()), std::fabs(pose.y - at->getY()),
                          std::fabs(std::remainder(pose.angle - at->getYaw(), 2 * for_ompl::pi))});
   }
-  const PoseSE2 last = pose_of_motion(motion, end + 1);
+  const PoseSE2 last = pose_of_motion(motion, end + for_ompl::closing_time);
   EXPECT_NEAR(last.x, b->getX(), 1e-14);
   EXPECT_NEAR(last.y, b->getY(), 1e-14);
   EXPECT_NEAR(std::remainder(last.angle - b->getYaw(), 2 * for_ompl::pi), 0, 1e-14);
@@ -293,6 +295,49 @@ TEST(Ompl, ThreadsAndPlanners) {
   ASSERT_TRUE(setup.solve(20.0));
   ASSERT_TRUE(setup.haveExactSolutionPath());
   EXPECT_TRUE(setup.getSolutionPath().check());
+  const Scene scene = for_ompl::path_scene(*planning.robot, *space, setup.getSolutionPath().getStates());
+  EXPECT_EQ(scene.end, static_cast<double>(setup.getSolutionPath().getStateCount() - 1));
+  std::stringstream log;
+  EXPECT_EQ(prove(scene, log).outcome, Outcome::free);
+  EXPECT_EQ(verify(scene, log).outcome, Outcome::free);
+}
+
+/// A path of curves, and one of an arm, are scenes whose check agrees with that of all edges.
+TEST(Ompl, PathsAsScenes) {
+  int free = 0, blocked = 0;
+  for (std::uint64_t seed = 400; seed < 400 + effort(30); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const int side = 3;
+    const StaticMap map(star_obstacles(rng, side), 2);
+    ob::StateSpacePtr space = arm_space(1, -3, 4.0 * side);
+    std::vector<for_ompl::Link> links{{star_body(rng, "base", 0.3)}, {star_body(rng, "arm", 0.2), 0, {0.5, 0}}};
+    if (seed % 2 == 0) {
+      const auto car = std::make_shared<ob::ReedsSheppStateSpace>(0.5);
+      set_bounds(*car, side);
+      space = car;
+      links.pop_back();
+    }
+    const Planning planning(space, std::make_shared<for_ompl::Robot>(map, links));
+    std::vector<ob::State*> states{planning.random_state(rng, -2.5, 11)};
+    bool free_edges = planning.si->isValid(states[0]);
+    for (int i = 0; i < 4; ++i) {
+      states.push_back(planning.random_state(rng, -2.5, 11));
+      space->interpolate(states[static_cast<std::size_t>(i)], states.back(), 0.2, states.back());
+      free_edges = planning.motions->checkMotion(states[static_cast<std::size_t>(i)], states.back()) && free_edges;
+    }
+    const Answer answer = check(for_ompl::path_scene(*planning.robot, *space, states));
+    // A curve that leaves the bounds is no valid edge, but meets nothing there.
+    if (free_edges) {
+      EXPECT_EQ(answer.outcome, Outcome::free);
+    } else if (seed % 2 == 1) {
+      EXPECT_NE(answer.outcome, Outcome::free);
+    }
+    ++(free_edges ? free : blocked);
+    for (ob::State* s : states) planning.si->freeState(s);
+  }
+  EXPECT_GE(free, static_cast<int>(enough(2)));
+  EXPECT_GE(blocked, static_cast<int>(enough(10)));
 }
 
 TEST(Ompl, SpacesThatDoNotFit) {

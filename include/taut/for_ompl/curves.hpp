@@ -142,10 +142,12 @@ struct WayBox {
   }
 };
 
+inline constexpr double closing_time = 1.0 / 64;
+
 /// Writes the curve from `from` as pieces of a motion, beginning at time `start`, a turning radius in one unit of time.
 /// The curve that OMPL computes misses the state it leads to, by rounding, or by more where OMPL takes what is nearly a
-/// line for one: the pieces end with the straight way from where the curve ends to `to`, one unit of time long, so that
-/// what is asked about has no gaps. Returns the time at which the curve ends and that way begins.
+/// line for one: the pieces end with the straight way from where the curve ends to `to`, which takes closing_time, so
+/// that what is asked about has no gaps. Returns the time at which the curve ends and that way begins.
 inline double write_curve(const Curve& curve, const PoseSE2& from, const PoseSE2& to, double start, PieceWriter& out,
                           WayBox* box = nullptr) {
   PoseSE2 at = from;
@@ -173,7 +175,8 @@ inline double write_curve(const Curve& curve, const PoseSE2& from, const PoseSE2
     t = end;
   }
   const double turn = std::remainder(to.angle - at.angle, 2 * pi);
-  out.line(at, {to.x - at.x, to.y - at.y, turn}, t, t + 1);
+  constexpr double speed = 1 / closing_time;
+  out.line(at, {speed * (to.x - at.x), speed * (to.y - at.y), speed * turn}, t, t + closing_time);
   return t;
 }
 
