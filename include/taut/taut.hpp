@@ -21,6 +21,7 @@
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/static_map.hpp  one body among many that rest, asked often
 // taut/map_query.hpp   what a planner asks of it, with memory of its own: places, straight ways, chains of links
+// taut/grid.hpp        occupancy grids of robots as bodies
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/separator.hpp   curves with the fewest edges between the bodies
@@ -38,6 +39,7 @@
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
 #include "taut/geometry.hpp"
+#include "taut/grid.hpp"
 #include "taut/io.hpp"
 #include "taut/map_query.hpp"
 #include "taut/motion.hpp"
