@@ -72,7 +72,12 @@ MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
     extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
   }
   const std::vector<SweptBox> boxes = boxes_of(rings);
-  return {std::move(rings), BoxTree(boxes), -exponent, extent};
+  MapBodies all;
+  all.rings = std::move(rings);
+  all.boxes = BoxTree(boxes);
+  all.exponent = -exponent;
+  all.extent = extent;
+  return all;
 }
 
 /// One question, and its answer so far.

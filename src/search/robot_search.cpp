@@ -34,13 +34,17 @@ SweptBox box_over(const Stretch& s, const spacetime::Box& box) {
 }  // namespace
 
 RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool inwards, bool links_meet)
-    : bodies_(bodies), links_(std::move(links)), inwards_(inwards) {
+    : bodies_(bodies), cells_(bodies.free_cells->of(bodies.rings)), links_(std::move(links)), inwards_(inwards) {
   for (const SharedRings& body : bodies.rings) body_trees_.push_back(&tree_of(*body, inwards));
   for (const Link& link : links_) {
     LinkState state;
     state.tree = &tree_of(*link.rings, inwards);
     state.size = 2 * state.tree->node(0).box.radius;
     state.met.resize(bodies.rings.size());
+    const DisplacedPolygon& shape = *link.rings->displaced(inwards);
+    for (const RingSpan& ring : rings_of(shape)) {
+      if (!ring.hole) state.outlines.push_back({shape.points[ring.first].x, shape.points[ring.first].y});
+    }
     state.chain.resize(link.parent < 0 ? 1 : states_[static_cast<std::size_t>(link.parent)].chain.size() + 1);
     states_.push_back(std::move(state));
   }
@@ -117,19 +121,50 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
   return {outcome, lo, hi, names.link, names.other_link < 0 ? near_[other] : -1, names.other_link};
 }
 
+/// May an outline of the link be inside a body? Not if a vertex of it is where nothing is.
+bool RobotSearch::may_be_around(const std::vector<Vector>& outlines, const spacetime::PosedQ& posed) {
+  constexpr double told_by_cells = 0x1p-32;
+  return !(posed.error < told_by_cells) || std::any_of(outlines.begin(), outlines.end(), [&](Vector v) {
+    const Vector at = posed.at(v);
+    return !cells_.outside(at.x, at.y);
+  });
+}
+
+/// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
+/// is; exactly where these do not tell. `outlines`: those of a link that is asked about with the map.
+std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hierarchy& mover, double t,
+                                                   const std::vector<Vector>* outlines) {
+  spacetime::EvenStretch even = leg.stretch(t, t);
+  const Stretch& instant = even.everywhere();
+  const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
+  const bool around = !outlines || may_be_around(*outlines, posed);
+  inside_.clear();
+  if (outlines) cells_.outlines_in(box_, inside_);
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const spacetime::Other& other = others_[i];
+    const spacetime::EdgesCross cross = posed_.edges_cross(posed, *other.geometry, *other.tree, mover);
+    if (cross == spacetime::EdgesCross::yes) return i;
+    // Without outlines there is no map, and `around` is true.
+    const bool within = around || std::binary_search(inside_.begin(), inside_.end(), near_[i]);
+    if (cross == spacetime::EdgesCross::no && !within) continue;
+    if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, leg.leg(), t, instant)) return i;
+  }
+  return std::nullopt;
+}
+
 RobotFinding RobotSearch::at(double t) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, t, t + 1);
+    const LinkState& state = states_[k];
+    const EvenLeg leg(at_rest, state.chain, *state.tree, t, t + 1);
     if (!find_near(k, leg.stretch(t, t).everywhere())) continue;
-    if (const auto other = spacetime::overlapped_at(leg, others_, *states_[k].tree, t))
+    if (const auto other = overlapped(leg, *state.tree, t, &state.outlines))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
   }
   for (const LinkPair& pair : pairs_) {
     const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
     const EvenLeg leg(pair.chain_p, pair.chain_q, mover, t, t + 1);
-    const spacetime::Other other{&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree};
-    if (spacetime::overlapped_at(leg, {&other, 1}, mover, t))
-      return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
+    others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
+    if (overlapped(leg, mover, t, nullptr)) return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
   }
   return {};
 }

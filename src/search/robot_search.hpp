@@ -53,6 +53,7 @@ class RobotSearch {
     const Hierarchy* tree = nullptr;
     double size = 0;
     std::vector<std::unique_ptr<PairGeometry>> met;
+    std::vector<Vector> outlines;  ///< a vertex of each
   };
   /// Two links, seen from the last parent that they share.
   struct LinkPair {
@@ -68,6 +69,9 @@ class RobotSearch {
   std::size_t common_parents(int p, int q) const;
   /// Finds what meets the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
   bool find_near(std::size_t link, const spacetime::Stretch& s);
+  std::optional<std::size_t> overlapped(const spacetime::EvenLeg& leg, const Hierarchy& mover, double t,
+                                        const std::vector<Vector>* outlines);
+  bool may_be_around(const std::vector<Vector>& outlines, const spacetime::PosedQ& posed);
   void cover(std::size_t link, const spacetime::EvenLeg& leg, double from, double to, int depth, RobotFinding& best);
   void search(const spacetime::EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
               RobotFinding& best);
@@ -76,6 +80,7 @@ class RobotSearch {
   void cross(Leg bridge, const Hierarchy& mover, Names names, RobotFinding& best);
 
   const MapBodies& bodies_;
+  const FreeCells& cells_;
   std::vector<Link> links_;
   bool inwards_, any_ = false;
   std::vector<const Hierarchy*> body_trees_;
@@ -84,6 +89,8 @@ class RobotSearch {
   spacetime::AmongSearch among_;
   SweptBox box_;  ///< of the last find_near()
   std::vector<int> near_;
+  std::vector<int> inside_;  ///< bodies of which an outline may be inside the link
+  spacetime::PosedSearch posed_;
   std::vector<spacetime::Other> others_;
 };
 

@@ -47,6 +47,7 @@ void AmongSearch::cover(std::size_t first, double start, double end) {
   const bool divisible = s.r() > shortest_ && start < middle && middle < end;
   const std::size_t last = pairs_.size();
   windows_.clear();
+  middle_.reset();
   for (std::size_t i = first; i < last && !ended(); ++i) {
     todo_.assign(1, pairs_[i]);
     while (!todo_.empty() && !ended()) {
@@ -75,6 +76,7 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
     pairs_.push_back(pair);
   } else if (leaf) {
     const VertexId of_p(p.first), of_q(other.geometry->np + q.first);
+    if (any_ && crosses_in_the_middle(s, pair.other, of_p, of_q)) return;
     settle(s, s.in_q, pair.other, {of_p, of_q}, start, end);
     settle(s, s.in_p, pair.other, {of_q, of_p}, start, end);
   } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
@@ -84,6 +86,14 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
     todo_.push_back({pair.other, pair.p, q.right});
     todo_.push_back({pair.other, pair.p, q.left});
   }
+}
+
+/// Where any contact will do, an overlap in the middle is one before it, and far cheaper to see than its instant.
+bool AmongSearch::crosses_in_the_middle(const Stretch& s, std::uint32_t other, VertexId of_p, VertexId of_q) {
+  if (!middle_) middle_ = PosedQ::of(leg_->stretch(s.middle, s.middle).everywhere());
+  if (edges_cross(*middle_, *others_[other].geometry, of_p, of_q) != EdgesCross::yes) return false;
+  best_ = Found{other, proved_, s.middle};
+  return true;
 }
 
 /// The window around t for the leaves of the stretch that ends at `end`: the same for all of the others.
@@ -137,18 +147,6 @@ bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q) {
     }
   }
   return true;
-}
-
-std::optional<std::size_t> overlapped_at(const EvenLeg& leg, std::span<const Other> others, const Hierarchy& mover,
-                                         double t) {
-  EvenStretch even = leg.stretch(t, t);
-  const Stretch& instant = even.everywhere();
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const Other& other = others[i];
-    if (apart(instant, other.tree->node(0).box, mover.node(0).box)) continue;
-    if (overlapping(*other.geometry, {*other.tree, mover}, leg.leg(), t, instant)) return i;
-  }
-  return std::nullopt;
 }
 
 }  // namespace taut::spacetime

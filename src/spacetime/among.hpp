@@ -9,6 +9,7 @@
 #include "spacetime/even_motion.hpp"
 #include "spacetime/first_contact.hpp"
 #include "spacetime/leaf_test.hpp"
+#include "spacetime/posed.hpp"
 
 namespace taut::spacetime {
 
@@ -65,6 +66,7 @@ class AmongSearch {
               double end);
   void note(LeafTest& leaves, std::uint32_t other, Crossing& found);
   FrameWindow& window_at(double t, double end);
+  bool crosses_in_the_middle(const Stretch& s, std::uint32_t other, VertexId of_p, VertexId of_q);
   bool ended() const { return any_ && best_; }
 
   const EvenLeg* leg_ = nullptr;
@@ -75,13 +77,10 @@ class AmongSearch {
   std::optional<Found> best_;
   std::vector<Boxes> pairs_, todo_;
   std::vector<FrameWindow> windows_;  ///< of the stretch at hand, for its leaves
+  std::optional<PosedQ> middle_;      ///< of the stretch at hand
 };
 
 /// Are all edges of the two certainly apart at all times of the stretch?
 bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q);
-
-/// Which of the others overlaps the mover at t, if any does; the first. Throws Undecidable.
-std::optional<std::size_t> overlapped_at(const EvenLeg& leg, std::span<const Other> others, const Hierarchy& mover,
-                                         double t);
 
 }  // namespace taut::spacetime
