@@ -132,14 +132,6 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
 RobotFinding MapQuery::Impl::on_lines(bool any) {
   const RobotFinding first = search->at(0);
   if (first.outcome != Outcome::free) return first;
-  if (any) {
-    RobotFinding last = search->at(1);
-    if (last.outcome != Outcome::free) {
-      last.outcome = Outcome::contact;
-      last.lo = 0;
-      return last;
-    }
-  }
   return search->along(0, 1, any);
 }
 

@@ -20,6 +20,8 @@ namespace {
 constexpr double long_window = 3;
 constexpr std::size_t crowd = 4;
 constexpr int deepest_window = 30;
+/// Into so many steps, at most, is a way divided that is looked at before it is searched.
+constexpr double most_samples = 16;
 
 const PieceChain at_rest;
 
@@ -130,6 +132,40 @@ bool RobotSearch::may_be_around(const std::vector<Vector>& outlines, const space
   });
 }
 
+/// Does an edge of the link certainly cross one of the map at t? No more than that: cheap, to be asked first.
+bool RobotSearch::crosses(std::size_t link, const EvenLeg& leg, double t) {
+  spacetime::EvenStretch even = leg.stretch(t, t);
+  const Stretch& instant = even.everywhere();
+  if (!find_near(link, instant)) return false;
+  const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
+  crossed_ = 0;
+  for (const spacetime::Other& other : others_) {
+    const Hierarchy& mover = *states_[link].tree;
+    if (posed_.edges_cross(posed, *other.geometry, *other.tree, mover) == spacetime::EdgesCross::yes) return true;
+    ++crossed_;
+  }
+  return false;
+}
+
+/// Where a link is in the way at the end, in the middle, or at one of the instants between these, about as far apart as
+/// the link is large: most ways that are blocked are so there, for long.
+RobotFinding RobotSearch::sampled(double from, double to) {
+  RobotFinding free;
+  free.lo = free.hi = to;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, from, to);
+    if (!find_near(k, leg.stretch(from, to).everywhere())) continue;
+    const double steps = std::min(box_.longest() / states_[k].size, most_samples);
+    for (double share = 1; share <= steps; share *= 2) {
+      for (double i = 1; i <= share; i += 2) {
+        const double t = from + (to - from) * (i / share);
+        if (crosses(k, leg, t)) return found(Outcome::contact, from, t, {static_cast<int>(k), -1}, crossed_);
+      }
+    }
+  }
+  return free;
+}
+
 /// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
 /// is; exactly where these do not tell. `outlines`: those of a link that is asked about with the map.
 std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hierarchy& mover, double t,
@@ -201,6 +237,10 @@ void RobotSearch::cover(std::size_t link, const EvenLeg& leg, double from, doubl
 
 RobotFinding RobotSearch::along(double from, double to, bool any) {
   any_ = any;
+  if (any) {
+    const RobotFinding blocked = sampled(from, to);
+    if (blocked.outcome != Outcome::free) return blocked;
+  }
   RobotFinding best;
   best.lo = best.hi = to;
   const auto over = [&] { return best.outcome != Outcome::free && any_; };

@@ -71,6 +71,8 @@ class RobotSearch {
   bool find_near(std::size_t link, const spacetime::Stretch& s);
   std::optional<std::size_t> overlapped(const spacetime::EvenLeg& leg, const Hierarchy& mover, double t,
                                         const std::vector<Vector>* outlines);
+  bool crosses(std::size_t link, const spacetime::EvenLeg& leg, double t);
+  RobotFinding sampled(double from, double to);
   bool may_be_around(const std::vector<Vector>& outlines, const spacetime::PosedQ& posed);
   void cover(std::size_t link, const spacetime::EvenLeg& leg, double from, double to, int depth, RobotFinding& best);
   void search(const spacetime::EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
@@ -91,6 +93,7 @@ class RobotSearch {
   std::vector<int> near_;
   std::vector<int> inside_;  ///< bodies of which an outline may be inside the link
   spacetime::PosedSearch posed_;
+  std::size_t crossed_ = 0;  ///< which of `others_` crosses() found
   std::vector<spacetime::Other> others_;
 };
 

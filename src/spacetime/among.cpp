@@ -13,6 +13,9 @@ namespace {
 
 /// As in the search for one pair (first_contact.cpp).
 constexpr double among_patience = 0.75, among_hopeful = 0x1p-5, among_shortest = 0x1p-40;
+/// Where any contact will do, edges are left to shorter stretches down to this share of the whole: one of these misses,
+/// or has an overlap in its middle, long before a model of the motion has been made.
+constexpr double among_shallow = 0x1p-14;
 
 }  // namespace
 
@@ -30,6 +33,7 @@ std::optional<AmongSearch::Found> AmongSearch::run(const EvenLeg& leg, std::span
   mover_ = &mover;
   any_ = any;
   shortest_ = among_shortest * (to - from);
+  shallow_ = among_shallow * (to - from);
   proved_ = from;
   best_.reset();
   pairs_.clear();
@@ -77,6 +81,10 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
   } else if (leaf) {
     const VertexId of_p(p.first), of_q(other.geometry->np + q.first);
     if (any_ && crosses_in_the_middle(s, pair.other, of_p, of_q)) return;
+    if (any_ && divisible && s.r > shallow_) {
+      if (!miss(s, *other.geometry, of_p, of_q)) pairs_.push_back(pair);
+      return;
+    }
     settle(s, s.in_q, pair.other, {of_p, of_q}, start, end);
     settle(s, s.in_p, pair.other, {of_q, of_p}, start, end);
   } else if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
@@ -86,6 +94,13 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
     todo_.push_back({pair.other, pair.p, q.right});
     todo_.push_back({pair.other, pair.p, q.left});
   }
+}
+
+/// Do both first vertices of two edges certainly miss the other edge?
+bool AmongSearch::miss(const Stretch& s, const PairGeometry& g, VertexId of_p, VertexId of_q) {
+  const auto place = [&g](VertexId v) { return Vector{g.point(v).x, g.point(v).y}; };
+  return misses(s, s.in_q, place(of_p), place(of_q), place(g.next(of_q))) &&
+         misses(s, s.in_p, place(of_q), place(of_p), place(g.next(of_p)));
 }
 
 /// Where any contact will do, an overlap in the middle is one before it, and far cheaper to see than its instant.

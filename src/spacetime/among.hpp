@@ -66,6 +66,7 @@ class AmongSearch {
               double end);
   void note(LeafTest& leaves, std::uint32_t other, Crossing& found);
   FrameWindow& window_at(double t, double end);
+  static bool miss(const Stretch& s, const PairGeometry& g, VertexId of_p, VertexId of_q);
   bool crosses_in_the_middle(const Stretch& s, std::uint32_t other, VertexId of_p, VertexId of_q);
   bool ended() const { return any_ && best_; }
 
@@ -73,7 +74,7 @@ class AmongSearch {
   std::span<const Other> others_;
   const Hierarchy* mover_ = nullptr;
   bool any_ = false;
-  double shortest_ = 0, proved_ = 0;
+  double shortest_ = 0, shallow_ = 0, proved_ = 0;
   std::optional<Found> best_;
   std::vector<Boxes> pairs_, todo_;
   std::vector<FrameWindow> windows_;  ///< of the stretch at hand, for its leaves

@@ -9,7 +9,7 @@ namespace {
 /// Boundaries are drawn wider by this on all sides; coordinates are at most 1.
 constexpr double drawn_wider = 0x1p-30;
 /// Cells along the longer side.
-constexpr double fewest_cells = 64, most_cells = 1024;
+constexpr double fewest_cells = 128, most_cells = 1024, cells_by_edges = 16;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
   outlines_ = BoxTree(outlines);
   if (edges.empty()) return;
   const double side = std::max(hi_x_ - lo_x_, hi_y_ - lo_y_);
-  cell_ = side / std::clamp(4 * std::sqrt(static_cast<double>(edges.size())), fewest_cells, most_cells);
+  cell_ = side / std::clamp(cells_by_edges * std::sqrt(static_cast<double>(edges.size())), fewest_cells, most_cells);
   per_cell_ = 1 / cell_;
   width_ = static_cast<std::size_t>((hi_x_ - lo_x_) / cell_) + 1;
   height_ = static_cast<std::size_t>((hi_y_ - lo_y_) / cell_) + 1;
