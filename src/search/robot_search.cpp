@@ -22,6 +22,8 @@ constexpr std::size_t crowd = 4;
 constexpr int deepest_window = 30;
 /// Into so many steps, at most, is a way divided that is looked at before it is searched.
 constexpr double most_samples = 16;
+/// Of each of a link's outlines, about so many vertices are looked for where nothing is.
+constexpr std::uint32_t outline_vertices = 8;
 
 const PieceChain at_rest;
 
@@ -45,7 +47,13 @@ RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool 
     state.met.resize(bodies.rings.size());
     const DisplacedPolygon& shape = *link.rings->displaced(inwards);
     for (const RingSpan& ring : rings_of(shape)) {
-      if (!ring.hole) state.outlines.push_back({shape.points[ring.first].x, shape.points[ring.first].y});
+      if (ring.hole) continue;
+      state.outlines.emplace_back();
+      // A few, spread around it, are enough.
+      for (std::uint32_t i = 0; i < ring.count; i += std::max(1u, ring.count / outline_vertices)) {
+        const DisplacedPoint& v = shape.points[ring.first + i];
+        state.outlines.back().push_back({v.x, v.y});
+      }
     }
     state.chain.resize(link.parent < 0 ? 1 : states_[static_cast<std::size_t>(link.parent)].chain.size() + 1);
     states_.push_back(std::move(state));
@@ -123,15 +131,6 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
   return {outcome, lo, hi, names.link, names.other_link < 0 ? near_[other] : -1, names.other_link};
 }
 
-/// May an outline of the link be inside a body? Not if a vertex of it is where nothing is.
-bool RobotSearch::may_be_around(const std::vector<Vector>& outlines, const spacetime::PosedQ& posed) {
-  constexpr double told_by_cells = 0x1p-32;
-  return !(posed.error < told_by_cells) || std::any_of(outlines.begin(), outlines.end(), [&](Vector v) {
-    const Vector at = posed.at(v);
-    return !cells_.outside(at.x, at.y);
-  });
-}
-
 /// Does an edge of the link certainly cross one of the map at t? No more than that: cheap, to be asked first.
 bool RobotSearch::crosses(std::size_t link, const EvenLeg& leg, double t) {
   spacetime::EvenStretch even = leg.stretch(t, t);
@@ -166,23 +165,35 @@ RobotFinding RobotSearch::sampled(double from, double to) {
   return free;
 }
 
+/// May an outline of the link be inside a body of the map, given that no edges cross? Not if any of its vertices is
+/// where nothing is.
+bool RobotSearch::may_be_inside(const LinkState& link, const spacetime::PosedQ& posed) const {
+  constexpr double told_by_cells = 0x1p-32;
+  if (!(posed.error < told_by_cells)) return true;
+  return std::any_of(link.outlines.begin(), link.outlines.end(), [&](const std::vector<Vector>& outline) {
+    return std::none_of(outline.begin(), outline.end(), [&](Vector v) {
+      const Vector at = posed.at(v);
+      return cells_.outside(at.x, at.y);
+    });
+  });
+}
+
 /// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
-/// is; exactly where these do not tell. `outlines`: those of a link that is asked about with the map.
+/// is; exactly where these do not tell. `with_map`: the link, where it is asked about with bodies of the map.
 std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hierarchy& mover, double t,
-                                                   const std::vector<Vector>* outlines) {
+                                                   const LinkState* with_map) {
   spacetime::EvenStretch even = leg.stretch(t, t);
   const Stretch& instant = even.everywhere();
   const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
-  const bool around = !outlines || may_be_around(*outlines, posed);
+  const bool within = !with_map || may_be_inside(*with_map, posed);
   inside_.clear();
-  if (outlines) cells_.outlines_in(box_, inside_);
+  if (with_map) cells_.outlines_in(box_, inside_);
   for (std::size_t i = 0; i < others_.size(); ++i) {
     const spacetime::Other& other = others_[i];
     const spacetime::EdgesCross cross = posed_.edges_cross(posed, *other.geometry, *other.tree, mover);
     if (cross == spacetime::EdgesCross::yes) return i;
-    // Without outlines there is no map, and `around` is true.
-    const bool within = around || std::binary_search(inside_.begin(), inside_.end(), near_[i]);
-    if (cross == spacetime::EdgesCross::no && !within) continue;
+    const bool around = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
+    if (cross == spacetime::EdgesCross::no && !within && !around) continue;
     if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, leg.leg(), t, instant)) return i;
   }
   return std::nullopt;
@@ -193,7 +204,7 @@ RobotFinding RobotSearch::at(double t) {
     const LinkState& state = states_[k];
     const EvenLeg leg(at_rest, state.chain, *state.tree, t, t + 1);
     if (!find_near(k, leg.stretch(t, t).everywhere())) continue;
-    if (const auto other = overlapped(leg, *state.tree, t, &state.outlines))
+    if (const auto other = overlapped(leg, *state.tree, t, &state))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
   }
   for (const LinkPair& pair : pairs_) {

@@ -53,7 +53,7 @@ class RobotSearch {
     const Hierarchy* tree = nullptr;
     double size = 0;
     std::vector<std::unique_ptr<PairGeometry>> met;
-    std::vector<Vector> outlines;  ///< a vertex of each
+    std::vector<std::vector<Vector>> outlines;  ///< some vertices of each
   };
   /// Two links, seen from the last parent that they share.
   struct LinkPair {
@@ -70,10 +70,10 @@ class RobotSearch {
   /// Finds what meets the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
   bool find_near(std::size_t link, const spacetime::Stretch& s);
   std::optional<std::size_t> overlapped(const spacetime::EvenLeg& leg, const Hierarchy& mover, double t,
-                                        const std::vector<Vector>* outlines);
+                                        const LinkState* with_map);
   bool crosses(std::size_t link, const spacetime::EvenLeg& leg, double t);
   RobotFinding sampled(double from, double to);
-  bool may_be_around(const std::vector<Vector>& outlines, const spacetime::PosedQ& posed);
+  bool may_be_inside(const LinkState& link, const spacetime::PosedQ& posed) const;
   void cover(std::size_t link, const spacetime::EvenLeg& leg, double from, double to, int depth, RobotFinding& best);
   void search(const spacetime::EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
               RobotFinding& best);
