@@ -21,6 +21,7 @@
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/static_map.hpp  one body among many that rest, asked often
 // taut/map_query.hpp   what a planner asks of it, with memory of its own: places, straight ways, chains of links
+// taut/cells.hpp       which cells of a grid a moving body touches
 // taut/grid.hpp        occupancy grids of robots as bodies
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separate.hpp    in which directions bodies come apart, and in which order
@@ -35,6 +36,7 @@
 // taut/error.hpp       everything that is thrown
 #pragma once
 
+#include "taut/cells.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
