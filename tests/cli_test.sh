@@ -110,7 +110,7 @@ cat >primitive.json <<'END'
   {"name": "wall", "polygon": [[9, 9], [10, 9], [10, 10]]},
   {"name": "cart", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "motion": {"velocity": [0.5, 0]}}]}
 END
-expect 0 '^CELLS  cart   12 of 1, columns -1 to 2, rows -1 to 1$' '' cells primitive.json --resolution 1
+expect 0 '^CELLS  cart   9 of 1, columns -1 to 1, rows -1 to 1$' '' cells primitive.json --resolution 1
 expect 0 '^{"body":"cart","resolution":2,"origin":\[-0.5,-0.5\],"cells":\[\[0,0\],\[1,0\]\]}$' '' cells --json primitive.json --resolution 2 --origin-x -0.5 --origin-y -0.5
 expect 0 '^CELLS  wall' '' cells primitive.json --resolution 1 --body wall --pgm cells.pgm
 expect 0 '"name":"cells 1","file":"cells.yaml"' '' import cells.yaml --json -o cells.json
