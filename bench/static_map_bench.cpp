@@ -123,7 +123,8 @@ void query(benchmark::State& state, const std::function<Edge(Random&)>& made, bo
   MapQuery asked_of(city_map(), cart(0.3));
   Random random(2);
   std::vector<Edge> edges;
-  for (int i = 0; i < 500; ++i) edges.push_back(made(random));
+  // More than a query remembers.
+  for (int i = 0; i < 20000; ++i) edges.push_back(made(random));
   const auto ask_one = [&](const Edge& e) { return place ? asked_of.at(e.from) : asked_of.passes(e.from, e.to); };
   for (const Edge& e : edges) ask_one(e);
   std::uint64_t free = 0, asked = 0;

@@ -35,9 +35,10 @@ struct Settings {
   int runs = 20;
   double limit = 10;   ///< seconds for each run
   double seconds = 1;  ///< for the edges of each validator
-  int edges = 4000;
+  int edges = 20000;
   std::string folder = "bench/planners";
   std::vector<std::string> only;
+  std::vector<std::string> validators;
 };
 
 PoseSE2 pose_in(const ob::State* state) {
@@ -208,11 +209,18 @@ bool run_map(PlanMap of, const Settings& settings) {
   for (const auto& [name, test] :
        {std::pair<std::string, StateTest*>{"FCL", fcl.get()}, {"Box2D", box2d.get()}, {"taut's states", &own}}) {
     for (const double percent : {1.0, 0.3, 0.1})
-      if (!std::getenv("ONLY_EXACT") || std::getenv("BOX"))       validators.push_back({fmt::format("{}, {} %", name, percent), percent / 100, test});
+      if (!std::getenv("ONLY_EXACT") || std::getenv("BOX"))
+        validators.push_back({fmt::format("{}, {} %", name, percent), percent / 100, test});
   }
-  if (!std::getenv("BOX"))   validators.push_back({"**exact**", 0, nullptr});
+  if (!std::getenv("BOX")) validators.push_back({"**exact**", 0, nullptr});
+  const auto wanted = [&](const std::string& name) {
+    const auto& names = settings.validators;
+    return names.empty() || std::any_of(names.begin(), names.end(),
+                                        [&](const std::string& part) { return name.find(part) != std::string::npos; });
+  };
   bool good = true;
   for (const Validator& validator : validators) {
+    if (!wanted(validator.name)) continue;
     Row row;
     plan(world, validator, *exact->getMotionValidator(), settings, row);
     time_edges(world, validator, edges, settings, row);
@@ -232,9 +240,10 @@ int main(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "runs of the planner for each row (20)");
   app.add_option("--limit", settings.limit, "seconds for each run (10)");
   app.add_option("--seconds", settings.seconds, "seconds for the edges of each row (1)");
-  app.add_option("--edges", settings.edges, "different edges for each map (4000)");
+  app.add_option("--edges", settings.edges, "different edges for each map (20000)");
   app.add_option("--folder", settings.folder, "where trondheimsfjord.wkt is (bench/planners)");
   app.add_option("--only", settings.only, "names of maps");
+  app.add_option("--validators", settings.validators, "parts of names of validators");
   CLI11_PARSE(app, argc, argv);
   ::ompl::msg::setLogLevel(::ompl::msg::LOG_NONE);
   try {

@@ -1,7 +1,9 @@
 #include "taut/map_query.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -25,6 +27,32 @@ double usable(const std::string& robot, const char* what, double x) {
   return x;
 }
 
+/// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
+/// same number, the last one is kept.
+class FreePoses {
+ public:
+  bool has(const PoseSE2& pose) const {
+    if (poses_.empty()) return false;
+    const PoseSE2& kept = poses_[slot(pose)];
+    return kept.x == pose.x && kept.y == pose.y && kept.angle == pose.angle;
+  }
+  void add(const PoseSE2& pose) {
+    if (poses_.empty()) poses_.assign(slots, {NAN, NAN, NAN});
+    poses_[slot(pose)] = pose;
+  }
+
+ private:
+  static constexpr std::size_t slots = 4096;
+  static std::size_t slot(const PoseSE2& pose) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    std::uint64_t h = bits(pose.x) * 0x9e3779b97f4a7c15u;
+    h = (h ^ (h >> 29) ^ bits(pose.y)) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 32) ^ bits(pose.angle)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>(h >> 52);
+  }
+  std::vector<PoseSE2> poses_;
+};
+
 bool all_even(std::span<const Motion> motions) {
   return std::all_of(motions.begin(), motions.end(), [](const Motion& motion) {
     return std::all_of(motion.pieces.begin(), motion.pieces.end(), spacetime::EvenMotion::is_even);
@@ -41,24 +69,25 @@ struct MapQuery::Impl {
   std::optional<RobotSearch> search;
   std::vector<MotionPiece> own;  ///< of each link, scaled
   std::string reason;
+  FreePoses known_free;
 
-  Impl(const StaticMap& known, const std::vector<RobotLink>& links, const MapQueryOptions& how);
+  Impl(const StaticMap& of, const std::vector<RobotLink>& links, const MapQueryOptions& how);
 
   void line(std::size_t link, const PoseSE2& from, const PoseSE2& to);
   void lines(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
   void expect(std::size_t count) const;
   template <class Ask>
   MapFinding answered(double start, double end, const Ask& ask);
-  RobotFinding on_lines(bool any);
+  RobotFinding on_lines(std::span<const PoseSE2> from, bool any);
   RobotFinding on_pieces(std::span<const Motion> motions, double start, double end, bool any);
   RobotFinding on_any_motion(std::span<const Motion> motions, double start, double end);
   RobotFinding on_motions(std::span<const Motion> motions, double start, double end, bool any);
   MotionChain chain_of(std::span<const Motion> motions, std::size_t link, double start, double end) const;
 };
 
-MapQuery::Impl::Impl(const StaticMap& known, const std::vector<RobotLink>& links, const MapQueryOptions& how)
-    : map(known), options(how) {
-  const StaticMap::Impl& parts = *known.impl_;
+MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, const MapQueryOptions& how)
+    : map(of), options(how) {
+  const StaticMap::Impl& parts = *of.impl_;
   bodies = &parts.prepared;
   std::vector<RobotSearch::Link> rings;
   for (const RobotLink& link : links) {
@@ -129,9 +158,13 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
 }
 
 /// On [0, 1].
-RobotFinding MapQuery::Impl::on_lines(bool any) {
-  const RobotFinding first = search->at(0);
-  if (first.outcome != Outcome::free) return first;
+RobotFinding MapQuery::Impl::on_lines(std::span<const PoseSE2> from, bool any) {
+  const bool one = from.size() == 1;
+  if (!one || !known_free.has(from[0])) {
+    const RobotFinding first = search->at(0);
+    if (first.outcome != Outcome::free) return first;
+    if (one) known_free.add(from[0]);
+  }
   return search->along(0, 1, any);
 }
 
@@ -235,12 +268,12 @@ MapFinding MapQuery::at(std::span<const PoseSE2> poses) {
 
 MapFinding MapQuery::along(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {
   impl_->lines(from, to);
-  return impl_->answered(0, 1, [this] { return impl_->on_lines(false); });
+  return impl_->answered(0, 1, [&] { return impl_->on_lines(from, false); });
 }
 
 MapFinding MapQuery::passes(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {
   impl_->lines(from, to);
-  return impl_->answered(0, 1, [this] { return impl_->on_lines(true); });
+  return impl_->answered(0, 1, [&] { return impl_->on_lines(from, true); });
 }
 
 MapFinding MapQuery::along(std::span<const Motion> motions, double start, double end) {
