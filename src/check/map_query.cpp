@@ -262,8 +262,11 @@ MapQuery::MapQuery(MapQuery&&) noexcept = default;
 MapQuery& MapQuery::operator=(MapQuery&&) noexcept = default;
 
 MapFinding MapQuery::at(std::span<const PoseSE2> poses) {
+  if (poses.size() == 1 && impl_->own.size() == 1 && impl_->known_free.has(poses[0])) return {};
   impl_->lines(poses, poses);
-  return impl_->answered(0, 0, [this] { return impl_->search->at(0); });
+  const MapFinding found = impl_->answered(0, 0, [this] { return impl_->search->at(0); });
+  if (poses.size() == 1 && found.free()) impl_->known_free.add(poses[0]);
+  return found;
 }
 
 MapFinding MapQuery::along(std::span<const PoseSE2> from, std::span<const PoseSE2> to) {

@@ -131,13 +131,15 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
   return {outcome, lo, hi, names.link, names.other_link < 0 ? near_[other] : -1, names.other_link};
 }
 
-/// Does an edge of the link certainly cross one of the map at t? No more than that: cheap, to be asked first.
+/// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? No more than that:
+/// cheap, to be asked first.
 bool RobotSearch::crosses(std::size_t link, const EvenLeg& leg, double t) {
   spacetime::EvenStretch even = leg.stretch(t, t);
   const Stretch& instant = even.everywhere();
   if (!find_near(link, instant)) return false;
   const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
   crossed_ = 0;
+  if (others_.size() == 1 && around(states_[link], posed) == FreeCells::Cell::covered) return true;
   for (const spacetime::Other& other : others_) {
     const Hierarchy& mover = *states_[link].tree;
     if (posed_.edges_cross(posed, *other.geometry, *other.tree, mover) == spacetime::EdgesCross::yes) return true;
@@ -165,17 +167,24 @@ RobotFinding RobotSearch::sampled(double from, double to) {
   return free;
 }
 
-/// May an outline of the link be inside a body of the map, given that no edges cross? Not if any of its vertices is
-/// where nothing is.
-bool RobotSearch::may_be_inside(const LinkState& link, const spacetime::PosedQ& posed) const {
+/// What is around the link, given that its edges cross none of the map's: something, if a vertex is certainly inside of
+/// it; nothing, if each outline has a vertex that is where nothing is.
+FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::PosedQ& posed) const {
   constexpr double told_by_cells = 0x1p-32;
-  if (!(posed.error < told_by_cells)) return true;
-  return std::any_of(link.outlines.begin(), link.outlines.end(), [&](const std::vector<Vector>& outline) {
-    return std::none_of(outline.begin(), outline.end(), [&](Vector v) {
+  if (!(posed.error < told_by_cells)) return FreeCells::Cell::mixed;
+  bool all_free = true;
+  for (const std::vector<Vector>& outline : link.outlines) {
+    bool one_free = false;
+    for (const Vector v : outline) {
       const Vector at = posed.at(v);
-      return cells_.outside(at.x, at.y);
-    });
-  });
+      const FreeCells::Cell cell = cells_.at(at.x, at.y);
+      if (cell == FreeCells::Cell::covered) return cell;
+      one_free = cell == FreeCells::Cell::free;
+      if (one_free) break;
+    }
+    all_free = all_free && one_free;
+  }
+  return all_free ? FreeCells::Cell::free : FreeCells::Cell::mixed;
 }
 
 /// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
@@ -185,15 +194,18 @@ std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hie
   spacetime::EvenStretch even = leg.stretch(t, t);
   const Stretch& instant = even.everywhere();
   const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
-  const bool within = !with_map || may_be_inside(*with_map, posed);
+  const FreeCells::Cell cell = with_map ? around(*with_map, posed) : FreeCells::Cell::mixed;
+  // A vertex inside of something is an overlap, whatever edges do. Of what, is known where there is only one.
+  if (cell == FreeCells::Cell::covered && others_.size() == 1) return 0;
+  const bool within = cell != FreeCells::Cell::free;
   inside_.clear();
   if (with_map) cells_.outlines_in(box_, inside_);
   for (std::size_t i = 0; i < others_.size(); ++i) {
     const spacetime::Other& other = others_[i];
     const spacetime::EdgesCross cross = posed_.edges_cross(posed, *other.geometry, *other.tree, mover);
     if (cross == spacetime::EdgesCross::yes) return i;
-    const bool around = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
-    if (cross == spacetime::EdgesCross::no && !within && !around) continue;
+    const bool holds = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
+    if (cross == spacetime::EdgesCross::no && !within && !holds) continue;
     if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, leg.leg(), t, instant)) return i;
   }
   return std::nullopt;

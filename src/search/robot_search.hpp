@@ -73,7 +73,7 @@ class RobotSearch {
                                         const LinkState* with_map);
   bool crosses(std::size_t link, const spacetime::EvenLeg& leg, double t);
   RobotFinding sampled(double from, double to);
-  bool may_be_inside(const LinkState& link, const spacetime::PosedQ& posed) const;
+  FreeCells::Cell around(const LinkState& link, const spacetime::PosedQ& posed) const;
   void cover(std::size_t link, const spacetime::EvenLeg& leg, double from, double to, int depth, RobotFinding& best);
   void search(const spacetime::EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
               RobotFinding& best);

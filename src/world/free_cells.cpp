@@ -49,7 +49,7 @@ FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
 /// Row by row: how often the bodies wind around the middles of cells, by the edges that cross the row's middle line.
 /// Middles that boundaries come near to may be wrong: these cells are not free anyway.
 void FreeCells::fill(const std::vector<BoundaryEdge>& edges) {
-  free_.assign(width_ * height_, true);
+  cells_.assign(width_ * height_, Cell::free);
   std::vector<std::vector<std::pair<double, int>>> rows(height_);
   for (const BoundaryEdge& e : edges) {
     const double low = std::min(e.ay, e.by), high = std::max(e.ay, e.by);
@@ -68,7 +68,7 @@ void FreeCells::fill(const std::vector<BoundaryEdge>& edges) {
     for (std::size_t i = 0; i < width_; ++i) {
       const double x = lo_x_ + (static_cast<double>(i) + 0.5) * cell_;
       for (; next < rows[j].size() && rows[j][next].first < x; ++next) winds += rows[j][next].second;
-      if (winds != 0) free_[j * width_ + i] = false;
+      if (winds > 0) cells_[j * width_ + i] = Cell::covered;
     }
   }
 }
@@ -93,7 +93,7 @@ void FreeCells::draw(const BoundaryEdge& e) {
       to = x0 + (high - y0) / (y1 - y0) * (x1 - x0);
     }
     const std::size_t last = column(std::max(from, to) + 2 * wider);
-    for (std::size_t i = column(std::min(from, to) - 2 * wider); i <= last; ++i) free_[j * width_ + i] = false;
+    for (std::size_t i = column(std::min(from, to) - 2 * wider); i <= last; ++i) cells_[j * width_ + i] = Cell::mixed;
   }
 }
 

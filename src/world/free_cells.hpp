@@ -1,4 +1,5 @@
-// Where in a map there certainly is nothing, in cells: most questions about what lies inside what end here.
+// Where in a map there certainly is something, or nothing, in cells: most questions about what lies inside what end
+// here.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +12,22 @@
 
 namespace taut {
 
-/// A grid over bodies at rest. A cell is free if no boundary comes near it and no body is around its middle. Boundaries
+/// A grid over bodies at rest. A cell is free if no boundary comes near it and no body is around its middle, covered if
+/// one is. Boundaries
 /// are drawn wider by far more than rounding and the displacement, so that this holds for both readings of touching.
 class FreeCells {
  public:
   /// Throws InputError where a body has features that are finer than the displacement.
   explicit FreeCells(const std::vector<SharedRings>& bodies);
 
-  /// Is the point certainly outside of all bodies? Internal coordinates.
-  bool outside(double x, double y) const {
-    if (!(x > lo_x_ && x < hi_x_ && y > lo_y_ && y < hi_y_)) return x < lo_x_ || x > hi_x_ || y < lo_y_ || y > hi_y_;
-    const auto i = static_cast<std::size_t>((x - lo_x_) * per_cell_),
-               j = static_cast<std::size_t>((y - lo_y_) * per_cell_);
-    return i < width_ && j < height_ && free_[j * width_ + i];
+  enum class Cell : std::uint8_t { mixed, free, covered };
+  /// `free`: the point is certainly outside of all bodies. `covered`: certainly inside of one. Internal coordinates.
+  Cell at(double x, double y) const {
+    if (!(x > lo_x_ && x < hi_x_ && y > lo_y_ && y < hi_y_))
+      return x < lo_x_ || x > hi_x_ || y < lo_y_ || y > hi_y_ ? Cell::free : Cell::mixed;
+    const auto i = static_cast<std::size_t>((x - lo_x_) * per_cell_);
+    const auto j = static_cast<std::size_t>((y - lo_y_) * per_cell_);
+    return i < width_ && j < height_ ? cells_[j * width_ + i] : Cell::mixed;
   }
   /// Adds the bodies of which an outline has its first vertex in the box, in order.
   void outlines_in(const SweptBox& box, std::vector<int>& bodies) const;
@@ -37,7 +41,7 @@ class FreeCells {
 
   double lo_x_ = 0, lo_y_ = 0, hi_x_ = 0, hi_y_ = 0, cell_ = 1, per_cell_ = 1;
   std::size_t width_ = 0, height_ = 0;
-  std::vector<bool> free_;
+  std::vector<Cell> cells_;
   BoxTree outlines_;
   std::vector<int> outline_of_;
 };
