@@ -63,14 +63,14 @@ struct QueryCounts {
 };
 
 /// With closed touching, check() says of what touches at the start that it is a contact there.
-bool alike(Outcome query, const Answer& answer, double start) {
+bool agree_on(Outcome query, const Answer& answer, double start) {
   if (query == answer.outcome) return true;
   return query == Outcome::overlap_at_start && answer.outcome == Outcome::contact && answer.contact->time.lo == start;
 }
 
 /// Enclosures of one instant have it in common; the first contact is the same.
 void expect_agreement(const MapFinding& found, const Answer& answer, double start) {
-  ASSERT_TRUE(alike(found.outcome, answer, start)) << to_string(found.outcome) << ", " << to_string(answer.outcome);
+  ASSERT_TRUE(agree_on(found.outcome, answer, start)) << to_string(found.outcome) << ", " << to_string(answer.outcome);
   if (found.outcome != Outcome::contact) return;
   EXPECT_LE(found.free_until, answer.contact->time.hi);
   EXPECT_GE(found.contact_by, answer.contact->time.lo);
