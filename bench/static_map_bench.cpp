@@ -108,10 +108,16 @@ Edge far_edge(Random& random) {
   return {{at.x - 0.1, at.y, 0}, {at.x + 0.1, at.y, 0.3}};
 }
 
-/// Along a street, which is as wide as two carts at its narrowest: houses on both sides are near.
-Edge street_edge(Random& random) {
+/// To and fro before a house: one is near, and nothing else.
+Edge near_edge(Random& random) {
   const Point at = crossing(random, 90);
-  return {{at.x, at.y, 1.5}, {at.x, at.y + 4, 1.6}};
+  return {{at.x - 0.9, at.y - 0.9, 2.3}, {at.x - 0.8, at.y - 0.8, 2.4}};
+}
+
+/// Lengthwise along a street past twenty houses, which are within the cart's reach if it should turn.
+Edge street_edge(Random& random) {
+  const Point at = crossing(random, 80);
+  return {{at.x, at.y, 1.5}, {at.x, at.y + 40, 1.7}};
 }
 
 Edge any_edge(Random& random) {
@@ -119,8 +125,8 @@ Edge any_edge(Random& random) {
   return {{at.x, at.y, 0}, {at.x + 4 * share(random), at.y + 4 * share(random), 1.57 * share(random)}};
 }
 
-void query(benchmark::State& state, const std::function<Edge(Random&)>& made, bool place, bool allocates) {
-  MapQuery asked_of(city_map(), cart(0.3));
+void query(benchmark::State& state, double half, const std::function<Edge(Random&)>& made, bool place, bool allocates) {
+  MapQuery asked_of(city_map(), cart(half));
   Random random(2);
   std::vector<Edge> edges;
   // More than a query remembers.
@@ -137,16 +143,18 @@ void query(benchmark::State& state, const std::function<Edge(Random&)>& made, bo
 }
 
 void register_queries() {
-  const auto add = [](const char* name, const std::function<Edge(Random&)>& made, bool place, bool allocates) {
+  const auto add = [](const char* name, const std::function<Edge(Random&)>& made, bool place, bool allocates,
+                      double half = 0.3) {
     benchmark::RegisterBenchmark(("map_query/" + std::string(name)).c_str(), [made, place,
                                                                               allocates](benchmark::State& state) {
-      query(state, made, place, allocates);
+      query(state, half, made, place, allocates);
     })->Unit(benchmark::kMicrosecond);
   };
   add("place/nothing_near", far_edge, true, false);
   add("place/random", any_edge, true, true);
   add("edge/nothing_near", far_edge, false, false);
-  add("edge/street", street_edge, false, true);
+  add("edge/one_near", near_edge, false, true);
+  add("edge/twenty_near", street_edge, false, true, 0.9);
   add("edge/random", any_edge, false, true);
 }
 

@@ -105,12 +105,8 @@ inline int report(const og::SimpleSetup& setup, const taut::for_ompl::Robot& rob
   taut::write_file(name + ".proof", log.str());
   draw(setup, scene, picture, name + ".svg");
   std::cout << name << ": the path is " << to_string(verified.outcome) << ", by a proof of " << log.str().size()
-            << " bytes
-               ";
-               return verified.outcome ==
-          taut::Outcome::free
-      ? 0
-      : 1;
+            << " bytes\n";
+  return verified.outcome == taut::Outcome::free ? 0 : 1;
 }
 
 }  // namespace planning
