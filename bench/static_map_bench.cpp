@@ -145,8 +145,8 @@ void query(benchmark::State& state, double half, const std::function<Edge(Random
 void register_queries() {
   const auto add = [](const char* name, const std::function<Edge(Random&)>& made, bool place, bool allocates,
                       double half = 0.3) {
-    benchmark::RegisterBenchmark(("map_query/" + std::string(name)).c_str(), [made, place,
-                                                                              allocates](benchmark::State& state) {
+    benchmark::RegisterBenchmark(("map_query/" + std::string(name)).c_str(), [made, place, allocates,
+                                                                              half](benchmark::State& state) {
       query(state, half, made, place, allocates);
     })->Unit(benchmark::kMicrosecond);
   };
