@@ -73,7 +73,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate envelope trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate envelope cells trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -97,6 +97,27 @@ expect 2 '' '--output|-o' import plate.svg --json
 touch plate.png
 expect 2 '' 'plate.png: the ending of the file' import plate.png
 expect 2 '' 'missing.svg' import missing.svg
+
+# Robots' maps, and cells.
+printf 'P2 3 3 255  0 0 0  0 254 0  0 0 0\n' >room.pgm
+printf 'image: room.pgm\nresolution: 2\norigin: [-3, -3, 0]\n' >room.yaml
+expect 0 '"holes":\[\[' 'room.yaml: occupancy grid, units: 3 x 3 cells of 2' import room.yaml
+printf 'image: room.pgm\nresolution: 0\n' >bad.yaml
+expect 2 '' "bad.yaml: .origin. is missing" import bad.yaml
+printf 'image: nowhere.pgm\nresolution: 1\norigin: [0, 0, 0]\n' >bad.yaml
+expect 2 '' 'nowhere.pgm: cannot open' import bad.yaml
+cat >primitive.json <<'END'
+{"format": "taut-scene/1", "time": [0, 1], "bodies": [
+  {"name": "wall", "polygon": [[9, 9], [10, 9], [10, 10]]},
+  {"name": "cart", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "motion": {"velocity": [0.5, 0]}}]}
+END
+expect 0 '^CELLS  cart   9 of 1, columns -1 to 1, rows -1 to 1$' '' cells primitive.json --resolution 1
+expect 0 '^{"body":"cart","resolution":2,"origin":\[-0.5,-0.5\],"cells":\[\[0,0\],\[1,0\]\]}$' '' cells --json primitive.json --resolution 2 --origin-x -0.5 --origin-y -0.5
+expect 0 '^CELLS  wall' '' cells primitive.json --resolution 1 --body wall --pgm cells.pgm
+expect 0 '"name":"cells 1","file":"cells.yaml"' '' import cells.yaml --json -o cells.json
+expect 2 '' '--body: there is no body "car"' cells primitive.json --resolution 1 --body car
+expect 2 '' 'the resolution is not a positive number' cells primitive.json --resolution 0
+expect 2 '' 'resolution' cells primitive.json
 sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
 expect 2 '' 'broken.svg:2:17: the path.s data cannot be read' import broken.svg
 echo '<svg><text>a</text></svg>' >empty.svg
@@ -416,6 +437,15 @@ expect 2 '' 'clearance: it is not a positive number' check --clearance 0 hit.jso
 expect 1 '"fit":0.001}' '' check --json --fit 0.001 hit.json
 expect 2 '' 'for a fit of 100' check --fit 100 hit.json
 expect 2 '' 'one scene at a time' check --clearance 1 hit.json free.json
+expect 0 'proof in kept.proof' '' prove --clearance 0.001 -o kept.proof free.json
+expect 0 'all keep 0.001 on' '' verify free.json kept.proof --expect free --clearance 0.001
+expect 1 'NOT AS EXPECTED: .*clearance 0.002' '' verify free.json kept.proof --expect free --clearance 0.002
+expect 0 '"clearance":0.001' '' verify --json free.json kept.proof --expect free
+expect 1 'proof in broken.proof' '' prove --clearance 0.5 -o broken.proof hit.json
+expect 0 'closer within' '' verify hit.json broken.proof --expect contact --clearance 0.5
+expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect contact
+expect 1 'NOT AS EXPECTED' '' verify hit.json broken.proof --expect free
+expect 2 '' 'clearance: it is not a positive number' prove --clearance 0 -o x.proof hit.json
 expect 1 '^LOCKED  a x b' '' separate "$(world '{"name":"b","polygon":{"outline":[[-9,-9],[9,-9],[9,9],[-9,9]],"holes":[[[-3,-3],[4,-3],[4,4],[-3,4]]]}}' && echo world.json)"
 expect 1 '"outcome":"locked","body":"b","all":false,"directions":\[\]' '' separate --json world.json
 world '{"name":"b","polygon":[[2,0],[9,0],[9,9],[2,9]]}'

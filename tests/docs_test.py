@@ -92,7 +92,8 @@ class Runner:
         self.counts = {}
         with open(os.path.join(root, "docs/taut-scene-1.schema.json")) as file:
             self.schema = jsonschema.Draft7Validator(json.load(file))
-        self.programs = {path: open(path).read() for path in glob.glob(os.path.join(root, "examples", "*.cpp"))}
+        paths = [p for folder in ("*.cpp", "*/*.cpp") for p in glob.glob(os.path.join(root, "examples", folder))]
+        self.programs = {path: open(path).read() for path in paths}
 
     def file(self, path):
         """A document, in a folder of its own that looks like the repository's."""

@@ -16,6 +16,7 @@ struct ImportSettings {
   std::optional<double> join;  ///< ends at most so far apart are one point; a hundredth of the tolerance if not given
   double scale = 1;            ///< all lengths are multiplied by this
   bool split = false;          ///< a body for each part
+  bool unknown_free = false;   ///< of a robot's map: cells that are neither free nor occupied are no obstacles
   std::size_t max_points = 20000000;  ///< of a whole file: a hostile one must not fill the memory
   double join_distance() const { return join.value_or(tolerance / 100); }
 };

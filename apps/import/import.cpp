@@ -11,9 +11,11 @@
 #include "import/dxf_reader.hpp"
 #include "import/nesting.hpp"
 #include "import/svg_reader.hpp"
+#include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
+#include "taut/grid.hpp"
 #include "taut/io.hpp"
 #include "taut/validate.hpp"
 
@@ -61,6 +63,25 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
       drawing.skip(skipped.substr(0, end), "geometry", skipped.substr(end + 2));
     }
     if (!feature.parts.empty()) add(feature.name.empty() ? stem_of(file) : feature.name, std::move(feature.parts));
+  }
+  return drawing;
+}
+
+/// A robot's map: a body for each set of cells that hang together.
+Drawing read_occupancy(const std::string& file, const ImportSettings& settings) {
+  GridOptions options;
+  options.unknown_occupied = !settings.unknown_free;
+  const OccupancyGrid grid = read_grid(file, options);
+  Drawing drawing{file,
+                  "occupancy grid",
+                  std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells of " +
+                      io::number_text(grid.resolution),
+                  {},
+                  {},
+                  {}};
+  for (Body& body : grid_bodies(grid)) {
+    if (settings.scale != 1) scale_parts(body.parts, settings.scale);
+    drawing.layers.push_back({body.name, {Sheet{"", Fill::even_odd, {}, false, std::move(body.parts)}}});
   }
   return drawing;
 }
@@ -192,7 +213,7 @@ Drawing read_drawing(std::string text, const std::string& file, const ImportSett
   if (ending == ".dxf") return read_dxf(text, file, settings);
   if (ending == ".wkt") return read_map(std::move(text), file, settings, true);
   if (ending == ".geojson" || ending == ".json") return read_map(std::move(text), file, settings, false);
-  throw InputError(file, "the ending of the file's name is none of .svg, .dxf, .wkt, .geojson and .json",
+  throw InputError(file, "the ending of the file's name is none of .svg, .dxf, .wkt, .geojson, .json and .yaml",
                    "give the file the ending of its format");
 }
 
@@ -207,8 +228,12 @@ Import import_drawings(std::vector<Drawing> drawings, const ImportSettings& sett
 
 Import import_files(const std::vector<std::string>& files, const ImportSettings& settings) {
   std::vector<Drawing> drawings;
-  for (const std::string& file : files)
-    drawings.push_back(read_drawing(io::read_text_file(file, ReadLimits{}.max_bytes), file, settings));
+  for (const std::string& file : files) {
+    const std::string ending = ending_of(file);
+    drawings.push_back(ending == ".yaml" || ending == ".yml"
+                           ? read_occupancy(file, settings)
+                           : read_drawing(io::read_text_file(file, ReadLimits{}.max_bytes), file, settings));
+  }
   return import_drawings(std::move(drawings), settings);
 }
 

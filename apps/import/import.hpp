@@ -29,8 +29,9 @@ struct Import {
   std::vector<BodyReport> bodies;
 };
 
-/// Reads SVG, DXF, WKT and GeoJSON files, told by their endings. Throws InputError naming the file, the line and the
-/// remedy, also where nothing in a file encloses an area, and where a ring meets itself or another ring of its part.
+/// Reads SVG, DXF, WKT and GeoJSON files, and maps of map_server by their YAML files, told by their endings. Throws
+/// InputError naming the file, the line and the remedy, also where nothing in a file encloses an area, and where a ring
+/// meets itself or another ring of its part.
 Import import_files(const std::vector<std::string>& files, const ImportSettings& settings);
 
 /// The same of drawings that have been read.

@@ -44,7 +44,7 @@ int run_import(const ImportArguments& arguments) {
 }  // namespace
 
 void add_import(const Command& app, Action& action) {
-  const Command command = app.add_command("import", "Make a scene of drawings: SVG, DXF, WKT, GeoJSON");
+  const Command command = app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, WKT, GeoJSON, PGM");
   const auto arguments = std::make_shared<ImportArguments>();
   drawing::ImportSettings& settings = arguments->settings;
   command.add_option("FILE", arguments->files, "drawings and maps, told by their endings").required().value(" ");
@@ -60,10 +60,13 @@ void add_import(const Command& app, Action& action) {
       .value("E");
   command.add_option("--scale", settings.scale, "multiply all lengths by S (1)").value("S");
   command.add_flag("--split", settings.split, "a body for each part, instead of one for each group or layer");
+  command.add_flag("--unknown-free", settings.unknown_free,
+                   "what a robot's map does not know is no obstacle (it is one)");
   command.add_flag("--json", arguments->json, "print the report as JSON, on standard output").needs(output);
   command.footer(
       "Example:\n"
       "  taut import plate.svg gear.dxf -o scene.json\n"
+      "  taut import map.yaml -o scene.json          a map of ROS's map_server, with its PGM\n"
       "\n"
       "A body is what one group of an SVG drawing, one layer of a DXF, or one feature of GeoJSON encloses. All bodies\n"
       "rest: give them motions in the scene. The report, on standard error, tells what was skipped, and why.\n");

@@ -16,7 +16,6 @@ namespace {
 
 const char* const examples =
     "Example: taut demo lid && taut check lid.json\n"
-    "\n"
     "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
     "`taut COMMAND --help` tells more. `taut completion bash|zsh|fish` and `taut man` are for installations.\n";
 
@@ -54,6 +53,7 @@ int main(int argc, char** argv) {
   taut::cli::add_separate(app, action);
   taut::cli::add_envelope(app, action);
   taut::cli::add_separator(app, action);
+  taut::cli::add_cells(app, action);
   taut::cli::add_gen(app, action);
   taut::cli::add_import(app, action);
   taut::cli::add_schema(app, action);

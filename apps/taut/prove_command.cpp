@@ -1,11 +1,14 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "io/answer_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/terminal_text.hpp"
+#include "margin_report.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
+#include "taut/io.hpp"
 #include "taut/proof.hpp"
 #include "terminal.hpp"
 #include "watched_run.hpp"
@@ -18,8 +21,38 @@ struct ProveArguments {
   SceneSource scene;
   std::string output;
   CheckOptions options;
+  std::optional<double> clearance;
   bool json = false;
 };
+
+/// The answer as the command prints it, and, if a proof was written, where.
+void print_proved(const ProveArguments& arguments, const Scene& scene, std::string json, const std::string& words,
+                  bool proof) {
+  const std::string id = to_hex(scene_fingerprint(scene, arguments.options.touch));
+  if (arguments.json) {
+    if (proof) json.insert(json.size() - 1, ",\"scene_sha256\":\"" + id + "\"");
+    return print_text(json + "\n");
+  }
+  print_text(words);
+  print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " + id.substr(0, 16) + "\n"
+                   : "  no proof was written\n");
+}
+
+int run_prove_clearance(const ProveArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  const double clearance = *arguments.clearance;
+  io::AtomicFile file(arguments.output);
+  CheckOptions options = arguments.options;
+  options.stop = stop_on_signals();
+  const MarginAnswer answer =
+      within_file(arguments.scene.path, [&] { return prove_clearance(scene, clearance, file.stream(), options); });
+  const bool proof = answer.outcome == Outcome::free || answer.outcome == Outcome::contact ||
+                     (answer.outcome == Outcome::undecided && answer.free_until > scene.start);
+  if (proof) file.commit();
+  print_proved(arguments, scene, margin_json(scene, clearance, answer, options.touch),
+               margin_in_words(scene, clearance, answer), proof);
+  return exit_code(answer.outcome);
+}
 
 int run_prove(const ProveArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
@@ -30,16 +63,8 @@ int run_prove(const ProveArguments& arguments) {
   // There is nothing to prove about bodies that overlap from the start, or where nothing was decided.
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
   if (proof) file.commit();
-  const std::string id = to_hex(scene_fingerprint(scene, arguments.options.touch));
-  if (arguments.json) {
-    std::string json = answer_json(scene, answer, arguments.options.touch, std::nullopt);
-    if (proof) json.insert(json.size() - 1, ",\"scene_sha256\":\"" + id + "\"");
-    print_text(json + "\n");
-  } else {
-    print_text(report(scene, answer, arguments.options.touch));
-    print_text(proof ? "  proof in " + io::line_for_terminal(arguments.output) + ", scene " + id.substr(0, 16) + "\n"
-                     : "  no proof was written\n");
-  }
+  print_proved(arguments, scene, answer_json(scene, answer, arguments.options.touch, std::nullopt),
+               report(scene, answer, arguments.options.touch), proof);
   return exit_code(answer.outcome);
 }
 
@@ -51,6 +76,8 @@ void add_prove(const Command& app, Action& action) {
   add_run(command, arguments->scene, arguments->options);
   add_engine(command, arguments->options.engine);
   command.add_option("-o,--output", arguments->output, "the proof log to write").required().value("FILE");
+  command.add_option("--clearance", arguments->clearance, "prove that bodies keep the distance C, or when they do not")
+      .value("C");
   command.add_flag("--json", arguments->json, "print the answer as one JSON object");
   command.footer(
       "Example:\n"
@@ -60,7 +87,9 @@ void add_prove(const Command& app, Action& action) {
       "one of separations; --engine either the one of the engine that answers first.\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
-  command.on_chosen([&action, arguments] { action = [arguments] { return run_prove(*arguments); }; });
+  command.on_chosen([&action, arguments] {
+    action = [arguments] { return arguments->clearance ? run_prove_clearance(*arguments) : run_prove(*arguments); };
+  });
 }
 
 }  // namespace taut::cli

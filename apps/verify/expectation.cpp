@@ -7,6 +7,8 @@
 namespace taut::cli {
 
 void validate(const Expectation& expected, const Scene& scene) {
+  if (expected.clearance && !(*expected.clearance > 0))
+    throw InputError("--clearance", "it is not a positive number", "leave it out for a proof about contact");
   if (!expected.until) return;
   const double until = *expected.until;
   if (!(until >= scene.start && until <= scene.end)) {
@@ -19,9 +21,14 @@ void validate(const Expectation& expected, const Scene& scene) {
 
 bool is_met(const Expectation& expected, const Scene& scene, const Verified& proved) {
   if (expected.touch && *expected.touch != proved.touch) return false;
+  const double wanted = expected.clearance.value_or(0);
+  if (expected.outcome != Outcome::contact && proved.clearance < wanted) return false;
   if (!expected.outcome) return true;
-  if (*expected.outcome == Outcome::contact)
-    return proved.outcome == Outcome::contact && !(expected.until && *expected.until < proved.contact->time.hi);
+  if (*expected.outcome == Outcome::contact) {
+    if (proved.outcome != Outcome::contact || proved.clearance > wanted) return false;
+    const TimeInterval& time = proved.closer ? proved.closer->time : proved.contact->time;
+    return !(expected.until && *expected.until < time.hi);
+  }
   if (proved.outcome == Outcome::free) return true;
   return expected.until && *expected.until <= proved.free_until && scene.start < proved.free_until;
 }
@@ -34,6 +41,7 @@ std::string text_of(const Expectation& expected, const Scene& scene) {
   } else if (expected.outcome) {
     text = expected.until ? fmt::format("a contact by t = {}", *expected.until) : "a contact";
   }
+  if (expected.clearance) text += fmt::format("{}clearance {}", text.empty() ? "" : ", ", *expected.clearance);
   if (expected.touch) text += std::string(text.empty() ? "" : ", ") + "touch " + to_string(*expected.touch);
   return text;
 }

@@ -15,7 +15,10 @@ struct Expectation {
   /// free: before this time. contact: no later than this time. Without it, the scene's whole interval is meant.
   std::optional<double> until;
 
-  bool any() const { return outcome || touch; }
+  /// free: this distance is kept. contact: bodies come closer than this distance, which is no contact.
+  std::optional<double> clearance;
+
+  bool any() const { return outcome || touch || clearance; }
 };
 
 /// Throws InputError unless `until` is an instant of the scene that something can be said about.

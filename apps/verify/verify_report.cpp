@@ -29,8 +29,21 @@ std::string contact_time(const Verified& v) {
   return fmt::format("{} within [{}, {}]", v.contact->grazing ? "grazing contact" : "contact", t.lo, t.hi);
 }
 
+/// The claim of a proof about a clearance.
+std::string clearance_claim(const Scene& scene, const Verified& v) {
+  const std::string kept = fmt::format("all keep {} on [{}, {}", v.clearance, scene.start, v.free_until);
+  if (v.outcome == Outcome::free) return kept + "]";
+  if (v.outcome == Outcome::undecided) return kept + "); nothing after that";
+  const CloseFeatures& f = v.closer->features;
+  const std::string peer = f.edge ? edge_text(scene, *f.edge) : vertex_text(scene, *f.other);
+  const std::string before = v.free_until > scene.start ? kept + "); " : "";
+  return before + fmt::format("closer within [{}, {}]: {} and {}", v.closer->time.lo, v.closer->time.hi,
+                              vertex_text(scene, f.vertex), peer);
+}
+
 /// The claim in words: what holds when.
 std::string claim(const Scene& scene, const Verified& v) {
+  if (v.clearance > 0) return clearance_claim(scene, v);
   const char* touching = v.touch == Touch::closed ? ", touching included" : "";
   if (v.outcome == Outcome::free) return fmt::format("free on [{}, {}]{}", scene.start, scene.end, touching);
   const std::string before =
@@ -70,6 +83,7 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
                               to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)));
   if (v.contact)
     s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
+  if (v.clearance > 0) s += io::proved_clearance_json(scene, v);
   s += fmt::format(",\"touch\":\"{}\",\"events\":{}", to_string(v.touch), v.events);
   if (v.kind == ProofKind::separations) s += fmt::format(",\"separations\":{}", v.separations);
   s += fmt::format(",\"scene_sha256\":\"{}\"", to_hex(v.fingerprint));
@@ -142,6 +156,10 @@ void add_verify_options(const Command& command, VerifyArguments& arguments, cons
   command.add_option("--until", arguments.expected.until, "with --expect: free before T suffices; or, a contact by T")
       .value("T")
       .needs(outcome);
+  command
+      .add_option("--clearance", arguments.expected.clearance,
+                  "fail unless the log proves that bodies keep C, or, with --expect contact, come closer")
+      .value("C");
   command.add_option("--max-seconds", arguments.max_seconds, "give up after S seconds").value("S").not_negative();
   command.footer("Example:\n  " + example + "\n  " + example + " --expect free --touch closed\n" + exit_codes);
 }

@@ -35,7 +35,7 @@ def disc(x, y, r, n):
 
 def scene(seed):
     rng = random.Random(seed)
-    angle, far = rng.uniform(0.2, 2.6), rng.uniform(3.62, 3.78)
+    angle, far = rng.uniform(0.2, 2.6), rng.uniform(3.69, 3.71)
     # Out of reach but for arms that are nearly straight.
     post = disc(far * math.cos(angle), far * math.sin(angle), 0.004, 60)
     floor = bar(10, 0.1, 20, rng)
@@ -44,7 +44,7 @@ def scene(seed):
     return room, links
 
 
-JOINTS = {"shoulder": (0.0, 150.0), "elbow": (-120.0, 120.0)}
+JOINTS = {"shoulder": (0.0, 150.0), "elbow": (0.0, 120.0)}
 
 
 def linkage(room, links):

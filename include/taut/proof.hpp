@@ -7,6 +7,7 @@
 #include <string>
 
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 
 namespace taut {
 
@@ -21,6 +22,11 @@ namespace taut {
 /// EngineDisagreement with
 /// EngineChoice::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
+
+/// Answers as check_clearance() does, and writes a log of separations for `free` and `contact`, and for what an
+/// `undecided` run has proved; nothing for `overlap_at_start`. Where no proof was found, the answer is `undecided`, and
+/// says so. Throws InputError.
+MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& options = {});
 
 /// A SHA-256 digest.
 using Fingerprint = std::array<std::uint8_t, 32>;
@@ -38,16 +44,27 @@ enum class ProofKind : std::uint8_t {
   separations,  ///< what is between the bodies, and when: docs/separation-logs.md
 };
 
+/// Two features that come closer than a clearance: not before the beginning of `time`, and certainly at its end.
+struct ProvedCloseness {
+  CloseFeatures features;
+  TimeInterval time;
+};
+
 /// What a log proves about the scene that it was checked against.
 struct Verified {
   ProofKind kind = ProofKind::tiling;
   /// free: on the whole interval. contact: `contact` is the first one. undecided: free before `free_until`, no more.
+  /// With a clearance, free means that it is kept, and contact that it is not: see `closer`.
   Outcome outcome = Outcome::undecided;
   Touch touch = Touch::open;
   std::optional<Contact> contact;
   /// Of the contact, if there is one.
   ContactAt contact_at = ContactAt::motion;
   double free_until = 0;
+  /// In the scene's units; 0: the proof is about contact alone.
+  double clearance = 0;
+  /// With a clearance, if the outcome is contact.
+  std::optional<ProvedCloseness> closer;
   /// Of a log of a tiling, its events; of a log of separations, how many it has.
   std::uint64_t events = 0, separations = 0;
   /// Identifies what was proved about: see scene_fingerprint().

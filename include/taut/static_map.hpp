@@ -11,6 +11,8 @@
 
 namespace taut {
 
+struct OccupancyGrid;
+
 /// Bodies at rest, prepared for questions about bodies that move among them: a floor plan, a city, the obstacles of a
 /// planner. Copies share everything; maps and what is prepared for them are safe to share between threads.
 ///
@@ -27,6 +29,10 @@ class StaticMap {
   /// their own up to this magnitude; those of the map may always. Each body is validated as in a scene, and prepared
   /// when first needed: O(n log n) in its vertices. Throws InputError.
   explicit StaticMap(std::vector<Body> bodies, double reach = 0);
+
+  /// The occupied cells of a grid, as grid_bodies() of taut/grid.hpp makes bodies of them; read_grid() there reads the
+  /// maps of ROS's map_server. Throws InputError.
+  static StaticMap from_grid(const OccupancyGrid& grid, double reach = 0);
 
   /// How many bodies there are.
   std::size_t size() const;
@@ -53,6 +59,7 @@ class StaticMap {
   struct Impl;
 
  private:
+  friend class MapQuery;
   std::shared_ptr<const Impl> impl_;
 };
 
@@ -66,6 +73,7 @@ class StaticMap::Mover {
 
  private:
   friend class StaticMap;
+  friend class MapQuery;
   explicit Mover(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };

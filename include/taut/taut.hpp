@@ -20,6 +20,9 @@
 // taut/check.hpp       the question and its answer
 // taut/proof.hpp       the answer with a proof, and the check of a proof
 // taut/static_map.hpp  one body among many that rest, asked often
+// taut/map_query.hpp   what a planner asks of it, with memory of its own: places, straight ways, chains of links
+// taut/cells.hpp       which cells of a grid a moving body touches
+// taut/grid.hpp        occupancy grids of robots as bodies
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
 // taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/envelope.hpp    for which combinations of joint values bodies keep apart
@@ -34,12 +37,15 @@
 // taut/error.hpp       everything that is thrown
 #pragma once
 
+#include "taut/cells.hpp"
 #include "taut/check.hpp"
 #include "taut/envelope.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
 #include "taut/geometry.hpp"
+#include "taut/grid.hpp"
 #include "taut/io.hpp"
+#include "taut/map_query.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
 #include "taut/pose.hpp"

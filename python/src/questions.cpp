@@ -48,6 +48,18 @@ py::tuple prove(const SceneText& text, const RunOptions& options) {
   return py::make_tuple(proved.json, py::bytes(proved.log), proved.scene_sha256);
 }
 
+py::tuple prove_clearance(const SceneText& text, double clearance, const RunOptions& options) {
+  const Proved proved = attended<Proved>([&](const std::atomic<bool>& stop) {
+    const taut::CheckOptions how = check_options(options, stop);
+    const taut::Scene scene = text.read();
+    std::ostringstream log;
+    const taut::MarginAnswer answer = taut::prove_clearance(scene, clearance, log, how);
+    return Proved{taut::margin_json(scene, clearance, answer, how.touch), log.str(),
+                  taut::to_hex(taut::scene_fingerprint(scene, how.touch))};
+  });
+  return py::make_tuple(proved.json, py::bytes(proved.log), proved.scene_sha256);
+}
+
 const char* name_of(taut::ContactAt at) {
   return at == taut::ContactAt::start ? "start" : at == taut::ContactAt::joint ? "joint" : "motion";
 }
@@ -56,6 +68,7 @@ std::string verified_json(const taut::Scene& scene, const taut::Verified& v) {
   std::string s = std::string("{\"valid\":true,\"outcome\":\"") + to_string(v.outcome) +
                   "\",\"free_until\":" + taut::io::number_text(v.free_until);
   if (v.contact) s += taut::io::contact_json(scene, *v.contact) + ",\"contact_at\":\"" + name_of(v.contact_at) + "\"";
+  if (v.clearance > 0) s += taut::io::proved_clearance_json(scene, v);
   return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"events\":" + std::to_string(v.events) +
          (v.kind == taut::ProofKind::separations ? ",\"separations\":" + std::to_string(v.separations) : "") +
          ",\"scene_sha256\":\"" + taut::to_hex(v.fingerprint) + "\"}";
@@ -187,6 +200,7 @@ void bind_questions(py::module_& module) {
   module.def("read_linkage", &read_linkage_form);
   module.def("distance_profile", &distance_profile);
   module.def("prove", &prove);
+  module.def("prove_clearance", &prove_clearance);
   module.def("verify", [](const SceneText& text, const py::bytes& log, std::optional<double> max_seconds) {
     return verify(text, log, max_seconds);
   });

@@ -35,11 +35,11 @@ from typing import Optional, Union
 
 from . import _taut2d
 from ._numbers import number
-from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
-                      verified_from_json)
+from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, ProvedCloseness, Verified, VertexRef,
+                      answer_from_json, verified_from_json)
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
-from .margins import MarginAnswer, PairMargin, margin_from_json
+from .margins import MarginAnswer, MarginProof, PairMargin, margin_from_json
 from .maps import Mover, StaticMap
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
@@ -58,16 +58,16 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage",
-    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope",
-    "EnvelopeCell", "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError",
-    "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "Meeting", "Mover",
-    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial",
-    "Pose", "Proof", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Slide",
-    "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
-    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype",
-    "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals", "prove",
-    "range", "separate", "sweep", "verify",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
+    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope", "EnvelopeCell",
+    "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe",
+    "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting", "Mover", "NearestPoints",
+    "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose", "Proof",
+    "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Slide",
+    "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
+    "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals", "prove",
+    "prove_clearance", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -186,15 +186,25 @@ def prove(scene: Scene, *, touch: str = "open", engine: str = "kinetic", max_sec
     return Proof(answer_from_json(answer, scene), log, name)
 
 
-def verify(scene: Scene, proof: Union[Proof, bytes, str, os.PathLike[str]], *,
+def prove_clearance(scene: Scene, clearance: float, *, touch: str = "open",
+                    max_seconds: Optional[float] = None) -> MarginProof:
+    """As check_clearance(), with a log that proves the answer, in memory. Options and errors are those of
+    check_clearance()."""
+    options = run_options(touch, "spacetime", "first", max_seconds, None)
+    with _plain_places():
+        answer, log, name = _taut2d.prove_clearance(scene_text(scene), number(clearance, "clearance"), options)
+    return MarginProof(margin_from_json(answer), log, name)
+
+
+def verify(scene: Scene, proof: Union[Proof, MarginProof, bytes, str, os.PathLike[str]], *,
            max_seconds: Optional[float] = None) -> Verified:
     """What a log proves about a scene, by a verifier that contains neither engine.
 
-    ``proof``: what prove() gave, or the bytes of a log, or the path of a file. The result is true where the log is valid;
+    ``proof``: what prove() or prove_clearance() gave, or the bytes of a log, or the path of a file. The result is true where the log is valid;
     its outcome says what is proved. Raises InputError if the scene is not valid, OSError if the file cannot be read,
     KeyboardInterrupt on Ctrl-C; a log that proves nothing is no exception.
     """
-    if isinstance(proof, Proof):
+    if isinstance(proof, (Proof, MarginProof)):
         log = proof.log
     elif isinstance(proof, (bytes, bytearray, memoryview)):
         log = bytes(proof)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 if TYPE_CHECKING:
     from .scene import Scene
 
-__all__ = ["Answer", "Contact", "Coverage", "EdgeRef", "PairAnswer", "Proof", "VertexRef", "Verified"]
+__all__ = ["Answer", "Contact", "Coverage", "EdgeRef", "PairAnswer", "Proof", "ProvedCloseness", "VertexRef",
+           "Verified"]
 
 Interval = tuple[float, float]
 Point = tuple[float, float]
@@ -163,6 +164,17 @@ class Proof:
 
 
 @dataclass(frozen=True)
+class ProvedCloseness:
+    """Two features that come closer than a clearance: not before the beginning of ``t``, and certainly at its end. The
+    second one is ``edge`` or ``other_vertex``."""
+
+    t: Interval
+    vertex: VertexRef
+    edge: Optional[EdgeRef] = None
+    other_vertex: Optional[VertexRef] = None
+
+
+@dataclass(frozen=True)
 class Verified:
     """What a log proves about a scene.
 
@@ -171,6 +183,8 @@ class Verified:
     ``outcome``: "free": on the whole interval. "contact": ``contact`` is the first one. "undecided": free before
     ``free_until``, no more.
     ``events``, ``separations``: how long the proof is; the second one for logs of separations only.
+    ``clearance``: None, or the distance that the proof is about: "free" means then that it is kept, and "contact" that
+    it is not, as ``closer`` says.
     ``contact_at``: "start", "motion", or "joint": in the jump between two pieces of a motion that rounding leaves.
     """
 
@@ -184,6 +198,8 @@ class Verified:
     events: Optional[int] = None
     separations: Optional[int] = None
     scene_sha256: Optional[str] = None
+    clearance: Optional[float] = None
+    closer: Optional[ProvedCloseness] = None
 
     def __bool__(self) -> bool:
         return self.valid is True
@@ -260,4 +276,13 @@ def verified_from_json(text: str) -> Verified:
     object = json.loads(text)
     return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
                     _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
-                    object.get("separations"), object.get("scene_sha256"))
+                    object.get("separations"), object.get("scene_sha256"), _float(object.get("clearance")),
+                    _closeness(object.get("closer")))
+
+
+def _closeness(value: Any) -> Optional[ProvedCloseness]:
+    if value is None:
+        return None
+    edge, other = value.get("edge"), value.get("other_vertex")
+    return ProvedCloseness(_floats(value["t"]), VertexRef(**value["vertex"]),
+                           None if edge is None else EdgeRef(**edge), None if other is None else VertexRef(**other))

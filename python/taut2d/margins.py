@@ -55,6 +55,17 @@ class MarginAnswer:
         return None if self.first is None else self.first.t
 
 
+@dataclass(frozen=True)
+class MarginProof:
+    """An answer about a clearance with a log that proves it, which verify() and the program taut-verify check. ``log`` is
+    empty if there is nothing to prove: bodies are closer at the start, or nothing was decided. ``scene_sha256``: names the
+    scene that it is about."""
+
+    answer: MarginAnswer
+    log: bytes = field(repr=False)
+    scene_sha256: str
+
+
 def _margin(value: Any) -> PairMargin:
     points, edges, t = value.get("points"), value.get("edges"), value.get("t")
     vertex, edge, other = (value.get(key) for key in ("vertex", "edge", "other_vertex"))

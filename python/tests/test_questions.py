@@ -103,6 +103,21 @@ def test_margins(taut, tmp_path):
         taut2d.check_clearance(far, 0)
 
 
+def test_proofs_of_a_clearance():
+    for clearance, touch in ((0.25, "open"), (0.25, "closed"), (1e-3, "open")):
+        proof = taut2d.prove_clearance(scene(), clearance, touch=touch)
+        verified = taut2d.verify(scene(), proof)
+        assert verified and verified.outcome == proof.answer.outcome == "contact" and verified.clearance == clearance
+        assert verified.contact is None and verified.closer.t[0] <= proof.answer.t[1] <= verified.closer.t[1]
+        assert verified.closer.vertex == proof.answer.first.vertex
+    broken = bytearray(proof.log)
+    broken[60] ^= 1
+    assert not taut2d.verify(scene(), bytes(broken))
+    far = taut2d.Scene([taut2d.Body("a", [(0, 0), (1, 0), (0, 1)]), taut2d.Body("b", [(3, 0), (4, 0), (4, 1)])], (0, 1))
+    assert taut2d.verify(far, taut2d.prove_clearance(far, 2)).outcome == "free"
+    assert taut2d.prove_clearance(far, 2, touch="closed").log == b""
+
+
 def test_fit():
     first, second = [(0, 0), (0.1 + 0.2, 0), (0.1 + 0.2, 1), (0, 1)], [(0.3, 0), (1, 0), (1, 1), (0.3, 1)]
     touching = taut2d.Scene([taut2d.Body("a", first), taut2d.Body("b", second)], (0, 1))

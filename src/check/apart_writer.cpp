@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "proof/kept_margin.hpp"
 
 namespace taut {
 namespace {
@@ -39,11 +40,11 @@ void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime&
   if (until_ && time.from >= until_->hi) return step(proof::step::later);
   const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const proof::MotionWindow& window = windows_.at(time);
-  if (const auto named = proof::separating_step(window, p, q)) return step(*named);
+  if (const auto named = proof::separating_step(window, p, q, margin_)) return step(*named);
   const bool far = proof::motion_in(window, q) > patience_of_proofs * (p.radius() + q.radius());
   if (far && time.divisible()) return halve_time(ranges, time);
   if (!pair_.single(ranges)) return halve_range(ranges, time);
-  if (const auto why = ends_apart(ranges, time)) {
+  if (const auto why = margin_ > 0 ? margin_kept(ranges, time) : ends_apart(ranges, time)) {
     step(proof::step::ends_apart);
     return step(*why);
   }
@@ -63,6 +64,37 @@ void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::Halve
   step(of_p ? proof::step::halve_p : proof::step::halve_q);
   for (const std::uint32_t half : of_p ? p.halves : q.halves)
     visit(of_p ? proof::RangePair{half, ranges.q} : proof::RangePair{ranges.p, half}, time);
+}
+
+/// Reasons are tried where about the middle of the window speaks for them, the most convincing first.
+std::optional<Aside> ApartWriter::reason_for_margin(const proof::Incidence& i, const proof::Sight& sight,
+                                                    const proof::HalvedTime& time) {
+  const PairGeometry& g = pair_.geometry;
+  const DisplacedPoint &a = g.point(i.edge), &b = g.point(g.next(i.edge));
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const proof::KeptMargin kept(pair_, lifetimes_.leg(), margin_);
+  auto candidates = margins(g, i, sight);
+  for (auto& [room, why] : candidates) room = room / length - (why == Aside::right ? margin_ : 0);
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  const double doubt = doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
+  for (const auto& [room, why] : candidates) {
+    try {
+      if (room >= -doubt && kept.aside(lifetimes_, i, why, time.from, time.to)) return why;
+    } catch (const Undecidable&) {
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+  const proof::MotionWindow window = windows_.at(time);
+  const auto onto_p = reason_for_margin(pair_.onto_p(ranges), window.from_p(), time);
+  if (!onto_p) return std::nullopt;
+  const auto onto_q = reason_for_margin(pair_.onto_q(ranges), window.from_q(), time);
+  if (!onto_q) return std::nullopt;
+  if (!proof::KeptMargin(pair_, lifetimes_.leg(), margin_).vertices(ranges, time.from, time.to)) return std::nullopt;
+  return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time) {

@@ -7,14 +7,15 @@
 
 namespace taut {
 
-/// One pair on one stretch of one leg, of which it is known that nothing meets before `until`. Time is halved where the
+/// One pair on one stretch of one leg, of which it is known that nothing meets before `until`, or, with a margin, that
+/// nothing comes as close as that. Time is halved where the
 /// ranges move far beside their size, else the larger range is, until something separates them. All that is written
 /// down has been shown by the functions that check it.
 class ApartWriter {
  public:
   ApartWriter(const proof::RangedPair& pair, proof::Lifetimes& lifetimes, const std::optional<Instant>& until,
-              std::string& out)
-      : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), windows_(lifetimes.leg()) {}
+              std::string& out, double margin = 0)
+      : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), margin_(margin), windows_(lifetimes.leg()) {}
 
   /// Throws Undecidable where nothing separates two edges.
   void write(double from, double to) { visit({}, {from, to}); }
@@ -28,12 +29,16 @@ class ApartWriter {
                                      const proof::HalvedTime& time);
   bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
                    const Instant& end);
+  std::optional<proof::Aside> reason_for_margin(const proof::Incidence& incidence, const proof::Sight& sight,
+                                                const proof::HalvedTime& time);
+  std::optional<std::uint8_t> margin_kept(const proof::RangePair& ranges, const proof::HalvedTime& time);
   std::optional<std::uint8_t> ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time);
 
   const proof::RangedPair& pair_;
   proof::Lifetimes& lifetimes_;
   const std::optional<Instant>& until_;
   std::string& out_;
+  double margin_;
   proof::HalvedWindows windows_;
 };
 

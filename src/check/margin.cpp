@@ -49,13 +49,7 @@ class MarginSearch {
   bool never_near(int a, int b) const {
     const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
     for (std::size_t k = 0; k < first.size(); ++k) {
-      SweptBox grown = first[k];
-      const double more = margin_ * (1 + 0x1p-40);
-      grown.lo_x -= more;
-      grown.lo_y -= more;
-      grown.hi_x += more;
-      grown.hi_y += more;
-      if (grown.meets(second[k])) return false;
+      if (first[k].grown(margin_).meets(second[k])) return false;
     }
     return true;
   }

@@ -1,6 +1,7 @@
 #include "check/separations_writer.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,8 +12,10 @@
 #include "check/world_run.hpp"
 #include "numeric/undecided.hpp"
 #include "proof/header.hpp"
+#include "proof/kept_margin.hpp"
 #include "proof/proved_world.hpp"
 #include "sign/contact_bracket.hpp"
+#include "spacetime/approach.hpp"
 #include "taut/proof.hpp"
 
 namespace taut {
@@ -33,8 +36,8 @@ void put_f64(std::string& out, double x) {
 /// What comes after the header, for an answer that is known.
 class SeparationsWriter {
  public:
-  SeparationsWriter(const WorldPlan& plan, Claim claim, bool inwards)
-      : plan_(plan), claim_(claim), world_(plan, inwards) {
+  SeparationsWriter(const WorldPlan& plan, Claim claim, bool inwards, double margin = 0)
+      : plan_(plan), claim_(claim), world_(plan, inwards, margin) {
     for (const WorldBody& body : plan.bodies()) sizes_.push_back(diagonal(body.rings->bounds()));
   }
 
@@ -52,6 +55,23 @@ class SeparationsWriter {
     put_u32(out_, crossing ? e.value : inside.value);
     put_u32(out_, crossing ? f.value : inside.value);
     all_windows(plan_.start());
+    return std::move(out_);
+  }
+
+  /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
+  std::string closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time) {
+    const proof::ProvedPair& pair = world_.pair(bodies[0], bodies[1]);
+    const proof::Incidence close{id_of(pair, features.vertex),
+                                 features.edge ? id_of_edge(pair, *features.edge) : id_of(pair, *features.other)};
+    const auto [leg, at] = instant_of_closeness(pair, close, features.edge.has_value(), time);
+    for (const int body : bodies) put_u32(out_, static_cast<std::uint32_t>(body));
+    put_u32(out_, static_cast<std::uint32_t>(leg));
+    put_u32(out_, close.vertex.value);
+    put_u32(out_, close.edge.value);
+    out_.push_back(features.edge ? 1 : 0);
+    for (const double part : at) put_f64(out_, part);
+    put_f64(out_, time.lo);
+    all_windows(time.lo);
     return std::move(out_);
   }
 
@@ -91,7 +111,7 @@ class SeparationsWriter {
 
   /// As the verifier reads them: a pair is left to the halves of a window where these tell more.
   void windows(const WorldTime& time, const Pairs& pairs, int depth = 0) {
-    proof::BoxesOver boxes(plan_, time);
+    proof::BoxesOver boxes(plan_, time, world_.margin());
     Pairs left;
     for (const auto& pair : pairs) {
       interruption_point();
@@ -118,7 +138,8 @@ class SeparationsWriter {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       lifetimes.enter(pair.legs[stretches[i].leg]);
       const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
-      ApartWriter(pair.ranges, lifetimes, last, out_).write(stretches[i].from, stretches[i].to);
+      const double margin = lifetimes.leg().bridge ? 0 : world_.margin();
+      ApartWriter(pair.ranges, lifetimes, last, out_, margin).write(stretches[i].from, stretches[i].to);
     }
   }
 
@@ -138,6 +159,66 @@ class SeparationsWriter {
     }
   }
 
+  /// The vertex of the pair that the scene calls so, and the edge.
+  static VertexId id_of(const proof::ProvedPair& pair, const VertexRef& ref) {
+    return id_where(pair, ref.body, [&](const RingSet& rings, std::uint32_t k) { return rings.vertex(k) == ref; });
+  }
+  static VertexId id_of_edge(const proof::ProvedPair& pair, const EdgeRef& ref) {
+    return id_where(pair, ref.body, [&](const RingSet& rings, std::uint32_t k) { return rings.edge(k) == ref; });
+  }
+  template <class IsIt>
+  static VertexId id_where(const proof::ProvedPair& pair, BodyId body, const IsIt& is_it) {
+    const bool p = pair.plan.rings[0]->body() == body;
+    const RingSet& rings = *pair.plan.rings[p ? 0 : 1];
+    std::uint32_t k = 0;
+    while (!is_it(rings, k)) ++k;
+    return VertexId(p ? k : pair.geometry.np + k);
+  }
+  /// The bracket's end is not always one at which they are closer: where they graze, steps that grow lead to one, and
+  /// where they come to the margin and no closer, it is between doubles.
+  std::pair<std::size_t, proof::FineInstant> instant_of_closeness(const proof::ProvedPair& pair,
+                                                                  const proof::Incidence& close, bool is_edge,
+                                                                  const TimeInterval& about) const {
+    for (std::size_t i = 0; i < pair.legs.size(); ++i) {
+      const Leg& leg = pair.legs[i];
+      if (leg.bridge || about.hi < leg.start || about.hi > leg.end) continue;
+      const auto is_closer = [&](const proof::FineInstant& at) {
+        return proof::closer_at(pair.geometry, leg, world_.margin(), close, is_edge, at);
+      };
+      double step = 0x1p-53 * std::max(std::fabs(about.hi), 0x1p-20 * (leg.end - leg.start));
+      for (int k = 0; k < most_steps && about.hi + step <= leg.end; ++k, step *= 2) {
+        for (const double at : {about.hi, about.hi + step}) {
+          if (is_closer({at, 0, 0})) return {i, {at, 0, 0}};
+        }
+      }
+      if (const auto at = instant_between_doubles(pair, leg, close, is_edge, about, is_closer)) return {i, *at};
+    }
+    throw Undecidable{"an instant at which bodies are closer than the clearance"};
+  }
+  template <class IsCloser>
+  std::optional<proof::FineInstant> instant_between_doubles(const proof::ProvedPair& pair, const Leg& leg,
+                                                            const proof::Incidence& close, bool is_edge,
+                                                            const TimeInterval& about,
+                                                            const IsCloser& is_closer) const {
+    const spacetime::PreciseApproaches approaches(pair.geometry, leg, world_.margin());
+    const double from = std::max(leg.start, about.lo);
+    const double to = std::min(leg.end, std::nextafter(about.hi, std::numeric_limits<double>::infinity()));
+    const auto found = approaches.first({close.vertex, close.edge, is_edge}, from, to);
+    if (!found) return std::nullopt;
+    const RealMax root = found->precise.hi();
+    for (double step = 0x1p-150; step < 0x1p-48; step *= 2) {
+      RealMax rest = root + step;
+      proof::FineInstant at{};
+      for (double& part : at) {
+        part = static_cast<double>(rest);
+        rest -= part;
+      }
+      if (is_closer(at)) return at;
+    }
+    return std::nullopt;
+  }
+
+  static constexpr int most_steps = 30;
   static constexpr int deepest = 30;
 
   const WorldPlan& plan_;
@@ -147,6 +228,17 @@ class SeparationsWriter {
   Pairs::value_type contact_pair_{-1, -1};
   std::string out_;
 };
+
+/// Writes the whole log: the header, the clearance if there is one, and what comes after.
+void write_log(std::ostream& log, const Scene& scene, Touch touch, Claim claim, const std::string& body,
+               double clearance = 0) {
+  const std::uint8_t kind = static_cast<std::uint8_t>(claim) | (clearance > 0 ? proof::with_clearance : 0);
+  proof::ByteWriter out(log);
+  proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, touch), touch, kind});
+  if (clearance > 0) out.f64(clearance);
+  for (const char c : body) out.u8(static_cast<std::uint8_t>(c));
+  out.close();
+}
 
 /// The pair that the answer names.
 const PairResult* headline(const Answer& answer, const std::vector<PairResult>& results) {
@@ -184,13 +276,8 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   if (!run.search()) return answer;
   std::string unproved;
   try {
-    if (const auto body = body_of_log(run, answer, options.touch)) {
-      proof::ByteWriter out(log);
-      proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, options.touch), options.touch,
-                                static_cast<std::uint8_t>(body->first)});
-      for (const char c : body->second) out.u8(static_cast<std::uint8_t>(c));
-      out.close();
-    }
+    if (const auto body = body_of_log(run, answer, options.touch))
+      write_log(log, scene, options.touch, body->first, body->second);
     return answer;
   } catch (const Undecidable& limit) {
     unproved = not_decided(limit);
@@ -199,6 +286,50 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   }
   Answer undecided;
   undecided.engine = answer.engine;
+  undecided.coverage = answer.coverage;
+  undecided.free_until = scene.start;
+  undecided.reason =
+      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + unproved;
+  return undecided;
+}
+
+namespace {
+
+/// What an answer about a clearance comes to in a log.
+std::optional<std::pair<Claim, std::string>> body_about_clearance(const WorldPlan& plan, const MarginAnswer& answer,
+                                                                  double clearance, Touch touch) {
+  const bool inwards = touch == Touch::open;
+  const double margin = std::ldexp(clearance, plan.exponent());
+  const double until = std::clamp(answer.free_until, plan.start(), plan.end());
+  if (answer.outcome == Outcome::free)
+    return std::pair(Claim::free, SeparationsWriter(plan, Claim::free, inwards, margin).apart_until(plan.end()));
+  if (answer.outcome == Outcome::undecided && until > plan.start())
+    return std::pair(Claim::free_until, SeparationsWriter(plan, Claim::free_until, inwards, margin).apart_until(until));
+  if (answer.outcome != Outcome::contact) return std::nullopt;
+  const PairMargin& first = *answer.first;
+  return std::pair(Claim::contact, SeparationsWriter(plan, Claim::contact, inwards, margin)
+                                       .closer(first.bodies, *first.features, {until, first.time.hi}));
+}
+
+}  // namespace
+
+MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
+  CheckOptions options = given;
+  options.all_pairs = false;
+  const MarginAnswer answer = check_clearance(scene, clearance, options);
+  std::string unproved;
+  try {
+    const InterruptionScope scope(options.stop, options.max_seconds);
+    if (const auto body = body_about_clearance(WorldPlan(scene), answer, clearance, options.touch))
+      write_log(log, scene, options.touch, body->first, body->second, clearance);
+    return answer;
+  } catch (const Undecidable& limit) {
+    unproved = not_decided(limit);
+  } catch (const Interrupted& limit) {
+    unproved = limit.reason;
+  }
+  MarginAnswer undecided;
+  undecided.outcome = Outcome::undecided;
   undecided.coverage = answer.coverage;
   undecided.free_until = scene.start;
   undecided.reason =

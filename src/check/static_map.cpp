@@ -8,11 +8,11 @@
 #include "base/interruption.hpp"
 #include "check/headline.hpp"
 #include "check/run.hpp"
+#include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_time.hpp"
 #include "pair/validate_world.hpp"
-#include "search/map_search.hpp"
 
 namespace taut {
 namespace {
@@ -56,25 +56,6 @@ Bounds unscaled(const RingSet& rings, int exponent) {
   return {back(b.lo), back(b.hi)};
 }
 
-}  // namespace
-
-struct StaticMap::Impl {
-  std::vector<Body> bodies;
-  double largest = 0;  ///< magnitude of a coordinate that shapes may have
-  ShapeFacts range;    ///< of magnitudes
-  MapBodies prepared;
-};
-
-struct StaticMap::Mover::Impl {
-  std::string name;
-  SharedRings rings;
-  Bounds bounds;  ///< in the user's units
-  double extent = 0;
-  const void* map = nullptr;
-};
-
-namespace {
-
 std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
   std::vector<SweptBox> boxes;
   for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
@@ -91,7 +72,12 @@ MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
     extent = std::max(extent, std::ldexp(diagonal(rings.back()->bounds()), exponent));
   }
   const std::vector<SweptBox> boxes = boxes_of(rings);
-  return {std::move(rings), BoxTree(boxes), -exponent, extent};
+  MapBodies all;
+  all.rings = std::move(rings);
+  all.boxes = BoxTree(boxes);
+  all.exponent = -exponent;
+  all.extent = extent;
+  return all;
 }
 
 /// One question, and its answer so far.

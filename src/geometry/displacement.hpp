@@ -51,6 +51,12 @@ struct DisplacedPolygon {
 };
 using SharedPolygon = std::shared_ptr<const DisplacedPolygon>;
 
+/// Its rings, also of one that is a single ring and has no table of them.
+inline std::vector<RingSpan> rings_of(const DisplacedPolygon& body) {
+  if (!body.rings.empty()) return body.rings;
+  return {{0, static_cast<std::uint32_t>(body.points.size()), false}};
+}
+
 /// delta, the unit of displacement, for coordinates up to 1 in magnitude.
 inline constexpr double displacement_unit = 0x1p-200;
 /// No coordinate of a vertex is displaced by more.

@@ -43,6 +43,14 @@ std::string list_of(const Scene& scene, const std::vector<PairMargin>& pairs) {
 
 }  // namespace
 
+std::string io::proved_clearance_json(const Scene& scene, const Verified& proved) {
+  std::string s = ",\"clearance\":" + number_text(proved.clearance);
+  if (!proved.closer) return s;
+  const TimeInterval& time = proved.closer->time;
+  return s + ",\"closer\":{\"t\":" + array_text({time.lo, time.hi}) + features_text(scene, proved.closer->features) +
+         "}";
+}
+
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch) {
   std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
   s += "\"outcome\":\"" + std::string(to_string(answer.outcome)) + "\",\"clearance\":" + io::number_text(clearance);

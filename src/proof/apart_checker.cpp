@@ -1,6 +1,7 @@
 #include "proof/apart_checker.hpp"
 
 #include "base/interruption.hpp"
+#include "proof/kept_margin.hpp"
 #include "taut/error.hpp"
 
 namespace taut::proof {
@@ -39,7 +40,7 @@ void ApartChecker::visit(const RangePair& ranges, const HalvedTime& time) {
       check_ends(ranges, time);
       break;
     default:
-      if (!separates(named, windows_.at(time), p, q))
+      if (!separates(named, windows_.at(time), p, q, margin_))
         throw ProofError("two ranges of edges are not separated as the log says");
   }
   ++separations_;
@@ -48,8 +49,17 @@ void ApartChecker::visit(const RangePair& ranges, const HalvedTime& time) {
 void ApartChecker::check_ends(const RangePair& ranges, const HalvedTime& time) {
   if (!pair_.single(ranges)) throw ProofError("single edges are spoken of where there are several");
   const std::uint8_t why = in_.u8();
+  if (margin_ > 0) return check_margin(ranges, why, time);
   check_incidence(pair_.onto_p(ranges), why & 15, time);
   check_incidence(pair_.onto_q(ranges), why >> 4, time);
+}
+
+void ApartChecker::check_margin(const RangePair& ranges, std::uint8_t why, const HalvedTime& time) {
+  const KeptMargin kept(pair_, lifetimes_.leg(), margin_);
+  if (!kept.aside(lifetimes_, pair_.onto_p(ranges), static_cast<Aside>(why & 15), time.from, time.to) ||
+      !kept.aside(lifetimes_, pair_.onto_q(ranges), static_cast<Aside>(why >> 4), time.from, time.to))
+    throw ProofError("a vertex does not keep the clearance from an edge");
+  if (!kept.vertices(ranges, time.from, time.to)) throw ProofError("two vertices do not keep the clearance");
 }
 
 void ApartChecker::check_incidence(const Incidence& incidence, int why, const HalvedTime& time) {

@@ -35,12 +35,14 @@ class HalvedWindows {
 };
 
 /// One pair on one stretch of one leg. The log has a tree of steps, in preorder: time is halved, or one of the ranges,
-/// until what is left is apart. Throws ProofError where it is not as the log says.
+/// until what is left is apart; with a margin that is not 0, farther apart than that, and `until` is none then. Throws
+/// ProofError where it is not as the log says.
 class ApartChecker {
  public:
   /// `lifetimes` is on that leg. What comes after `until` does not matter.
-  ApartChecker(const RangedPair& pair, Lifetimes& lifetimes, const std::optional<Instant>& until, ByteReader& in)
-      : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), windows_(lifetimes.leg()) {}
+  ApartChecker(const RangedPair& pair, Lifetimes& lifetimes, const std::optional<Instant>& until, ByteReader& in,
+               double margin = 0)
+      : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), margin_(margin), windows_(lifetimes.leg()) {}
 
   void check(double from, double to) { visit({}, {from, to}); }
   /// How many pairs of ranges, or of edges, were shown to be apart.
@@ -49,12 +51,14 @@ class ApartChecker {
  private:
   void visit(const RangePair& ranges, const HalvedTime& time);
   void check_ends(const RangePair& ranges, const HalvedTime& time);
+  void check_margin(const RangePair& ranges, std::uint8_t why, const HalvedTime& time);
   void check_incidence(const Incidence& incidence, int why, const HalvedTime& time);
 
   const RangedPair& pair_;
   Lifetimes& lifetimes_;
   const std::optional<Instant>& until_;
   ByteReader& in_;
+  double margin_;
   HalvedWindows windows_;
   std::uint64_t separations_ = 0;
 };

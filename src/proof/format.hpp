@@ -34,6 +34,11 @@ enum class Claim : std::uint8_t {
   touching,    ///< pair (u32, u32): the shapes displaced outwards overlap at the start, and how (u8, u32, u32)
   free_until,  ///< up to a time (f64)
 };
+/// Added to a claim (free, contact, free_until) that is about a clearance, which follows as f64 in the scene's units.
+/// That of a contact goes on with the pair (u32, u32), leg, vertex, peer (u32 each), u8 1 if the peer is an edge, an
+/// instant of the leg at which they are closer (three f64), and the time up to which all pairs keep the clearance
+/// (f64).
+inline constexpr std::uint8_t with_clearance = 16;
 
 /// Stands for the origin of a half-edge that is not in use.
 inline constexpr std::uint32_t unused = 0xffffffffu;

@@ -28,14 +28,14 @@ ProvedPair& ProvedWorld::pair(int a, int b) {
 
 /// A sweep along x.
 std::vector<std::pair<int, int>> ProvedWorld::meeting(const WorldTime& time) const {
-  BoxesOver boxes(plan_, time);
+  BoxesOver boxes(plan_, time, margin_);
   std::vector<int> order(plan_.bodies().size()), active;
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](int i, int j) { return std::pair(boxes.of(i).lo_x, i) < std::pair(boxes.of(j).lo_x, j); });
   std::vector<std::pair<int, int>> found;
   for (const int i : order) {
-    std::erase_if(active, [&](int j) { return boxes.of(j).hi_x < boxes.of(i).lo_x; });
+    std::erase_if(active, [&](int j) { return boxes.of(j).grown(margin_).hi_x < boxes.of(i).lo_x; });
     for (const int j : active) {
       interruption_point();
       if (boxes.meet({i, j}) && plan_.asked(i, j)) found.emplace_back(std::min(i, j), std::max(i, j));

@@ -47,11 +47,13 @@ struct LegStretch {
 /// Bodies displaced one way, prepared when first asked for.
 class ProvedWorld {
  public:
-  /// The plan must outlive it.
-  ProvedWorld(const WorldPlan& plan, bool inwards) : plan_(plan), inwards_(inwards), ranges_(plan.bodies().size()) {}
+  /// The plan must outlive it. With a margin, in internal units, boxes meet that come as close as that.
+  ProvedWorld(const WorldPlan& plan, bool inwards, double margin = 0)
+      : plan_(plan), inwards_(inwards), margin_(margin), ranges_(plan.bodies().size()) {}
 
   const WorldPlan& plan() const { return plan_; }
   bool inwards() const { return inwards_; }
+  double margin() const { return margin_; }
   ProvedPair& pair(int a, int b);
   /// All pairs that are asked about and whose boxes over that time meet, in order.
   std::vector<std::pair<int, int>> meeting(const WorldTime& time) const;
@@ -61,11 +63,12 @@ class ProvedWorld {
 
   const WorldPlan& plan_;
   bool inwards_;
+  double margin_;
   std::vector<std::unique_ptr<EdgeRanges>> ranges_;  ///< by body
   std::map<std::pair<int, int>, std::unique_ptr<ProvedPair>> pairs_;
 };
 
-/// What of a pair's legs lies in that time.
+/// What of a pair's legs lies in that time, in order.
 std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time);
 
 /// Do the two bodies overlap at an instant: do their boundaries cross, or does one lie in the other's material?
@@ -77,17 +80,19 @@ bool inside_the_other(const Placement& place, VertexId vertex);
 /// The boxes of bodies over a stretch of time, each made once.
 class BoxesOver {
  public:
-  BoxesOver(const WorldPlan& plan, const WorldTime& time) : plan_(plan), time_(time), boxes_(plan.bodies().size()) {}
+  BoxesOver(const WorldPlan& plan, const WorldTime& time, double margin = 0)
+      : plan_(plan), time_(time), margin_(margin), boxes_(plan.bodies().size()) {}
   const SweptBox& of(int body) {
     std::optional<SweptBox>& box = boxes_[static_cast<std::size_t>(body)];
     if (!box) box = swept_box(plan_.bodies()[static_cast<std::size_t>(body)], time_.from, time_.to);
     return *box;
   }
-  bool meet(const std::pair<int, int>& pair) { return of(pair.first).meets(of(pair.second)); }
+  bool meet(const std::pair<int, int>& pair) { return of(pair.first).grown(margin_).meets(of(pair.second)); }
 
  private:
   const WorldPlan& plan_;
   WorldTime time_;
+  double margin_;
   std::vector<std::optional<SweptBox>> boxes_;
 };
 

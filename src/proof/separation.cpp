@@ -12,9 +12,10 @@ double reach(const EdgeRange& r, Vector along, Vector n) {
   return r.half_length * std::fabs(dot(n, along)) + r.half_width * std::fabs(dot(n, turned(along)));
 }
 
-/// Is the moving range beyond the fixed one, seen along n in the fixed one's frame? Each of its points moves straight,
-/// up to the errors, so that it is nearest at an end of the window; and of a rectangle, a corner is nearest.
-bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, const EdgeRange& moving) {
+/// Is the moving range beyond the fixed one, by more than a margin, seen along n in the fixed one's frame? Each of its
+/// points moves straight, up to the errors, so that it is nearest at an end of the window; and of a rectangle, a corner
+/// is nearest. n is longer than 1 by rounding only.
+bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, const EdgeRange& moving, double margin) {
   const double edge = dot(n, fixed.centre) + reach(fixed, fixed.along, n);
   double gap = INFINITY;
   for (const double h : {-half, half}) {
@@ -25,7 +26,7 @@ bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, c
   const double far_fixed = size(fixed.centre) + fixed.radius(), far_moving = size(moving.centre) + moving.radius();
   const double error = sight.shift_error + sight.turn_error * far_moving + sight.scale_error * far_fixed;
   const double added = sight.size * (1 + far_moving) + far_fixed;
-  return gap > error * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
+  return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
 }
 
 /// One of `step::directions` directions, evenly but not equally spaced: by the tangent of half the angle in each
@@ -133,19 +134,20 @@ bool stays_aside_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const I
   });
 }
 
-bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& p, const EdgeRange& q) {
+bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& p, const EdgeRange& q, double margin) {
   if (named >= step::direction && named < step::direction + step::directions) {
     const Vector n = direction_number(static_cast<std::uint8_t>(named - step::direction));
-    return beyond(window.from_p(), window.half(), n, p, q);
+    return beyond(window.from_p(), window.half(), n, p, q, margin);
   }
   if (named >= step::along_q && named < step::along_q + 4)
-    return beyond(window.from_q(), window.half(), side_number(q, named - step::along_q), q, p);
+    return beyond(window.from_q(), window.half(), side_number(q, named - step::along_q), q, p, margin);
   if (named >= step::along_p && named < step::along_p + 4)
-    return beyond(window.from_p(), window.half(), side_number(p, named - step::along_p), p, q);
+    return beyond(window.from_p(), window.half(), side_number(p, named - step::along_p), p, q, margin);
   return false;
 }
 
-std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q) {
+std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q,
+                                            double margin) {
   const Vector to_q = window.from_p().shift + window.from_p().turn * q.centre - p.centre;
   const Vector to_p = window.from_q().shift + window.from_q().turn * p.centre - q.centre;
   const auto facing = [](const EdgeRange& r, Vector to, int axis) {
@@ -158,7 +160,7 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
                                                static_cast<std::uint8_t>(step::along_q + facing(q, to_p, 0)),
                                                static_cast<std::uint8_t>(step::direction + number_near(to_q))};
   for (const std::uint8_t named : candidates) {
-    if (separates(named, window, p, q)) return named;
+    if (separates(named, window, p, q, margin)) return named;
   }
   return std::nullopt;
 }

@@ -84,12 +84,15 @@ struct RangedPair {
   Incidence onto_q(const RangePair& r) const { return {VertexId(p[r.p].first), VertexId(geometry.np + q[r.q].first)}; }
 };
 
-/// Does the direction that a step names certainly have all of one range beyond all of the other, all over the window?
-bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& p, const EdgeRange& q);
+/// Does the direction that a step names certainly have all of one range beyond all of the other, by more than a margin,
+/// all over the window?
+bool separates(std::uint8_t named, const MotionWindow& window, const EdgeRange& p, const EdgeRange& q,
+               double margin = 0);
 
 /// The step whose direction does, or nothing: the sides of both rectangles are tried, and the direction between the
 /// centres.
-std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q);
+std::optional<std::uint8_t> separating_step(const MotionWindow& window, const EdgeRange& p, const EdgeRange& q,
+                                            double margin = 0);
 
 /// About how far the ranges move relative to each other within the window.
 double motion_in(const MotionWindow& window, const EdgeRange& q);

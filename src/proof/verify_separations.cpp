@@ -3,10 +3,12 @@
 #include "proof/verify_separations.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/interruption.hpp"
 #include "pair/placement.hpp"
+#include "proof/kept_margin.hpp"
 #include "proof/proved_world.hpp"
 #include "sign/witness.hpp"
 
@@ -26,7 +28,8 @@ class SeparationsVerifier {
         header_(header),
         claim_(claim_of(header)),
         plan_(scene),
-        world_(plan_, header.touch == Touch::open || claim_ == Claim::touching) {}
+        margin_(read_margin()),
+        world_(plan_, header.touch == Touch::open || claim_ == Claim::touching, margin_) {}
 
   Verified run() {
     result_.kind = ProofKind::separations;
@@ -46,14 +49,26 @@ class SeparationsVerifier {
 
  private:
   static Claim claim_of(const Header& header) {
-    if (header.kind > static_cast<std::uint8_t>(Claim::free_until)) throw ProofError("the log's header makes no sense");
-    return static_cast<Claim>(header.kind);
+    const std::uint8_t kind = header.kind & ~with_clearance;
+    if (kind > static_cast<std::uint8_t>(Claim::free_until)) throw ProofError("the log's header makes no sense");
+    return static_cast<Claim>(kind);
+  }
+
+  /// In internal units; 0 if the claim is about contact.
+  double read_margin() {
+    if (!(header_.kind & with_clearance)) return 0;
+    result_.clearance = in_.f64();
+    const double margin = std::ldexp(result_.clearance, plan_.exponent());
+    if (claim_ == Claim::touching || !(result_.clearance > 0 && std::isfinite(result_.clearance)) ||
+        !(margin > 0x1p-900))
+      throw ProofError("a clearance that makes no sense");
+    return margin;
   }
 
   void check() {
     result_.free_until = scene_.end;
     if (claim_ == Claim::free_until) result_.free_until = in_.f64();
-    if (claim_ == Claim::contact) contact();
+    if (claim_ == Claim::contact) margin_ > 0 ? closer() : contact();
     if (claim_ == Claim::touching) touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
@@ -71,7 +86,7 @@ class SeparationsVerifier {
 
   /// Every pair whose boxes meet is shown to be apart over the window, or is left to its halves.
   void windows(const WorldTime& time, const Pairs& pairs, int depth) {
-    BoxesOver boxes(plan_, time);
+    BoxesOver boxes(plan_, time, margin_);
     Pairs left;
     for (const auto& pair : pairs) {
       interruption_point();
@@ -98,7 +113,8 @@ class SeparationsVerifier {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       lifetimes.enter(pair.legs[stretches[i].leg]);
       const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
-      ApartChecker apart(pair.ranges, lifetimes, last, in_);
+      // In the jump at a joint bodies need not meet, no more: the clearance is one at instants.
+      ApartChecker apart(pair.ranges, lifetimes, last, in_, pair.legs[stretches[i].leg].bridge ? 0 : margin_);
       apart.check(stretches[i].from, stretches[i].to);
       result_.separations += apart.separations();
     }
@@ -130,6 +146,46 @@ class SeparationsVerifier {
     way.push_back({leg, last.start, end});
     section(pair, way, true, now);
     conclude(pair, hit, last, lifetimes.tightened(now));
+  }
+
+  /// The first number is at least as large as the others, and all of it lies on the leg.
+  static bool is_within(const FineInstant& at, double start, double end) {
+    const double rest = std::fabs(at[1]) + std::fabs(at[2]);
+    if (!std::isfinite(at[0]) || !(rest <= 0x1p-40 * (std::fabs(at[0]) + 1))) return false;
+    ExactSum<4> after, before;
+    for (const double x : at) {
+      after.add(x);
+      before.add(x);
+    }
+    after.add(-start);
+    before.add(-end);
+    return after.sign() >= 0 && before.sign() <= 0;
+  }
+  static double rounded_up(const FineInstant& at) {
+    return at[1] == 0 && at[2] == 0 ? at[0] : at[0] + 2 * (std::fabs(at[1]) + std::fabs(at[2])) + 0x1p-1060;
+  }
+
+  /// Two features that are closer than the clearance at an instant, and all pairs keep it up to some time before.
+  void closer() {
+    const auto [a, b] = read_pair();
+    const ProvedPair& pair = world_.pair(a, b);
+    const std::uint32_t leg = in_.u32();
+    const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
+    const std::uint8_t is_edge = in_.u8();
+    const FineInstant at{in_.f64(), in_.f64(), in_.f64()};
+    result_.free_until = in_.f64();
+    if (leg >= pair.legs.size() || pair.legs[leg].bridge || pair.geometry.same_body(vertex, peer) || is_edge > 1 ||
+        !is_within(at, pair.legs[leg].start, pair.legs[leg].end) || !(result_.free_until <= at[0]))
+      throw ProofError("a closeness that cannot be");
+    if (!closer_at(pair.geometry, pair.legs[leg], margin_, {vertex, peer}, is_edge == 1, at))
+      throw ProofError("the two features are not closer than the clearance then");
+    const Witness witness(pair.plan, pair.geometry, world_.inwards());
+    ProvedCloseness found;
+    found.features.vertex = witness.vertex(vertex);
+    if (is_edge) found.features.edge = witness.edge(peer);
+    if (!is_edge) found.features.other = witness.vertex(peer);
+    found.time = {result_.free_until, rounded_up(at)};
+    result_.closer = found;
   }
 
   VertexId read_vertex(const ProvedPair& pair) {
@@ -178,11 +234,12 @@ class SeparationsVerifier {
   const Scene& scene_;
   ByteReader& in_;
   const Header& header_;
+  Verified result_;
   Claim claim_;
   WorldPlan plan_;
+  double margin_;  ///< of a claim about a clearance, else 0
   ProvedWorld world_;
   std::pair<int, int> contact_pair_{-1, -1};  ///< whose separations are not in the windows
-  Verified result_;
 };
 
 }  // namespace

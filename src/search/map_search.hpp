@@ -7,6 +7,7 @@
 
 #include "search/pair_question.hpp"
 #include "world/box_tree.hpp"
+#include "world/free_cells.hpp"
 
 namespace taut {
 
@@ -16,6 +17,7 @@ struct MapBodies {
   BoxTree boxes;
   int exponent = 0;
   double extent = 0;
+  std::shared_ptr<FreeCellsOnce> free_cells = std::make_shared<FreeCellsOnce>();
 };
 
 /// Time is halved while the mover's box grows by its way; each window asks the tree which bodies its box meets, and

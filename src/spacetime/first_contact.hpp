@@ -69,6 +69,9 @@ struct StartOverlap {
 /// Counts how often doubles did not suffice.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
                                         std::uint64_t* precise = nullptr);
+/// The same for those who know the motion at that instant: `instant` is a stretch of no length.
+std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
+                                        const Stretch& instant);
 /// The same with trees of its own.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Leg& leg, double t);
 

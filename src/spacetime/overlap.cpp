@@ -89,10 +89,9 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, d
 
 namespace {
 
-std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& trees, const Leg& leg, double t) {
+std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& trees, const Stretch& instant) {
   const PairGeometry& g = place.geometry();
   const auto& [p, q] = trees;
-  const Stretch instant = at_instant(leg, t);
   if (apart(instant, p.node(0).box, q.node(0).box)) return std::nullopt;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
@@ -128,9 +127,14 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
 std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
                                         std::uint64_t* precise) {
   const Placement place(g, leg, t, Positions::on_demand);
-  const auto found = overlap_in(place, trees, leg, t);
+  const auto found = overlap_in(place, trees, at_instant(leg, t));
   if (precise) *precise += place.precise_calls();
   return found;
+}
+
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
+                                        const Stretch& instant) {
+  return overlap_in(Placement(g, leg, t, Positions::on_demand), trees, instant);
 }
 
 }  // namespace taut::spacetime

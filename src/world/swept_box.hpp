@@ -10,6 +10,11 @@ struct SweptBox {
   double lo_x = 0, lo_y = 0, hi_x = 0, hi_y = 0;
 
   bool meets(const SweptBox& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
+  /// With room for a margin around it; the same for 0.
+  SweptBox grown(double margin) const {
+    const double more = margin * (1 + 0x1p-40) + (margin > 0 ? 0x1p-48 : 0);
+    return {lo_x - more, lo_y - more, hi_x + more, hi_y + more};
+  }
   double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
 };
 

@@ -123,14 +123,53 @@ TEST(ExampleWorlds, NameThePairThatMeets) {
   EXPECT_EQ(pair("room.json"), "pillars x robot");
 }
 
+/// Of each linkage, a combination that is free and one that is not, by how it looks.
+struct LinkageExample {
+  const char* file;
+  std::array<double, max_joints> apart, meeting;
+};
+const LinkageExample linkage_examples[] = {
+    // Opened beyond a right angle, the door meets the shelf; the handle can be anywhere.
+    {"linkages/door.json", {45, 0}, {110, 0}},
+    // The crate goes up to the beam if the platform is raised all the way.
+    {"linkages/lift.json", {30, 1}, {60, 1}},
+    // Lowered all the way, the arm is in the ground.
+    {"linkages/loader.json", {30, 0}, {-35, 0}},
+};
+
+TEST(ExampleLinkages, AreFreeAndNot) {
+  for (const LinkageExample& example : linkage_examples) {
+    SCOPED_TRACE(example.file);
+    const Linkage linkage = read_linkage((examples_folder / example.file).string());
+    EXPECT_EQ(check(posed(linkage, example.apart)).outcome, Outcome::free);
+    EXPECT_EQ(check(posed(linkage, example.meeting)).outcome, Outcome::overlap_at_start);
+    const Envelope answer = envelope(linkage);
+    EXPECT_EQ(answer.outcome, Outcome::contact);
+    EXPECT_LT(answer.undecided, 2e-3);
+    for (const EnvelopeCell& cell : answer.cells) {
+      const auto holds = [&](const std::array<double, max_joints>& values) {
+        return cell.lo[0] < values[0] && values[0] < cell.hi[0] && cell.lo[1] < values[1] && values[1] < cell.hi[1];
+      };
+      if (holds(example.apart)) {
+        EXPECT_EQ(cell.state, CellState::free);
+      }
+      if (holds(example.meeting)) {
+        EXPECT_EQ(cell.state, CellState::colliding);
+      }
+    }
+  }
+}
+
 TEST(ExamplesFolder, HoldsNoSceneThatIsNotStated) {
   std::vector<std::string> stated, found;
+  for (const LinkageExample& example : linkage_examples) stated.push_back(example.file);
   for (const Example& example : examples) stated.push_back(example.file);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(examples_folder)) {
     if (entry.path().extension() == ".json")
       found.push_back(entry.path().lexically_relative(examples_folder).generic_string());
   }
   std::sort(found.begin(), found.end());
+  std::sort(stated.begin(), stated.end());
   EXPECT_EQ(found, stated);
 }
 

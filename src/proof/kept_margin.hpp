@@ -1,0 +1,36 @@
+// Features of two bodies that stay farther apart than a margin over a stretch of a leg.
+#pragma once
+
+#include "proof/separation.hpp"
+
+namespace taut::proof {
+
+/// Two bodies that do not overlap are closer than a margin only if two of their vertices are, or if a vertex is that
+/// close in front of an edge beside which it is. So of two edges, each of which stands for its first vertex, three
+/// things are to be shown: the two vertices, and each vertex and the other edge.
+class KeptMargin {
+ public:
+  /// The margin is in internal units, and positive. The leg is no bridge.
+  KeptMargin(const RangedPair& pair, const Leg& leg, double margin) : pair_(pair), leg_(leg), margin_(margin) {}
+
+  /// Are the first vertices of both edges farther apart, at all times of [from, to]?
+  bool vertices(const RangePair& edges, double from, double to) const;
+  /// Is a vertex farther from the edge all over [from, to], for that reason: in front of its line by more than the
+  /// margin (Aside::right), behind it (left), or behind one of its ends? Others are no reasons here.
+  bool aside(Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from, double to) const;
+
+ private:
+  const RangedPair& pair_;
+  const Leg& leg_;
+  double margin_;
+};
+
+/// An instant finer than doubles: their exact sum. Bodies that come to the margin and no closer are displaced, and then
+/// closer for a time that may have no double in it.
+using FineInstant = std::array<double, 3>;
+
+/// Is the incidence's vertex certainly closer than the margin to the edge, or to the other vertex, at that parameter?
+bool closer_at(const PairGeometry& geometry, const Leg& leg, double margin, const Incidence& pair, bool is_edge,
+               const FineInstant& at);
+
+}  // namespace taut::proof
