@@ -17,15 +17,6 @@
 #include "taut/error.hpp"
 
 namespace taut {
-namespace {
-
-/// A coefficient that the engines compute with. What is below their range is far below what a robot can move by.
-double usable(const std::string& robot, const char* what, double x) {
-  if (std::fabs(x) < 0x1p-400) return 0;
-  if (!(std::fabs(x) <= 0x1p400))
-    throw InputError(robot, std::string("a pose's ") + what + " is not a finite number up to 2^400");
-  return x;
-}
 
 /// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
 /// same number, the last one is kept.
@@ -52,6 +43,16 @@ class FreePoses {
   }
   std::vector<PoseSE2> poses_;
 };
+
+namespace {
+
+/// A coefficient that the engines compute with. What is below their range is far below what a robot can move by.
+double usable(const std::string& robot, const char* what, double x) {
+  if (std::fabs(x) < 0x1p-400) return 0;
+  if (!(std::fabs(x) <= 0x1p400))
+    throw InputError(robot, std::string("a pose's ") + what + " is not a finite number up to 2^400");
+  return x;
+}
 
 bool all_even(std::span<const Motion> motions) {
   return std::all_of(motions.begin(), motions.end(), [](const Motion& motion) {
