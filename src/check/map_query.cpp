@@ -1,14 +1,13 @@
 #include "taut/map_query.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/free_poses.hpp"
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
@@ -26,32 +25,6 @@ double usable(const std::string& robot, const char* what, double x) {
     throw InputError(robot, std::string("a pose's ") + what + " is not a finite number up to 2^400");
   return x;
 }
-
-/// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
-/// same number, the last one is kept.
-class FreePoses {
- public:
-  bool has(const PoseSE2& pose) const {
-    if (poses_.empty()) return false;
-    const PoseSE2& kept = poses_[slot(pose)];
-    return kept.x == pose.x && kept.y == pose.y && kept.angle == pose.angle;
-  }
-  void add(const PoseSE2& pose) {
-    if (poses_.empty()) poses_.assign(slots, {NAN, NAN, NAN});
-    poses_[slot(pose)] = pose;
-  }
-
- private:
-  static constexpr std::size_t slots = 4096;
-  static std::size_t slot(const PoseSE2& pose) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    std::uint64_t h = bits(pose.x) * 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 29) ^ bits(pose.y)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 32) ^ bits(pose.angle)) * 0x94d049bb133111ebu;
-    return static_cast<std::size_t>(h >> 52);
-  }
-  std::vector<PoseSE2> poses_;
-};
 
 bool all_even(std::span<const Motion> motions) {
   return std::all_of(motions.begin(), motions.end(), [](const Motion& motion) {
