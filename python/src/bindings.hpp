@@ -8,6 +8,7 @@ namespace taut_python {
 void bind_questions(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);
 void bind_many(pybind11::module_& module);
+void bind_cells(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);
 /// taut's exceptions as those of taut2d.errors.
 void bind_errors();

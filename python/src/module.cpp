@@ -10,6 +10,7 @@ PYBIND11_MODULE(_taut2d, module) {
   taut_python::bind_questions(module);
   taut_python::bind_shapes(module);
   taut_python::bind_many(module);
+  taut_python::bind_cells(module);
   taut_python::bind_pictures(module);
   module.def("version", [] { return TAUT_VERSION; });
 }

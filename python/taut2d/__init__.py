@@ -19,9 +19,9 @@ anything with __geo_interface__ (shapely, geopandas), or WKT.
 
 clearance() says how close bodies come, distance_profile() how far they are at every time, check_clearance() whether they
 keep a distance, intervals() when they overlap, all of the time, range() how far they can go without, and separate() in
-which directions they come apart. check_many() takes arrays of motions, or many scenes, and answers on all processors;
-sweep() does, too, into files. Shape prepares a shape for many scenes. Scene.plot() and Scene.animate() draw by
-matplotlib.
+which directions they come apart; cells() lists the cells of a grid that a body touches. check_many() takes arrays of
+motions, or many scenes, and answers on all processors; sweep() does, too, into files. Shape prepares a shape for many
+scenes. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -36,6 +36,7 @@ from . import _taut2d
 from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, Verified, VertexRef, answer_from_json,
                       verified_from_json)
+from .cells import Cells, cells
 from .errors import InputError, InternalError, TautError
 from .margins import MarginAnswer, PairMargin, margin_from_json
 from .many import Outcome, answer_dtype, check_many
@@ -54,12 +55,12 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Clearance", "Contact", "Cosine", "Coverage", "CsvKeyframes",
-    "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile", "HalfAngleTangent",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
+    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "GeojsonFile", "HalfAngleTangent",
     "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "MarginAnswer", "Meeting",
     "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
     "Proof", "Range", "RemovalStep", "Scene", "Separation", "Shape", "Sweep", "SweepAnswers", "TautError", "Turn",
-    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "check",
+    "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check",
     "check_clearance", "check_many", "clearance", "distance_profile", "intervals", "prove", "range", "separate",
     "sweep", "verify",
 ]
