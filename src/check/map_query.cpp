@@ -116,6 +116,8 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   try {
     std::optional<InterruptionScope> scope;
     if (options.stop || options.max_seconds < 1e9) scope.emplace(options.stop, options.max_seconds);
+    // Questions are short: those that come after the flag was set do not begin.
+    if (scope) scope->check();
     found = ask();
     if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not tell";
   } catch (const Undecidable& limit) {
