@@ -15,9 +15,9 @@ namespace {
 constexpr double among_patience = 0.75, among_hopeful = 0x1p-5, among_shortest = 0x1p-40;
 /// Where any contact will do, edges are left to shorter stretches down to this share of the whole: one of these misses,
 /// or has an overlap in its middle, long before a model of the motion has been made.
-constexpr double among_shallow = 0x1p-14;
+constexpr double among_shallow = 0x1p-8;
 /// But no more than so many times in a search: edges that slide on edges never miss, however short the stretch.
-constexpr int most_put_off = 64;
+constexpr int most_put_off = 40;
 
 }  // namespace
 
