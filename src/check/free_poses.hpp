@@ -1,9 +1,9 @@
 // Where a robot was found to be free.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "taut/map_query.hpp"
@@ -27,7 +27,12 @@ class FreePoses {
  private:
   static constexpr std::size_t slots = 4096;
   static std::size_t slot(const PoseSE2& pose) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    // Not every standard library that taut is compiled with has std::bit_cast.
+    const auto bits = [](double x) {
+      std::uint64_t b = 0;
+      std::memcpy(&b, &x, sizeof b);
+      return b;
+    };
     std::uint64_t h = bits(pose.x) * 0x9e3779b97f4a7c15u;
     h = (h ^ (h >> 29) ^ bits(pose.y)) * 0xbf58476d1ce4e5b9u;
     h = (h ^ (h >> 32) ^ bits(pose.angle)) * 0x94d049bb133111ebu;
