@@ -20,6 +20,7 @@ struct OccupancyGrid {
   double yaw = 0;                      ///< radians
   std::vector<std::uint8_t> occupied;  ///< row by row, from the lowest; not 0: an obstacle
 
+  /// Is the cell an obstacle? Beyond the grid there is none.
   bool at(int i, int j) const {
     return i >= 0 && j >= 0 && i < width && j < height && occupied[static_cast<std::size_t>(j) * width + i] != 0;
   }

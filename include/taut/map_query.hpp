@@ -49,6 +49,7 @@ struct MapFinding {
   BodyId body = -1;
   int other_link = -1;
 
+  /// Proved to be free.
   bool free() const { return outcome == Outcome::free; }
 };
 
@@ -67,7 +68,9 @@ class MapQuery {
   /// A chain or a tree of links, each after its parent. Throws InputError also where it is not.
   MapQuery(const StaticMap& map, const std::vector<RobotLink>& links, const MapQueryOptions& options = {});
   ~MapQuery();
+  /// Nothing may be asked of the one that was moved from.
   MapQuery(MapQuery&&) noexcept;
+  /// The same.
   MapQuery& operator=(MapQuery&&) noexcept;
 
   /// May the robot be here? The pose of a robot of one body; `free_until` is 0. Throws InputError if a number is not
@@ -80,15 +83,18 @@ class MapQuery {
   /// 1. What is decided exactly is the motion with those two coefficients, the difference rounded to a double. It does
   /// not wrap angles: from 3 to -3 is a turn by -6.
   MapFinding along(const PoseSE2& from, const PoseSE2& to) { return along(std::span(&from, 1), std::span(&to, 1)); }
+  /// The same for each link, seen from its parent.
   MapFinding along(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
   /// The first collision of links that move as they are told, each seen from its parent, on [start, end]. Throws
   /// InputError if a motion is not valid there.
   MapFinding along(std::span<const Motion> motions, double start, double end);
 
-  /// Is it free? The same without looking for the first collision, which is cheaper where there is one. The end is
-  /// looked at before the way.
+  /// Is it free? The same without looking for the first collision, which is cheaper where there is one: a
+  /// few places on the way are looked at first.
   MapFinding passes(const PoseSE2& from, const PoseSE2& to) { return passes(std::span(&from, 1), std::span(&to, 1)); }
+  /// The same for each link, seen from its parent.
   MapFinding passes(std::span<const PoseSE2> from, std::span<const PoseSE2> to);
+  /// The same for motions, as along() takes them.
   MapFinding passes(std::span<const Motion> motions, double start, double end);
 
   /// Why the last answer was `undecided`.

@@ -35,9 +35,11 @@ namespace taut::for_ompl {
 /// Is a state within the space's bounds, and does the robot overlap nothing there? `undecided` is invalid.
 class StateValidityChecker : public ob::StateValidityChecker {
  public:
+  /// Throws InputError where the space and the robot do not fit.
   StateValidityChecker(const ob::SpaceInformationPtr& si, std::shared_ptr<const Robot> robot)
       : ob::StateValidityChecker(si), robot_(std::move(robot)), steering_(*si->getStateSpace(), *robot_) {}
 
+  /// Within the bounds, and free.
   bool isValid(const ob::State* state) const override {
     if (!si_->satisfiesBounds(state)) return false;
     const Robot::Borrowed asker(*robot_);
@@ -59,9 +61,11 @@ class StateValidityChecker : public ob::StateValidityChecker {
 /// leaves the bounds of x and y, by its circles in doubles; straight ways between states within the bounds never do.
 class MotionValidator : public ob::MotionValidator {
  public:
+  /// Throws InputError where the space and the robot do not fit.
   MotionValidator(const ob::SpaceInformationPtr& si, std::shared_ptr<const Robot> robot)
       : ob::MotionValidator(si), robot_(std::move(robot)), steering_(*si->getStateSpace(), *robot_) {}
 
+  /// Is it free, all the way?
   bool checkMotion(const ob::State* s1, const ob::State* s2) const override {
     const Robot::Borrowed asker(*robot_);
     return counted(asked(s1, s2, *asker, true).free);

@@ -33,6 +33,8 @@ class StaticMap {
   /// The occupied cells of a grid, as grid_bodies() of taut/grid.hpp makes bodies of them; read_grid() there reads the
   /// maps of ROS's map_server. Throws InputError.
   static StaticMap from_grid(const OccupancyGrid& grid, double reach = 0);
+  /// The same of a map's YAML file, read by read_grid(): what is not known to be free is an obstacle.
+  static StaticMap from_grid(const std::string& yaml_file, double reach = 0);
 
   /// How many bodies there are.
   std::size_t size() const;

@@ -1,14 +1,13 @@
 #include "taut/map_query.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/free_poses.hpp"
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
@@ -17,33 +16,6 @@
 #include "taut/error.hpp"
 
 namespace taut {
-
-/// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
-/// same number, the last one is kept.
-class FreePoses {
- public:
-  bool has(const PoseSE2& pose) const {
-    if (poses_.empty()) return false;
-    const PoseSE2& kept = poses_[slot(pose)];
-    return kept.x == pose.x && kept.y == pose.y && kept.angle == pose.angle;
-  }
-  void add(const PoseSE2& pose) {
-    if (poses_.empty()) poses_.assign(slots, {NAN, NAN, NAN});
-    poses_[slot(pose)] = pose;
-  }
-
- private:
-  static constexpr std::size_t slots = 4096;
-  static std::size_t slot(const PoseSE2& pose) {
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    std::uint64_t h = bits(pose.x) * 0x9e3779b97f4a7c15u;
-    h = (h ^ (h >> 29) ^ bits(pose.y)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 32) ^ bits(pose.angle)) * 0x94d049bb133111ebu;
-    return static_cast<std::size_t>(h >> 52);
-  }
-  std::vector<PoseSE2> poses_;
-};
-
 namespace {
 
 /// A coefficient that the engines compute with. What is below their range is far below what a robot can move by.
@@ -144,6 +116,8 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   try {
     std::optional<InterruptionScope> scope;
     if (options.stop || options.max_seconds < 1e9) scope.emplace(options.stop, options.max_seconds);
+    // Questions are short: those that come after the flag was set do not begin.
+    if (scope) scope->check();
     found = ask();
     if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not tell";
   } catch (const Undecidable& limit) {

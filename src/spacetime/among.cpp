@@ -15,7 +15,9 @@ namespace {
 constexpr double among_patience = 0.75, among_hopeful = 0x1p-5, among_shortest = 0x1p-40;
 /// Where any contact will do, edges are left to shorter stretches down to this share of the whole: one of these misses,
 /// or has an overlap in its middle, long before a model of the motion has been made.
-constexpr double among_shallow = 0x1p-14;
+constexpr double among_shallow = 0x1p-8;
+/// But no more than so many times in a search: edges that slide on edges never miss, however short the stretch.
+constexpr int most_put_off = 40;
 
 }  // namespace
 
@@ -34,6 +36,7 @@ std::optional<AmongSearch::Found> AmongSearch::run(const EvenLeg& leg, std::span
   any_ = any;
   shortest_ = among_shortest * (to - from);
   shallow_ = among_shallow * (to - from);
+  put_off_ = 0;
   proved_ = from;
   best_.reset();
   pairs_.clear();
@@ -81,8 +84,10 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
   } else if (leaf) {
     const VertexId of_p(p.first), of_q(other.geometry->np + q.first);
     if (any_ && crosses_in_the_middle(s, pair.other, of_p, of_q)) return;
-    if (any_ && divisible && s.r > shallow_) {
-      if (!miss(s, *other.geometry, of_p, of_q)) pairs_.push_back(pair);
+    if (any_ && divisible && s.r > shallow_ && put_off_ < most_put_off) {
+      if (miss(s, *other.geometry, of_p, of_q)) return;
+      ++put_off_;
+      pairs_.push_back(pair);
       return;
     }
     settle(s, s.in_q, pair.other, {of_p, of_q}, start, end);

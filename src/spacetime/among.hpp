@@ -75,6 +75,7 @@ class AmongSearch {
   const Hierarchy* mover_ = nullptr;
   bool any_ = false;
   double shortest_ = 0, shallow_ = 0, proved_ = 0;
+  int put_off_ = 0;  ///< edges that were left to shorter stretches in the hope that these tell
   std::optional<Found> best_;
   std::vector<Boxes> pairs_, todo_;
   std::vector<FrameWindow> windows_;  ///< of the stretch at hand, for its leaves

@@ -264,6 +264,10 @@ TEST(MapQueries, SlidingAndTouching) {
   how.touch = Touch::closed;
   MapQuery closed(map, mover, how);
   EXPECT_TRUE(open.passes({0, 1, 0}, {3, 1, 0}).free());
+  // Edges on edges all the way, which nothing but the displacement tells apart, take no longer than that takes.
+  MapQueryOptions soon;
+  soon.max_seconds = 1;
+  EXPECT_TRUE(MapQuery(map, mover, soon).passes({-1, 1, 0}, {4, 1, 0}).free());
   EXPECT_TRUE(open.at({1, 1, 0}).free());
   EXPECT_FALSE(closed.at({1, 1, 0}).free());
   EXPECT_EQ(closed.along({0, 1, 0}, {3, 1, 0}).outcome, Outcome::overlap_at_start);

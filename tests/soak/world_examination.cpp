@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "support/world_changes.hpp"
@@ -10,6 +11,7 @@
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/intervals.hpp"
+#include "taut/map_query.hpp"
 #include "taut/proof.hpp"
 #include "taut/static_map.hpp"
 
@@ -159,7 +161,30 @@ class WorldExamination {
     const StaticMap map({scene.bodies.begin(), scene.bodies.end() - 1}, reach);
     const Answer answer = map.check(map.prepare(mover), mover.motion, scene.start, scene.end, options_);
     const std::string wrong = answer_difference(answer, answer_to(scene));
-    return wrong.empty() ? wrong : "map, " + mover.name + " moves: " + wrong;
+    if (!wrong.empty()) return "map, " + mover.name + " moves: " + wrong;
+    return planners_answer(map, map.prepare(mover), scene, answer);
+  }
+
+  /// The same by a planner's query: the same outcome, and enclosures of one instant, which meet.
+  std::string planners_answer(const StaticMap& map, const StaticMap::Mover& mover, const Scene& scene,
+                              const Answer& answer) const {
+    MapQueryOptions how;
+    how.touch = options_.touch;
+    MapQuery query(map, mover, how);
+    const std::span motion(&scene.bodies.back().motion, 1);
+    const MapFinding along = query.along(motion, scene.start, scene.end);
+    const MapFinding passes = query.passes(motion, scene.start, scene.end);
+    const auto decided = [](Outcome o) { return o != Outcome::undecided; };
+    if (!decided(answer.outcome) || !decided(along.outcome) || !decided(passes.outcome)) return {};
+    const bool free = answer.outcome == Outcome::free;
+    if (along.free() != free || passes.free() != free)
+      return fmt::format("a planner's query says {} and {}, not {}", to_string(along.outcome),
+                         to_string(passes.outcome), to_string(answer.outcome));
+    if (along.outcome != Outcome::contact || !answer.contact) return {};
+    const TimeInterval& time = answer.contact->time;
+    return along.free_until <= time.hi && time.lo <= along.contact_by
+               ? ""
+               : fmt::format("a planner's query has the contact within [{}, {}]", along.free_until, along.contact_by);
   }
 
   /// The same world in other words.

@@ -159,6 +159,7 @@ TEST_F(GridFiles, BytesAndNumbers) {
   EXPECT_EQ(bytes.origin, (Point{-1, 2}));
   // By default free_thresh is 0.25: (255 - 205) / 255 = 0.196 is free.
   EXPECT_EQ(bytes.occupied, (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0}));
+  EXPECT_EQ(StaticMap::from_grid((folder_ / "map.yaml").string()).size(), 2u);
   const OccupancyGrid unknown = read_grid(write("map.yaml", grid_yaml + "free_thresh: 0.196\noccupied_thresh: 0.65\n"));
   EXPECT_EQ(unknown.occupied, (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 1}));
   GridOptions seen;

@@ -19,11 +19,13 @@ struct CurveLeg {
   double length = 0;
 };
 
+/// A curve of up to five legs, as both spaces have.
 struct Curve {
   std::array<CurveLeg, 5> legs{};
   std::size_t size = 0;
   double radius = 1;
 
+  /// One more leg, unless it has no length.
   void add(int turn, double length) {
     if (length != 0) legs[size++] = {turn, length};
   }
@@ -37,12 +39,16 @@ struct Curve {
 
 namespace detail {
 
-/// A member of the spaces that they do not show.
+/// What the space does not show.
 struct DubinsRadius : ob::DubinsStateSpace {
+  /// The turning radius.
   static double of(const ob::DubinsStateSpace& space) { return space.*(&DubinsRadius::rho_); }
+  /// Does it take the shorter one of the two ways between states?
   static bool symmetric(const ob::DubinsStateSpace& space) { return space.*(&DubinsRadius::isSymmetric_); }
 };
+/// What the space does not show.
 struct ReedsSheppRadius : ob::ReedsSheppStateSpace {
+  /// The turning radius.
   static double of(const ob::ReedsSheppStateSpace& space) { return space.*(&ReedsSheppRadius::rho_); }
 };
 
@@ -83,6 +89,7 @@ inline Curve curve_between(const ob::ReedsSheppStateSpace& space, const ob::Stat
 /// Writes pieces of a motion one after the other, into the memory of those that were there.
 class PieceWriter {
  public:
+  /// After the first `keep` pieces of the motion; `motion` must stay where it is.
   explicit PieceWriter(Motion& motion, std::size_t keep = 0) : motion_(motion), size_(keep) {}
   ~PieceWriter() {
     motion_.pieces.resize(size_);
@@ -126,6 +133,7 @@ class PieceWriter {
 /// A box around the way of a body's origin.
 struct WayBox {
   double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
+  /// A point.
   void add(double x, double y) {
     lo_x = std::min(lo_x, x);
     lo_y = std::min(lo_y, y);

@@ -30,14 +30,18 @@ class Robot {
   /// One body. Throws InputError as StaticMap::prepare() does.
   Robot(StaticMap map, const Body& body, const MapQueryOptions& options = {})
       : Robot(std::move(map), std::vector<Link>{{body}}, options) {}
+  /// Links, each after its parent. Throws InputError as MapQuery does.
   Robot(StaticMap map, std::vector<Link> links, const MapQueryOptions& options = {})
       : map_(std::move(map)), links_(std::move(links)), options_(options) {
     for (const Link& link : links_) movers_.push_back({map_.prepare(link.shape), link.parent});
     idle_.push_back(std::make_unique<Asker>(map_, movers_, options_));
   }
 
+  /// The map that was given.
   const StaticMap& map() const { return map_; }
+  /// The links that were given; of one body, one.
   const std::vector<Link>& links() const { return links_; }
+  /// How questions are asked.
   const MapQueryOptions& options() const { return options_; }
 
   /// Throws InputError unless states of that many coordinates say where the robot is.
@@ -63,6 +67,7 @@ class Robot {
 
   /// What one question needs, kept for the next one.
   struct Asker {
+    /// Used by Robot.
     Asker(const StaticMap& map, const std::vector<RobotLink>& links, const MapQueryOptions& options)
         : query(map, links, options), motions(links.size()) {}
     MapQuery query;
@@ -73,11 +78,14 @@ class Robot {
   /// An asker for the time of a question.
   class Borrowed {
    public:
+    /// One that is idle, or a new one.
     explicit Borrowed(const Robot& robot) : robot_(robot), asker_(robot.take()) {}
     ~Borrowed() { robot_.give_back(std::move(asker_)); }
     Borrowed(const Borrowed&) = delete;
     Borrowed& operator=(const Borrowed&) = delete;
+    /// The asker.
     Asker* operator->() const { return asker_.get(); }
+    /// The asker.
     Asker& operator*() const { return *asker_; }
 
    private:
@@ -125,6 +133,7 @@ class Steering {
                        "give a robot of one body");
   }
 
+  /// Is it along a car's curve?
   bool curved() const { return dubins_ || reeds_shepp_; }
 
   /// Where the links are in a state.

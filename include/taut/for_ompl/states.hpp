@@ -24,9 +24,12 @@ class StateReader {
   /// Throws InputError for spaces of anything else.
   explicit StateReader(const ob::StateSpace& space) : space_(&space) { find_angles(space); }
 
+  /// How many coordinates there are.
   std::size_t size() const { return wraps_.size(); }
+  /// Is it an angle of SO2?
   bool wraps(std::size_t coordinate) const { return wraps_[coordinate]; }
 
+  /// All coordinates of a state of the space.
   void read(const ob::State* state, std::vector<double>& out) const {
     out.clear();
     read(*space_, state, out);

@@ -1,0 +1,44 @@
+// Where a robot was found to be free.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "taut/map_query.hpp"
+
+namespace taut {
+
+/// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
+/// same number, the last one is kept.
+class FreePoses {
+ public:
+  bool has(const PoseSE2& pose) const {
+    if (poses_.empty()) return false;
+    const PoseSE2& kept = poses_[slot(pose)];
+    return kept.x == pose.x && kept.y == pose.y && kept.angle == pose.angle;
+  }
+  void add(const PoseSE2& pose) {
+    if (poses_.empty()) poses_.assign(slots, {NAN, NAN, NAN});
+    poses_[slot(pose)] = pose;
+  }
+
+ private:
+  static constexpr std::size_t slots = 4096;
+  static std::size_t slot(const PoseSE2& pose) {
+    // Not every standard library that taut is compiled with has std::bit_cast.
+    const auto bits = [](double x) {
+      std::uint64_t b = 0;
+      std::memcpy(&b, &x, sizeof b);
+      return b;
+    };
+    std::uint64_t h = bits(pose.x) * 0x9e3779b97f4a7c15u;
+    h = (h ^ (h >> 29) ^ bits(pose.y)) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 32) ^ bits(pose.angle)) * 0x94d049bb133111ebu;
+    return static_cast<std::size_t>(h >> 52);
+  }
+  std::vector<PoseSE2> poses_;
+};
+
+}  // namespace taut
