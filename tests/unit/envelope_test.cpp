@@ -229,7 +229,7 @@ bool overlaps_at(const Linkage& linkage, const Values& values, Touch touch) {
 
 TEST(Envelope, OfRandomLinkages) {
   int free = 0, colliding = 0;
-  for (std::uint64_t seed = 5000; seed < 5000 + effort(60); ++seed) {
+  for (std::uint64_t seed = 5000; seed < 5000 + effort(400); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomLinkage random(seed);
     const Linkage& linkage = random.linkage();
