@@ -73,7 +73,7 @@ def test_errors():
     with pytest.raises(taut2d.InputError) as caught:
         taut2d.Scene.from_json(slider().to_json())
     assert "envelope" in str(caught.value)
-    limited = taut2d.envelope(slider(), max_seconds=0)
+    limited = taut2d.envelope(taut2d.Linkage.load(examples / "lift.json"), max_seconds=0)
     assert limited.outcome == "undecided" and limited.reason
 
 
