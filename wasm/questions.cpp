@@ -73,11 +73,11 @@ AskOptions read_options(const std::string& text) {
   return options;
 }
 
-std::string proved(const Scene& scene, const CheckOptions& options, std::string& proof_log) {
+std::string proved(const Scene& scene, const CheckOptions& options, std::string& made_log) {
   std::ostringstream log;
   const Answer answer = prove(scene, log, options);
   const bool proof = answer.outcome == Outcome::free || answer.contact || answer.free_until > scene.start;
-  proof_log = proof ? log.str() : std::string();
+  made_log = proof ? log.str() : std::string();
   return answer_json(scene, answer, options.touch);
 }
 
@@ -89,6 +89,7 @@ std::string verified(const Scene& scene, const std::string& log, const CheckOpti
     std::string s = std::string("{\"valid\":true,\"outcome\":\"") + to_string(v.outcome) +
                     "\",\"free_until\":" + io::number_text(v.free_until);
     if (v.contact) s += io::contact_json(scene, *v.contact);
+    if (v.clearance > 0) s += io::proved_clearance_json(scene, v);
     return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"scene_sha256\":\"" + to_hex(v.fingerprint) + "\"}";
   } catch (const ProofError& error) {
     return "{\"valid\":false,\"reason\":" + io::string_text(error.what()) + "}";
