@@ -1,7 +1,8 @@
 #include "spacetime/approach.hpp"
 
+#include <utility>
+
 #include "base/errors.hpp"
-#include "numeric/root_isolation.hpp"
 #include "sign/closeness.hpp"
 
 namespace taut::spacetime {
@@ -71,45 +72,37 @@ void store_approach(const PreciseTime& t, Approach& a) {
   a.hi = t.ceiling();
 }
 
-/// Asks at one precision after the other until one can tell.
+/// The answer of the first stage that has one.
 template <class Ask>
-auto at_some_stage(const char* what, const Ask& ask) {
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    try {
-      return ask(stage);
-    } catch (const PrecisionExhausted&) {
-    }
-  }
-  throw Undecidable{what};
+auto decided(const char* what, const Ask& ask) {
+  auto found = at_some_stage(ask);
+  if (!found) throw Undecidable{what};
+  return std::move(*found);
 }
 
 }  // namespace
 
 std::optional<Approach> PreciseApproaches::first(const VertexPeer& pair, double from, double to) const {
-  return at_some_stage("whether two bodies come as close as the clearance", [&](int stage) {
-    return with_stage(stage, [&](auto zero) {
-      using Real = decltype(zero);
-      return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
-        std::optional<Approach> found;
-        if (const auto root = first_root<Real>(f, counts, from, to)) {
-          found.emplace();
-          found->pair = pair;
-          store_approach({RealMax(root->lo), RealMax(root->hi), stage}, *found);
-        }
-        return found;
-      });
+  return decided("whether two bodies come as close as the clearance", [&](auto zero, int stage) {
+    using Real = decltype(zero);
+    return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
+      std::optional<Approach> found;
+      if (const auto root = first_root<Real>(f, counts, from, to)) {
+        found.emplace();
+        found->pair = pair;
+        store_approach({RealMax(root->lo), RealMax(root->hi), stage}, *found);
+      }
+      return found;
     });
   });
 }
 
 bool PreciseApproaches::close_at(const VertexPeer& pair, double t) const {
-  return at_some_stage("whether two bodies are closer than the clearance", [&](int stage) {
-    return with_stage(stage, [&](auto zero) {
-      using Real = decltype(zero);
-      return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
-        const Ball<Real> at = Ball<Real>::exact(t);
-        return is_close(f, at) && counts(at);
-      });
+  return decided("whether two bodies are closer than the clearance", [&](auto zero, int) {
+    using Real = decltype(zero);
+    return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
+      const Ball<Real> at = Ball<Real>::exact(t);
+      return is_close(f, at) && counts(at);
     });
   });
 }
