@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "check/apart_writer.hpp"
@@ -335,145 +333,6 @@ TEST(SeparationLogs, OfBodiesThatCrossAtTheStart) {
       EXPECT_NE(std::string(error.what()).find("overlap at the start"), std::string::npos) << error.what();
     }
   }
-}
-
-struct ClearanceCounts {
-  int free = 0, closer = 0;
-};
-
-void expect_clearance_proved(const Scene& scene, double clearance, Touch touch, ClearanceCounts& counts) {
-  std::ostringstream out;
-  CheckOptions options;
-  options.touch = touch;
-  const MarginAnswer answer = prove_clearance(scene, clearance, out, options);
-  const MarginAnswer asked = check_clearance(scene, clearance, options);
-  ASSERT_STREQ(to_string(answer.outcome), to_string(asked.outcome)) << answer.reason;
-  if (answer.outcome == Outcome::overlap_at_start) {
-    EXPECT_TRUE(out.str().empty());
-    return;
-  }
-  std::istringstream in(out.str());
-  const Verified v = verify(scene, in);
-  ASSERT_STREQ(to_string(v.outcome), to_string(answer.outcome));
-  EXPECT_EQ(v.clearance, clearance);
-  EXPECT_FALSE(v.contact);
-  if (v.outcome == Outcome::free) {
-    ++counts.free;
-    EXPECT_EQ(v.free_until, scene.end);
-    return;
-  }
-  ++counts.closer;
-  ASSERT_TRUE(v.closer);
-  EXPECT_EQ(v.closer->features.vertex, answer.first->features->vertex);
-  EXPECT_EQ(v.closer->time.lo, answer.first->time.lo);
-  EXPECT_GE(v.closer->time.hi, answer.first->time.lo);
-  EXPECT_LE(v.closer->time.hi - v.closer->time.lo, 1e-6 * (scene.end - scene.start));
-}
-
-TEST(ClearanceLogs, CertifiedWorlds) {
-  if (!std::filesystem::exists("../shared/worlds")) GTEST_SKIP() << "the worlds with certified answers are not here";
-  ClearanceCounts counts;
-  for (const auto& entry : std::filesystem::directory_iterator("../shared/worlds")) {
-    const std::string file = entry.path().string(), suffix = ".answer.json";
-    if (file.size() < suffix.size() || file.substr(file.size() - suffix.size()) != suffix) continue;
-    std::ifstream stream(entry.path());
-    const nlohmann::json answer = nlohmann::json::parse(stream);
-    if (!answer.contains("margin")) continue;
-    SCOPED_TRACE(file);
-    const Scene scene = read_scene(file.substr(0, file.size() - suffix.size()) + ".json");
-    for (const Touch touch : {Touch::open, Touch::closed})
-      expect_clearance_proved(scene, answer["margin"]["clearance"], touch, counts);
-  }
-  std::cout << counts.free << " clearances that are kept, " << counts.closer << " that are not\n";
-  EXPECT_GE(counts.free + counts.closer, 100);
-}
-
-TEST(ClearanceLogs, RandomWorlds) {
-  ClearanceCounts counts;
-  for (std::uint64_t seed = 8100; seed < 8100 + effort(60); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scene scene = scene_of(random_world(seed));
-    const Clearance least = clearance(scene);
-    if (!least.nearest || least.nearest->hi <= 0) continue;
-    const double share = seed % 3 == 0 ? 0.9999 : seed % 3 == 1 ? 0.7 : 1.01;
-    expect_clearance_proved(scene, least.nearest->hi * share, seed % 2 ? Touch::open : Touch::closed, counts);
-  }
-  EXPECT_GE(counts.free, static_cast<int>(enough(5)));
-  EXPECT_GE(counts.closer, static_cast<int>(enough(2)));
-}
-
-/// A log with its margin, one of its bytes, or its claim changed: what it still proves is true.
-TEST(ClearanceLogs, DamagedOnes) {
-  Scene scene;
-  scene.end = 4;
-  scene.bodies = {{"rests", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {}},
-                  {"passes", {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}, {}}};
-  MotionPiece piece;
-  piece.x = {-4, 2};
-  piece.y = {3};
-  piece.rotation = AngleRotation{{0, 0.3}};
-  scene.bodies[1].motion.pieces = {piece};
-  const double least = clearance(scene).nearest->lo;
-  Rng rng(9);
-  int accepted = 0, refused = 0;
-  for (const double share : {0.9, 1.1}) {
-    std::ostringstream out;
-    const MarginAnswer answer = prove_clearance(scene, least * share, out);
-    ASSERT_STREQ(to_string(answer.outcome), share < 1 ? "free" : "contact");
-    const std::string log = out.str();
-    for (std::uint64_t n = effort(1500); n > 0; --n) {
-      std::string bytes = log.substr(0, log.size() - 8);
-      char& byte = bytes[41 + static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size()) - 41))];
-      byte = static_cast<char>(byte ^ (1 << rng.below(8)));
-      std::istringstream in(sealed(bytes));
-      try {
-        const Verified v = verify(scene, in);
-        ++accepted;
-        // Less is proved, or the same.
-        if (v.outcome == Outcome::free) {
-          EXPECT_LE(v.clearance, least * (1 + 1e-9));
-        } else if (v.closer) {
-          EXPECT_GE(v.clearance, least * (1 - 1e-9));
-          CheckOptions options;
-          const MarginAnswer truth = check_clearance(scene, v.clearance, options);
-          ASSERT_NE(truth.outcome, Outcome::free);
-          if (truth.outcome == Outcome::contact) {
-            EXPECT_LE(v.closer->time.lo, truth.first->time.hi);
-            EXPECT_GE(v.closer->time.hi, truth.first->time.lo);
-          }
-        }
-      } catch (const ProofError&) {
-        ++refused;
-      }
-    }
-  }
-  std::cout << accepted << " damaged logs still prove something, " << refused << " are refused\n";
-  EXPECT_GT(refused, accepted / 2);
-}
-
-/// Bodies that cross at the start keep any distance between vertices and edges.
-TEST(ClearanceLogs, OfBodiesThatCrossAtTheStart) {
-  Scene scene;
-  scene.end = 1;
-  scene.bodies = {{"lies", {{-5, -1}, {5, -1}, {5, 1}, {-5, 1}}, {}},
-                  {"stands", {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}}, {}}};
-  const WorldPlan plan(scene);
-  const double clearance = 0.125, margin = std::ldexp(clearance, plan.exponent());
-  proof::ProvedWorld world(plan, true, margin);
-  const proof::ProvedPair& pair = world.pair(0, 1);
-  std::string steps(1, '\1');
-  proof::Lifetimes lifetimes(pair.geometry);
-  lifetimes.enter(pair.legs[0]);
-  ApartWriter(pair.ranges, lifetimes, std::nullopt, steps, margin).write(0, 1);
-  std::ostringstream log;
-  proof::ByteWriter out(log);
-  proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, Touch::open), Touch::open,
-                            static_cast<std::uint8_t>(proof::Claim::free) | proof::with_clearance});
-  out.f64(clearance);
-  for (const char c : steps) out.u8(static_cast<std::uint8_t>(c));
-  out.close();
-  std::istringstream in(log.str());
-  EXPECT_THROW(verify(scene, in), ProofError);
 }
 
 TEST(SeparationLogs, IgnoredPairsArePartOfTheScene) {
