@@ -69,13 +69,23 @@ struct RealTraits<BinaryFloat<Bits>> {
   static constexpr int bits = static_cast<int>(Bits);
   /// Twice the true unit roundoff: nothing is lost by being generous.
   static double unit() { return power_of_two(1 - bits); }
-  /// An upper bound of |x|, at most twice too large from 2^-1020 on; 2^-1018 for what is smaller.
+  /// An upper bound of |x|: by its first 32 bits from 2^-990 on, so that products of wide balls do not grow; at most
+  /// twice too large from 2^-1020 on; 2^-1018 for what is smaller.
   static double magnitude(const Real& x) {
     if (x.is_zero()) return 0;
     const auto e = x.backend().exponent();
     if (e > 1000) return std::numeric_limits<double>::infinity();
     if (e < -1020) return 0x1p-1018;
-    return power_of_two(static_cast<int>(e) + 1);
+    if (e < -990) return power_of_two(static_cast<int>(e) + 1);
+    return (static_cast<double>(first_bits(x)) + 1) * power_of_two(static_cast<int>(e) - 31);
+  }
+  /// The 32 highest bits of the mantissa, the first of which is set.
+  static std::uint32_t first_bits(const Real& x) {
+    const auto& mantissa = x.backend().bits();
+    using Limb = std::remove_cvref_t<decltype(*mantissa.limbs())>;
+    constexpr int limb_bits = std::numeric_limits<Limb>::digits;
+    static_assert(bits % limb_bits == 0 && limb_bits >= 32, "the highest limb is full");
+    return static_cast<std::uint32_t>(mantissa.limbs()[mantissa.size() - 1] >> (limb_bits - 32));
   }
   /// Exact. Boost's own conversion goes by small steps.
   static Real from_double(double x) {

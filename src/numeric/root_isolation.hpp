@@ -85,10 +85,10 @@ class Progress {
 
 /// The first root in (a, b] at which the sign changes from `sign`, which holds just after a.
 /// Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted.
-/// The idea: exclude the sign change over an interval, or certify monotonicity, or cut in two.
+/// The idea: exclude the sign change over an interval, or certify monotonicity, or cut in two, `budget` times at most.
 template <class Real, class Function, class Cut = Halves>
 std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b,
-                                                     const Cut& cut = {}) {
+                                                     const Cut& cut = {}, int budget = 200000) {
   using B = Ball<Real>;
   // Depth first from the left: `lo` is where everything before is done, `ends` the right ends of what is left. The
   // buffer outlives the call, so that the event loop allocates nothing.
@@ -98,7 +98,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   const double tiny =
       unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
   Progress progress;
-  for (int budget = 200000; !ends.empty(); --budget) {
+  for (; !ends.empty(); --budget) {
     if (budget == 0) throw PrecisionExhausted{};
     interruption_point();
     const Real hi = ends.back();

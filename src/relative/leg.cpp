@@ -378,18 +378,20 @@ template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t) {
   return motion_frame<ModelSeries<Real>>(leg, t);
 }
-#define TAUT_INSTANTIATE(Real)                                            \
-  template Frame<Real> frame(const Leg&, const Ball<Real>&);              \
-  template Frame<Real> frame(const Leg&, const TimeFromEnd<Real>&);       \
-  template FrameValues<Real> frame_values(const Leg&, const Ball<Real>&); \
-  template FrameOf<ModelSeries<Real>> frame_series(const Leg&, const Ball<Real>&);
+template <class Real>
+FrameOf<SeriesFromEnd<Real>> frame_series(const Leg& leg, const TimeFromEnd<Real>& t) {
+  return motion_frame<SeriesFromEnd<Real>>(leg, t);
+}
+#define TAUT_INSTANTIATE(Real)                                                     \
+  template Frame<Real> frame(const Leg&, const Ball<Real>&);                       \
+  template Frame<Real> frame(const Leg&, const TimeFromEnd<Real>&);                \
+  template FrameValues<Real> frame_values(const Leg&, const Ball<Real>&);          \
+  template FrameOf<ModelSeries<Real>> frame_series(const Leg&, const Ball<Real>&); \
+  template FrameOf<SeriesFromEnd<Real>> frame_series(const Leg&, const TimeFromEnd<Real>&);
 TAUT_INSTANTIATE(double)
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
-FrameOf<ModelSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t) {
-  return motion_frame<ModelSeries<Real320>>(leg, t);
-}
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
   return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
 }

@@ -31,6 +31,10 @@ using FrameValues = FrameOf<Ball<Real>>;
 inline constexpr int model_degree = 9;
 template <class Real>
 using ModelSeries = Series<Real, model_degree>;
+/// In s a function that vanishes to order m in time does to order 2 m: it takes more terms to see that.
+inline constexpr int last_from_end = 16;
+template <class Real>
+using SeriesFromEnd = Series<Real, last_from_end>;
 
 /// A constant vector known exactly as two doubles per coordinate; three where there are pivots.
 struct ExactVector {
@@ -112,7 +116,8 @@ FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t);
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t);
 /// and in s about a place near a singular end.
-FrameOf<ModelSeries<Real320>> frame_series(const Leg& leg, const TimeFromEnd<Real320>& t);
+template <class Real>
+FrameOf<SeriesFromEnd<Real>> frame_series(const Leg& leg, const TimeFromEnd<Real>& t);
 
 /// For the bodies' own coordinates, without the offsets: comparable between legs.
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);

@@ -35,13 +35,22 @@ class PreciseFunction {
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
-  /// As a polynomial in s that is right for all s from the end to `farthest`: Taylor's formula about the end.
+  /// Taylor's formula in s about a singular end: the terms, but for the last one,
+  BallPolynomial<Real> terms_from_end(double end, double direction) const {
+    const auto f = frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
+    BallPolynomial<Real> sum;
+    for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
+    return sum;
+  }
+  /// and the last one, which makes it right for all s from the end to `farthest`.
+  Ball<Real> last_term_from_end(double end, double direction, const Ball<Real>& farthest) const {
+    const Ball<Real> over = hull(Ball<Real>::exact(0), farthest);
+    return coefficient_of(frame_series(leg_, TimeFromEnd<Real>{end, direction, over}), last_from_end);
+  }
   BallPolynomial<Real> from_end(double end, double direction, const Ball<Real>& farthest) const {
-    const FrameOf<ModelSeries<Real>> at_end =
-        frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
-    const FrameOf<ModelSeries<Real>> over =
-        frame_series(leg_, TimeFromEnd<Real>{end, direction, hull(Ball<Real>::exact(0), farthest)});
-    return taylor_polynomial(at_end, over);
+    BallPolynomial<Real> p = terms_from_end(end, direction);
+    p.push_back(last_term_from_end(end, direction, farthest));
+    return p;
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
@@ -58,14 +67,16 @@ class PreciseFunction {
   BallPolynomial<Real> taylor_polynomial(const FrameOf<ModelSeries<Real>>& middle,
                                          const FrameOf<ModelSeries<Real>>& over) const {
     BallPolynomial<Real> sum;
-    for (int k = 0; k <= model_degree; ++k) {
-      const FrameOf<ModelSeries<Real>>& from = k < model_degree ? middle : over;
-      const std::array<ModelSeries<Real>, 5>& f = pp_ ? from.for_pp : from.for_qq;
-      Ball<Real> c = f[0].c[k] * coefficients_[0];
-      for (std::size_t i = 1; i < 5; ++i) c = c + f[i].c[k] * coefficients_[i];
-      sum.push_back(c);
-    }
+    for (std::size_t k = 0; k < model_degree; ++k) sum.push_back(coefficient_of(middle, k));
+    sum.push_back(coefficient_of(over, model_degree));
     return sum;
+  }
+  template <int N>
+  Ball<Real> coefficient_of(const FrameOf<Series<Real, N>>& frame, std::size_t k) const {
+    const std::array<Series<Real, N>, 5>& f = pp_ ? frame.for_pp : frame.for_qq;
+    Ball<Real> c = f[0].c[k] * coefficients_[0];
+    for (std::size_t i = 1; i < 5; ++i) c = c + f[i].c[k] * coefficients_[i];
+    return c;
   }
   /// The range by a polynomial of high degree. Near a root of order m ranges have to shrink like h^m, but those of the
   /// five terms, which cancel there, shrink like h; the coefficients of the polynomial have cancelled already. A search

@@ -1,5 +1,7 @@
 #include "sign/precise_triple.hpp"
 
+#include <array>
+
 #include "base/errors.hpp"
 #include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
@@ -60,31 +62,67 @@ class SearchFromEnd {
   }
 
  private:
-  /// A polynomial in s.
-  struct Expanded {
-    BallPolynomial<Real> p;
-    Jet<Real> operator()(const Ball<Real>& s) const { return polynomial_range(p, s); }
-    Ball<Real> value(const Ball<Real>& s) const { return polynomial_value(p, s); }
+  /// The function by its Taylor polynomials about the end: one for each range of magnitudes of s, made when it is asked
+  /// for, so that what it leaves out is small beside the first terms, by which ties are decided. Ranges of the function
+  /// itself are far worse there, where terms cancel; far from the end they are the better ones.
+  class Expanded {
+   public:
+    Expanded(const SearchFromEnd& whole, const Real& farthest)
+        : whole_(whole), farthest_(whole.direction_ > 0 ? farthest : Real(-farthest)) {}
+
+    Jet<Real> operator()(const Ball<Real>& s) const {
+      const Jet<Real> near_end = polynomial_range(about_end(s), s);
+      if (near_end.v.sign() != 0 || near_end.d.sign() != 0) return near_end;
+      const Jet<Real> direct = whole_(s);
+      return direct.v.sign() != 0 || direct.d.sign() != 0 ? direct : near_end;
+    }
+    Ball<Real> value(const Ball<Real>& s) const {
+      const Ball<Real> near_end = polynomial_value(about_end(s), s);
+      return near_end.sign() != 0 ? near_end : whole_(s).v;
+    }
+
+   private:
+    BallPolynomial<Real> about_end(const Ball<Real>& s) const {
+      const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
+      std::size_t level = 0;
+      Real farthest = farthest_;
+      while (level + 1 < levels && reach < farthest * step) {
+        farthest = farthest * step;
+        ++level;
+      }
+      if (!terms_) terms_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
+      if (!last_[level]) {
+        const Ball<Real> to(whole_.direction_ > 0 ? farthest : Real(-farthest), 0.0);
+        last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, to);
+      }
+      BallPolynomial<Real> p = *terms_;
+      p.push_back(*last_[level]);
+      return p;
+    }
+
+    static constexpr std::size_t levels = 24;  ///< beyond them the last one does
+    static constexpr double step = 0x1p-4;
+
+    const SearchFromEnd& whole_;
+    Real farthest_;  ///< from the end
+    mutable std::optional<BallPolynomial<Real>> terms_;
+    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ
   };
 
-  /// By the Taylor polynomial about the end, whose first terms are what ties are decided by; its ranges over orders of
-  /// magnitude are far better than the function's own. That one is asked where the polynomial leaves out too much.
+  /// In doubles it succeeds soon, or terms that cancel are all that it sees.
+  static constexpr int few = 100;
   std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
-    if constexpr (std::is_same_v<Real, Real320>) {
-      try {
-        const Expanded near_end{f_.from_end(end_, direction_, Ball<Real>(direction_ > 0 ? b : a, 0.0))};
-        return first_sign_change<Real>(near_end, sign, a, b, Magnitudes{});
-      } catch (const PrecisionExhausted&) {
-      }
+    if constexpr (!std::is_same_v<Real, double>) {
+      return first_sign_change<Real>(Expanded(*this, direction_ > 0 ? b : a), sign, a, b, Magnitudes{});
+    } else {
+      return first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
     }
-    return first_sign_change<Real>(*this, sign, a, b, Magnitudes{});
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
     if (t == RealMax(end_)) return Ball<Real>::exact(0);
-    const Ball<RealMax> root = sqrt((Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_);
-    Ball<Real> s(Real(root.mid * RealMax(direction_)), 0.0);
-    s.rad = detail::inflate(root.rad + RealTraits<RealMax>::magnitude(root.mid) * (4 * unit_roundoff<Real>()));
-    return s;
+    const Ball<RealMax> distance = (Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_;
+    const double rounded = RealTraits<RealMax>::magnitude(distance.mid) * (4 * unit_roundoff<Real>());
+    return sqrt(Ball<Real>(Real(distance.mid), detail::inflate(distance.rad + rounded))) * direction_;
   }
   Ball<RealMax> time_at(const Real& s) const {
     const Ball<RealMax> exact(RealMax(s), 0.0);
@@ -95,13 +133,25 @@ class SearchFromEnd {
   double end_, direction_;
 };
 
+/// How near to a singular end of the leg a search is made from there.
+double reach_of_end(const Leg& leg) { return (leg.end - leg.start) / 16; }
+
 /// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
 /// motion is smooth enough over [from, to].
 int singular_end(const Leg& leg, const PreciseTime& from, double to) {
-  const double near = (leg.end - leg.start) / 16;
-  if (to - leg.start <= near && leg.singular_at(leg.start)) return 1;
-  if (leg.end - from.floor() <= near && leg.singular_at(leg.end)) return -1;
+  if (to <= leg.start + reach_of_end(leg) && leg.singular_at(leg.start)) return 1;
+  if (from.floor() >= leg.end - reach_of_end(leg) && leg.singular_at(leg.end)) return -1;
   return 0;
+}
+
+/// Where a search from `from` to `to` comes near a singular end, or leaves it: there it is made in two parts.
+std::optional<double> division(const Leg& leg, const PreciseTime& from, double to) {
+  for (const bool at_start : {true, false}) {
+    if (!leg.singular_at(at_start ? leg.start : leg.end)) continue;
+    const double cut = at_start ? leg.start + reach_of_end(leg) : leg.end - reach_of_end(leg);
+    if (from.ceiling() < cut && cut < to) return cut;
+  }
+  return std::nullopt;
 }
 
 /// Nothing if this precision does not tell.
@@ -169,6 +219,10 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
 
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
   if (const LineFailure line = line_failure(sign, from, to); line.known) return line.time;
+  if (const auto cut = division(leg_, from, to)) {
+    if (auto first = first_failure(sign, from, *cut)) return first;
+    return first_failure(sign, PreciseTime::between(*cut, *cut), to);
+  }
   const int end = singular_end(leg_, from, to);
   if (end != 0 && from.stage <= 0) {
     // In the distance's root the motion is so smooth that doubles nearly always do.

@@ -4,26 +4,17 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
 
 namespace taut::spacetime {
 namespace {
 
-/// A pair's three functions.
-template <class Real>
-struct Functions {
-  PreciseFunction<Real> line, from_start, from_end;
-
-  Functions(const Leg& leg, const PairGeometry& g, const VertexEdge& pair)
-      : line(leg, g, pair.line(g)), from_start(leg, g, pair.from_start(g)), from_end(leg, g, pair.from_end(g)) {}
-
-  Beside beside(const Ball<Real>& t) const {
-    const int a = from_start(t).v.sign(), b = from_end(t).v.sign();
-    if (a < 0 || b < 0) return Beside::no;
-    return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
+int sign_at(const PreciseTriple& f, const PreciseTime& t) {
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (const int sign = f.sign_at(t, stage)) return sign;
   }
-};
+  throw Undecidable{"whether a vertex crosses an edge"};
+}
 
 void store(const PreciseTime& t, Crossing& c) {
   c.precise = t;
@@ -31,44 +22,24 @@ void store(const PreciseTime& t, Crossing& c) {
   c.hi = t.ceiling();
 }
 
-/// Goes from root to root until one is a contact.
-template <class Real>
-std::optional<Crossing> first_at(const Leg& leg, const PairGeometry& g, const VertexEdge& pair, Ways ways, double from,
-                                 double to, int stage) {
-  const Functions<Real> f(leg, g, pair);
-  Real at(from);
-  int sign = f.line(Ball<Real>(at, 0.0)).v.sign();
-  if (sign == 0) throw PrecisionExhausted{};
-  for (;;) {
-    auto root = first_sign_change<Real>(f.line, sign, at, Real(to));
-    if (!root) return std::nullopt;
-    taut::refine(f.line, sign, *root);
-    const Beside beside = f.beside(Ball<Real>::between(root->lo, root->hi));
-    if (beside == Beside::unknown) throw PrecisionExhausted{};
-    if (beside == Beside::yes && (sign < 0 || ways == Ways::both)) {
-      Crossing c;
-      c.pair = pair;
-      c.out = sign > 0;
-      store({RealMax(root->lo), RealMax(root->hi), stage}, c);
-      return c;
-    }
-    at = root->hi;
-    sign = -sign;
-  }
-}
-
 }  // namespace
 
+/// Goes from root to root of the line's function until one is a contact.
 std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double from, double to) {
   ++calls_;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    try {
-      return with_stage(
-          stage, [&](auto zero) { return first_at<decltype(zero)>(leg_, geometry_, pair, ways_, from, to, stage); });
-    } catch (const PrecisionExhausted&) {
-    }
+  const PreciseTriple line(leg_, geometry_, pair.line(geometry_));
+  PreciseTime at = PreciseTime::between(from, from);
+  for (int sign = sign_at(line, at);; sign = -sign) {
+    const std::optional<PreciseTime> root = line.first_failure(sign, at, to);
+    if (!root) return std::nullopt;
+    Crossing c;
+    c.pair = pair;
+    c.out = sign > 0;
+    store(*root, c);
+    // One that leads out, where those are not looked for, may be beside the edge or not.
+    if ((sign < 0 || ways_ == Ways::both) && beside(c, sign) == Beside::yes) return c;
+    at = c.precise;
   }
-  throw Undecidable{"whether a vertex crosses an edge"};
 }
 
 /// What a stage cannot improve stays as it is.
