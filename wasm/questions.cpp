@@ -1,6 +1,7 @@
 #include "questions.hpp"
 
 #include <initializer_list>
+#include <limits>
 #include <sstream>
 
 #include "base/interruption.hpp"
@@ -21,7 +22,7 @@ namespace {
 /// What may be asked with a question.
 struct AskOptions {
   CheckOptions check;
-  double tolerance = 1e-9, from = 0, clearance = 0;
+  double tolerance = 1e-9, from = 0, clearance = 0, travel = std::numeric_limits<double>::infinity();
   int instants = 101;
 };
 
@@ -44,10 +45,10 @@ void read_choice(const io::JsonDocument& document, const io::JsonObject& object,
 
 AskOptions read_options(const std::string& text) {
   const io::JsonDocument document = io::parse_json(text, "options", "{}");
-  const io::JsonObject object(
-      document, 0, "",
-      {"touch", "engine", "maxSeconds", "maxEvents", "allPairs", "tolerance", "from", "clearance", "instants"},
-      R"({"touch": "closed", "maxSeconds": 5})");
+  const io::JsonObject object(document, 0, "",
+                              {"touch", "engine", "maxSeconds", "maxEvents", "allPairs", "tolerance", "from",
+                               "clearance", "instants", "travel"},
+                              R"({"touch": "closed", "maxSeconds": 5})");
   AskOptions options;
   read_choice(document, object, "touch", options.check.touch, {Touch::open, Touch::closed});
   read_choice(document, object, "engine", options.check.engine,
@@ -62,6 +63,7 @@ AskOptions read_options(const std::string& text) {
   options.tolerance = number("tolerance", 1e-9);
   options.from = number("from", 0);
   options.clearance = number("clearance", 0);
+  options.travel = number("travel", options.travel);
   const double instants = number("instants", 101);
   if (!(instants >= 2 && instants <= 1000000))
     throw InputError("instants", "there are too few or too many", "give 2 to 1000000");
@@ -117,6 +119,7 @@ std::string profile_of(const Scene& scene, const AskOptions& options) {
 
 std::string separation_of(const Scene& scene, const AskOptions& options) {
   SeparateOptions how;
+  how.travel = options.travel;
   how.max_seconds = options.check.max_seconds;
   return separation_json(scene, separate(scene, how));
 }

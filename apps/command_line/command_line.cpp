@@ -6,6 +6,17 @@
 #include <optional>
 
 namespace taut::cli {
+namespace {
+
+/// CLI11's own checks name all of the range, which has 300 digits.
+std::string number_fault(const std::string& text, bool zero_allowed) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
+  if (value > 0 || (zero_allowed && value == 0)) return {};
+  return "'" + text + "' is not " + (zero_allowed ? "0 or more" : "more than 0");
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -20,11 +31,11 @@ Option& Option::within(int low, int high) {
   return *this;
 }
 Option& Option::positive() {
-  option_->check(CLI::PositiveNumber);
+  option_->check([](const std::string& text) { return number_fault(text, false); });
   return *this;
 }
 Option& Option::not_negative() {
-  option_->check(CLI::NonNegativeNumber);
+  option_->check([](const std::string& text) { return number_fault(text, true); });
   return *this;
 }
 Option& Option::existing_folder() {

@@ -25,20 +25,18 @@ double middle_of(const DirectionInterval& d) { return d.lo + (d.hi - d.lo) / 2; 
 
 std::string name_of_body(const Scene& scene, BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; }
 
-std::string ends_text(const Scene& scene, const std::array<VertexRef, 2>& vertices) {
-  return vertex_text(scene, vertices[0]) + " comes to " + vertex_text(scene, vertices[1]);
+std::string end_text(const Scene& scene, const std::optional<std::array<VertexRef, 2>>& vertices,
+                     const std::optional<VertexAtEdge>& reach) {
+  if (vertices) return vertex_text(scene, (*vertices)[0]) + " comes to " + vertex_text(scene, (*vertices)[1]);
+  return "the travel ends where " + vertex_text(scene, reach->vertex) + " comes to " + edge_text(scene, reach->edge);
 }
 
 std::string arc_in_words(const Scene& scene, const DirectionArc& arc) {
-  if (arc.point)
-    return fmt::format("    exactly {:.9g} deg: {}, {}\n", middle_of(arc.from), ends_text(scene, *arc.from_vertices),
-                       ends_text(scene, *arc.to_vertices));
-  std::string text = fmt::format("    from {:.9g} to {:.9g} deg\n", middle_of(arc.from), middle_of(arc.to));
-  if (arc.from_vertices)
-    text += fmt::format("      at {:.9g}: {}\n", middle_of(arc.from), ends_text(scene, *arc.from_vertices));
-  if (arc.to_vertices)
-    text += fmt::format("      at {:.9g}: {}\n", middle_of(arc.to), ends_text(scene, *arc.to_vertices));
-  return text;
+  const auto from = [&] { return end_text(scene, arc.from_vertices, arc.from_reach); };
+  const auto to = [&] { return end_text(scene, arc.to_vertices, arc.to_reach); };
+  if (arc.point) return fmt::format("    exactly {:.9g} deg: {}, {}\n", middle_of(arc.from), from(), to());
+  return fmt::format("    from {:.9g} to {:.9g} deg\n      at {:.9g}: {}\n      at {:.9g}: {}\n", middle_of(arc.from),
+                     middle_of(arc.to), middle_of(arc.from), from(), middle_of(arc.to), to());
 }
 
 std::string directions_in_words(const Scene& scene, const BodyDirections& body) {
@@ -92,6 +90,11 @@ void add_separate(const Command& app, Action& action) {
   const Command command = app.add_command("separate", "Say in which directions bodies come apart, and in which order");
   const auto arguments = std::make_shared<SeparateArguments>();
   add_scene(command, arguments->scene);
+  command
+      .add_option("--travel", arguments->options.travel,
+                  "move bodies as far as S, in the scene's units (without: any distance)")
+      .value("S")
+      .positive();
   command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
       .value("S")
       .not_negative();
@@ -102,9 +105,9 @@ void add_separate(const Command& app, Action& action) {
       "Example:\n"
       "  taut separate --json scene.json\n"
       "\n"
-      "Bodies stand as at the start; each is moved straight, any distance, and must overlap nothing on the way. Of "
-      "two\n"
-      "bodies, the second one moves. Exit codes: 0 they come apart, 1 they do not, or overlap, 2 bad input,\n"
+      "Bodies stand as at the start; each is moved straight, as far as the travel, and must overlap nothing on the\n"
+      "way. Of two bodies, the second one moves. Exit codes: 0 they come apart, 1 they do not, or overlap, 2 bad "
+      "input,\n"
       "3 undecided, 4 internal error.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_separate(*arguments); }; });
 }

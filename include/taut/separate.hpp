@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,14 +16,21 @@ struct DirectionInterval {
   double lo = 0, hi = 0;
 };
 
+/// A vertex of one body that comes to an edge of the other just where the travel ends.
+struct VertexAtEdge {
+  VertexRef vertex;
+  EdgeRef edge;
+};
+
 /// A maximal closed arc of directions, counterclockwise from `from` to `to`.
 struct DirectionArc {
   DirectionInterval from, to;
   /// A single direction, as far as doubles can tell: a slot that fits exactly.
   bool point = false;
-  /// What ends the arc: in that direction, a vertex of the moving body comes to a vertex of another one. Absent if the
-  /// arc is all directions.
+  /// What ends the arc: in that direction, a vertex of the moving body comes to a vertex of another one,
   std::optional<std::array<VertexRef, 2>> from_vertices, to_vertices;
+  /// or the travel ends just there. None of these if the arc is all directions.
+  std::optional<VertexAtEdge> from_reach, to_reach;
 };
 
 /// Where one body can go by itself.
@@ -54,6 +62,8 @@ struct Separation {
 
 /// How to ask.
 struct SeparateOptions {
+  /// How far bodies move, in the scene's units; > 0. Infinite: any distance.
+  double travel = std::numeric_limits<double>::infinity();
   double max_seconds = 1e300;
   const std::atomic<bool>* stop = nullptr;
 };
@@ -64,7 +74,8 @@ struct SeparateOptions {
 ///
 /// A direction is blocked by two edges if it leads from a point within the one to a point within the other, so the
 /// blocked directions are a union of open arcs between differences of vertices; which of two differences comes first is
-/// decided exactly. Decided by exact signs; degrees are enclosed. Throws InputError.
+/// decided exactly. Decided by exact signs; degrees are enclosed. With a travel that ends, one at whose end bodies only
+/// touch is free. Throws InputError.
 Separation separate(const Scene& scene, const SeparateOptions& options = {});
 
 }  // namespace taut

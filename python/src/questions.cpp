@@ -140,9 +140,10 @@ std::string check_clearance(const SceneText& text, double clearance, const RunOp
   });
 }
 
-std::string separate(const SceneText& text, const RunOptions& options) {
+std::string separate(const SceneText& text, std::optional<double> travel, const RunOptions& options) {
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     taut::SeparateOptions how;
+    how.travel = travel.value_or(how.travel);
     how.max_seconds = check_options(options, stop).max_seconds;
     how.stop = &stop;
     const taut::Scene scene = text.read();

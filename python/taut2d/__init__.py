@@ -46,7 +46,8 @@ from .maps import Mover, StaticMap
 from .many import Outcome, answer_dtype, check_many
 from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
                       Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
-from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, separation_from_json
+from .directions import (BodyDirections, DirectionArc, RemovalStep, Separation, VertexAtEdge,
+                         separation_from_json)
 from .options import run_options, scene_text, seconds
 from .parts import GeojsonFile, Part, WktFile
 from .pictures import Pose
@@ -67,9 +68,9 @@ __all__ = [
     "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
     "Proof", "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation",
     "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
-    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexRef", "Viewer", "WktFile", "answer_dtype",
-    "cells", "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals",
-    "prove", "prove_clearance", "range", "separate", "sweep", "verify",
+    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile",
+    "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope",
+    "intervals", "prove", "prove_clearance", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
@@ -161,16 +162,17 @@ def check_clearance(scene: Scene, clearance: float, *, touch: str = "open", pair
         return margin_from_json(_taut2d.check_clearance(scene_text(scene), number(clearance, "clearance"), options))
 
 
-def separate(scene: Scene, *, max_seconds: Optional[float] = None) -> Separation:
+def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optional[float] = None) -> Separation:
     """In which directions bodies come apart, and in which order an assembly does.
 
-    Bodies stand as at the start of the scene's time; each is moved straight, without turning, any distance, and must
-    overlap nothing on the way, where touching is allowed. Of two bodies, the second one moves. Errors are those of
-    check().
+    Bodies stand as at the start of the scene's time; each is moved straight, without turning, as far as ``travel``
+    (in the scene's units, > 0; None: any distance), and must overlap nothing on the way, where touching is allowed, at
+    the travel's end, too. Of two bodies, the second one moves. Errors are those of check().
     """
     options = run_options("open", "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return separation_from_json(_taut2d.separate(scene_text(scene), options))
+        return separation_from_json(_taut2d.separate(scene_text(scene), None if travel is None else number(travel, "travel"),
+                                                      options))
 
 
 def prove(scene: Scene, *, touch: str = "open", engine: str = "kinetic", max_seconds: Optional[float] = None,

@@ -6,7 +6,15 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from .answers import Interval, VertexRef, _floats
+from .answers import EdgeRef, Interval, VertexRef, _floats
+
+
+@dataclass(frozen=True)
+class VertexAtEdge:
+    """A vertex of one body that comes to an edge of the other just where the travel ends."""
+
+    vertex: VertexRef
+    edge: EdgeRef
 
 
 @dataclass(frozen=True)
@@ -15,7 +23,8 @@ class DirectionArc:
 
     ``start_deg``, ``end_deg``: (lo, hi), degrees from the x axis that certainly contain its ends. ``point``: a single
     direction, as far as doubles can tell, a slot that fits exactly. ``start_vertices``, ``end_vertices``: the vertex of
-    the moving body that comes to a vertex of another one in that direction; None if the arc is all directions.
+    the moving body that comes to a vertex of another one in that direction; or ``start_reach``, ``end_reach``: there the
+    travel ends. None of these if the arc is all directions.
     """
 
     start_deg: Interval
@@ -23,6 +32,8 @@ class DirectionArc:
     point: bool
     start_vertices: Optional[tuple[VertexRef, VertexRef]] = None
     end_vertices: Optional[tuple[VertexRef, VertexRef]] = None
+    start_reach: Optional[VertexAtEdge] = None
+    end_reach: Optional[VertexAtEdge] = None
 
 
 @dataclass(frozen=True)
@@ -64,8 +75,12 @@ def _arc(value: Any) -> DirectionArc:
         pair = value.get(key)
         return None if pair is None else (VertexRef(**pair[0]), VertexRef(**pair[1]))
 
+    def reach(key: str) -> Optional[VertexAtEdge]:
+        at = value.get(key)
+        return None if at is None else VertexAtEdge(VertexRef(**at["vertex"]), EdgeRef(**at["edge"]))
+
     return DirectionArc(_floats(value["from_deg"]), _floats(value["to_deg"]), value["point"],
-                        vertices("from_vertices"), vertices("to_vertices"))
+                        vertices("from_vertices"), vertices("to_vertices"), reach("from_reach"), reach("to_reach"))
 
 
 def _directions(value: Any) -> BodyDirections:

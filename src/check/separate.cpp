@@ -1,6 +1,7 @@
 #include "taut/separate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "base/errors.hpp"
@@ -9,13 +10,14 @@
 #include "pair/validate_world.hpp"
 #include "search/free_directions.hpp"
 #include "search/pair_search.hpp"
+#include "taut/error.hpp"
 
 namespace taut {
 namespace {
 
 class SeparationSearch {
  public:
-  explicit SeparationSearch(const Scene& scene) : plan_(scene), ignored_(scene) {
+  SeparationSearch(const Scene& scene, double travel) : plan_(scene), ignored_(scene), travel_(travel) {
     for (const WorldBody& body : plan_.bodies()) {
       standing_.push_back(std::make_unique<const StandingBody>(
           StandingBody{PosedVertices(body, plan_.start(), true), tree_of(*body.rings, true)}));
@@ -50,7 +52,7 @@ class SeparationSearch {
 
   /// Of the body against all that are left.
   BodyDirections directions(int body) const {
-    FreeDirections search(*standing_[static_cast<std::size_t>(body)]);
+    FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, plan_.exponent()));
     std::vector<int> others;
     for (const int other : left_) {
       if (other == body || ignored_.has(body, other)) continue;
@@ -61,7 +63,7 @@ class SeparationSearch {
     found.body = body;
     found.all = search.all_free();
     if (found.all) {
-      found.free.push_back({{0, 0}, {0, 0}, false, {}, {}});
+      found.free.emplace_back();
       return found;
     }
     for (const VertexArc& arc : search.free()) found.free.push_back(arc_of(body, others, search, arc));
@@ -70,16 +72,24 @@ class SeparationSearch {
 
   DirectionArc arc_of(int body, const std::vector<int>& others, const FreeDirections& search,
                       const VertexArc& arc) const {
-    const auto vertices = [&](const VertexDirection& d) {
-      const auto rings = [&](int index) -> const RingSet& {
-        return *plan_.bodies()[static_cast<std::size_t>(index)].rings;
-      };
-      return std::array<VertexRef, 2>{rings(body).vertex(d.from),
-                                      rings(others[static_cast<std::size_t>(d.other)]).vertex(d.to)};
+    const auto rings = [&](int index) -> const RingSet& {
+      return *plan_.bodies()[static_cast<std::size_t>(index)].rings;
+    };
+    const auto vertices = [&](const VertexDirection& d) -> std::optional<std::array<VertexRef, 2>> {
+      if (d.kind != VertexDirection::Kind::vertices) return std::nullopt;
+      const RingSet& other = rings(others[static_cast<std::size_t>(d.other)]);
+      return std::array<VertexRef, 2>{rings(body).vertex(d.from), other.vertex(d.to)};
+    };
+    const auto reach = [&](const VertexDirection& d) -> std::optional<VertexAtEdge> {
+      if (d.kind == VertexDirection::Kind::vertices) return std::nullopt;
+      const RingSet &own = rings(body), &other = rings(others[static_cast<std::size_t>(d.other)]);
+      if (d.kind == VertexDirection::Kind::to_edge) return VertexAtEdge{own.vertex(d.from), other.edge(d.to)};
+      return VertexAtEdge{other.vertex(d.to), own.edge(d.from)};
     };
     const auto [from_lo, from_hi] = search.degrees(arc.from);
     const auto [to_lo, to_hi] = search.degrees(arc.to);
-    return {{from_lo, from_hi}, {to_lo, to_hi}, search.is_point(arc), vertices(arc.from), vertices(arc.to)};
+    return {{from_lo, from_hi}, {to_lo, to_hi},  search.is_point(arc), vertices(arc.from),
+            vertices(arc.to),   reach(arc.from), reach(arc.to)};
   }
 
   /// A body that can leave can leave later as well, since fewer are in its way: the first one that can is as good as
@@ -116,6 +126,7 @@ class SeparationSearch {
 
   WorldPlan plan_;
   IgnoredPairs ignored_;
+  double travel_;
   std::vector<std::unique_ptr<const StandingBody>> standing_;
   std::vector<int> left_;  ///< bodies that have not been taken away
 };
@@ -123,11 +134,13 @@ class SeparationSearch {
 }  // namespace
 
 Separation separate(const Scene& scene, const SeparateOptions& options) {
+  if (!(options.travel > 0))
+    throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
   const InterruptionScope scope(options.stop, options.max_seconds);
   Separation answer;
   try {
     validate_world(scene);
-    return SeparationSearch(scene).run();
+    return SeparationSearch(scene, options.travel).run();
   } catch (const Undecidable& limit) {
     answer.reason = not_decided(limit);
   } catch (const Interrupted& limit) {

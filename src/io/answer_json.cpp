@@ -41,6 +41,7 @@ std::string io::coverage_json(const Coverage& c) {
 }
 
 std::string io::vertex_json(const Scene& scene, const VertexRef& vertex) { return feature_text(scene, vertex); }
+std::string io::edge_json(const Scene& scene, const EdgeRef& edge) { return feature_text(scene, edge); }
 
 std::string io::features_json(const Scene& scene, const Contact& contact) {
   return "{\"vertex\":" + feature_text(scene, contact.vertex) + ",\"edge\":" + feature_text(scene, contact.edge) +

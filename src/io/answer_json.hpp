@@ -28,6 +28,7 @@ std::string pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pai
 std::string features_json(const Scene& scene, const Contact& contact);
 std::string coverage_json(const Coverage& coverage);
 std::string vertex_json(const Scene& scene, const VertexRef& vertex);
+std::string edge_json(const Scene& scene, const EdgeRef& edge);
 /// Of a proof about a clearance: the members "clearance", and "closer" if bodies come closer, each with a comma before.
 std::string proved_clearance_json(const Scene& scene, const Verified& proved);
 std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);

@@ -7,13 +7,9 @@
 namespace taut {
 namespace {
 
-std::string close_edge_text(const Scene& scene, const EdgeRef& edge) {
-  return io::vertex_json(scene, {edge.body, edge.index, edge.part, edge.ring});
-}
-
 std::string features_text(const Scene& scene, const CloseFeatures& features) {
   return ",\"vertex\":" + io::vertex_json(scene, features.vertex) +
-         (features.edge ? ",\"edge\":" + close_edge_text(scene, *features.edge)
+         (features.edge ? ",\"edge\":" + io::edge_json(scene, *features.edge)
                         : ",\"other_vertex\":" + io::vertex_json(scene, *features.other));
 }
 
@@ -27,8 +23,8 @@ std::string members_of(const Scene& scene, const PairMargin& pair) {
   if (pair.nearest) {
     const NearestPoints& n = *pair.nearest;
     s += ",\"distance\":" + io::number_text(n.hi) + ",\"points\":[" + io::point_text(n.points[0]) + "," +
-         io::point_text(n.points[1]) + "],\"edges\":[" + close_edge_text(scene, n.edges[0]) + "," +
-         close_edge_text(scene, n.edges[1]) + "]";
+         io::point_text(n.points[1]) + "],\"edges\":[" + io::edge_json(scene, n.edges[0]) + "," +
+         io::edge_json(scene, n.edges[1]) + "]";
   }
   if (pair.outcome != Outcome::free) s += ",\"free_until\":" + io::number_text(pair.free_until);
   if (!pair.reason.empty()) s += ",\"reason\":" + io::string_text(pair.reason);

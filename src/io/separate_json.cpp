@@ -24,9 +24,15 @@ std::string arc_text(const Scene& scene, const DirectionArc& arc) {
     return ",\"" + std::string(key) + "\":[" + io::vertex_json(scene, (*pair)[0]) + "," +
            io::vertex_json(scene, (*pair)[1]) + "]";
   };
+  const auto reach = [&](const char* key, const std::optional<VertexAtEdge>& at) {
+    if (!at) return std::string();
+    return ",\"" + std::string(key) + "\":{\"vertex\":" + io::vertex_json(scene, at->vertex) +
+           ",\"edge\":" + io::edge_json(scene, at->edge) + "}";
+  };
   return "{\"from_deg\":" + io::array_text({arc.from.lo, arc.from.hi}) +
          ",\"to_deg\":" + io::array_text({arc.to.lo, arc.to.hi}) + ",\"point\":" + (arc.point ? "true" : "false") +
-         vertices("from_vertices", arc.from_vertices) + vertices("to_vertices", arc.to_vertices) + "}";
+         vertices("from_vertices", arc.from_vertices) + vertices("to_vertices", arc.to_vertices) +
+         reach("from_reach", arc.from_reach) + reach("to_reach", arc.to_reach) + "}";
 }
 
 std::string arcs_text(const Scene& scene, const BodyDirections& body) {

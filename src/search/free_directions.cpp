@@ -33,18 +33,110 @@ double angle_of(Vector v) {
 }  // namespace
 
 Vector FreeDirections::difference(const VertexDirection& d) const {
+  if (d.kind != VertexDirection::Kind::vertices) {
+    const auto place = place_on_side<double>(d);
+    return {place[0].mid, place[1].mid};
+  }
   return others_[static_cast<std::size_t>(d.other)]->vertices.at(d.to) - moving_.vertices.at(d.from);
 }
 
 double FreeDirections::difference_error(const VertexDirection& d) const {
+  if (d.kind != VertexDirection::Kind::vertices) {
+    const auto place = place_on_side<double>(d);
+    return std::max(place[0].rad, place[1].rad);
+  }
   return others_[static_cast<std::size_t>(d.other)]->vertices.error() + moving_.vertices.error();
 }
 
 template <class Real>
-std::array<Ball<Real>, 2> FreeDirections::exact_difference(const VertexDirection& d) const {
+std::array<Ball<Real>, 2> FreeDirections::vertex_difference(const VertexDirection& d) const {
   const auto to = others_[static_cast<std::size_t>(d.other)]->vertices.enclosed<Real>(d.to);
   const auto from = moving_.vertices.enclosed<Real>(d.from);
   return {to[0] - from[0], to[1] - from[1]};
+}
+
+/// The vertices at the other end of a side.
+VertexDirection FreeDirections::second_end(const VertexDirection& side) const {
+  VertexDirection end{side.from, side.other, side.to};
+  if (side.kind == VertexDirection::Kind::to_edge)
+    end.to = next_in_ring(others_[static_cast<std::size_t>(side.other)]->vertices.polygon(), side.to);
+  if (side.kind == VertexDirection::Kind::from_edge) end.from = next_in_ring(moving_.vertices.polygon(), side.from);
+  return end;
+}
+
+/// The place d + t w of a side of a parallelogram, |d + t w| = travel: a root of |w|^2 t^2 + 2 (d.w) t + |d|^2 -
+/// travel^2.
+template <class Real>
+std::array<Ball<Real>, 2> FreeDirections::place_on_side(const VertexDirection& side) const {
+  using B = Ball<Real>;
+  const auto d = vertex_difference<Real>(side), end = vertex_difference<Real>(second_end(side));
+  const B wx = end[0] - d[0], wy = end[1] - d[1], radius = B::exact(travel_);
+  const B a = wx * wx + wy * wy, b = d[0] * wx + d[1] * wy, c = d[0] * d[0] + d[1] * d[1] - radius * radius;
+  const B root = sqrt(b * b - a * c);
+  const B t = (side.second ? root - b : -b - root) / a;
+  return {d[0] + t * wx, d[1] + t * wy};
+}
+
+template <class Real>
+std::array<Ball<Real>, 2> FreeDirections::exact_difference(const VertexDirection& d) const {
+  return d.kind == VertexDirection::Kind::vertices ? vertex_difference<Real>(d) : place_on_side<Real>(d);
+}
+
+/// The sign of a quantity that has one at some precision, given as a function of a number's type.
+template <class Quantity>
+int FreeDirections::decided(const Quantity& quantity, const char* what) const {
+  if (const int sign = quantity(double{}).sign()) return sign;
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (const int sign = with_stage(stage, [&](auto real) { return quantity(real).sign(); })) return sign;
+  }
+  throw Undecidable{what};
+}
+
+/// Are the two vertices nearer to each other than the travel?
+bool FreeDirections::within_travel(const VertexDirection& d) const {
+  const auto beyond = [&](auto real) {
+    using B = Ball<decltype(real)>;
+    const auto v = vertex_difference<decltype(real)>(d);
+    return v[0] * v[0] + v[1] * v[1] - B::exact(travel_) * B::exact(travel_);
+  };
+  return decided(beyond, "whether two vertices are nearer than the travel") < 0;
+}
+
+/// Of a side with both ends outside of the disc: does it come into it?
+bool FreeDirections::dips_into_disc(const VertexDirection& side) const {
+  const VertexDirection end = second_end(side);
+  // Along the side from either end on the way leads towards the origin first.
+  const auto towards = [&](const VertexDirection& from, const VertexDirection& to) {
+    return decided(
+               [&](auto real) {
+                 using Real = decltype(real);
+                 const auto p = vertex_difference<Real>(from), q = vertex_difference<Real>(to);
+                 return p[0] * (p[0] - q[0]) + p[1] * (p[1] - q[1]);
+               },
+               "whether an edge comes nearer") > 0;
+  };
+  VertexDirection begin = side;
+  begin.kind = VertexDirection::Kind::vertices;
+  if (!towards(begin, end) || !towards(end, begin)) return false;
+  const auto inside = [&](auto real) {
+    using B = Ball<decltype(real)>;
+    const auto p = vertex_difference<decltype(real)>(begin), q = vertex_difference<decltype(real)>(end);
+    const B x = q[0] - p[0], y = q[1] - p[1], area = p[0] * q[1] - p[1] * q[0], travel = B::exact(travel_);
+    return travel * travel * (x * x + y * y) - area * area;
+  };
+  return decided(inside, "whether an edge is nearer than the travel") > 0;
+}
+
+/// Where a side of a parallelogram of differences crosses the circle that the travel ends on.
+void FreeDirections::add_places(VertexDirection side, FewDirections& found) const {
+  VertexDirection begin = side;
+  begin.kind = VertexDirection::Kind::vertices;
+  const bool first = within_travel(begin), last = within_travel(second_end(side));
+  if (first && last) return;
+  if (!first && !last && !dips_into_disc(side)) return;
+  if (!first) found.push_back(side);
+  side.second = true;
+  if (!last) found.push_back(side);
 }
 
 /// +1 if b is counterclockwise from a, by less than half a turn.
@@ -83,20 +175,32 @@ bool FreeDirections::before(const VertexDirection& a, const VertexDirection& b) 
 }
 
 /// The cone over the differences of the points of two edges is that over the differences of their ends: these are on
-/// one side of the origin, since the edges do not meet.
-VertexArc FreeDirections::arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const {
+/// one side of the origin, since the edges do not meet. Nothing if the travel ends before they do.
+std::optional<VertexArc> FreeDirections::arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const {
+  using Kind = VertexDirection::Kind;
   const std::uint32_t edge_end = next_in_ring(moving_.vertices.polygon(), edge);
   const std::uint32_t other_end =
       next_in_ring(others_[static_cast<std::size_t>(other)]->vertices.polygon(), other_edge);
-  const VertexDirection first{edge, other, other_edge};
-  VertexArc arc{first, first};
+  FewDirections ends;
   for (const VertexDirection& d :
-       {VertexDirection{edge, other, other_end}, VertexDirection{edge_end, other, other_edge},
-        VertexDirection{edge_end, other, other_end}}) {
-    if (cross(d, arc.from) > 0) {
-      arc.from = d;
-    } else if (cross(arc.to, d) > 0) {
-      arc.to = d;
+       {VertexDirection{edge, other, other_edge}, VertexDirection{edge, other, other_end},
+        VertexDirection{edge_end, other, other_edge}, VertexDirection{edge_end, other, other_end}}) {
+    if (!has_end() || within_travel(d)) ends.push_back(d);
+  }
+  if (has_end()) {
+    for (const VertexDirection& side : {VertexDirection{edge, other, other_edge, Kind::to_edge},
+                                        VertexDirection{edge_end, other, other_edge, Kind::to_edge},
+                                        VertexDirection{edge, other, other_edge, Kind::from_edge},
+                                        VertexDirection{edge, other, other_end, Kind::from_edge}})
+      add_places(side, ends);
+  }
+  if (ends.empty()) return std::nullopt;
+  VertexArc arc{ends[0], ends[0]};
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (cross(ends[i], arc.from) > 0) {
+      arc.from = ends[i];
+    } else if (cross(arc.to, ends[i]) > 0) {
+      arc.to = ends[i];
     }
   }
   return arc;
@@ -108,7 +212,9 @@ bool FreeDirections::clear(const VertexDirection& d) const {
 }
 
 void FreeDirections::block(std::uint32_t edge, int other, std::uint32_t other_edge) {
-  const VertexArc arc = arc_of(edge, other, other_edge);
+  const std::optional<VertexArc> blocked = arc_of(edge, other, other_edge);
+  if (!blocked) return;
+  const VertexArc& arc = *blocked;
   if (clear(arc.from) && clear(arc.to)) {
     const double from = angle_of(difference(arc.from));
     double to = angle_of(difference(arc.to));
@@ -143,13 +249,15 @@ bool FreeDirections::covered(double from, double to) const {
   return true;
 }
 
-/// Are all directions from the one box to the other blocked already? By the discs around them.
+/// Are all directions from the one box to the other blocked already, or none reached? By the discs around them.
 bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spacetime::BoxNode& node) const {
   const StandingBody& there = *others_[static_cast<std::size_t>(other)];
   const Vector way = there.vertices.place(node.box.centre) - moving_.vertices.place(own.box.centre);
   const double reach =
       (own.box.radius + node.box.radius + moving_.vertices.error() + there.vertices.error()) * (1 + 0x1p-20);
   const double distance = std::sqrt(dot(way, way));
+  // Nothing there is reached.
+  if (distance - reach > travel_ * (1 + 0x1p-20)) return true;
   if (!(distance > reach)) return covered_.all();
   const double half = std::asin(std::min(1.0, reach / distance)) + slack, middle = angle_of(way);
   return covered(middle - half, middle + half);

@@ -1,7 +1,10 @@
 // The directions in which one body leaves others.
 #pragma once
 
+#include <array>
 #include <bitset>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "search/posed_vertices.hpp"
@@ -15,13 +18,21 @@ struct StandingBody {
   const spacetime::Hierarchy& tree;
 };
 
-/// A direction: from a vertex of the moving body to one of a body that stays.
+/// A direction: from a vertex of the moving body to one of a body that stays; or, of a travel that ends, from a vertex
+/// to the place on an edge that is just as far away as the travel is long.
 struct VertexDirection {
+  enum class Kind : unsigned char {
+    vertices,
+    to_edge,    ///< of the edge from `to` to the next vertex
+    from_edge,  ///< of the moving body's edge from `from` on
+  };
   std::uint32_t from = 0;  ///< of the moving body
   int other = 0;           ///< which of the bodies that stay
   std::uint32_t to = 0;
+  Kind kind = Kind::vertices;
+  bool second = false;  ///< of the two places on the edge, if there are two
 
-  bool operator==(const VertexDirection& o) const { return from == o.from && other == o.other && to == o.to; }
+  bool operator==(const VertexDirection&) const = default;
 };
 
 /// From `from` counterclockwise to `to`.
@@ -29,12 +40,29 @@ struct VertexArc {
   VertexDirection from, to;
 };
 
+/// The corners of what a disc leaves of a parallelogram: at most four corners, and two places on each side.
+class FewDirections {
+ public:
+  void push_back(const VertexDirection& d) { all_[size_++] = d; }
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  const VertexDirection& operator[](std::size_t i) const { return all_[i]; }
+
+ private:
+  std::array<VertexDirection, 12> all_;
+  std::size_t size_ = 0;
+};
+
 /// The blocked directions are the open arcs of pairs of edges: the cone over all differences of their points. Arcs that
 /// are certainly inside the union of others do not matter, and neither do pairs of boxes all of whose directions are:
 /// a table of short arcs that are covered tells, in doubles. Of what is left, the ends are sorted by exact signs.
+///
+/// If the travel has an end, only differences matter that are as short as that: the cone is over what the disc of that
+/// radius leaves of the parallelogram of differences, so its ends are corners of the parallelogram within the disc, or
+/// places where a side leaves it.
 class FreeDirections {
  public:
-  explicit FreeDirections(const StandingBody& moving) : moving_(moving) {}
+  FreeDirections(const StandingBody& moving, double travel) : moving_(moving), travel_(travel) {}
 
   /// Another body that stays.
   void add(const StandingBody& other);
@@ -52,12 +80,23 @@ class FreeDirections {
 
   Vector difference(const VertexDirection& d) const;
   double difference_error(const VertexDirection& d) const;
+  VertexDirection second_end(const VertexDirection& side) const;
+  template <class Quantity>
+  int decided(const Quantity& quantity, const char* what) const;
+  bool within_travel(const VertexDirection& d) const;
+  bool dips_into_disc(const VertexDirection& side) const;
+  void add_places(VertexDirection side, FewDirections& found) const;
+  bool has_end() const { return travel_ < std::numeric_limits<double>::infinity(); }
   int cross(const VertexDirection& a, const VertexDirection& b) const;
   int upper(const VertexDirection& d) const;
   bool before(const VertexDirection& a, const VertexDirection& b) const;
   template <class Real>
   std::array<Ball<Real>, 2> exact_difference(const VertexDirection& d) const;
-  VertexArc arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const;
+  template <class Real>
+  std::array<Ball<Real>, 2> vertex_difference(const VertexDirection& d) const;
+  template <class Real>
+  std::array<Ball<Real>, 2> place_on_side(const VertexDirection& d) const;
+  std::optional<VertexArc> arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const;
   bool clear(const VertexDirection& d) const;
   void block(std::uint32_t edge, int other, std::uint32_t other_edge);
   void cover(const VertexArc& arc);
@@ -67,6 +106,7 @@ class FreeDirections {
   void sample(int other);
 
   const StandingBody& moving_;
+  double travel_;  ///< infinite if it has no end
   std::vector<const StandingBody*> others_;
   std::vector<VertexArc> arcs_;
   std::bitset<sectors> covered_;

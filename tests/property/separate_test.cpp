@@ -33,11 +33,12 @@ PlaceInArcs place_of(double deg, const BodyDirections& body) {
 }
 
 /// The last body moves away in that direction, farther than everything.
-bool leaves(Scene scene, std::size_t moving, double deg) {
+bool leaves(Scene scene, std::size_t moving, double deg, double travel = 200) {
   for (Body& body : scene.bodies) body.relative_to.clear();
   scene.start = 0;
   scene.end = 1;
-  scene.bodies[moving].motion = from_velocity({200 * std::cos(deg * to_radians), 200 * std::sin(deg * to_radians)});
+  scene.bodies[moving].motion =
+      from_velocity({travel * std::cos(deg * to_radians), travel * std::sin(deg * to_radians)});
   // Only pairs of the one that moves.
   CheckOptions options;
   options.engine = EngineChoice::spacetime;
@@ -179,6 +180,61 @@ TEST(Separate, TurnsWithTheScene) {
       }));
     }
   }
+}
+
+/// As far as a travel that ends in the midst of things: what is beyond does not matter, and ends of arcs are where a
+/// vertex comes to an edge at the travel's end.
+TEST(Separate, AsFarAsATravelAsWhenMoved) {
+  int inside = 0, outside = 0, reached = 0;
+  for (std::uint64_t seed = 0; seed < 2 * effort(150); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = seed % 2 == 0 ? random_neighbours(seed) : random_cells(seed);
+    Rng rng(seed);
+    SeparateOptions options;
+    options.travel = seed % 6 == 1 ? rng.below(4) + 1 : std::exp(rng.real(-2, 1.3));
+    const Separation answer = separate(scene, options);
+    ASSERT_EQ(answer.reason, "");
+    if (answer.overlap) continue;
+    for (int i = 0; i < 24; ++i) {
+      const double deg = 15 * i + rng.real(0, 15);
+      const PlaceInArcs place = place_of(deg, answer.bodies[0]);
+      if (place == PlaceInArcs::near) continue;
+      ++(place == PlaceInArcs::inside ? inside : outside);
+      ASSERT_EQ(leaves(scene, 1, deg, options.travel), place == PlaceInArcs::inside) << deg << " by " << options.travel;
+    }
+    for (const DirectionArc& arc : answer.bodies[0].free) reached += arc.from_reach || arc.to_reach ? 1 : 0;
+  }
+  EXPECT_GE(inside, static_cast<int>(enough(1000)));
+  EXPECT_GE(outside, static_cast<int>(enough(500)));
+  EXPECT_GE(reached, static_cast<int>(enough(100)));
+}
+
+TEST(Separate, ATravelThatEndsAtAFace) {
+  Scene scene;
+  Body wall, box;
+  wall.name = "wall";
+  wall.polygon = {{2, -10}, {3, -10}, {3, 10}, {2, 10}};
+  box.name = "box";
+  box.polygon = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  scene.bodies = {wall, box};
+  SeparateOptions options;
+  // It comes to the face, and no farther: touching is allowed.
+  options.travel = 1;
+  EXPECT_TRUE(separate(scene, options).bodies[0].all);
+  options.travel = 2;
+  const Separation answer = separate(scene, options);
+  ASSERT_EQ(answer.bodies[0].free.size(), 1u);
+  const DirectionArc& arc = answer.bodies[0].free[0];
+  EXPECT_LE(arc.from.lo, 60);
+  EXPECT_GE(arc.from.hi, 60);
+  EXPECT_LE(arc.to.lo, 300);
+  EXPECT_GE(arc.to.hi, 300);
+  ASSERT_TRUE(arc.from_reach && arc.to_reach);
+  EXPECT_EQ(arc.from_reach->vertex.body, 1);
+  EXPECT_EQ(arc.from_reach->edge, (EdgeRef{0, 3, 0, 0}));
+  EXPECT_FALSE(arc.from_vertices || arc.to_vertices);
+  options.travel = 0;
+  EXPECT_THROW(separate(scene, options), InputError);
 }
 
 TEST(Separate, AssembliesComeApart) {
