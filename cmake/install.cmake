@@ -35,5 +35,5 @@ if(TARGET taut_cli)
   install(FILES ${manuals}/_taut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${manuals}/taut.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   # The page of `taut view`, if `./dev web` has built it.
-  install(FILES ${CMAKE_BINARY_DIR}/../web/viewer.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut OPTIONAL)
+  install(FILES ${CMAKE_BINARY_DIR}/../web/viewer.html ${CMAKE_BINARY_DIR}/../web/envelope.html DESTINATION ${CMAKE_INSTALL_DATADIR}/taut OPTIONAL)
 endif()

@@ -456,6 +456,12 @@ expect 1 '^COLLIDES  for some combinations of lift from -35 to 50' '' envelope "
 expect 1 '"outcome":"contact","joints":\[{"name":"door","range":\[0,120\]}' '' envelope --json "$examples/linkages/door.json"
 expect 1 '"cells":\[{"state":' '' envelope --json --cells --tolerance 0.1 "$examples/linkages/lift.json"
 expect 1 'class="colliding"' '' envelope --svg - "$examples/linkages/lift.json"
+printf '<p>@TAUT-DATA@</p>' >map.html
+expect 1 'COLLIDES' '' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html map_of_loader.html --template map.html
+grep -q '^<p>{"title":"loader","envelope":{"outcome":"contact".*"bodies":\[{"name":"tractor","parts":\[\[\[\[-3.2' map_of_loader.html ||
+  { echo "FAILED: the envelope's page" && head -c 300 map_of_loader.html; failures=$((failures + 1)); }
+expect 1 '^<p>{"title"' '' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template map.html
+expect 2 '' 'not a template' envelope "$examples/linkages/loader.json" --tolerance 0.1 --html - --template "$examples/lid.json"
 expect 3 'time limit' '' envelope --max-seconds 0 "$examples/linkages/lift.json"
 expect 2 '' 'tolerance: it is not between' envelope --tolerance 0 "$examples/linkages/lift.json"
 expect 2 '' 'joints instead of a time' check "$examples/linkages/lift.json"

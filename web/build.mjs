@@ -61,14 +61,14 @@ async function examples() {
 }
 
 /** Functions as replacements: the texts contain dollar signs. */
-async function page(name, script) {
+async function page(name, script, style = "src/style.css") {
   let text = await readFile(join(here, name), "utf8");
   const wasm = await readFile(wasmFile, "utf8");
   const parts = {
-    "@STYLE@": await bundle("src/style.css"),
-    "@WASM@": inScript(wasm),
+    "@STYLE@": await bundle(style),
     "@SCRIPT@": inScript(await bundle(script)),
   };
+  if (text.includes("@WASM@")) parts["@WASM@"] = inScript(wasm);
   if (text.includes("@EXAMPLES@")) parts["@EXAMPLES@"] = await examples();
   for (const [mark, content] of Object.entries(parts)) text = text.replace(mark, () => content);
   await writeFile(join(out, name), text);
@@ -77,5 +77,10 @@ async function page(name, script) {
 
 await mkdir(out, { recursive: true });
 await page("index.html", "src/playground.ts");
-const viewer = await page("viewer.html", "src/viewer.ts");
-if (viewer.split("@TAUT-DATA@").length !== 2) throw new Error("viewer.html must contain @TAUT-DATA@ once");
+for (const [name, ...of] of [
+  ["viewer.html", "src/viewer.ts"],
+  ["envelope.html", "src/envelope.ts", "src/envelope.css"],
+]) {
+  const text = await page(name, ...of);
+  if (text.split("@TAUT-DATA@").length !== 2) throw new Error(`${name} must contain @TAUT-DATA@ once`);
+}

@@ -86,7 +86,7 @@ void write_new(const std::string& path, const std::string& text, bool force) {
 /// The page is built apart from the program, by `./dev web`.
 bool viewer_is_there() {
   try {
-    load_viewer_template("");
+    load_page_template("viewer.html", "");
     return true;
   } catch (const InputError&) {
     return false;

@@ -1,9 +1,11 @@
 // taut envelope: for which combinations of joint values do bodies keep apart?
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
+#include "envelope_page.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
 #include "scene_argument.hpp"
@@ -19,7 +21,7 @@ struct EnvelopeArguments {
   SceneSource scene;
   EnvelopeOptions options;
   bool json = false, cells = false;
-  std::string svg;
+  std::string svg, html, template_path;
 };
 
 std::string name_in(const Linkage& linkage, BodyId id) {
@@ -54,14 +56,21 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
   return text;
 }
 
+std::string title_of(const EnvelopeArguments& arguments) {
+  return std::filesystem::path(arguments.scene.path).stem().string();
+}
+
 int run_envelope(const EnvelopeArguments& arguments) {
   const Linkage linkage = load_linkage(arguments.scene);
   EnvelopeOptions options = arguments.options;
   options.stop = stop_on_signals();
   const Envelope answer = within_file(arguments.scene.path, [&] { return envelope(linkage, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, envelope_svg(linkage, answer));
+  if (!arguments.html.empty())
+    write_envelope_page(linkage, answer, {options.tolerance, title_of(arguments), arguments.template_path},
+                        arguments.html);
   // What goes to standard output is one thing.
-  if (arguments.svg != "-")
+  if (arguments.svg != "-" && arguments.html != "-")
     print_text(arguments.json ? envelope_json(linkage, answer, options.tolerance, arguments.cells) + "\n"
                               : envelope_in_words(linkage, answer));
   return exit_code(answer.outcome);
@@ -79,6 +88,11 @@ void add_envelope(const Command& app, Action& action) {
       .value("X");
   command.add_option("--svg", arguments->svg, "draw all combinations of two joints to FILE (- is standard output)")
       .value("FILE");
+  command
+      .add_option("--html", arguments->html,
+                  "write a page to FILE that shows the bodies at the combination under the pointer")
+      .value("FILE");
+  command.add_option("--template", arguments->template_path, "with --html: the page to fill in").value("FILE");
   command.add_option("--max-seconds", arguments->options.max_seconds, "stop dividing after S seconds")
       .value("S")
       .not_negative();

@@ -22,17 +22,17 @@ const char* const remedy = "build it with `./dev web`, or name it with --templat
 constexpr std::size_t largest_template = std::size_t{1} << 28;
 
 /// In order of preference; right for an installed taut, for one beside its page, and for build/release/taut.
-std::vector<fs::path> candidates() {
+std::vector<fs::path> candidates(const std::string& name) {
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
   const fs::path folder = executable.parent_path();
-  return {folder / "../share/taut/viewer.html", folder / "viewer.html", folder / "../web/viewer.html"};
+  return {folder / "../share/taut" / name, folder / name, folder / "../web" / name};
 }
 
-std::string find_template() {
+std::string find_template(const std::string& name) {
   std::string tried;
-  for (const fs::path& path : candidates()) {
+  for (const fs::path& path : candidates(name)) {
     std::error_code error;
     if (fs::is_regular_file(path, error)) return path.string();
     tried += (tried.empty() ? "" : ", ") + path.lexically_normal().string();
@@ -74,13 +74,13 @@ std::string data_text(const Scene& scene, const ViewerOptions& options) {
   if (!options.title.empty()) s += ",\"title\":" + io::string_text(options.title);
   const std::string ask = ask_text(options.ask);
   if (!ask.empty()) s += ",\"ask\":{" + ask + "}";
-  return for_script(s + ",\"scene\":" + write_scene(scene) + "}");
+  return s + ",\"scene\":" + write_scene(scene) + "}";
 }
 
 }  // namespace
 
-std::string load_viewer_template(const std::string& path) {
-  const std::string file = path.empty() ? find_template() : path;
+std::string load_page_template(const std::string& name, const std::string& path) {
+  const std::string file = path.empty() ? find_template(name) : path;
   std::string page = io::read_text_file(file, largest_template);
   const std::size_t at = page.find(marker);
   if (at == std::string::npos || page.find(marker, at + 1) != std::string::npos)
@@ -88,10 +88,15 @@ std::string load_viewer_template(const std::string& path) {
   return page;
 }
 
-void write_viewer(const Scene& scene, const ViewerOptions& options, const std::string& output) {
-  std::string page = load_viewer_template(options.template_path);
-  page.replace(page.find(marker), marker.size(), data_text(scene, options));
+void write_page(const std::string& name, const std::string& template_path, const std::string& data,
+                const std::string& output) {
+  std::string page = load_page_template(name, template_path);
+  page.replace(page.find(marker), marker.size(), for_script(data));
   write_output(output, page);
+}
+
+void write_viewer(const Scene& scene, const ViewerOptions& options, const std::string& output) {
+  write_page("viewer.html", options.template_path, data_text(scene, options), output);
 }
 
 }  // namespace taut::cli

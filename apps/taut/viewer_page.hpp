@@ -23,9 +23,13 @@ struct ViewerOptions {
   std::string template_path;  ///< empty: look next to the executable
 };
 
-/// The page that `./dev web` builds, with a marked place for the scene. Throws InputError that names the remedy if
-/// there is none.
-std::string load_viewer_template(const std::string& path);
+/// A page that `./dev web` builds, with a marked place for data: the file `path`, or the one of that name beside the
+/// program if `path` is empty. Throws InputError that names the remedy if there is none.
+std::string load_page_template(const std::string& name, const std::string& path);
+
+/// Writes that page with JSON in its place to `output`, or to standard output if it is empty or "-".
+void write_page(const std::string& name, const std::string& template_path, const std::string& data,
+                const std::string& output);
 
 /// Writes a self-contained page to `output`, or to standard output if it is empty or "-". The scene must be valid.
 /// The same scene and template give the same bytes. Throws InputError.

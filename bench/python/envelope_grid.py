@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
-"""Combinations of two joints: taut2d.envelope() beside grids of poses by shapely, CPU time and what the grids miss.
+"""Combinations of two joints: taut2d.envelope() beside grids of poses by shapely and Box2D, CPU time and what they miss.
 
-usage: envelope_grid.py [SCENES [FINE]]
+usage: envelope_grid.py [SCENES [FINE [POSE_GRID]]]
 
 Each scene is an arm of two links with 60 vertices each among 80 vertices of a room with a thin post, 200 in all; the post
 is so thin that few combinations collide. A grid of 64 x 64 poses looks at every scene, one of 1,000 x 1,000 at FINE of
-them (2; it takes minutes). A grid misses a scene if it finds no collision where there are some, proved by taut."""
+them (2; it takes minutes). A grid misses a scene if it finds no collision where there are some, proved by taut. POSE_GRID is the
+program taut_pose_grid, which ninja -C build/release taut_pose_grid builds: Box2D's shapes at 4,096 and 10^6 poses of every scene."""
 
 import math
 import random
 import statistics
+import subprocess
 import sys
 import time
 
@@ -76,6 +78,22 @@ def grid(room, links, n):
     return False
 
 
+def box2d_grid(program, room, links, n):
+    """The same by Box2D: whether one of n x n poses collides, and the CPU seconds."""
+    numbers = [math.radians(x) for x in JOINTS["shoulder"] + JOINTS["elbow"]] + [2, 0, len(room)]
+    for part in [*room, *links]:
+        numbers += [len(part)] + [c for point in part for c in point]
+    said = subprocess.run([program, str(n)], input=" ".join(map(repr, numbers)), stdout=subprocess.PIPE, text=True,
+                          check=True).stdout.split()
+    return said[0] == "hit", float(said[2])
+
+
+def report_box2d(times, missed, collide):
+    for n, seconds in times.items():
+        print(f"Box2D, {n * n:>9,} poses              median {statistics.median(seconds):.3f} s, most "
+              f"{max(seconds):.3f}, finds none in {missed[n]} of {collide}")
+
+
 def measured(ask):
     began = time.process_time()
     return ask(), time.process_time() - began
@@ -84,6 +102,8 @@ def measured(ask):
 def main():
     scenes = int(sys.argv[1]) if len(sys.argv) > 1 else 20
     fine = int(sys.argv[2]) if len(sys.argv) > 2 else 2
+    program = sys.argv[3] if len(sys.argv) > 3 else None
+    times, missed_by_box2d = {64: [], 1000: []}, {64: 0, 1000: 0}
     ours, coarse, missed, collide, shares, dense = [], [], 0, 0, [], []
     for seed in range(scenes):
         room, links = scene(seed)
@@ -99,6 +119,10 @@ def main():
             missed += not found
         elif found:
             raise SystemExit(f"seed {seed}: the grid collides and the envelope is {answer.outcome}")
+        for n in times if program else ():
+            hit, seconds = box2d_grid(program, room, links, n)
+            times[n].append(seconds)
+            missed_by_box2d[n] += answer.outcome == "contact" and not hit
         if seed < fine:
             hit, seconds = measured(lambda: grid(room, links, 1000))
             dense.append((seconds, answer.outcome == "contact" and not hit))
@@ -107,6 +131,8 @@ def main():
     print(f"taut2d.envelope(), tolerance 1e-3   median {statistics.median(ours):.3f} s CPU, most {max(ours):.3f}")
     print(f"shapely,    4,096 poses            median {statistics.median(coarse):.3f} s, "
           f"finds none in {missed} of {collide}")
+    if program:
+        report_box2d(times, missed_by_box2d, collide)
     for seconds, missed_there in dense:
         print(f"shapely, 1,000,000 poses            {seconds:.1f} s, {'finds none' if missed_there else 'finds one, or there is none'}")
 

@@ -1,0 +1,94 @@
+// The page of all combinations: the pose under the pointer is the command's, and so is what it says of it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { after, before, test } from "node:test";
+import { artefacts, launch, root, run, screenshot } from "./support.mjs";
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser?.close());
+
+/** Opens the page of a linkage, which may ask for nothing else. */
+async function open(name, options = {}) {
+  const file = join(artefacts, `envelope_${name}.html`);
+  run("envelope", `examples/linkages/${name}.json`, "--html", file);
+  const page = await browser.newPage({ viewport: { width: 1200, height: 620 }, colorScheme: "light", ...options });
+  page.problems = [];
+  page.on("pageerror", (error) => page.problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForFunction(() => window.envelope);
+  return page;
+}
+
+const said = (page) => page.$eval(".state", (e) => [e.classList[1], e.textContent]);
+const values = (page) => page.evaluate(() => window.envelope.values);
+
+test("the pose under the pointer is what the command says of it", async () => {
+  const { joints, cells } = JSON.parse(run("envelope", "examples/linkages/loader.json", "--json", "--cells"));
+  const page = await open("loader");
+  const box = await (await page.$("canvas")).boundingBox();
+  const seen = new Set();
+  for (let i = 0; i < 40; ++i) {
+    await page.mouse.move(box.x + 70 + ((i * 37) % (box.width - 100)), box.y + 20 + ((i * 61) % (box.height - 80)));
+    const at = await values(page);
+    const inside = cells.filter((c) => at.every((x, k) => c.lo[k] <= x && x <= c.hi[k]));
+    assert.ok(inside.length > 0);
+    const [state, text] = await said(page);
+    assert.ok(inside.some((c) => c.state === state));
+    if (state === "colliding") assert.match(text, /overlap/);
+    seen.add(state);
+    at.forEach((x, k) => assert.ok(joints[k].range[0] <= x && x <= joints[k].range[1]));
+  }
+  assert.ok(seen.has("free") && seen.has("colliding"));
+  await screenshot(page, "envelope");
+  assert.deepEqual(page.problems, []);
+});
+
+test("a click keeps the pose, and arrow keys and sliders move it", async () => {
+  const page = await open("lift");
+  const box = await (await page.$("canvas")).boundingBox();
+  await page.mouse.click(box.x + 300, box.y + 200);
+  const kept = await values(page);
+  await page.mouse.move(box.x + 100, box.y + 100);
+  assert.deepEqual(await values(page), kept);
+  await page.keyboard.press("ArrowUp");
+  const [lift, reach] = await values(page);
+  assert.equal(lift, kept[0]);
+  assert.ok(reach > kept[1]);
+  await page.$eval("input[type=range]", (e) => {
+    e.value = e.max;
+    e.dispatchEvent(new Event("input"));
+  });
+  const scene = JSON.parse(readFileSync(join(root, "examples/linkages/lift.json"), "utf8"));
+  assert.equal((await values(page))[0], scene.joints.lift[1]);
+  assert.deepEqual(page.problems, []);
+});
+
+test("bodies are drawn where the joints put them", async () => {
+  const page = await open("loader");
+  await page.evaluate(() => {
+    window.envelope.values.splice(0, 2, 0, 0);
+    window.envelope.show();
+  });
+  const still = await page.$$eval(".pose g g", (all) => all.map((e) => e.getAttribute("transform")));
+  assert.ok(
+    still.every((t) => /^matrix\(1 -?0 -?0 1 -?0 -?0\)$/.test(t)),
+    still.join(),
+  );
+  await page.evaluate(() => {
+    window.envelope.values.splice(0, 2, 30, 0);
+    window.envelope.show();
+  });
+  const turned = await page.$$eval(".pose g g", (all) => all.map((e) => e.getAttribute("transform")));
+  // The arm turns about (-1.5, 1.65), and the bucket with it.
+  const [c, s] = [Math.cos(Math.PI / 6), Math.sin(Math.PI / 6)];
+  const expected = [c, s, -s, c, -1.5 - c * -1.5 + s * 1.65, 1.65 - s * -1.5 - c * 1.65];
+  for (const transform of [turned[2], turned[3]]) {
+    const found = transform.match(/-?[\d.e-]+/g).map(Number);
+    found.forEach((x, k) => assert.ok(Math.abs(x - expected[k]) < 1e-12, transform));
+  }
+  assert.equal(turned[0], still[0]);
+});
