@@ -97,7 +97,8 @@ class ClearanceSearch {
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
       spacetime::find_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
-      spacetime::settle_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
+      spacetime::settle_nearest(search.geometry, search.trees(), search.legs(), {plan_.start(), plan_.end()},
+                                tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
       if (!options_.all_pairs && !(nearest.distance < before)) return;
       describe(search, nearest, found);

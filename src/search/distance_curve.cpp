@@ -4,6 +4,7 @@
 
 #include "base/interruption.hpp"
 #include "spacetime/distance_bound.hpp"
+#include "spacetime/settle_nearest.hpp"
 
 namespace taut {
 
@@ -34,6 +35,20 @@ std::size_t DistanceFunction::search(double from, double to, spacetime::Nearest&
   return which;
 }
 
+/// Where doubles leave a gap below the least distance, as where a body turns with infinite speed, margins close it.
+void DistanceFunction::settle(double from, double to, spacetime::Nearest& best) const {
+  double unresolved = INFINITY;
+  for (const PairDistance* pair : pairs_) {
+    if (!(best.unresolved < tolerance_.least(best.distance))) return;
+    const PairSearch& s = pair->search;
+    spacetime::Nearest own = best;
+    spacetime::settle_nearest(s.geometry, s.trees(), s.legs(), {from, to}, tolerance_, own);
+    unresolved = std::min(unresolved, own.unresolved);
+    best.distance = std::min(best.distance, own.distance);
+  }
+  best.unresolved = unresolved;
+}
+
 double DistanceFunction::lower_end(const spacetime::Nearest& best) const {
   const double least = std::min(tolerance_.least(best.distance), best.unresolved);
   return std::max(0.0, std::ldexp(least, -exponent_) * (1 - 0x1p-50));
@@ -43,13 +58,16 @@ DistanceAt DistanceFunction::at(double t) const {
   if (overlap_throughout(t, t)) return {t, 0, 0};
   spacetime::Nearest best;
   search(t, t, best);
-  return {t, may_touch(t, t) ? 0 : lower_end(best), std::ldexp(best.distance, -exponent_)};
+  const bool touches = may_touch(t, t);
+  if (!touches) settle(t, t, best);
+  return {t, touches ? 0 : lower_end(best), std::ldexp(best.distance, -exponent_)};
 }
 
 double DistanceFunction::least(double from, double to) const {
   if (may_touch(from, to)) return 0;
   spacetime::Nearest best;
   search(from, to, best);
+  settle(from, to, best);
   return lower_end(best);
 }
 

@@ -221,7 +221,9 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   if (const LineFailure line = line_failure(sign, from, to); line.known) return line.time;
   if (const auto cut = division(leg_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;
-    return first_failure(sign, PreciseTime::between(*cut, *cut), to);
+    PreciseTime rest = PreciseTime::between(*cut, *cut);
+    rest.stage = from.stage;
+    return first_failure(sign, rest, to);
   }
   const int end = singular_end(leg_, from, to);
   if (end != 0 && from.stage <= 0) {

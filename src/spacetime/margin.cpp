@@ -105,16 +105,16 @@ void note_approach(const Approach& found, MarginResult& result) {
 }  // namespace
 
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                          double margin, double until) {
+                          double margin, const TimeInterval& window) {
   MarginResult result;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
-    if (leg.bridge) continue;
-    if (leg.start > until) break;
+    if (leg.bridge || leg.end < window.lo) continue;
+    if (leg.start > window.hi) break;
     LegMargin search(geometry, trees, leg, margin);
     result.leg = i;
     try {
-      if (const auto found = search.run(leg.start, std::min(leg.end, until))) {
+      if (const auto found = search.run(std::max(leg.start, window.lo), std::min(leg.end, window.hi))) {
         note_approach(*found, result);
         return result;
       }

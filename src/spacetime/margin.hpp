@@ -5,6 +5,7 @@
 
 #include "spacetime/approach.hpp"
 #include "spacetime/first_contact.hpp"
+#include "taut/check.hpp"
 
 namespace taut::spacetime {
 
@@ -23,11 +24,11 @@ struct MarginResult {
   std::string reason;     ///< if undecided: why
 };
 
-/// Up to the end of the window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are
-/// rounding. The bodies must not overlap at its start: those that come to, come closer than any margin before. The
+/// Within a window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are rounding. The
+/// bodies must not overlap at its start: those that come to, come closer than any margin before. The
 /// margin is in internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly
 /// closer than it, bodies displaced outwards where they are as close as it.
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                          double margin, double until);
+                          double margin, const TimeInterval& window);
 
 }  // namespace taut::spacetime

@@ -24,14 +24,14 @@ void take_approach(const PairGeometry& geometry, const MarginResult& found, doub
 }  // namespace
 
 void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                    const ClearanceTolerance& tolerance, Nearest& best) {
+                    const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
   double certain = best.unresolved;
   // Most often doubles have found the least distance, and only the bound from below is missing.
   double margin = tolerance.least(best.distance);
   for (int step = 0; certain < tolerance.least(best.distance); ++step) {
     interruption_point();
     if (!(margin > certain && margin < best.distance) || step == most_halvings) return;
-    const MarginResult found = first_closer(geometry, trees, legs, margin, INFINITY);
+    const MarginResult found = first_closer(geometry, trees, legs, margin, window);
     if (found.outcome == MarginResult::undecided) return;
     if (found.outcome == MarginResult::free) {
       best.unresolved = certain = margin;

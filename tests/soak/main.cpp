@@ -14,6 +14,7 @@
 
 #include "check/proof_writer.hpp"
 #include "command_line/command_line.hpp"
+#include "question_examination.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
 #include "support/exact_comparison.hpp"
@@ -65,7 +66,19 @@ struct Limits {
   std::size_t oracle_size = 0;  ///< vertices of the scenes that the oracle judges
   bool contacts = false;        ///< soak_contact_scene(), not soak_scene()
   bool worlds = false;          ///< large_world()
+  bool questions = false;       ///< all questions about small scenes
 };
+
+/// Questions are asked about scenes made of contacts, and others by turns, if they are small.
+SoakScene scene_for(std::uint64_t number, const Limits& limits) {
+  if (!limits.questions) return limits.contacts ? soak_contact_scene(number) : soak_scene(number);
+  if (number % 2 == 0) return soak_contact_scene(number);
+  constexpr std::size_t small = 80;
+  for (std::uint64_t k = number;; k += 0x100000000) {
+    SoakScene s = soak_scene(k);
+    if (s.scene.bodies[0].polygon.size() + s.scene.bodies[1].polygon.size() <= small) return s;
+  }
+}
 
 /// What the oracle says against the answer.
 std::string judgement(const SoakScene& s, const Limits& limits, const Answer& answer, Tally& tally) {
@@ -170,13 +183,18 @@ class Soak {
 
   void look_at(std::uint64_t number, SoakTotals& part) {
     if (limits_.worlds) return look_at_world(number, part);
-    const SoakScene s = limits_.contacts ? soak_contact_scene(number) : soak_scene(number);
+    const SoakScene s = scene_for(number, limits_);
     Tally tally;
-    const std::string wrong = examine(s, number % 4 == 0, limits_, tally, part.stages);
+    const std::string wrong = limits_.questions ? examine_questions(s, number, limits_.seconds, tally)
+                                                : examine(s, number % 4 == 0, limits_, tally, part.stages);
     part.by_family[s.family] += tally;
     part.by_injection[to_string(s.injection)] += tally;
     if (wrong.empty()) return;
-    const std::string file = fmt::format("{}/{}{}.json", folder_, limits_.contacts ? "contact-" : "", number);
+    const std::string file = fmt::format("{}/{}{}.json", folder_,
+                                         limits_.contacts    ? "contact-"
+                                         : limits_.questions ? "questions-"
+                                                             : "",
+                                         number);
     report(fmt::format("{}, {}, {}, touch {}: {}", file, s.family, to_string(s.injection), to_string(s.touch), wrong),
            file, s.scene, part);
   }
@@ -189,9 +207,7 @@ class Soak {
 /// One scene a line.
 void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene(limits.worlds     ? scene_of(large_world(k).world)
-                                   : limits.contacts ? soak_contact_scene(k).scene
-                                                     : soak_scene(k).scene);
+    std::string text = write_scene(limits.worlds ? scene_of(large_world(k).world) : scene_for(k, limits).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     fmt::print("{}\n", text);
   }
@@ -214,6 +230,8 @@ int main(int argc, char** argv) {
   app.add_flag("--contacts", limits.contacts,
                "Small scenes made of contacts, judged by definition, in place of others");
   app.add_flag("--worlds", limits.worlds, "Worlds of 2 to 60 bodies, judged by definition, in place of others");
+  app.add_flag("--questions", limits.questions,
+               "Small scenes, about which all questions are asked, held against each other, in place of others");
   app.add_option("--seconds", limits.seconds, "Limit for each engine and scene").positive();
   app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
