@@ -83,7 +83,8 @@ class MarginSearch {
       pair.free_until = plan_.start();
       return;
     }
-    take(search, spacetime::first_closer(search.geometry, search.trees(), search.legs(), margin_, {-INFINITY, stop_}), pair);
+    take(search, spacetime::first_closer(search.geometry, search.trees(), search.legs(), margin_, {-INFINITY, stop_}),
+         pair);
   }
 
   void take(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {

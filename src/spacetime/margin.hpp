@@ -24,10 +24,10 @@ struct MarginResult {
   std::string reason;     ///< if undecided: why
 };
 
-/// Within a window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are rounding. The
-/// bodies must not overlap at its start: those that come to, come closer than any margin before. The
-/// margin is in internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly
-/// closer than it, bodies displaced outwards where they are as close as it.
+/// Within a window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are rounding.
+/// The bodies must not overlap at its start: those that come to, come closer than any margin before. The margin is in
+/// internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly closer than it,
+/// bodies displaced outwards where they are as close as it.
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
                           double margin, const TimeInterval& window);
 

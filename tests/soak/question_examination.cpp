@@ -116,8 +116,8 @@ class QuestionExamination {
       posed.name = body.name;
       const BodyPose at = pose_at(body.motion, t);
       for (const Point& p : body.polygon) {
-        posed.polygon.push_back({at.origin.x + at.axis.x * p.x - at.axis.y * p.y,
-                                 at.origin.y + at.axis.y * p.x + at.axis.x * p.y});
+        posed.polygon.push_back(
+            {at.origin.x + at.axis.x * p.x - at.axis.y * p.y, at.origin.y + at.axis.y * p.x + at.axis.x * p.y});
       }
       still.bodies.push_back(posed);
     }
