@@ -29,7 +29,7 @@ endif()
 
 file(GLOB peer_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/peers/*.cpp)
 list(REMOVE_ITEM peer_sources ${CMAKE_CURRENT_SOURCE_DIR}/peers/convex_pieces.cpp
-                              ${CMAKE_CURRENT_SOURCE_DIR}/peers/pose_grid.cpp
+                              ${CMAKE_CURRENT_SOURCE_DIR}/peers/pose_grid.cpp ${CMAKE_CURRENT_SOURCE_DIR}/peers/worlds.cpp
                               ${CMAKE_CURRENT_SOURCE_DIR}/peers/peer_pair.cpp ${CMAKE_CURRENT_SOURCE_DIR}/peers/verdict.cpp)
 add_executable(taut_compare_peers ${peer_sources})
 target_include_directories(taut_compare_peers SYSTEM PRIVATE ${TAUT_BULLET_INCLUDE} ${TAUT_CHIPMUNK_INCLUDE})

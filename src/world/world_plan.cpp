@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <unordered_map>
 
 #include "motion/pieces.hpp"
 #include "taut/shape.hpp"
@@ -23,6 +23,22 @@ bool rests(const std::vector<MotionPiece>& pieces) {
 bool same_pieces(const std::vector<MotionPiece>& a, const std::vector<MotionPiece>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const MotionPiece& x, const MotionPiece& y) { return x.until == y.until && same_motion(x, y); });
+}
+
+/// A number that is the same for the same motions, and seldom for others: where a point is taken at some time.
+double key_of(const MotionChain& chain) {
+  double sum = 0;
+  for (const std::vector<MotionPiece>& pieces : chain) {
+    for (const MotionPiece& piece : pieces) {
+      for (const Coefficients* c : {&piece.x, &piece.y}) {
+        sum *= 0.6180339887498949;
+        double value = 0;
+        for (std::size_t k = c->size(); k-- > 0;) value = value * 0.3819660112501051 + (*c)[k];
+        sum += value;
+      }
+    }
+  }
+  return std::isfinite(sum) ? sum : 0;
 }
 
 bool same_chain(const MotionChain& a, const MotionChain& b) {
@@ -74,10 +90,8 @@ void WorldPlan::add_bodies(const Scene& scene) {
 }
 
 void WorldPlan::find_groups() {
-  std::vector<int> order(bodies_.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<int> representatives;
-  // Bodies at rest are many; those that move are compared one by one.
+  // One body of each group, by the key of its motion.
+  std::unordered_map<double, std::vector<int>> representatives;
   int resting = -1;
   for (WorldBody& body : bodies_) {
     if (body.motions.empty()) {
@@ -86,14 +100,15 @@ void WorldPlan::find_groups() {
       continue;
     }
     const int index = static_cast<int>(&body - bodies_.data());
-    const auto same = std::find_if(representatives.begin(), representatives.end(), [&](int r) {
+    std::vector<int>& alike = representatives[key_of(body.motions)];
+    const auto same = std::find_if(alike.begin(), alike.end(), [&](int r) {
       return same_chain(bodies_[static_cast<std::size_t>(r)].motions, body.motions);
     });
-    if (same != representatives.end()) {
+    if (same != alike.end()) {
       body.group = bodies_[static_cast<std::size_t>(*same)].group;
     } else {
       body.group = groups_++;
-      representatives.push_back(index);
+      alike.push_back(index);
     }
   }
 }
