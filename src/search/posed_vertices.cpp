@@ -19,6 +19,7 @@ PieceChain pieces_at(const MotionChain& motions, double t) {
 
 PosedVertices::PosedVertices(const WorldBody& body, double t, bool inwards)
     : polygon_(body.rings->displaced(inwards)), chain_(pieces_at(body.motions, t)), t_(t) {
+  turned_ = turns(chain_);
   const Pose<double> pose = pose_of<Jet<double>>(chain_, Ball<double>::exact(t));
   origin_ = {pose.ox.v.mid, pose.oy.v.mid};
   axis_ = {pose.xx.v.mid, pose.xy.v.mid};
@@ -37,9 +38,12 @@ Vector PosedVertices::place(Vector v) const { return origin_ + axis_ * v; }
 template <class Real>
 std::array<Ball<Real>, 2> PosedVertices::enclosed(std::uint32_t k) const {
   using B = Ball<Real>;
-  const Pose<Real> pose = pose_of<Jet<Real>>(chain_, B::exact(t_));
   const DisplacedPoint& p = polygon_->points[k];
   const B x = B::exact(p.x) + B::exact(p.dx), y = B::exact(p.y) + B::exact(p.dy);
+  std::optional<Pose<Real>>& known = std::get<std::optional<Pose<Real>>>(poses_);
+  if (!known) known = pose_of<Jet<Real>>(chain_, B::exact(t_));
+  const Pose<Real>& pose = *known;
+  if (!turned_) return {pose.ox.v + x, pose.oy.v + y};
   return {pose.ox.v + pose.xx.v * x - pose.xy.v * y, pose.oy.v + pose.xy.v * x + pose.xx.v * y};
 }
 

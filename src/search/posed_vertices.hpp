@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace taut {
 
-/// One body. Positions are rounded, with a bound of the error, and computed again with more bits where that is asked.
+/// One body. Positions are rounded, with a bound of the error, and computed again with more bits where that is asked:
+/// its pose is computed once for each precision, so one object serves one thread.
 class PosedVertices {
  public:
   PosedVertices(const WorldBody& body, double t, bool inwards);
@@ -31,6 +33,10 @@ class PosedVertices {
   Vector origin_, axis_{1, 0};
   std::vector<Vector> positions_;
   double error_ = 0;
+  bool turned_ = true;  ///< its axes may not be the world's
+  mutable std::tuple<std::optional<Pose<double>>, std::optional<Pose<Real320>>, std::optional<Pose<Real640>>,
+                     std::optional<Pose<Real960>>>
+      poses_;
 };
 
 }  // namespace taut

@@ -206,7 +206,7 @@ TEST(Separate, AsFarAsATravelAsWhenMoved) {
   }
   EXPECT_GE(inside, static_cast<int>(enough(1000)));
   EXPECT_GE(outside, static_cast<int>(enough(500)));
-  EXPECT_GE(reached, static_cast<int>(enough(100)));
+  EXPECT_GE(reached, static_cast<int>(enough(60)));
 }
 
 TEST(Separate, ATravelThatEndsAtAFace) {
