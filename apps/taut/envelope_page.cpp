@@ -11,17 +11,17 @@
 namespace taut::cli {
 namespace {
 
-std::string pair_text(const Point& p) { return io::array_text({p.x, p.y}); }
+std::string coordinates_text(const Point& p) { return io::array_text({p.x, p.y}); }
 
-std::string ring_text(const Polygon& ring) {
+std::string outline_text(const Polygon& ring) {
   std::string s = "[";
-  for (const Point& p : ring) s += (s.size() > 1 ? "," : "") + pair_text(p);
+  for (const Point& p : ring) s += (s.size() > 1 ? "," : "") + coordinates_text(p);
   return s + "]";
 }
 
 std::string part_text(const Polygon& outline, const std::vector<Polygon>& holes) {
-  std::string s = "[" + ring_text(outline);
-  for (const Polygon& hole : holes) s += "," + ring_text(hole);
+  std::string s = "[" + outline_text(outline);
+  for (const Polygon& hole : holes) s += "," + outline_text(hole);
   return s + "]";
 }
 
@@ -36,8 +36,8 @@ std::string motion_text(const JointMotion& motion) {
   const auto* revolute = std::get_if<Revolute>(&motion.kind);
   return "{\"joint\":" + std::to_string(motion.joint) + ",\"times\":" + io::number_text(motion.times) +
          ",\"plus\":" + io::number_text(motion.plus) +
-         (revolute ? ",\"pivot\":" + pair_text(revolute->pivot)
-                   : ",\"direction\":" + pair_text(std::get<Slide>(motion.kind).direction)) +
+         (revolute ? ",\"pivot\":" + coordinates_text(revolute->pivot)
+                   : ",\"direction\":" + coordinates_text(std::get<Slide>(motion.kind).direction)) +
          "}";
 }
 
