@@ -142,8 +142,17 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
 }
 
 std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
-  const MotionChain& p = bodies_[static_cast<std::size_t>(pair.rings[0]->body())].motions;
-  const MotionChain& q = bodies_[static_cast<std::size_t>(pair.rings[1]->body())].motions;
+  return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_);
+}
+
+std::array<std::vector<Leg>, 2> WorldPlan::both_legs(const PairPlan& pair, double from) const {
+  const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
+  return {legs(p, q, from), legs(q, p, from)};
+}
+
+std::vector<Leg> WorldPlan::legs(int first, int second, double from) const {
+  const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
+  const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
   std::size_t common = 0;
   while (common < p.size() && common < q.size() && same_pieces(p[common], q[common])) ++common;
   const auto rest = [&](const MotionChain& chain) {
@@ -151,7 +160,7 @@ std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
     if (own.empty()) own.push_back(pieces_between({}, start_, end_));
     return own;
   };
-  return make_legs(rest(p), rest(q), start_, end_);
+  return make_legs(rest(p), rest(q), from, end_);
 }
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 // A scene of any number of bodies in the terms of the engines.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -49,8 +50,11 @@ class WorldPlan {
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
   std::vector<Leg> legs(const PairPlan& pair) const;
+  /// The same from a later time on; and with the roles exchanged.
+  std::array<std::vector<Leg>, 2> both_legs(const PairPlan& pair, double from) const;
 
  private:
+  std::vector<Leg> legs(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
   void find_groups();
   void count_pairs();
