@@ -15,11 +15,11 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
     : plan_(plan), geometry_(geometry), inwards_(inwards), legs_(std::move(legs)) {
   const Leg& first = legs_[0].front();
   const Placement placement(geometry, first, first.start, Positions::on_demand);
-  const auto meetings = ring_meetings(plan, placement);
+  const RingMeetings meetings = ring_meetings(plan, placement);
   start_in_doubles_ = placement.precise_calls() == 0;
-  overlap_ = !meetings;
-  if (overlap_) return;
-  for (const RingMeeting& rings : *meetings) {
+  inside_ = meetings.inside;
+  overlap_ = inside_.has_value();
+  for (const RingMeeting& rings : meetings.pairs) {
     begin(rings, observer);
     if (overlap_) return;
   }
@@ -52,21 +52,26 @@ bool RingEngines::is_contained(std::size_t k) const {
   return plan_.rings[0]->rings()[rings.p].ring > 0 || plan_.rings[1]->rings()[rings.q].ring > 0;
 }
 
-bool RingEngines::advance(double t, std::uint64_t events) {
+RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
   std::uint64_t left = events;
+  bool arrived = true;
   for (Run& run : runs_) {
     Engine& engine = *run.engine;
-    while (left > 0 && engine.state() == EngineState::running) {
+    while (engine.state() == EngineState::running) {
+      if (left == 0) {
+        arrived = false;
+        break;
+      }
       // What comes after a contact that is known does not matter.
       const double limit = contact_ ? std::min(t, legs_[0][contact_->leg].time(contact_->contact.hi)) : t;
       const std::uint64_t before = engine.events();
-      const bool more = engine.step(limit);
-      left -= std::min(left, engine.events() - before);
-      if (!more) break;
+      if (!engine.step(limit) && engine.events() == before) break;
+      left -= engine.events() - before;
     }
     if (engine.state() == EngineState::contact) note_contact(run);
   }
-  return !contact_;
+  if (!arrived) return Arrival::on_the_way;
+  return contact_ ? Arrival::contact : Arrival::there;
 }
 
 double RingEngines::reached() const {

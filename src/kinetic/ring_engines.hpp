@@ -28,9 +28,12 @@ class RingEngines {
 
   /// Do the bodies overlap at the start of the legs? Then no more can be asked.
   bool overlap() const { return overlap_; }
-  /// Up to t, or to the contact; true unless there is one. `events`: no more than so many; then it is left where it is.
-  /// Throws Undecidable, and what interrupts it.
-  bool advance(double t, std::uint64_t events = UINT64_MAX);
+  /// If they do, and it was seen by a vertex of one in the other, that vertex of the pair's geometry.
+  const std::optional<VertexId>& inside() const { return inside_; }
+
+  enum class Arrival : unsigned char { there, contact, on_the_way };
+  /// Up to t, or to the contact. After so many events it is left on the way. Throws Undecidable, and what interrupts it.
+  Arrival advance(double t, std::uint64_t events = UINT64_MAX);
   /// Everything up to there is proved.
   double reached() const;
   /// The same at the present, between events: no failure is due before.
@@ -76,6 +79,7 @@ class RingEngines {
   BothLegs legs_;
   std::vector<Run> runs_;
   bool overlap_ = false;
+  std::optional<VertexId> inside_;
   bool start_in_doubles_ = true;
   std::optional<Found> contact_;
 };

@@ -57,24 +57,25 @@ class PlacedRings {
 
 }  // namespace
 
-std::optional<std::vector<RingMeeting>> ring_meetings(const PairPlan& plan, const Placement& placement) {
+RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement) {
   const PlacedRings p(plan, placement, 0), q(plan, placement, 1);
   const std::vector<std::size_t> parts_p = p.outlines(), parts_q = q.outlines();
-  std::vector<RingMeeting> meetings;
+  RingMeetings result;
   for (const std::size_t i : parts_p) {
     for (const std::size_t j : parts_q) {
+      const VertexId of_p = p.vertex_of(i), of_q = q.vertex_of(j);
       RingMeeting meeting{i, j};
-      if (const auto ring = p.around(q.vertex_of(j), i)) {
-        if (*ring == i) return std::nullopt;
+      if (const auto ring = p.around(of_q, i)) {
+        if (*ring == i) return {{}, of_q};
         meeting.p = *ring;
-      } else if (const auto other = q.around(p.vertex_of(i), j)) {
-        if (*other == j) return std::nullopt;
+      } else if (const auto other = q.around(of_p, j)) {
+        if (*other == j) return {{}, of_p};
         meeting.q = *other;
       }
-      meetings.push_back(meeting);
+      result.pairs.push_back(meeting);
     }
   }
-  return meetings;
+  return result;
 }
 
 }  // namespace taut

@@ -8,7 +8,6 @@
 
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
-#include "search/pair_search.hpp"
 #include "sign/witness.hpp"
 
 namespace taut {
@@ -30,8 +29,14 @@ struct WorldSearch::Settled {
   bool any() const { return !pairs.empty() || (above && above->any()); }
 };
 
-WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all)
-    : plan_(plan), inwards_(touch == Touch::open), all_(all), stop_(plan.end()), proved_(plan.start()) {
+WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineChoice engine, std::uint64_t max_events)
+    : plan_(plan),
+      inwards_(touch == Touch::open),
+      all_(all),
+      engine_(engine),
+      budget_(max_events),
+      stop_(plan.end()),
+      proved_(plan.start()) {
   for (const WorldBody& body : plan.bodies()) {
     const Bounds& b = body.rings->bounds();
     sizes_.push_back(diagonal(b));
@@ -40,12 +45,9 @@ WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all)
 
 WorldSearch::~WorldSearch() = default;
 
-PairQuestion& WorldSearch::pair(int a, int b) {
-  std::unique_ptr<PairQuestion>& place = pairs_[{std::min(a, b), std::max(a, b)}];
-  if (!place) {
-    place = std::make_unique<PairQuestion>(PairSearch(plan_, std::min(a, b), std::max(a, b), inwards_), inwards_,
-                                           plan_.start(), plan_.end());
-  }
+WindowedPair& WorldSearch::pair(int a, int b) {
+  std::unique_ptr<WindowedPair>& place = pairs_[{std::min(a, b), std::max(a, b)}];
+  if (!place) place = windowed_pair(engine_, plan_, a, b, inwards_, budget_);
   return *place;
 }
 
@@ -72,7 +74,7 @@ bool WorldSearch::start() {
   std::vector<SweptBox> boxes;
   for (const WorldBody& body : plan_.bodies()) boxes.push_back(swept_box(body, plan_.start(), plan_.start()));
   each_meeting(bodies, boxes, [&](std::size_t i, std::size_t j) {
-    PairQuestion& met = pair(bodies[i], bodies[j]);
+    WindowedPair& met = pair(bodies[i], bodies[j]);
     met.ask_start();
     if (!met.open()) stop_ = plan_.start();
   });
@@ -130,7 +132,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
 }
 
 /// The pair's first contact within the window, if there is one that matters.
-void WorldSearch::settle(PairQuestion& pair, double from, double to) {
+void WorldSearch::settle(WindowedPair& pair, double from, double to) {
   const double end = all_ ? to : std::min(to, stop_);
   if (end < from) return;
   pair.ask(from, end);
@@ -143,10 +145,8 @@ std::vector<PairResult> WorldSearch::results() const {
   return results;
 }
 
-std::uint64_t WorldSearch::precise() const {
-  std::uint64_t sum = 0;
-  for (const auto& [key, pair] : pairs_) sum += pair->precise();
-  return sum;
+bool WorldSearch::doubles_sufficed() const {
+  return std::all_of(pairs_.begin(), pairs_.end(), [](const auto& entry) { return entry.second->doubles_sufficed(); });
 }
 
 }  // namespace taut
