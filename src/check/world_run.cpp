@@ -5,7 +5,6 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
-#include "check/headline.hpp"
 #include "pair/validate_world.hpp"
 
 namespace taut {
@@ -14,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Every pair that was asked about, also those that boxes alone have told apart.
-std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairAnswer>& known) {
+std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairEvent>& known) {
   std::vector<PairAnswer> all;
   auto next = known.begin();
   const int n = static_cast<int>(plan.bodies().size());
@@ -22,9 +21,9 @@ std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairA
     for (int b = a + 1; b < n; ++b) {
       if (!plan.asked(a, b)) continue;
       const std::array<BodyId, 2> bodies{a, b};
-      while (next != known.end() && next->bodies < bodies) ++next;
-      const bool is_known = next != known.end() && next->bodies == bodies;
-      all.push_back(is_known ? *next : PairAnswer{bodies, Outcome::free, {}, plan.end(), {}});
+      while (next != known.end() && next->pair.bodies < bodies) ++next;
+      const bool is_known = next != known.end() && next->pair.bodies == bodies;
+      all.push_back(is_known ? next->pair : PairAnswer{bodies, Outcome::free, {}, plan.end(), {}});
     }
   }
   return all;
@@ -57,16 +56,16 @@ bool WorldRun::work(std::uint64_t) {
 }
 
 void WorldRun::conclude() {
-  std::vector<PairAnswer> events = pairs();
+  std::vector<PairEvent> events = pairs();
   if (plan_) {
     if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, events);
     if (scene_.bodies.size() != 2) answer_.coverage = coverage();
   }
-  std::erase_if(events, [](const PairAnswer& e) { return e.outcome == Outcome::free; });
+  std::erase_if(events, [](const PairEvent& e) { return e.pair.outcome == Outcome::free; });
   if (!stopped_.empty()) {
     // What was found so far may not be the first.
     const double proved = search_ ? search_->proved() : scene_.start;
-    std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < proved); });
+    std::erase_if(events, [&](const PairEvent& e) { return !(time_of(e.pair) < proved); });
     answer_.outcome = Outcome::undecided;
     answer_.free_until = proved;
     answer_.reason = stopped_;
@@ -77,13 +76,13 @@ void WorldRun::conclude() {
 }
 
 /// Of the pairs that went to an engine; where they went to two, what both say. Throws EngineDisagreement.
-std::vector<PairAnswer> WorldRun::pairs() const {
-  std::vector<PairAnswer> pairs;
+std::vector<PairEvent> WorldRun::pairs() const {
+  std::vector<PairEvent> pairs;
   if (!search_) return pairs;
   search_->for_each_pair([&](const WindowedPair& pair) {
     const PairResult* other = pair.other();
     const PairAnswer answer = answer_of(pair.result());
-    pairs.push_back(other ? agreed_pair(answer, answer_of(*other)) : answer);
+    pairs.push_back({other ? agreed_pair(answer, answer_of(*other)) : answer, pair.instant()});
   });
   return pairs;
 }

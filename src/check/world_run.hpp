@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/interruption.hpp"
+#include "check/headline.hpp"
 #include "check/run.hpp"
 #include "search/world_search.hpp"
 
@@ -24,7 +25,7 @@ class WorldRun final : public Run {
 
  private:
   void conclude();
-  std::vector<PairAnswer> pairs() const;
+  std::vector<PairEvent> pairs() const;
   void tell_engine();
   Coverage coverage() const;
 

@@ -31,6 +31,7 @@ class KineticPair final : public WindowedPair {
   /// The same, for about so many events; true once it is settled. Else it can be asked again about the same window.
   bool work(double from, double to, std::uint64_t events);
   const PairResult& result() const override { return result_; }
+  std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
   bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }
   KineticCounts counts() const override;
   /// The present tilings; null before the first window, and where the bodies overlap.

@@ -34,6 +34,11 @@ class MapSearch {
 
   /// Of the bodies that the mover came near to, in the map's order.
   std::vector<PairResult> results() const;
+  /// Visits them.
+  template <class Visit>
+  void for_each_pair(const Visit& visit) const {
+    for (const auto& [body, pair] : pairs_) visit(*pair);
+  }
   double proved() const { return proved_; }
   std::uint64_t checked() const { return pairs_.size(); }
   std::uint64_t precise() const;

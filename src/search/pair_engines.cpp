@@ -24,6 +24,7 @@ class BothPair final : public WindowedPair {
     spacetime_.ask(from, to);
   }
   const PairResult& result() const override { return kinetic_.result(); }
+  std::optional<ContactInstant> instant() const override { return kinetic_.instant(); }
   const PairResult* other() const override { return &spacetime_.result(); }
   bool doubles_sufficed() const override { return kinetic_.doubles_sufficed() && spacetime_.doubles_sufficed(); }
   KineticCounts counts() const override { return kinetic_.counts(); }
@@ -59,6 +60,9 @@ class EitherPair final : public WindowedPair {
     by_kinetic_ = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
   }
   const PairResult& result() const override { return by_kinetic_ ? kinetic_->result() : spacetime_.result(); }
+  std::optional<ContactInstant> instant() const override {
+    return by_kinetic_ ? kinetic_->instant() : spacetime_.instant();
+  }
   bool doubles_sufficed() const override {
     return spacetime_.doubles_sufficed() && (!kinetic_ || kinetic_->doubles_sufficed());
   }

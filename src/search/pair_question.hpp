@@ -5,7 +5,7 @@
 #include <string>
 
 #include "search/pair_search.hpp"
-#include "sign/contact_bracket.hpp"
+#include "sign/instant_order.hpp"
 
 namespace taut {
 
@@ -48,6 +48,8 @@ class WindowedPair {
   /// Is there a first contact within the window? Nothing happens between the windows that are asked about.
   virtual void ask(double from, double to) = 0;
   virtual const PairResult& result() const = 0;
+  /// Of a contact that was found in motion, what it is the root of.
+  virtual std::optional<ContactInstant> instant() const = 0;
   /// Has every sign been told by doubles, without regard to the displacement?
   virtual bool doubles_sufficed() const = 0;
   /// What another engine says, where two are compared.
@@ -57,6 +59,12 @@ class WindowedPair {
   /// Nothing has been found yet.
   bool open() const { return result().outcome == Outcome::free; }
 };
+
+inline std::optional<ContactInstant> instant_of(const PairResult& result, const std::vector<Leg>& legs,
+                                                const PairGeometry& geometry) {
+  if (!result.found) return std::nullopt;
+  return ContactInstant{&legs[result.leg], &geometry, *result.found};
+}
 
 /// The spacetime engine's.
 class PairQuestion final : public WindowedPair {
@@ -69,6 +77,9 @@ class PairQuestion final : public WindowedPair {
   /// The same, unless it takes more than that effort: then nothing is noted, and the result is false.
   bool try_ask(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
+  std::optional<ContactInstant> instant() const override {
+    return instant_of(result_, search_.legs(), search_.geometry);
+  }
   bool doubles_sufficed() const override { return precise_ == 0; }
   /// Questions to multi-precision.
   std::uint64_t precise() const { return precise_; }

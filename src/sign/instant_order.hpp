@@ -1,5 +1,8 @@
-// Which of two contacts comes first, of whatever pairs of bodies?
+// Which of several contacts comes first, of whatever pairs of bodies?
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "sign/contact_bracket.hpp"
 
@@ -7,18 +10,25 @@ namespace taut {
 
 /// A contact that an engine found, of bodies displaced as the geometry is.
 struct ContactInstant {
-  const Leg& leg;
-  const PairGeometry& geometry;
+  const Leg* leg;
+  const PairGeometry* geometry;
   FoundContact contact;
 };
 
 /// In the world's time: -1 if a is certainly before b, 1 if it is after, 0 if even the highest precision does not tell.
-/// `room` is what the instants may be off by, together. Legs may be those of different pairs; on the same bridge its
-/// parameter decides, on different ones at one joint nothing does.
-int order_of(const ContactInstant& a, const ContactInstant& b, double room = 0);
+/// Legs may be those of different pairs; on one bridge its parameter decides, on different ones at one joint nothing
+/// does.
+int order_of(const ContactInstant& a, const ContactInstant& b);
 
-/// The order of two contacts of the bodies as they were given: 0 as well where their difference is below what the
-/// displacement adds.
-int order_of_given(const ContactInstant& a, const ContactInstant& b);
+/// One of many contacts of bodies as they were given: enclosed by doubles, and more precisely by what it is the root
+/// of, if that is known.
+struct Candidate {
+  TimeInterval time;
+  std::optional<ContactInstant> instant;
+};
+
+/// Of which of them is it not certain that another one comes before? Where doubles leave several, each is enclosed at
+/// high precision, with room for what the displacement moves it by: what is left then differs by less.
+std::vector<std::size_t> possibly_first(const std::vector<Candidate>& contacts);
 
 }  // namespace taut
