@@ -128,7 +128,7 @@ class MapRun {
     return answer;
   }
 
-  void conclude(const MapSearch& search, const std::string& stopped, Answer& answer) const {
+  void conclude(MapSearch& search, const std::string& stopped, Answer& answer) const {
     std::vector<PairEvent> events;
     search.for_each_pair([&](const WindowedPair& pair) {
       if (!pair.open()) events.push_back({answer_of(pair.result()), pair.instant()});
@@ -140,6 +140,8 @@ class MapRun {
       answer.reason = stopped;
     }
     take_headline(events, answer);
+    if (answer.outcome == Outcome::overlap_at_start && answer.pair)
+      answer.overlap_point = search.common_point((*answer.pair)[0]);
     const std::uint64_t all = bodies_.rings.size();
     answer.coverage = Coverage{all, 0, 0, all - search.checked(), search.checked()};
   }

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "pair/validate_world.hpp"
+#include "world/world_witness.hpp"
 
 namespace taut {
 namespace {
@@ -71,6 +72,8 @@ void WorldRun::conclude() {
     answer_.reason = stopped_;
   }
   take_headline(events, answer_);
+  if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
+    answer_.overlap_point = common_point(*plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
   tell_engine();
   if (scene_.bodies.size() == 2) answer_.pair.reset();
 }

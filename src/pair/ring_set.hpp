@@ -72,6 +72,8 @@ class RingSet {
   std::size_t size() const { return size_; }
   /// In the order of their vertices: the holes of a part follow its outline.
   const std::vector<RingMap>& rings() const { return maps_; }
+  /// Of a ring, counterclockwise also if it is a hole; scaled.
+  const std::vector<Point>& points(std::size_t ring) const { return rings_[ring]; }
   /// Of a ring, in the input's units.
   double diameter_squared(std::size_t ring) const { return diameters_[ring]; }
   int body() const { return index_; }

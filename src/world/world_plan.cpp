@@ -141,6 +141,13 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
   return plan;
 }
 
+PieceChain pieces_at(const MotionChain& motions, double t) {
+  PieceChain chain;
+  for (const std::vector<MotionPiece>& pieces : motions) chain.push_back(piece_at(pieces, t));
+  if (chain.empty()) chain.push_back(MotionPiece{});
+  return chain;
+}
+
 std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
   return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_);
 }

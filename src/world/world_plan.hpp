@@ -30,6 +30,9 @@ struct WorldBody {
   int group = 0;
 };
 
+/// The piece of each motion that holds at that time; of a body at rest, one that rests.
+PieceChain pieces_at(const MotionChain& motions, double t);
+
 /// All bodies in one scale, their groups, and which pairs are asked about.
 class WorldPlan {
  public:
