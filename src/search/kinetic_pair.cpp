@@ -78,8 +78,6 @@ KineticCounts KineticPair::counts() const {
 
 bool KineticPair::work(double from, double to, std::uint64_t events) {
   if (!open() && result_.free_until <= from) return true;
-  // A joint where the window begins belongs to the one before.
-  if (from == to && from > world_.start()) return true;
   try {
     if (!engines_ || (at_ != from && window_ != from)) {
       begin(from);

@@ -34,6 +34,8 @@ class KineticPair final : public WindowedPair {
   std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
   bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }
   KineticCounts counts() const override;
+  /// Up to where the present tilings have come.
+  double at() const { return at_; }
   /// The present tilings; null before the first window, and where the bodies overlap.
   RingEngines* engines() { return engines_.get(); }
 

@@ -2,7 +2,6 @@
 // pair by pair.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,9 +47,6 @@ class WorldSearch {
   WindowedPair& pair(int a, int b);
   void cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth);
   void settle(WindowedPair& pair, double from, double to);
-  bool wants_halves(int a, int b, const SweptBox& box_a, const SweptBox& box_b, int depth) const;
-  void each_meeting(const std::vector<int>& bodies, const std::vector<SweptBox>& boxes,
-                    const std::function<void(std::size_t, std::size_t)>& visit) const;
   bool over(double t) const { return !all_ && t > stop_; }
 
   const WorldPlan& plan_;
@@ -58,7 +54,6 @@ class WorldSearch {
   EngineChoice engine_;
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<WindowedPair>> pairs_;
-  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
   double stop_, proved_;
 };
 

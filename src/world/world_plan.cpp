@@ -61,16 +61,53 @@ void WorldPlan::add_bodies(const Scene& scene) {
     WorldBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
     extent_ = std::max(extent_, std::ldexp(diagonal(body.rings->bounds()), -exponent_));
-    for (int k = static_cast<int>(i);;) {
-      const Body& link = scene.bodies[static_cast<std::size_t>(k)];
-      std::vector<MotionPiece> pieces = pieces_between(link.motion, start_, end_);
-      for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), exponent_);
-      if (!rests(pieces)) body.motions.insert(body.motions.begin(), std::move(pieces));
-      if (link.relative_to.empty()) break;
-      k = index_of(scene, by_name, link.relative_to);
-    }
+    std::vector<MotionPiece> own = pieces_between(scene.bodies[i].motion, start_, end_);
+    for (MotionPiece& piece : own) piece = scaled(std::move(piece), exponent_);
+    if (!rests(own)) body.own = std::move(own);
+    const std::string& parent = scene.bodies[i].relative_to;
+    if (!parent.empty()) body.parent = index_of(scene, by_name, parent);
     bodies_.push_back(std::move(body));
   }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].motions = chain_of(static_cast<int>(i));
+}
+
+MotionChain WorldPlan::chain_of(int body) const {
+  MotionChain chain;
+  for (int k = body; k >= 0; k = bodies_[static_cast<std::size_t>(k)].parent) {
+    const std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(k)].own;
+    if (!own.empty()) chain.insert(chain.begin(), own);
+  }
+  return chain;
+}
+
+bool WorldPlan::follows(int body, int ancestor) const {
+  while (body >= 0 && body != ancestor) body = bodies_[static_cast<std::size_t>(body)].parent;
+  return body >= 0;
+}
+
+void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
+  std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(body)].own;
+  std::vector<MotionPiece> fresh;
+  if (from < t) {
+    fresh.push_back(own.empty() ? MotionPiece{} : piece_at(own, from));
+    fresh.back().until = t;
+  }
+  for (MotionPiece& piece : pieces_between(motion, t, end_)) fresh.push_back(scaled(std::move(piece), exponent_));
+  own = rests(fresh) ? std::vector<MotionPiece>() : std::move(fresh);
+  start_ = from;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!follows(static_cast<int>(i), body)) continue;
+    bodies_[i].motions = chain_of(static_cast<int>(i));
+    find_group(bodies_[i]);
+  }
+}
+
+/// That of another body that moves alike, or one of its own.
+void WorldPlan::find_group(WorldBody& body) {
+  const auto same = std::find_if(bodies_.begin(), bodies_.end(), [&](const WorldBody& other) {
+    return &other != &body && same_chain(other.motions, body.motions);
+  });
+  body.group = same != bodies_.end() ? same->group : groups_++;
 }
 
 void WorldPlan::find_groups() {

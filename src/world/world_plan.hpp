@@ -25,9 +25,11 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
 /// One body: its rings, and how it moves.
 struct WorldBody {
   SharedRings rings;
-  /// Of its parents, the outermost first, and its own; those that rest are left out, unless all do. Scaled.
+  /// Of its parents, the outermost first, and its own; those that rest are left out. Scaled.
   MotionChain motions;
   int group = 0;
+  std::vector<MotionPiece> own = {};  ///< seen from its parent; empty if it rests there
+  int parent = -1;
 };
 
 /// The piece of each motion that holds at that time; of a body at rest, one that rests.
@@ -50,6 +52,12 @@ class WorldPlan {
   /// Of all pairs: how many are ignored, how many of the others are of one group. `apart` and `checked` are 0.
   const Coverage& coverage() const { return coverage_; }
 
+  /// Another motion of a body from t on, which must be valid; what happened before is forgotten but for the piece that
+  /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew.
+  void replan(int body, const Motion& motion, double t, double from);
+  /// Is it that body, or does its chain of parents have it?
+  bool follows(int body, int ancestor) const;
+
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
   std::vector<Leg> legs(const PairPlan& pair) const;
@@ -59,7 +67,9 @@ class WorldPlan {
  private:
   std::vector<Leg> legs(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
+  MotionChain chain_of(int body) const;
   void find_groups();
+  void find_group(WorldBody& body);
   void count_pairs();
 
   double start_, end_;
