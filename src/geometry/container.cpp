@@ -52,24 +52,37 @@ struct View {
   const DisplacedPoint& at(std::size_t k) const { return hole[(mouth + k) % hole.size()]; }
 };
 
-/// The mouth's other side: a little way along the edge that comes back to it.
-DisplacedPoint beside_mouth(const View& view) {
-  const DisplacedPoint &v = view.at(0), &before = view.at(view.hole.size() - 1);
-  const double ux = before.x - v.x, uy = before.y - v.y, scale = std::max(std::fabs(ux), std::fabs(uy));
-  const double size = std::sqrt((ux / scale) * (ux / scale) + (uy / scale) * (uy / scale));
+/// The two sides of the mouth: the vertex at which the walls below and above it end. One is the hole's vertex itself,
+/// the other a little way along the edge above, or below.
+struct Mouth {
+  DisplacedPoint below, above;
+};
+
+/// A little way from the mouth's vertex towards a neighbour of it.
+DisplacedPoint beside_mouth(const View& view, const DisplacedPoint& neighbour) {
+  const DisplacedPoint& v = view.at(0);
+  const double ux = neighbour.x - v.x, uy = neighbour.y - v.y, scale = std::max(std::fabs(ux), std::fabs(uy));
+  const double x = ux / scale, y = uy / scale, size = std::sqrt(x * x + y * y);
   const double way = mouth_share * displacement_unit / (view.sine * view.sine);
-  return {v.x, v.y, v.dx + way * (ux / scale / size), v.dy + way * (uy / scale / size)};
+  return {v.x, v.y, v.dx + way * (x / size), v.dy + way * (y / size)};
 }
 
-/// The vertex beside the mouth is on its side of the edge that leaves it, and on the way along the other one, so that
-/// the two walls of the slit, and the edges, do not meet.
-bool is_open(const View& view, const DisplacedPoint& beside) {
+/// Do the walls from the mouth to the ends of the box not meet each other, or the edges that come to the mouth? The
+/// hole's vertex must be on its side of the wall that ends beside it. And what is beside it is on the hole's side of
+/// the other edge, or beyond its end, where the two edges are nearly in line.
+bool is_open(const View& view, const Mouth& mouth, bool above_is_aside, const DisplacedPoint& low_end,
+             const DisplacedPoint& high_end) {
   const DisplacedPoint &v = view.at(0), &after = view.at(1), &before = view.at(view.hole.size() - 1);
-  if (!(view.sine > 0)) return false;
-  if (orientation(after, v, beside) <= 0 && sine_at(after, v, before) < 1) return false;
-  // By a step along x and y that is no farther than the edge's end.
-  const auto between = [](double from, double to, double step) { return std::fabs(step) <= std::fabs(to - from) / 4; };
-  return between(v.x, before.x, beside.dx - v.dx) || between(v.y, before.y, beside.dy - v.dy);
+  const DisplacedPoint& aside = above_is_aside ? mouth.above : mouth.below;
+  if (above_is_aside ? orientation(aside, high_end, v) >= 0 : orientation(aside, low_end, v) <= 0) return false;
+  const int side = above_is_aside ? orientation(after, v, aside) : orientation(aside, v, before);
+  if (side <= 0 && sine_at(after, v, before) < 1) return false;
+  // Far from the edge's other end.
+  const auto far = [&](const DisplacedPoint& end) {
+    const double way = std::max(std::fabs(aside.dx - v.dx), std::fabs(aside.dy - v.dy));
+    return 4 * way <= std::max(std::fabs(end.x - v.x), std::fabs(end.y - v.y));
+  };
+  return far(before) && far(after);
 }
 
 /// The box around the hole, cut open on its right: counterclockwise from the wall above the mouth to the one below.
@@ -84,6 +97,28 @@ std::vector<Point> box_around(const View& view) {
   return {{b.hi.x + 0.2371 * s, y + 0.1137 * s},      {b.hi.x + 0.2293 * s, b.hi.y + 0.2531 * s},
           {b.lo.x - 0.2417 * s, b.hi.y + 0.2239 * s}, {b.lo.x - 0.2173 * s, b.lo.y - 0.2357 * s},
           {b.hi.x + 0.2539 * s, b.lo.y - 0.2467 * s}, {b.hi.x + 0.2213 * s, y - 0.1171 * s}};
+}
+
+DisplacedPoint given(const Point& p) { return {p.x, p.y, 0, 0}; }
+
+/// The hole cut open, from the mouth's side below to the one above, and on around the box; nothing if doubles leave no
+/// room for a mouth.
+std::optional<Ring> cut_open(const View& view) {
+  if (!(view.sine > 0)) return std::nullopt;
+  const std::vector<Point> box = box_around(view);
+  const DisplacedPoint &v = view.at(0), low_end = given(box.back()), high_end = given(box.front());
+  const DisplacedPoint up = beside_mouth(view, view.at(view.hole.size() - 1)), down = beside_mouth(view, view.at(1));
+  Mouth mouth{v, up};
+  if (!is_open(view, mouth, true, low_end, high_end)) {
+    mouth = {down, v};
+    if (!is_open(view, mouth, false, low_end, high_end)) return std::nullopt;
+  }
+  Ring ring{mouth.below};
+  ring.reserve(view.hole.size() + 7);
+  for (std::size_t k = 1; k < view.hole.size(); ++k) ring.push_back(view.at(k));
+  ring.push_back(mouth.above);
+  for (const Point& p : box) ring.push_back(given(p));
+  return ring;
 }
 
 bool is_lower_left(const DisplacedPoint& a, const DisplacedPoint& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
@@ -103,35 +138,33 @@ std::optional<std::uint32_t> Container::edge(std::uint32_t k) const {
 }
 
 std::optional<Container> container_around(std::span<const DisplacedPoint> hole) {
-  // The bluntest of the outermost vertices on four sides.
-  std::optional<View> best;
+  // At the bluntest of the outermost vertices on four sides.
+  std::optional<Ring> ring;
+  double sine = 0;
   int turns = 0;
+  Container result;
+  result.hole_size = static_cast<std::uint32_t>(hole.size());
   Ring seen(hole.begin(), hole.end());
   for (int k = 0; k < 4; ++k) {
-    View view(seen);
-    if (is_open(view, beside_mouth(view)) && (!best || view.sine > best->sine)) {
-      best = view;
+    const View view(seen);
+    std::optional<Ring> open = view.sine > sine ? cut_open(view) : std::nullopt;
+    if (open) {
+      ring = std::move(open);
+      sine = view.sine;
       turns = k;
+      result.mouth = static_cast<std::uint32_t>(view.mouth);
     }
     for (DisplacedPoint& v : seen) v = turned(v);
   }
-  if (!best) return std::nullopt;
-  Container result;
-  result.hole_size = static_cast<std::uint32_t>(hole.size());
-  result.mouth = static_cast<std::uint32_t>(best->mouth);
-  Ring ring;
-  ring.reserve(hole.size() + 7);
-  for (std::size_t k = 0; k < hole.size(); ++k) ring.push_back(best->at(k));
-  ring.push_back(beside_mouth(*best));
-  for (const Point& p : box_around(*best)) ring.push_back({p.x, p.y, 0, 0});
-  for (DisplacedPoint& v : ring) {
+  if (!ring) return std::nullopt;
+  for (DisplacedPoint& v : *ring) {
     for (int k = 0; k < turns; ++k) v = turned_back(v);
   }
-  const auto start = std::min_element(ring.begin(), ring.end(), is_lower_left) - ring.begin();
-  std::rotate(ring.begin(), ring.begin() + start, ring.end());
-  const auto n = static_cast<std::uint32_t>(ring.size());
+  const auto start = std::min_element(ring->begin(), ring->end(), is_lower_left) - ring->begin();
+  std::rotate(ring->begin(), ring->begin() + start, ring->end());
+  const auto n = static_cast<std::uint32_t>(ring->size());
   result.first = (n - static_cast<std::uint32_t>(start)) % n;
-  result.polygon = std::make_shared<const DisplacedPolygon>(std::move(ring));
+  result.polygon = std::make_shared<const DisplacedPolygon>(std::move(*ring));
   return result;
 }
 
