@@ -21,7 +21,7 @@ struct RingCounts {
 };
 
 /// By the second engine.
-void expect_same_answer(const WorldPlan& world, bool inwards, const RingAudit& kinetic) {
+void expect_other_engine_agrees(const WorldPlan& world, bool inwards, const RingAudit& kinetic) {
   const PairSearch pair(world, 0, 1, inwards);
   if (spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], world.start())) {
     EXPECT_EQ(kinetic.outcome, Outcome::overlap_at_start);
@@ -46,7 +46,7 @@ void examine(const Scene& scene, bool inwards, RingCounts& counts) {
   ++(result.outcome == Outcome::free      ? counts.free
      : result.outcome == Outcome::contact ? counts.contact
                                           : counts.overlap);
-  ASSERT_NO_FATAL_FAILURE(expect_same_answer(world, inwards, result));
+  ASSERT_NO_FATAL_FAILURE(expect_other_engine_agrees(world, inwards, result));
 }
 
 void print(const RingCounts& counts) {

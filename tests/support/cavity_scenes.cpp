@@ -27,14 +27,14 @@ const char* to_string(Cavity cavity) {
 namespace {
 
 /// Sixteenths: far from needing all bits, so that bodies can be turned and moved exactly.
-double rounded(double x) { return std::round(x * 16) / 16; }
+double in_sixteenths(double x) { return std::round(x * 16) / 16; }
 
-Polygon star(Rng& rng, int n, double least, double most, const Point& centre) {
+Polygon ragged_star(Rng& rng, int n, double least, double most, const Point& centre) {
   Polygon polygon;
   for (int k = 0; k < n; ++k) {
     const Point u = unit_vector((k + rng.real(-0.3, 0.3)) / n);
     const double r = rng.real(least, most);
-    polygon.push_back({rounded(centre.x + r * u.x), rounded(centre.y + r * u.y)});
+    polygon.push_back({in_sixteenths(centre.x + r * u.x), in_sixteenths(centre.y + r * u.y)});
   }
   return polygon;
 }
@@ -49,7 +49,7 @@ Polygon toothed(int n, double low, double high, double width, double phase) {
   for (int k = 0; k < n; ++k) {
     for (const auto& [at, r] : {std::pair(-width, low), {-width / 2, high}, {width / 2, high}, {width, low}}) {
       const Point u = unit_vector((k + phase + at) / n);
-      polygon.push_back({rounded(r * u.x), rounded(r * u.y)});
+      polygon.push_back({in_sixteenths(r * u.x), in_sixteenths(r * u.y)});
     }
   }
   return polygon;
@@ -92,7 +92,7 @@ Polygon around_island(const Polygon& island, const Bounds& bounds, double margin
   return hole;
 }
 
-Cell island(Rng& rng, bool grid) {
+Cell around_and_inside(Rng& rng, bool grid) {
   PolygonPair pair =
       random_pair(rng, rng.pick(std::vector<Family>(std::begin(all_families), std::end(all_families))), grid);
   for (int k = 0; k < 4 && highest_x(pair.p) <= highest_x(pair.q); ++k) {
@@ -111,13 +111,13 @@ Cell island(Rng& rng, bool grid) {
   return {{{box(b.lo.x - margin, b.lo.y - margin, b.hi.x + margin, b.hi.y + margin), {hole}}}, {{pair.q, {}}}, size};
 }
 
-Cell rock(Rng& rng) {
-  const Polygon inner = star(rng, rng.between(3, 24), 20, 100, {0, 0});
-  const Polygon hole = star(rng, rng.between(8, 40), 112, rng.real(120, 300), {0, 0});
-  return {{{star(rng, 20, 410, 500, {0, 0}), {hole}}}, {{inner, {}}}, 150};
+Cell star_in_star(Rng& rng) {
+  const Polygon inner = ragged_star(rng, rng.between(3, 24), 20, 100, {0, 0});
+  const Polygon hole = ragged_star(rng, rng.between(8, 40), 112, rng.real(120, 300), {0, 0});
+  return {{{ragged_star(rng, 20, 410, 500, {0, 0}), {hole}}}, {{inner, {}}}, 150};
 }
 
-Cell ring(Rng& rng) {
+Cell cog_in_ring(Rng& rng) {
   const int n = rng.between(5, 20);
   const double tooth = rng.real(0.1, 0.2), space = rng.real(0.26, 0.33);
   // A tooth of the cog in each space of the ring.
@@ -126,16 +126,17 @@ Cell ring(Rng& rng) {
   return {{{box(-700, -700, 700, 700), {hole}}}, {{cog, {}}}, 60};
 }
 
-Cell cells(Rng& rng) {
+Cell two_cells(Rng& rng) {
   Cell cell;
   const double apart = 900;
-  const Polygon left = star(rng, 16, 160, 220, {-apart / 2, 0}), right = star(rng, 12, 160, 220, {apart / 2, 0});
+  const Polygon left = ragged_star(rng, 16, 160, 220, {-apart / 2, 0}),
+                right = ragged_star(rng, 12, 160, 220, {apart / 2, 0});
   cell.outer = {{box(-900, -500, 900, 500), {left, right}}};
   if (rng.chance(0.5)) cell.outer.push_back({box(-20, 450, 20, 800), {}});
   if (rng.chance(0.5))
-    cell.outer.push_back({star(rng, 5, 10, 30, {apart / 2, 0}), {}});  // in the hole that Q surrounds
-  cell.inner = {{star(rng, 9, 40, 130, {-apart / 2, 0}), {}},
-                {star(rng, 11, 120, 150, {apart / 2, 0}), {star(rng, 9, 50, 90, {apart / 2, 0})}}};
+    cell.outer.push_back({ragged_star(rng, 5, 10, 30, {apart / 2, 0}), {}});  // in the hole that Q surrounds
+  cell.inner = {{ragged_star(rng, 9, 40, 130, {-apart / 2, 0}), {}},
+                {ragged_star(rng, 11, 120, 150, {apart / 2, 0}), {ragged_star(rng, 9, 50, 90, {apart / 2, 0})}}};
   if (rng.chance(0.3)) cell.inner.push_back({box(-10, -3000, 10, -2500), {}});
   cell.play = 100;
   return cell;
@@ -144,13 +145,13 @@ Cell cells(Rng& rng) {
 Cell made(Rng& rng, Cavity cavity, bool grid) {
   switch (cavity) {
     case Cavity::island:
-      return island(rng, grid);
+      return around_and_inside(rng, grid);
     case Cavity::rock:
-      return rock(rng);
+      return star_in_star(rng);
     case Cavity::ring:
-      return ring(rng);
+      return cog_in_ring(rng);
     default:
-      return cells(rng);
+      return two_cells(rng);
   }
 }
 
@@ -188,7 +189,7 @@ Drive drive_within(Rng& rng, double play) {
   return drive;
 }
 
-Scene attempt(Rng& rng, Cavity cavity, const CavityOptions& options) {
+Scene attempted_scene(Rng& rng, Cavity cavity, const CavityOptions& options) {
   const Cell cell = made(rng, cavity, options.grid);
   Scene scene;
   scene.end = 1;
@@ -212,7 +213,7 @@ Scene attempt(Rng& rng, Cavity cavity, const CavityOptions& options) {
 Scene cavity_scene(std::uint64_t seed, Cavity cavity, const CavityOptions& options) {
   Rng rng(seed * 16 + static_cast<std::uint64_t>(cavity) * 4 + options.grid + 2 * options.parents);
   for (;;) {
-    Scene scene = attempt(rng, cavity, options);
+    Scene scene = attempted_scene(rng, cavity, options);
     try {
       validate_world(scene);
       return scene;

@@ -1,6 +1,8 @@
 // The container around a hole: a simple polygon whose cavity is the hole.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "geometry/container.hpp"
@@ -23,7 +25,7 @@ Ring hole_of(std::vector<Point> polygon, bool inwards, std::uint64_t seed) {
   return {displaced->points.rbegin(), displaced->points.rend()};
 }
 
-bool cross(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, const DisplacedPoint& d) {
+bool edges_meet(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, const DisplacedPoint& d) {
   return orientation(a, b, c) != orientation(a, b, d) && orientation(c, d, a) != orientation(c, d, b);
 }
 
@@ -39,7 +41,7 @@ void expect_simple(const Ring& ring) {
     EXPECT_FALSE(same_point(ring[i], ring[(i + 1) % n]));
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j + 1 == n) continue;
-      EXPECT_FALSE(cross(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) << i << " and " << j;
+      EXPECT_FALSE(edges_meet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) << i << " and " << j;
     }
   }
   for (std::size_t i = 1; i < n; ++i)
