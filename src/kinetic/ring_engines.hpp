@@ -32,7 +32,8 @@ class RingEngines {
   const std::optional<VertexId>& inside() const { return inside_; }
 
   enum class Arrival : unsigned char { there, contact, on_the_way };
-  /// Up to t, or to the contact. After so many events it is left on the way. Throws Undecidable, and what interrupts it.
+  /// Up to t, or to the contact. After so many events it is left on the way. Throws Undecidable, and what interrupts
+  /// it.
   Arrival advance(double t, std::uint64_t events = UINT64_MAX);
   /// Everything up to there is proved.
   double reached() const;
