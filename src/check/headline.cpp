@@ -24,7 +24,7 @@ bool before(const PairAnswer& a, const PairAnswer& b) {
 /// Those that come with the first one, itself included: every other overlap, or contacts that may be before it.
 std::vector<std::size_t> together(const std::vector<PairEvent>& events, const PairAnswer& first) {
   std::vector<std::size_t> alike;
-  std::vector<Candidate> contacts;
+  std::vector<ContactCandidate> contacts;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const PairAnswer& pair = events[i].pair;
     if (pair.outcome != first.outcome) continue;

@@ -54,7 +54,8 @@ namespace {
 /// A contact that may be the first, with room for what the bodies' displacement moves it by.
 class Rival {
  public:
-  Rival(std::size_t index, const Candidate& candidate) : index_(index), lo_(candidate.time.lo), hi_(candidate.time.hi) {
+  Rival(std::size_t index, const ContactCandidate& candidate)
+      : index_(index), lo_(candidate.time.lo), hi_(candidate.time.hi) {
     if (!candidate.instant) return;
     const ContactInstant& at = *candidate.instant;
     sway_ = displacement_sway(*at.geometry, *at.leg, at.contact);
@@ -89,9 +90,9 @@ void keep_first(std::vector<Interval>& all) {
 
 }  // namespace
 
-std::vector<std::size_t> possibly_first(const std::vector<Candidate>& contacts) {
+std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& contacts) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Candidate& c : contacts) least = std::min(least, c.time.hi);
+  for (const ContactCandidate& c : contacts) least = std::min(least, c.time.hi);
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].time.lo <= least) left.push_back(i);

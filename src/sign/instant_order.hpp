@@ -22,13 +22,13 @@ int order_of(const ContactInstant& a, const ContactInstant& b);
 
 /// One of many contacts of bodies as they were given: enclosed by doubles, and more precisely by what it is the root
 /// of, if that is known.
-struct Candidate {
+struct ContactCandidate {
   TimeInterval time;
   std::optional<ContactInstant> instant;
 };
 
 /// Of which of them is it not certain that another one comes before? Where doubles leave several, each is enclosed at
 /// high precision, with room for what the displacement moves it by: what is left then differs by less.
-std::vector<std::size_t> possibly_first(const std::vector<Candidate>& contacts);
+std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& contacts);
 
 }  // namespace taut
