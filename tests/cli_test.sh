@@ -474,7 +474,7 @@ expect 1 'NOT VALID' '' verify three.json world.proof
 expect 0 'proof in two.proof' '' prove --engine spacetime -o two.proof free.json
 expect 0 '"separations":' '' verify --json free.json two.proof --expect free
 world '{"name":"b","parts":[[[0,0],[1,0],[1,1]],[[5,0],[6,0],[5,1]]]}'
-expect 1 'when the motion starts$' '' check world.json
+expect 1 'when the motion starts: \(0.5, 0.0625\) is inside both$' '' check world.json
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[10,3],[4,4]]]}}'
 expect 2 '' 'world\.json: b: edge 1-2 of the outline meets edge' check world.json
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[13,3],[14,3],[14,4]]]}}'

@@ -51,8 +51,9 @@ AskOptions read_options(const std::string& text) {
                               R"({"touch": "closed", "maxSeconds": 5})");
   AskOptions options;
   read_choice(document, object, "touch", options.check.touch, {Touch::open, Touch::closed});
-  read_choice(document, object, "engine", options.check.engine,
-              {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both, EngineChoice::either});
+  read_choice(
+      document, object, "engine", options.check.engine,
+      {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both, EngineChoice::either, EngineChoice::usual});
   const auto number = [&](const char* key, double otherwise) {
     const auto token = object.find(key);
     return token ? io::read_number(document, *token, key) : otherwise;

@@ -124,15 +124,9 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   }
   if (answer.outcome == Outcome::overlap_at_start) {
     const auto& inside = answer.overlap_point;
-    // In worlds no such point is looked for.
-    const auto plain = [](const Body& body) { return body.parts.empty() && body.relative_to.empty(); };
-    const bool looked =
-        !answer.coverage && !answer.pairs && std::all_of(scene.bodies.begin(), scene.bodies.end(), plain);
     text += "  the bodies overlap already when the motion starts";
-    if (inside)
-      text += fmt::format(": ({}, {}) is inside both", inside->x, inside->y);
-    else if (looked)
-      text += ": by too little for a point to be named that is inside both";
+    text += inside ? fmt::format(": ({}, {}) is inside both", inside->x, inside->y)
+                   : ": by too little for a point to be named that is inside both";
     return text + "\n";
   }
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";

@@ -42,9 +42,10 @@ enum class EngineChoice {
   spacetime,  ///< this engine
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
   either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
+  usual,      ///< kinetic for two polygons; for a world, either for each pair
 };
 
-/// "kinetic", "spacetime", "both" or "either".
+/// "kinetic", "spacetime", "both", "either" or "usual".
 const char* to_string(EngineChoice engine);
 
 /// An interval of time that certainly contains the instant meant.
@@ -70,7 +71,7 @@ struct Contact {
 /// How to check; the defaults are those of `taut check`.
 struct CheckOptions {
   Touch touch = Touch::open;
-  EngineChoice engine = EngineChoice::kinetic;
+  EngineChoice engine = EngineChoice::usual;
   /// Stop with `undecided` after this many events (of the kinetic engine).
   std::uint64_t max_events = UINT64_MAX;
   /// Stop with `undecided` after this much wall time, in seconds (for each engine; for both together with `either`).
@@ -111,7 +112,8 @@ struct PairAnswer {
 /// What check() and prove() found out.
 struct Answer {
   Outcome outcome = Outcome::undecided;
-  /// Who answered.
+  /// Who answered; of a world whose pairs have several engines, who answered about the pair that is named, and where
+  /// none is, the kinetic one if it did about any.
   EngineName engine = EngineName::kinetic;
   /// The other engine was asked too, and contradicts nothing of this (EngineChoice::both).
   bool compared = false;

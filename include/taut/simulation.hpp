@@ -111,8 +111,13 @@ struct SimulationOptions {
   Tracer* tracer = nullptr;
 };
 
-/// The external relative geodesic triangulation of two moving polygons, kept up to date event by event.
+/// The external relative geodesic triangulation of two moving polygons, kept up to date event by event; or a world of
+/// any number of bodies, with parts, holes and parents, of which every pair of rings that is near has one.
 /// The current time only grows. Not thread-safe; distinct simulations are independent.
+///
+/// Of a world, events are those of all pairs that are near; what is far costs nothing until windows of time come in
+/// which it may be near. It answers as check() would about the rest of its time, whatever motions have been changed. It
+/// has no tracer, and no map to look at: tiling(), halfedges() and what is like them throw InputError.
 ///
 /// Where the highest precision does not decide, or a limit of the options is reached, state() is `undecided` from then
 /// on, as an answer of check() would be: an event may be half done. state(), reason(), time(), contact(),
@@ -142,9 +147,11 @@ class Simulation {
   /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
   double time() const;
   /// Enclosure of the time of the next event; empty if none is left before the end, or it is undecided. Looks as far as
-  /// it must: where a motion's next piece begins before the event, time() moves on to that joint.
+  /// it must: where a motion's next piece begins before the event, time() moves on to that joint. In a world it moves
+  /// on to where windows end in which nothing happens.
   std::optional<TimeInterval> next_event();
-  /// Processes one event. False if there is none before the end, after a contact, or if it is undecided.
+  /// Processes one event; in a world, all whose enclosures are not later than its own. False if there is none before
+  /// the end, after a contact, or if it is undecided.
   bool step();
   /// Processes all events before t (clamped to the end of the scene) and stands at t, unless a contact comes first.
   /// A time before time() changes nothing; one that is not a number is an InputError.
@@ -152,18 +159,24 @@ class Simulation {
   /// Replaces a body's motion from time() on. The new motion is in absolute time, like the old one; where its pose
   /// at time() differs from the present one by rounding, the gap is bridged as between two pieces of a scene, a
   /// larger jump is an InputError and changes nothing. Events that nearly coincide with the last one are processed
-  /// first; if one of them is the contact, it stays the answer.
+  /// first; if one of them is the contact, it stays the answer. In a world it is seen from the body's parent, and what
+  /// is seen from the body moves with it. Bodies that have moved alike until then are not asked about before; where
+  /// they overlap, state() is `overlap_at_start`.
   void set_motion(BodyId body, const Motion& motion);
 
   /// The first contact, once state() is `contact`.
   const std::optional<Contact>& contact() const;
+  /// The two bodies of the contact, or of the overlap; or of what is not decided, if that is one pair of a world.
+  std::optional<std::array<BodyId, 2>> pair() const;
+  /// As Answer::also.
+  const std::vector<PairAnswer>& also() const;
   /// As Answer::overlap_point, if state() is `overlap_at_start`.
   const std::optional<Point>& overlap_point() const;
   /// Events processed so far.
   std::uint64_t events() const;
-  /// Size of the active set.
+  /// Size of the active set; of a world, of those of the pairs that are near.
   std::uint64_t certificates() const;
-  /// The largest that the active set has been.
+  /// The largest that the active set has been; of a world, after one of the calls.
   std::uint64_t certificates_max() const;
   /// The planar map at time().
   Tiling tiling() const;

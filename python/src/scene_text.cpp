@@ -29,7 +29,8 @@ taut::CheckOptions check_options(const RunOptions& given, const std::atomic<bool
                                         {{"kinetic", EngineChoice::kinetic},
                                          {"spacetime", EngineChoice::spacetime},
                                          {"both", EngineChoice::both},
-                                         {"either", EngineChoice::either}});
+                                         {"either", EngineChoice::either},
+                                         {"usual", EngineChoice::usual}});
   options.all_pairs = chosen<bool>("pairs", given.pairs, {{"first", false}, {"all", true}});
   if (given.max_seconds) options.max_seconds = *given.max_seconds;
   if (given.max_events) options.max_events = *given.max_events;

@@ -71,6 +71,8 @@ struct Standing {
   std::uint64_t events = 0, certificates = 0, certificates_max = 0;
   std::string contact;  ///< JSON members as in an answer, each with a comma before it; or empty
   std::optional<std::pair<double, double>> overlap;
+  std::optional<std::pair<int, int>> pair;
+  std::vector<std::string> also;  ///< each a JSON object as in an answer
 };
 
 /// A simulation that several threads of Python may hold: they take turns. After Ctrl-C it is undecided.
@@ -94,10 +96,12 @@ class LiveSimulation {
     const py::gil_scoped_release released;
     const std::lock_guard turn(mutex_);
     const taut::Simulation& s = *simulation_;
-    Standing found{state_word(s.state()), s.reason(),           s.time(), s.events(),
-                   s.certificates(),      s.certificates_max(), {},       {}};
+    Standing found{state_word(s.state()), s.reason(), s.time(), s.events(), s.certificates(),
+                   s.certificates_max(),  {},         {},       {},         {}};
     if (s.contact()) found.contact = taut::io::contact_json(scene_, *s.contact());
     if (s.overlap_point()) found.overlap.emplace(s.overlap_point()->x, s.overlap_point()->y);
+    if (const auto pair = s.pair()) found.pair.emplace((*pair)[0], (*pair)[1]);
+    for (const taut::PairAnswer& other : s.also()) found.also.push_back(taut::io::pair_answer_json(scene_, other));
     return found;
   }
 
@@ -158,7 +162,9 @@ void bind_simulations(py::module_& module) {
       .def_readonly("certificates", &Standing::certificates)
       .def_readonly("certificates_max", &Standing::certificates_max)
       .def_readonly("contact", &Standing::contact)
-      .def_readonly("overlap", &Standing::overlap);
+      .def_readonly("overlap", &Standing::overlap)
+      .def_readonly("pair", &Standing::pair)
+      .def_readonly("also", &Standing::also);
   py::class_<LiveSimulation>(module, "Simulation")
       .def(py::init<const SceneText&, const RunOptions&>())
       .def("standing", &LiveSimulation::standing)

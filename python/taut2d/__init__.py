@@ -76,12 +76,13 @@ __all__ = [
 __version__: str = _taut2d.version()
 
 
-def check(scene: Scene, *, touch: str = "open", engine: str = "kinetic", pairs: str = "first",
+def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: str = "first",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None, fit: Optional[float] = None) -> Answer:
     """Decides whether and when bodies of the scene first collide.
 
     ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
-    ``engine``: "kinetic", "spacetime", "both" (compared), or "either" (in turn; the first answer).
+    ``engine``: "kinetic", "spacetime", "both" (compared), "either" (in turn; the first answer), or "usual": the kinetic
+    one for two polygons, and for a world either for each pair.
     ``pairs``: "first": up to the first contact of any pair; "all": each pair's own first contact, in Answer.pairs.
     ``max_seconds``, ``max_events``: stop with "undecided" after so much wall time, or so many events of the kinetic
     engine; None is no limit.
@@ -175,11 +176,11 @@ def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optio
                                                       options))
 
 
-def prove(scene: Scene, *, touch: str = "open", engine: str = "kinetic", max_seconds: Optional[float] = None,
+def prove(scene: Scene, *, touch: str = "open", engine: str = "usual", max_seconds: Optional[float] = None,
           max_events: Optional[int] = None) -> Proof:
     """As check(), with a log that proves the answer, in memory.
 
-    ``engine``: of two plain bodies, "kinetic" gives the way of a tiling, about 13 bytes an event, "spacetime" what
+    ``engine``: of two plain bodies, "kinetic", which is "usual" for them, gives the way of a tiling, about 13 bytes an event, "spacetime" what
     separates the bodies, "either" the proof of the engine that answers first, "both" that of the kinetic one, compared
     with the other. Of worlds it is what separates the bodies. Other options and errors are those of check(). An
     undecided run proves what it has done.

@@ -47,6 +47,8 @@ class Standing:
     certificates_max: int
     contact: str
     overlap: Optional[tuple[float, float]]
+    pair: Optional[tuple[int, int]]
+    also: list[str]
 
 class Simulation:
     def __init__(self, text: SceneText, options: RunOptions) -> None: ...

@@ -61,7 +61,7 @@ def answers_to(given: Union[Variants, Scenes], options: _taut2d.RunOptions, thre
 
 def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *,
                shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: str = "open",
-               engine: str = "kinetic", threads: Optional[int] = None, max_seconds: Optional[float] = None,
+               engine: str = "usual", threads: Optional[int] = None, max_seconds: Optional[float] = None,
                max_events: Optional[int] = None) -> Answers:
     """Checks many scenes, on all processors, and gives an array of as many answers: what check() says of each.
 

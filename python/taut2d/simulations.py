@@ -1,4 +1,4 @@
-"""Simulations: the kinetic data structure of two bodies, advanced in time, with plans that may change."""
+"""Simulations: the kinetic data structure, advanced in time, with plans that may change."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Optional
 
 from . import _taut2d
 from ._numbers import number
-from .answers import Contact, VertexRef, _contact
+from .answers import Contact, PairAnswer, VertexRef, _contact, _pair_answer
 from .errors import InputError
 from .maps import motion_text, plain_motions
 from .motions import Motion
@@ -57,10 +57,11 @@ class Tiling:
 
 
 class Simulation:
-    """check() online: stands at a time up to which the motion of two bodies is proved free, and goes on from there, event
-    by event; what a body does after that time may be changed.
+    """check() online: stands at a time up to which the motion is proved free, and goes on from there, event by event; what
+    a body does after that time may be changed.
 
-    ``scene``: of two bodies that are one polygon each. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
+    ``scene``: of two polygons, or a world of any number of bodies, with parts, holes and parents. Of a world, events are
+    those of all pairs of rings that are near; what is far costs nothing. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
     one is for each call. Where one of them, Ctrl-C, or the highest precision ends it, ``state`` is "undecided" from then
     on.
 
@@ -103,6 +104,17 @@ class Simulation:
         return _contact(json.loads("{" + members[1:] + "}")) if members else None
 
     @property
+    def pair(self) -> Optional[tuple[str, str]]:
+        """The two bodies of the contact, or of the overlap; or of what is not decided, if that is one pair of a world."""
+        found = self._core.standing().pair
+        return (self._scene.bodies[found[0]].name, self._scene.bodies[found[1]].name) if found else None
+
+    @property
+    def also(self) -> tuple[PairAnswer, ...]:
+        """As Answer.also."""
+        return tuple(_pair_answer(json.loads(text)) for text in self._core.standing().also)
+
+    @property
     def overlap_point(self) -> Optional[tuple[float, float]]:
         """As Answer.overlap_point, if the state is "overlap_at_start"."""
         return self._core.standing().overlap
@@ -125,11 +137,12 @@ class Simulation:
     def next_event(self) -> Optional[tuple[float, float]]:
         """(lo, hi), which certainly contains the time of the next event; None if none is left before the end, or it is
         undecided. Looks as far as it must: where a motion's next piece begins before the event, ``time`` moves on to that
-        joint."""
+        joint. In a world it moves on to where windows end in which nothing happens."""
         return self._core.next_event()
 
     def step(self) -> bool:
-        """Processes one event. False if there is none before the end, after a contact, or if it is undecided."""
+        """Processes one event; in a world, all whose enclosures are not later than its own. False if there is none before
+        the end, after a contact, or if it is undecided."""
         return self._core.step()
 
     def advance_to(self, t: float) -> str:
@@ -143,7 +156,8 @@ class Simulation:
 
         The new motion is in absolute time, like the old one, and must have the body, at ``time``, where it is: a gap that
         rounding leaves is bridged, a larger jump is an InputError and changes nothing. Events that nearly coincide with
-        the last one are processed first; if one of them is the contact, it stays the answer. Raises UndecidedError if the
+        the last one are processed first; if one of them is the contact, it stays the answer. In a world the motion is seen
+        from the body's parent, and what is seen from the body moves with it. Raises UndecidedError if the
         state is "undecided".
         """
         places = [k for k, body in enumerate(self._scene.bodies) if body.name == name]
@@ -157,7 +171,7 @@ class Simulation:
     def tiling(self) -> Tiling:
         """The external relative geodesic triangulation at ``time``: pseudo-triangles that fill the space between the
         bodies. Of bodies that overlap at the start it has no edges and faces. Raises UndecidedError if the state is
-        "undecided"."""
+        "undecided", and InputError for a world, whose pairs have tilings of their own."""
         names = [body.name for body in self._scene.bodies]
         time, vertices, edges, faces = self._core.tiling()
         return Tiling(

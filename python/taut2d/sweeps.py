@@ -207,7 +207,7 @@ def _on_threads(count: int, options: _Options, given: Union[Variants, Scenes],
 
 
 def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *, to: Union[str, os.PathLike[str]],
-          shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: str = "open", engine: str = "kinetic",
+          shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: str = "open", engine: str = "usual",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None, shard: int = 1000,
           threads: Optional[int] = None, client: Any = None) -> SweepAnswers:
     """check_many() for more rows than one sitting: answers go to files, and a sweep that was stopped goes on where it was.

@@ -7,7 +7,7 @@ import time
 
 import pytest
 import taut2d
-from taut2d import Body, InputError, Keyframes, Scene, Simulation, UndecidedError, Velocity
+from taut2d import Body, InputError, Keyframes, Part, Scene, Simulation, UndecidedError, Velocity
 
 root = pathlib.Path(__file__).resolve().parents[2]
 WALL = Body("wall", [(8, -5), (9, -5), (9, 5), (8, 5)])
@@ -117,8 +117,44 @@ def test_no_simulation():
         Simulation(5)
     with pytest.raises(InputError, match="^b: the boundary is not simple"):
         Simulation(Scene([WALL, Body("b", [(0, 0), (1, 1), (1, 0), (0, 1)])], (0, 1)))
-    with pytest.raises(InputError):
-        Simulation(Scene([WALL, ARM, Body("c", [(30, 0), (31, 0), (30, 1)])], (0, 1)))
+    with pytest.raises(InputError, match="two bodies are called"):
+        Simulation(Scene([WALL, ARM, Body("arm", [(30, 0), (31, 0), (30, 1)])], (0, 1)))
+
+
+ROOM = Body("room", Part([(-5, -5), (5, -5), (5, 5), (-5, 5)], [[(-4, -4), (4, -4), (4, 4), (-4, 4)]]))
+CART = Body("cart", [(-1, -1), (0, -1), (0, 0), (-1, 0)])
+LOAD = Body("load", [(-1, 0), (0, 0), (0, 1), (-1, 1)], relative_to="cart")
+
+
+def test_a_world_whose_plans_change():
+    scene = Scene([ROOM, CART, LOAD], (0, 10))
+    simulation = Simulation(scene)
+    assert simulation.advance_to(2) == "running" and simulation.pair is None and simulation.also == ()
+    up = Keyframes([(2, 0, 0), (10, 0, 8)])
+    simulation.set_motion("cart", up)
+    assert simulation.advance_to(4) == "running" and simulation.certificates > 0
+    aside = Keyframes([(4, 0, 2), (10, 12, 2)])
+    simulation.set_motion("cart", aside)
+    assert simulation.scene == scene.with_motion("cart", aside)
+    assert simulation.advance_to(10) == "contact"
+    answer = taut2d.check(Scene([ROOM, Body("cart", CART.shape, aside), LOAD], (4, 10)), engine="kinetic")
+    assert answer.engine == "kinetic" and answer.contact.t[0] <= 6 <= answer.contact.t[1]
+    assert simulation.pair == answer.pair == ("room", "cart")
+    assert [other.bodies for other in simulation.also] == [other.bodies for other in answer.also] == [("room", "load")]
+    with pytest.raises(InputError, match="a world has no tiling"):
+        simulation.tiling()
+
+
+@pytest.mark.parametrize("name", ["planetary", "room", "arm"])
+def test_events_of_worlds_lead_to_the_answer_of_check(name):
+    scene = Scene.load(root / "examples" / "worlds" / f"{name}.json")
+    answer = taut2d.check(scene, engine="kinetic")
+    simulation = Simulation(scene)
+    while simulation.next_event() is not None and simulation.step():
+        pass
+    simulation.advance_to(scene.time[1])
+    assert simulation.state == {"free": "finished"}.get(answer.outcome, answer.outcome)
+    assert simulation.pair == answer.pair and simulation.contact == answer.contact
 
 
 def test_limits_leave_it_undecided():

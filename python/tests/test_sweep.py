@@ -151,5 +151,5 @@ def test_the_account_of_a_sweep(tmp_path):
     taut2d.sweep(SCENE, {"hammer": MOTIONS["hammer"].values[:3]}, to=tmp_path, max_events=9)
     account = json.loads((tmp_path / "sweep.json").read_text())
     assert len(account.pop("sha256")) == 64
-    assert account == {"format": "taut-sweep/1", "rows": 3, "shard": 1000, "touch": "open", "engine": "kinetic",
+    assert account == {"format": "taut-sweep/1", "rows": 3, "shard": 1000, "touch": "open", "engine": "usual",
                        "max_seconds": None, "max_events": 9, "bodies": ["anvil", "hammer"]}

@@ -55,4 +55,18 @@ Answer agreed(const Answer& kinetic, const Answer& spacetime) {
   return answer;
 }
 
+PairAnswer agreed_pair(const PairAnswer& kinetic, const PairAnswer& spacetime) {
+  const auto alone = [](const PairAnswer& pair) {
+    Answer answer;
+    answer.outcome = pair.outcome;
+    answer.contact = pair.contact;
+    answer.free_until = pair.free_until;
+    answer.reason = pair.reason;
+    answer.pair = pair.bodies;
+    return answer;
+  };
+  const Answer both = agreed(alone(kinetic), alone(spacetime));
+  return {kinetic.bodies, both.outcome, both.contact, both.free_until, both.reason};
+}
+
 }  // namespace taut

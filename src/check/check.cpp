@@ -29,6 +29,7 @@ Answer check(const Scene& scene, const CheckOptions& options) {
   if (options.fit != 0) return check_fitted(scene, options);
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);
   switch (options.engine) {
+    case EngineChoice::usual:
     case EngineChoice::kinetic:
       return run_kinetic(scene, options);
     case EngineChoice::spacetime:

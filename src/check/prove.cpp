@@ -13,6 +13,7 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
                      "prove it without, or shrink the bodies yourself");
   if (is_world(scene)) return prove_by_separations(scene, log, options);
   switch (options.engine) {
+    case EngineChoice::usual:
     case EngineChoice::kinetic:
       return prove_by_tiling(scene, log, options);
     case EngineChoice::spacetime:

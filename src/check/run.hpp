@@ -50,6 +50,8 @@ Answer run_world(const Scene& scene, const CheckOptions& options);
 
 /// What both say. Throws EngineDisagreement.
 Answer agreed(const Answer& kinetic, const Answer& spacetime);
+/// The same of one pair of a world.
+PairAnswer agreed_pair(const PairAnswer& kinetic, const PairAnswer& spacetime);
 
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

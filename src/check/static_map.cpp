@@ -128,18 +128,20 @@ class MapRun {
     return answer;
   }
 
-  void conclude(const MapSearch& search, const std::string& stopped, Answer& answer) const {
-    std::vector<PairAnswer> events;
-    for (const PairResult& r : search.results()) {
-      if (r.outcome != Outcome::free) events.push_back(answer_of(r));
-    }
+  void conclude(MapSearch& search, const std::string& stopped, Answer& answer) const {
+    std::vector<PairEvent> events;
+    search.for_each_pair([&](const WindowedPair& pair) {
+      if (!pair.open()) events.push_back({answer_of(pair.result()), pair.instant()});
+    });
     if (!stopped.empty()) {
-      std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < search.proved()); });
+      std::erase_if(events, [&](const PairEvent& e) { return !(time_of(e.pair) < search.proved()); });
       answer.outcome = Outcome::undecided;
       answer.free_until = search.proved();
       answer.reason = stopped;
     }
     take_headline(events, answer);
+    if (answer.outcome == Outcome::overlap_at_start && answer.pair)
+      answer.overlap_point = search.common_point((*answer.pair)[0]);
     const std::uint64_t all = bodies_.rings.size();
     answer.coverage = Coverage{all, 0, 0, all - search.checked(), search.checked()};
   }

@@ -5,8 +5,8 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
-#include "check/headline.hpp"
 #include "pair/validate_world.hpp"
+#include "world/world_witness.hpp"
 
 namespace taut {
 namespace {
@@ -14,16 +14,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Every pair that was asked about, also those that boxes alone have told apart.
-std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairResult>& results) {
+std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairEvent>& known) {
   std::vector<PairAnswer> all;
-  auto known = results.begin();
+  auto next = known.begin();
   const int n = static_cast<int>(plan.bodies().size());
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
       if (!plan.asked(a, b)) continue;
-      while (known != results.end() && std::pair(known->a, known->b) < std::pair(a, b)) ++known;
-      const bool is_known = known != results.end() && known->a == a && known->b == b;
-      all.push_back(is_known ? answer_of(*known) : PairAnswer{{a, b}, Outcome::free, {}, plan.end(), {}});
+      const std::array<BodyId, 2> bodies{a, b};
+      while (next != known.end() && next->pair.bodies < bodies) ++next;
+      const bool is_known = next != known.end() && next->pair.bodies == bodies;
+      all.push_back(is_known ? next->pair : PairAnswer{bodies, Outcome::free, {}, plan.end(), {}});
     }
   }
   return all;
@@ -33,7 +34,7 @@ std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairR
 
 WorldRun::WorldRun(const Scene& scene, const CheckOptions& options)
     : scene_(scene), options_(options), scope_(options.stop, options.max_seconds) {
-  answer_.engine = EngineName::spacetime;
+  answer_.engine = options.engine == EngineChoice::kinetic ? EngineName::kinetic : EngineName::spacetime;
   answer_.free_until = scene.start;
 }
 
@@ -42,7 +43,7 @@ bool WorldRun::work(std::uint64_t) {
   try {
     validate_world(scene_);
     plan_.emplace(scene_);
-    search_.emplace(*plan_, options_.touch, options_.all_pairs);
+    search_.emplace(*plan_, options_.touch, options_.all_pairs, options_.engine, options_.max_events);
     answer_.build_seconds = seconds_since(start);
     if (search_->start()) search_->run();
     answer_.outcome = Outcome::free;
@@ -56,26 +57,54 @@ bool WorldRun::work(std::uint64_t) {
 }
 
 void WorldRun::conclude() {
-  std::vector<PairAnswer> events;
-  std::vector<PairResult> results;
-  if (search_) results = search_->results();
-  for (const PairResult& r : results) {
-    if (r.outcome != Outcome::free) events.push_back(answer_of(r));
-  }
+  std::vector<PairEvent> events = pairs();
   if (plan_) {
-    if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, results);
+    if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, events);
     if (scene_.bodies.size() != 2) answer_.coverage = coverage();
   }
+  std::erase_if(events, [](const PairEvent& e) { return e.pair.outcome == Outcome::free; });
   if (!stopped_.empty()) {
     // What was found so far may not be the first.
     const double proved = search_ ? search_->proved() : scene_.start;
-    std::erase_if(events, [&](const PairAnswer& e) { return !(time_of(e) < proved); });
+    std::erase_if(events, [&](const PairEvent& e) { return !(time_of(e.pair) < proved); });
     answer_.outcome = Outcome::undecided;
     answer_.free_until = proved;
     answer_.reason = stopped_;
   }
   take_headline(events, answer_);
+  if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
+    answer_.overlap_point = common_point(*plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
+  tell_engine();
   if (scene_.bodies.size() == 2) answer_.pair.reset();
+}
+
+/// Of the pairs that went to an engine; where they went to two, what both say. Throws EngineDisagreement.
+std::vector<PairEvent> WorldRun::pairs() const {
+  std::vector<PairEvent> pairs;
+  if (!search_) return pairs;
+  search_->for_each_pair([&](const WindowedPair& pair) {
+    const PairResult* other = pair.other();
+    const PairAnswer answer = answer_of(pair.result());
+    pairs.push_back({other ? agreed_pair(answer, answer_of(*other)) : answer, pair.instant()});
+  });
+  return pairs;
+}
+
+/// Whose answer it is: of several engines' pairs, that of the pair that is named. Free is what every pair was found to
+/// be, and the kinetic engine's as soon as one of them is.
+void WorldRun::tell_engine() {
+  answer_.compared = options_.engine == EngineChoice::both;
+  if (!search_) return;
+  KineticCounts counts;
+  search_->for_each_pair([&](const WindowedPair& pair) {
+    counts += pair.counts();
+    const PairResult& r = pair.result();
+    const bool counts_here = !answer_.pair || *answer_.pair == std::array<int, 2>{r.a, r.b};
+    if (counts_here && r.engine == EngineName::kinetic) answer_.engine = EngineName::kinetic;
+  });
+  answer_.events = counts.events;
+  answer_.certificates_initial = counts.certificates_initial;
+  answer_.certificates_max = counts.certificates_max;
 }
 
 Coverage WorldRun::coverage() const {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/interruption.hpp"
+#include "check/headline.hpp"
 #include "check/run.hpp"
 #include "search/world_search.hpp"
 
@@ -17,13 +18,15 @@ class WorldRun final : public Run {
 
   bool work(std::uint64_t effort) override;
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return search_ && search_->precise() == 0; }
+  bool doubles_sufficed() const override { return search_ && search_->doubles_sufficed(); }
   /// None if it was stopped before there was one.
   const std::optional<WorldPlan>& plan() const { return plan_; }
   const std::optional<WorldSearch>& search() const { return search_; }
 
  private:
   void conclude();
+  std::vector<PairEvent> pairs() const;
+  void tell_engine();
   Coverage coverage() const;
 
   const Scene& scene_;

@@ -28,8 +28,10 @@ const char* to_string(EngineChoice engine) {
       return "spacetime";
     case EngineChoice::both:
       return "both";
-    default:
+    case EngineChoice::either:
       return "either";
+    default:
+      return "usual";
   }
 }
 

@@ -20,42 +20,17 @@ struct Square {
   double reach = 0;  ///< half its side; 0 if the point is known exactly
 };
 
-/// A polygon at an instant. Candidates come from rounded positions; only contains() is certain.
-class PlacedBody {
+using RingView = std::vector<const std::vector<Point>*>;
+
+/// Where a body is: its pose, which is not known exactly, unless it rests.
+class PlacedFrame {
  public:
-  PlacedBody(const std::vector<Point>& polygon, const MotionPiece& piece, double t)
-      : polygon_(polygon), pose_(pose(piece, Ball<double>::exact(t))), at_rest_(rests(piece)) {
-    for (const Point& p : polygon) world_.push_back(rounded_world(p));
-  }
+  PlacedFrame(const PieceChain& chain, double t)
+      : pose_(pose_of<Jet<double>>(chain, Ball<double>::exact(t))),
+        at_rest_(std::all_of(chain.begin(), chain.end(), rests)) {}
 
-  /// Where the vertices are, rounded.
-  const std::vector<Point>& world() const { return world_; }
-
-  /// Is the point certainly in the interior? The square that holds it in the body's own coordinates must keep clear of
-  /// the boundary, and its centre must be inside; both are decided exactly.
-  bool contains(const Point& point) const {
-    const Square square = local(point);
-    // What is not finite fails this, too.
-    if (!(std::fabs(square.centre.x) <= 2 && std::fabs(square.centre.y) <= 2 && square.reach <= 1)) return false;
-    bool inside = false;
-    for (std::size_t i = 0; i < polygon_.size(); ++i) {
-      const Point &a = polygon_[i], &b = polygon_[i + 1 < polygon_.size() ? i + 1 : 0];
-      if (!clear_of(a, b, square)) return false;
-      if ((a.y > square.centre.y) != (b.y > square.centre.y) && (orientation(a, b, square.centre) > 0) == (b.y > a.y))
-        inside = !inside;
-    }
-    return inside;
-  }
-
- private:
-  static bool rests(const MotionPiece& piece) {
-    const auto zero = [](const Coefficients& c) {
-      return std::all_of(c.begin(), c.end(), [](double a) { return a == 0; });
-    };
-    return !turns(piece) && zero(piece.x) && zero(piece.y);
-  }
-
-  Point rounded_world(const Point& p) const {
+  /// Rounded.
+  Point world(const Point& p) const {
     const double c = pose_.xx.v.mid, s = pose_.xy.v.mid;
     return {pose_.ox.v.mid + (c * p.x - s * p.y), pose_.oy.v.mid + (s * p.x + c * p.y)};
   }
@@ -71,6 +46,51 @@ class PlacedBody {
     return {{tidy(u.mid), tidy(v.mid)}, reach};
   }
 
+ private:
+  static bool rests(const MotionPiece& piece) {
+    const auto zero = [](const Coefficients& c) {
+      return std::all_of(c.begin(), c.end(), [](double a) { return a == 0; });
+    };
+    return !turns(piece) && zero(piece.x) && zero(piece.y) && piece.orbit.angle.empty();
+  }
+
+  Pose<double> pose_;
+  bool at_rest_;
+};
+
+/// A part at an instant: its outline, and its holes. Candidates come from rounded positions; only contains() is
+/// certain.
+class PlacedPart {
+ public:
+  PlacedPart(RingView rings, const PlacedFrame& frame) : rings_(std::move(rings)), frame_(frame) {
+    for (const auto* ring : rings_) {
+      world_.emplace_back();
+      for (const Point& p : *ring) world_.back().push_back(frame.world(p));
+    }
+  }
+
+  /// Where the rings' vertices are, rounded; the outline's first.
+  const std::vector<std::vector<Point>>& world() const { return world_; }
+
+  /// Is the point certainly in the interior? The square that holds it in the body's own coordinates must keep clear of
+  /// the boundary, and its centre must be inside; both are decided exactly.
+  bool contains(const Point& point) const {
+    const Square square = frame_.local(point);
+    // What is not finite fails this, too.
+    if (!(std::fabs(square.centre.x) <= 2 && std::fabs(square.centre.y) <= 2 && square.reach <= 1)) return false;
+    bool inside = false;
+    for (const auto* ring : rings_) {
+      for (std::size_t i = 0; i < ring->size(); ++i) {
+        const Point &a = (*ring)[i], &b = (*ring)[i + 1 < ring->size() ? i + 1 : 0];
+        if (!clear_of(a, b, square)) return false;
+        if ((a.y > square.centre.y) != (b.y > square.centre.y) && (orientation(a, b, square.centre) > 0) == (b.y > a.y))
+          inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+ private:
   /// Does the edge certainly not meet the square?
   static bool clear_of(const Point& a, const Point& b, const Square& square) {
     const Point low{tidy(square.centre.x - square.reach), tidy(square.centre.y - square.reach)};
@@ -82,10 +102,9 @@ class PlacedBody {
            orientation(a, b, {high.x, low.y}) == side;
   }
 
-  const std::vector<Point>& polygon_;
-  Pose<double> pose_;
-  bool at_rest_;
-  std::vector<Point> world_;
+  RingView rings_;
+  const PlacedFrame& frame_;
+  std::vector<std::vector<Point>> world_;
 };
 
 /// A stretch of a scan line.
@@ -96,16 +115,18 @@ struct Span {
 double along(const Point& p, bool horizontal) { return horizontal ? p.x : p.y; }
 double across(const Point& p, bool horizontal) { return horizontal ? p.y : p.x; }
 
-/// Where the line at `level` is inside the polygon, about.
-std::vector<Span> spans(const std::vector<Point>& polygon, bool horizontal, double level) {
+/// Where the line at `level` is inside the part, about.
+std::vector<Span> spans(const PlacedPart& part, bool horizontal, double level) {
   std::vector<double> cuts;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &a = polygon[i], &b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    const double low = across(a, horizontal), high = across(b, horizontal);
-    if ((low > level) == (high > level)) continue;
-    const double share = (level - low) / (high - low);
-    const double cut = along(a, horizontal) + share * (along(b, horizontal) - along(a, horizontal));
-    if (std::isfinite(cut)) cuts.push_back(cut);
+  for (const std::vector<Point>& ring : part.world()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const double low = across(a, horizontal), high = across(b, horizontal);
+      if ((low > level) == (high > level)) continue;
+      const double share = (level - low) / (high - low);
+      const double cut = along(a, horizontal) + share * (along(b, horizontal) - along(a, horizontal));
+      if (std::isfinite(cut)) cuts.push_back(cut);
+    }
   }
   std::sort(cuts.begin(), cuts.end());
   std::vector<Span> out;
@@ -119,8 +140,8 @@ struct Candidate {
   double room = 0;
 };
 
-/// The middle of the longest stretch that a line has in both polygons.
-Candidate on_line(const std::vector<Point>& p, const std::vector<Point>& q, bool horizontal, double level) {
+/// The middle of the longest stretch that a line has in both parts.
+Candidate on_line(const PlacedPart& p, const PlacedPart& q, bool horizontal, double level) {
   const std::vector<Span> in_p = spans(p, horizontal, level), in_q = spans(q, horizontal, level);
   Candidate best;
   for (std::size_t i = 0, j = 0; i < in_p.size() && j < in_q.size();) {
@@ -134,9 +155,10 @@ Candidate on_line(const std::vector<Point>& p, const std::vector<Point>& q, bool
   return best;
 }
 
-/// Candidates on lines through the box that both bodies' boxes have in common, the roomiest first.
-std::vector<Candidate> scanned(const std::vector<Point>& p, const std::vector<Point>& q) {
+/// Candidates on lines through the box that both parts' boxes have in common, the roomiest first.
+std::vector<Candidate> scanned(const PlacedPart& in_p, const PlacedPart& in_q) {
   constexpr int lines = 8;
+  const std::vector<Point>&p = in_p.world()[0], &q = in_q.world()[0];
   std::vector<Candidate> out;
   for (const bool horizontal : {true, false}) {
     const auto less = [&](const Point& a, const Point& b) { return across(a, horizontal) < across(b, horizontal); };
@@ -144,8 +166,9 @@ std::vector<Candidate> scanned(const std::vector<Point>& p, const std::vector<Po
     const auto [q_low, q_high] = std::minmax_element(q.begin(), q.end(), less);
     const double low = std::max(across(*p_low, horizontal), across(*q_low, horizontal));
     const double high = std::min(across(*p_high, horizontal), across(*q_high, horizontal));
+    if (low > high) return {};
     for (int k = 0; k < lines; ++k) {
-      const Candidate found = on_line(p, q, horizontal, low + (high - low) * ((k + 0.5) / lines));
+      const Candidate found = on_line(in_p, in_q, horizontal, low + (high - low) * ((k + 0.5) / lines));
       if (found.room > 0) out.push_back(found);
     }
   }
@@ -176,33 +199,69 @@ std::vector<Point> wedge(const Point& a, const Point& b, const Point& c, const P
 }
 
 /// The wedge at an edge of P and one of Q that cross, if the inward shapes have such edges.
-std::vector<Point> beside_crossing(const PairPlan& plan, double t, const PlacedBody& p, const PlacedBody& q) {
+std::vector<Point> beside_crossing(const PairPlan& plan, const Leg& leg, double t, const PlacedFrame& p,
+                                   const PlacedFrame& q) {
   const std::optional<PairGeometry> inner = displaced_pair_if_possible(plan, true);
   if (!inner) return {};
-  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], t, t);
-  const auto crossing = crossing_edges(Placement(*inner, legs.front(), t));
+  const auto crossing = crossing_edges(Placement(*inner, leg, t));
   if (!crossing) return {};
-  const auto end = [&](const PlacedBody& body, std::uint32_t i) { return body.world()[i % body.world().size()]; };
-  const std::uint32_t e = crossing->p.value, f = crossing->q.value - inner->np;
-  return wedge(end(p, e), end(p, e + 1), end(q, f), end(q, f + 1));
+  const auto world = [&](const PlacedFrame& frame, VertexId v) {
+    return frame.world({inner->point(v).x, inner->point(v).y});
+  };
+  const VertexId e = crossing->p, f = crossing->q;
+  return wedge(world(p, e), world(p, inner->next(e)), world(q, f), world(q, inner->next(f)));
+}
+
+using PlacedParts = std::vector<PlacedPart>;
+
+std::optional<Point> found_point(const PairPlan& plan, const Leg& leg, double t,
+                                 const std::array<PlacedFrame, 2>& frames, const PlacedParts& p, const PlacedParts& q) {
+  const auto in_some = [](const PlacedParts& parts, const Point& point) {
+    return std::any_of(parts.begin(), parts.end(), [&](const PlacedPart& part) { return part.contains(point); });
+  };
+  const auto in_input_units = [&](const Point& point) {
+    return Point{std::ldexp(point.x, -plan.exponent), std::ldexp(point.y, -plan.exponent)};
+  };
+  for (const PlacedPart& a : p) {
+    for (const PlacedPart& b : q) {
+      for (const Candidate& candidate : scanned(a, b)) {
+        if (a.contains(candidate.point) && b.contains(candidate.point)) return in_input_units(candidate.point);
+      }
+    }
+  }
+  for (const Point& candidate : beside_crossing(plan, leg, t, frames[0], frames[1])) {
+    if (in_some(p, candidate) && in_some(q, candidate)) return in_input_units(candidate);
+  }
+  return std::nullopt;
+}
+
+PlacedParts parts_of(const RingSet& body, const PlacedFrame& frame) {
+  PlacedParts parts;
+  RingView rings;
+  for (std::size_t i = 0; i < body.rings().size(); ++i) {
+    rings.push_back(&body.points(i));
+    const bool last = i + 1 == body.rings().size() || body.rings()[i + 1].ring == 0;
+    if (!last) continue;
+    parts.emplace_back(std::move(rings), frame);
+    rings.clear();
+  }
+  return parts;
 }
 
 }  // namespace
 
 std::optional<Point> common_point(const PairPlan& plan, double t) {
-  const PlacedBody p(*plan.polygons[0], piece_at(plan.pieces[0], t), t);
-  const PlacedBody q(*plan.polygons[1], piece_at(plan.pieces[1], t), t);
-  const auto certain = [&](const Point& point) { return p.contains(point) && q.contains(point); };
-  const auto in_input_units = [&](const Point& point) {
-    return Point{std::ldexp(point.x, -plan.exponent), std::ldexp(point.y, -plan.exponent)};
-  };
-  for (const Candidate& candidate : scanned(p.world(), q.world())) {
-    if (certain(candidate.point)) return in_input_units(candidate.point);
-  }
-  for (const Point& candidate : beside_crossing(plan, t, p, q)) {
-    if (certain(candidate)) return in_input_units(candidate);
-  }
-  return std::nullopt;
+  const std::array<PlacedFrame, 2> frames{PlacedFrame({piece_at(plan.pieces[0], t)}, t),
+                                          PlacedFrame({piece_at(plan.pieces[1], t)}, t)};
+  const PlacedParts p{{{plan.polygons[0].get()}, frames[0]}}, q{{{plan.polygons[1].get()}, frames[1]}};
+  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], t, t);
+  return found_point(plan, legs.front(), t, frames, p, q);
+}
+
+std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains, const Leg& leg,
+                                  double t) {
+  const std::array<PlacedFrame, 2> frames{PlacedFrame(chains[0], t), PlacedFrame(chains[1], t)};
+  return found_point(plan, leg, t, frames, parts_of(*plan.rings[0], frames[0]), parts_of(*plan.rings[1], frames[1]));
 }
 
 }  // namespace taut

@@ -12,5 +12,9 @@ namespace taut {
 /// none was found: an overlap can be too thin for two doubles. Linear in the number of vertices, but where the overlap
 /// is small beside the bodies.
 std::optional<Point> common_point(const PairPlan& plan, double t);
+/// The same of two bodies of rings, which follow these pieces at that time: of their parents, the outermost first, and
+/// their own. The leg is the pair's, and not a bridge.
+std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains, const Leg& leg,
+                                  double t);
 
 }  // namespace taut

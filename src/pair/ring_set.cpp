@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
@@ -45,6 +46,7 @@ void RingSet::add(const Polygon& ring, int part, int number, int exponent) {
   rings_.push_back(normalised(ring, facts, exponent));
   const bool hole = number > 0;
   maps_.push_back({part, number, static_cast<std::uint32_t>(size_), facts.size, facts.first, facts.reversed != hole});
+  diameters_.push_back(facts.diameter_squared);
   size_ += ring.size();
   for (const Point& p : rings_.back()) {
     bounds_.lo = {std::min(bounds_.lo.x, p.x), std::min(bounds_.lo.y, p.y)};
@@ -91,6 +93,28 @@ SharedPolygon RingSet::displace_rings(bool inwards) const {
     points.insert(points.end(), vertices.begin(), vertices.end());
   }
   return std::make_shared<const DisplacedPolygon>(std::move(points), std::move(spans));
+}
+
+const LoneRing& RingSet::lone(std::size_t ring, bool inwards) const {
+  const SharedPolygon& all = displaced(inwards);
+  const std::lock_guard lock(mutex_);
+  const auto [place, fresh] = lone_[inwards ? 0 : 1].try_emplace(ring);
+  LoneRing& result = place->second;
+  if (!fresh && result.polygon) return result;
+  const RingMap& map = maps_[ring];
+  result.offset = map.offset;
+  const std::span<const DisplacedPoint> points(all->points.data() + map.offset, map.size);
+  if (map.ring == 0) {
+    result.polygon =
+        maps_.size() == 1
+            ? all
+            : std::make_shared<const DisplacedPolygon>(std::vector<DisplacedPoint>(points.begin(), points.end()));
+    return result;
+  }
+  result.container = container_around(points);
+  if (!result.container) throw Undecidable{"what meets a hole all of whose outermost corners are needles"};
+  result.polygon = result.container->polygon;
+  return result;
 }
 
 void RingSet::refuse(const RingMap& ring, const DisplacementFault& fault) const {

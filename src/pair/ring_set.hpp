@@ -2,12 +2,16 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
+#include "geometry/ids.hpp"
 #include "geometry/shape_facts.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
@@ -30,6 +34,28 @@ struct RingMap {
   }
 };
 
+/// One displaced ring of a body as a simple polygon: an outline as it is, a hole as the material around it.
+struct LoneRing {
+  SharedPolygon polygon;
+  std::optional<Container> container;
+  std::uint32_t offset = 0;  ///< of the ring's first vertex among those of the body
+
+  /// The body's vertex, and edge by its first vertex, that a vertex of the polygon and the edge from it are. Nothing
+  /// for what is there around a hole only.
+  std::optional<std::uint32_t> vertex(VertexId v) const {
+    return of_body(container ? container->vertex(v.value) : v.value);
+  }
+  std::optional<std::uint32_t> edge(VertexId v) const {
+    return of_body(container ? container->edge(v.value) : v.value);
+  }
+
+ private:
+  std::optional<std::uint32_t> of_body(std::optional<std::uint32_t> k) const {
+    if (k) *k += offset;
+    return k;
+  }
+};
+
 /// All rings of a body, one after the other: of each part the outline counterclockwise, then its holes clockwise, so
 /// that the material is to the left. Displaced for both readings of touching when first asked for; safe to share
 /// between threads.
@@ -44,11 +70,19 @@ class RingSet {
   /// Scaled.
   const Bounds& bounds() const { return bounds_; }
   std::size_t size() const { return size_; }
+  /// In the order of their vertices: the holes of a part follow its outline.
+  const std::vector<RingMap>& rings() const { return maps_; }
+  /// Of a ring, counterclockwise also if it is a hole; scaled.
+  const std::vector<Point>& points(std::size_t ring) const { return rings_[ring]; }
+  /// Of a ring, in the input's units.
+  double diameter_squared(std::size_t ring) const { return diameters_[ring]; }
   int body() const { return index_; }
   const std::string& name() const { return name_; }
 
   /// Displaced towards the material, or away from it. Throws InputError where a feature is finer than the displacement.
   const SharedPolygon& displaced(bool inwards) const;
+  /// One of them alone; made when first asked for. Throws Undecidable where a hole's corners are all too sharp for it.
+  const LoneRing& lone(std::size_t ring, bool inwards) const;
   /// What an engine makes of the displaced rings, once, and keeps here.
   template <class T, class Make>
   const T& kept(bool inwards, const Make& make) const {
@@ -68,11 +102,13 @@ class RingSet {
   std::string name_;
   std::vector<RingMap> maps_;
   std::vector<std::vector<Point>> rings_;  ///< scaled, each counterclockwise
+  std::vector<double> diameters_;          ///< squared
   Bounds bounds_;
   std::size_t size_ = 0;
   mutable std::mutex mutex_;
   mutable std::array<SharedPolygon, 2> displaced_;
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
+  mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
 };
 
 /// The parts of a body, of which a polygon is one.

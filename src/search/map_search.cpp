@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/interruption.hpp"
+#include "pair/overlap_witness.hpp"
 #include "relative/make_legs.hpp"
 
 namespace taut {
@@ -40,12 +41,23 @@ const SharedLegs& MapSearch::legs(const PairPlan& plan) {
 PairQuestion& MapSearch::pair(int body) {
   std::unique_ptr<PairQuestion>& place = pairs_[body];
   if (!place) {
-    PairPlan plan =
-        pair_of(bodies_.rings[static_cast<std::size_t>(body)], mover_.rings, bodies_.exponent, bodies_.extent);
-    const SharedLegs& all = legs(plan);
-    place = std::make_unique<PairQuestion>(PairSearch(std::move(plan), all, inwards_), inwards_, start_, end_);
+    PairPlan roles = plan(body);
+    const SharedLegs& all = legs(roles);
+    place = std::make_unique<PairQuestion>(PairSearch(std::move(roles), all, inwards_), inwards_, start_, end_);
   }
   return *place;
+}
+
+PairPlan MapSearch::plan(int body) const {
+  return pair_of(bodies_.rings[static_cast<std::size_t>(body)], mover_.rings, bodies_.exponent, bodies_.extent);
+}
+
+std::optional<Point> MapSearch::common_point(int body) {
+  const PairPlan pair = plan(body);
+  const PieceChain moves = pieces_at(mover_.motions, start_), rests = pieces_at({}, start_);
+  const bool mover_is_q = pair.rings[1] == mover_.rings;
+  return taut::common_point(pair, {mover_is_q ? rests : moves, mover_is_q ? moves : rests}, legs(pair)->front(),
+                            start_);
 }
 
 bool MapSearch::start() {

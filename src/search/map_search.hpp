@@ -34,12 +34,20 @@ class MapSearch {
 
   /// Of the bodies that the mover came near to, in the map's order.
   std::vector<PairResult> results() const;
+  /// Visits them.
+  template <class Visit>
+  void for_each_pair(const Visit& visit) const {
+    for (const auto& [body, pair] : pairs_) visit(*pair);
+  }
+  /// A point inside the mover and a body that it overlaps at the start.
+  std::optional<Point> common_point(int body);
   double proved() const { return proved_; }
   std::uint64_t checked() const { return pairs_.size(); }
   std::uint64_t precise() const;
 
  private:
   PairQuestion& pair(int body);
+  PairPlan plan(int body) const;
   const SharedLegs& legs(const PairPlan& plan);
   void cover(double from, double to, int depth);
 

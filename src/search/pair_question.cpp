@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
 #include "sign/witness.hpp"
 
@@ -42,25 +43,50 @@ void PairQuestion::settle_start() {
                                       : witness.contact_of_vertex(overlap->inside, leg, start_);
 }
 
+PairResult contact_of(const PairResult& known, const Witness& witness, const Leg& leg, std::size_t leg_index,
+                      const FoundContact& found, double start) {
+  PairResult result = known;
+  result.outcome = Outcome::contact;
+  result.found = found;
+  result.leg = leg_index;
+  result.contact = witness.contact(found, leg);
+  result.contact->time.lo = std::max(result.contact->time.lo, start);
+  result.free_until = result.contact->time.lo;
+  return result;
+}
+
+spacetime::SpacetimeResult PairQuestion::found(double from, double to) const {
+  return spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_});
+}
+
 void PairQuestion::ask(double from, double to) {
-  if (!open() && result_.free_until <= from) return;
-  const spacetime::SpacetimeResult found =
-      spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_});
+  if (!settled_before(from)) note(found(from, to));
+}
+
+bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
+  if (settled_before(from)) return true;
+  const InterruptionScope turn(effort);
+  const spacetime::SpacetimeResult result = found(from, to);
+  if (turn.exhausted()) {
+    precise_ += result.precise;
+    return false;
+  }
+  note(result);
+  return true;
+}
+
+void PairQuestion::note(const spacetime::SpacetimeResult& found) {
   precise_ += found.precise;
   if (found.outcome == spacetime::SpacetimeResult::free) return;
   const Leg& leg = search_.legs()[found.leg];
   PairResult result = result_;
-  result.free_until = std::clamp(leg.time(found.lo), start_, end_);
   if (found.outcome == spacetime::SpacetimeResult::contact) {
-    result.outcome = Outcome::contact;
-    result.found = FoundContact{found.vertex, found.edge, found.lo, found.hi};
-    result.leg = found.leg;
-    result.contact = Witness(search_.plan, search_.geometry, inwards_).contact(*result.found, leg);
-    result.contact->time.lo = std::max(result.contact->time.lo, start_);
-    result.free_until = result.contact->time.lo;
+    result = contact_of(result_, Witness(search_.plan, search_.geometry, inwards_), leg, found.leg,
+                        {found.vertex, found.edge, found.lo, found.hi}, start_);
   } else {
     result.outcome = Outcome::undecided;
     result.reason = found.reason;
+    result.free_until = std::clamp(leg.time(found.lo), start_, end_);
   }
   if (open() || result.free_until < result_.free_until) result_ = result;
 }

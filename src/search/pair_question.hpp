@@ -5,9 +5,23 @@
 #include <string>
 
 #include "search/pair_search.hpp"
-#include "sign/contact_bracket.hpp"
+#include "sign/instant_order.hpp"
 
 namespace taut {
+
+class Witness;
+
+/// How much the kinetic engine had to do.
+struct KineticCounts {
+  std::uint64_t events = 0, certificates_initial = 0, certificates_max = 0;
+
+  KineticCounts& operator+=(const KineticCounts& o) {
+    events += o.events;
+    certificates_initial += o.certificates_initial;
+    certificates_max += o.certificates_max;
+    return *this;
+  }
+};
 
 /// What is known of one pair.
 struct PairResult {
@@ -21,27 +35,60 @@ struct PairResult {
   std::optional<FoundContact> found;
   std::size_t leg = 0;
   std::optional<spacetime::StartOverlap> touching;
+  EngineName engine = EngineName::spacetime;  ///< whose result it is
 };
 
-/// A pair that boxes do not tell apart: at the start, then in windows of time, in any order. What is found later and
+/// A pair that boxes do not tell apart: at the start, then in windows of time, in their order. What is found later and
 /// happens before what was known takes its place.
-class PairQuestion {
+class WindowedPair {
+ public:
+  virtual ~WindowedPair() = default;
+  /// Does it overlap, or touch, at the start?
+  virtual void ask_start() = 0;
+  /// Is there a first contact within the window? Nothing happens between the windows that are asked about.
+  virtual void ask(double from, double to) = 0;
+  virtual const PairResult& result() const = 0;
+  /// Of a contact that was found in motion, what it is the root of.
+  virtual std::optional<ContactInstant> instant() const = 0;
+  /// Has every sign been told by doubles, without regard to the displacement?
+  virtual bool doubles_sufficed() const = 0;
+  /// What another engine says, where two are compared.
+  virtual const PairResult* other() const { return nullptr; }
+  /// Of the kinetic engine.
+  virtual KineticCounts counts() const { return {}; }
+  /// Nothing has been found yet.
+  bool open() const { return result().outcome == Outcome::free; }
+};
+
+inline std::optional<ContactInstant> instant_of(const PairResult& result, const std::vector<Leg>& legs,
+                                                const PairGeometry& geometry) {
+  if (!result.found) return std::nullopt;
+  return ContactInstant{&legs[result.leg], &geometry, *result.found};
+}
+
+/// The spacetime engine's.
+class PairQuestion final : public WindowedPair {
  public:
   /// About [start, end] of the world's time.
   PairQuestion(PairSearch search, bool inwards, double start, double end);
 
-  /// Does it overlap, or touch, at the start?
-  void ask_start();
-  /// Is there a first contact within the window?
-  void ask(double from, double to);
-  /// Nothing has been found yet.
-  bool open() const { return result_.outcome == Outcome::free; }
-  const PairResult& result() const { return result_; }
+  void ask_start() override;
+  void ask(double from, double to) override;
+  /// The same, unless it takes more than that effort: then nothing is noted, and the result is false.
+  bool try_ask(double from, double to, std::uint64_t effort);
+  const PairResult& result() const override { return result_; }
+  std::optional<ContactInstant> instant() const override {
+    return instant_of(result_, search_.legs(), search_.geometry);
+  }
+  bool doubles_sufficed() const override { return precise_ == 0; }
   /// Questions to multi-precision.
   std::uint64_t precise() const { return precise_; }
 
  private:
   void settle_start();
+  spacetime::SpacetimeResult found(double from, double to) const;
+  void note(const spacetime::SpacetimeResult& found);
+  bool settled_before(double t) const { return !open() && result_.free_until <= t; }
 
   PairSearch search_;
   bool inwards_;
@@ -49,5 +96,9 @@ class PairQuestion {
   PairResult result_;
   std::uint64_t precise_ = 0;
 };
+
+/// The result of a contact that an engine has found on that leg, of what was known before.
+PairResult contact_of(const PairResult& known, const Witness& witness, const Leg& leg, std::size_t leg_index,
+                      const FoundContact& found, double start);
 
 }  // namespace taut

@@ -3,19 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/pieces.hpp"
-
 namespace taut {
-namespace {
-
-PieceChain pieces_at(const MotionChain& motions, double t) {
-  PieceChain chain;
-  for (const std::vector<MotionPiece>& motion : motions) chain.push_back(piece_at(motion, t));
-  if (chain.empty()) chain.push_back(MotionPiece{});
-  return chain;
-}
-
-}  // namespace
 
 PosedVertices::PosedVertices(const WorldBody& body, double t, bool inwards)
     : polygon_(body.rings->displaced(inwards)), chain_(pieces_at(body.motions, t)), t_(t) {

@@ -2,26 +2,26 @@
 // pair by pair.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "search/pair_question.hpp"
+#include "search/pair_engines.hpp"
 #include "world/swept_box.hpp"
 
 namespace taut {
 
 /// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window
 /// boxes are swept and pruned: a pair whose boxes meet, and that would not be told apart by shorter windows, is settled
-/// by the spacetime engine for all of the window. Windows come in the order of time, so that a world with an early
+/// by an engine for all of the window. Windows come in the order of time, so that a world with an early
 /// contact costs little.
 class WorldSearch {
  public:
   /// `all`: every pair goes on to its own first contact; else what happens after the first contact does not matter.
-  WorldSearch(const WorldPlan& plan, Touch touch, bool all);
+  WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineChoice engine = EngineChoice::spacetime,
+              std::uint64_t max_events = UINT64_MAX);
   ~WorldSearch();
 
   /// Overlaps, and contacts, at the start. False if nothing is left to ask.
@@ -35,23 +35,25 @@ class WorldSearch {
   double proved() const { return proved_; }
   /// Pairs that went to an engine.
   std::uint64_t checked() const { return pairs_.size(); }
-  /// Questions to multi-precision.
-  std::uint64_t precise() const;
+  bool doubles_sufficed() const;
+  /// Visits the pairs that went to an engine.
+  template <class Visit>
+  void for_each_pair(const Visit& visit) const {
+    for (const auto& [key, pair] : pairs_) visit(*pair);
+  }
 
  private:
   struct Settled;
-  PairQuestion& pair(int a, int b);
+  WindowedPair& pair(int a, int b);
   void cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth);
-  void settle(PairQuestion& pair, double from, double to);
-  bool wants_halves(int a, int b, const SweptBox& box_a, const SweptBox& box_b, int depth) const;
-  void each_meeting(const std::vector<int>& bodies, const std::vector<SweptBox>& boxes,
-                    const std::function<void(std::size_t, std::size_t)>& visit) const;
+  void settle(WindowedPair& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
   const WorldPlan& plan_;
   bool inwards_, all_;
-  std::map<std::pair<int, int>, std::unique_ptr<PairQuestion>> pairs_;
-  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
+  EngineChoice engine_;
+  EventBudget budget_;
+  std::map<std::pair<int, int>, std::unique_ptr<WindowedPair>> pairs_;
   double stop_, proved_;
 };
 

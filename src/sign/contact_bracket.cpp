@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sign/fast_function.hpp"
 #include "sign/precise_triple.hpp"
@@ -26,15 +27,26 @@ Ball<double> slope_over(const Leg& leg, const FastFunction& f, const Ball<double
   return sum;
 }
 
-/// Does the displacement move the contact by far less than a unit in the last place? By the mean value theorem it moves
-/// it by no more than what it adds to the function over the least slope around.
+/// Around the contact, by a few units in the last place.
+struct Neighbourhood {
+  double unit;
+  double least_slope;  ///< not positive if the slope may be 0
+  double displaced;    ///< what the displacement adds to the function
+
+  Neighbourhood(const PairGeometry& geometry, const Leg& leg, const FoundContact& found)
+      : unit(std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53) {
+    const FastFunction f = FastFunction::level_zero(leg, geometry, form_of(geometry, found));
+    const Ball<double> slope = slope_over(leg, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
+    least_slope = std::fabs(slope.mid) - slope.rad;
+    displaced = f.floor_error;
+  }
+  /// Does the displacement move the contact by far less than a unit in the last place? By the mean value theorem it
+  /// moves it by no more than what it adds to the function over the least slope around.
+  bool is_steep() const { return least_slope * unit > 0x1p12 * displaced; }
+};
+
 bool is_steep(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
-  if (leg.bridge) return true;
-  const double unit = std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53;
-  const FastFunction f = FastFunction::level_zero(leg, geometry, form_of(geometry, found));
-  const Ball<double> slope = slope_over(leg, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
-  const double least = std::fabs(slope.mid) - slope.rad;
-  return least * unit > 0x1p12 * f.floor_error;
+  return leg.bridge || Neighbourhood(geometry, leg, found).is_steep();
 }
 
 /// The side of the vertex at one instant: negative outside, 0 if even the highest precision does not tell.
@@ -80,6 +92,13 @@ double first_place(double from, double end, const Reached& reached) {
 }
 
 }  // namespace
+
+double displacement_sway(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
+  if (leg.bridge) return 0;
+  const Neighbourhood around(geometry, leg, found);
+  if (!around.is_steep()) return std::numeric_limits<double>::infinity();
+  return around.displaced / around.least_slope * (1 + 0x1p-40);
+}
 
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
                                const FoundContact& found) {

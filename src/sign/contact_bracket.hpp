@@ -36,7 +36,11 @@ struct ContactBracket {
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
                                const FoundContact& found);
 
-/// The same of anything that is outside before, and inside after: given its side (negative outside, 0 if unknown) at
+/// How far the contact of the bodies as given may be from the one found, in time: a bound, or infinity where the
+/// displacement moves it by more than a small part of a unit in the last place.
+double displacement_sway(const PairGeometry& geometry, const Leg& leg, const FoundContact& found);
+
+/// The bracket of anything that is outside before, and inside after: given its side (negative outside, 0 if unknown) at
 /// any instant of the leg, for bodies displaced as those that [lo, hi] was found for, and for the others.
 ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there);

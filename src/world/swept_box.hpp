@@ -24,6 +24,9 @@ inline bool is_long(const SweptBox& a, const SweptBox& b, double sizes) {
   return a.longest() + b.longest() > 1.5 * sizes;
 }
 
+/// No window is halved more often.
+inline constexpr int most_halvings = 30;
+
 /// The box of the body, displaced either way, all over [from, to], in the world's frame.
 SweptBox swept_box(const WorldBody& body, double from, double to);
 

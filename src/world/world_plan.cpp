@@ -77,16 +77,53 @@ void WorldPlan::add_bodies(const Scene& scene) {
     WorldBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
     extent_ = std::max(extent_, std::ldexp(diagonal(body.rings->bounds()), -exponent_));
-    for (int k = static_cast<int>(i);;) {
-      const Body& link = scene.bodies[static_cast<std::size_t>(k)];
-      std::vector<MotionPiece> pieces = pieces_between(link.motion, start_, end_);
-      for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), exponent_);
-      if (!rests(pieces)) body.motions.insert(body.motions.begin(), std::move(pieces));
-      if (link.relative_to.empty()) break;
-      k = index_of(scene, by_name, link.relative_to);
-    }
+    std::vector<MotionPiece> own = pieces_between(scene.bodies[i].motion, start_, end_);
+    for (MotionPiece& piece : own) piece = scaled(std::move(piece), exponent_);
+    if (!rests(own)) body.own = std::move(own);
+    const std::string& parent = scene.bodies[i].relative_to;
+    if (!parent.empty()) body.parent = index_of(scene, by_name, parent);
     bodies_.push_back(std::move(body));
   }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].motions = chain_of(static_cast<int>(i));
+}
+
+MotionChain WorldPlan::chain_of(int body) const {
+  MotionChain chain;
+  for (int k = body; k >= 0; k = bodies_[static_cast<std::size_t>(k)].parent) {
+    const std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(k)].own;
+    if (!own.empty()) chain.insert(chain.begin(), own);
+  }
+  return chain;
+}
+
+bool WorldPlan::follows(int body, int ancestor) const {
+  while (body >= 0 && body != ancestor) body = bodies_[static_cast<std::size_t>(body)].parent;
+  return body >= 0;
+}
+
+void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
+  std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(body)].own;
+  std::vector<MotionPiece> fresh;
+  if (from < t) {
+    fresh.push_back(own.empty() ? MotionPiece{} : piece_at(own, from));
+    fresh.back().until = t;
+  }
+  for (MotionPiece& piece : pieces_between(motion, t, end_)) fresh.push_back(scaled(std::move(piece), exponent_));
+  own = rests(fresh) ? std::vector<MotionPiece>() : std::move(fresh);
+  start_ = from;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!follows(static_cast<int>(i), body)) continue;
+    bodies_[i].motions = chain_of(static_cast<int>(i));
+    find_group(bodies_[i]);
+  }
+}
+
+/// That of another body that moves alike, or one of its own.
+void WorldPlan::find_group(WorldBody& body) {
+  const auto same = std::find_if(bodies_.begin(), bodies_.end(), [&](const WorldBody& other) {
+    return &other != &body && same_chain(other.motions, body.motions);
+  });
+  body.group = same != bodies_.end() ? same->group : groups_++;
 }
 
 void WorldPlan::find_groups() {
@@ -156,9 +193,25 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
   return plan;
 }
 
+PieceChain pieces_at(const MotionChain& motions, double t) {
+  PieceChain chain;
+  for (const std::vector<MotionPiece>& pieces : motions) chain.push_back(piece_at(pieces, t));
+  if (chain.empty()) chain.push_back(MotionPiece{});
+  return chain;
+}
+
 std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
-  const MotionChain& p = bodies_[static_cast<std::size_t>(pair.rings[0]->body())].motions;
-  const MotionChain& q = bodies_[static_cast<std::size_t>(pair.rings[1]->body())].motions;
+  return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_);
+}
+
+std::array<std::vector<Leg>, 2> WorldPlan::both_legs(const PairPlan& pair, double from) const {
+  const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
+  return {legs(p, q, from), legs(q, p, from)};
+}
+
+std::vector<Leg> WorldPlan::legs(int first, int second, double from) const {
+  const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
+  const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
   std::size_t common = 0;
   while (common < p.size() && common < q.size() && same_pieces(p[common], q[common])) ++common;
   const auto rest = [&](const MotionChain& chain) {
@@ -166,7 +219,7 @@ std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
     if (own.empty()) own.push_back(pieces_between({}, start_, end_));
     return own;
   };
-  return make_legs(rest(p), rest(q), start_, end_);
+  return make_legs(rest(p), rest(q), from, end_);
 }
 
 }  // namespace taut

@@ -1,6 +1,7 @@
 // A scene of any number of bodies in the terms of the engines.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -24,10 +25,15 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
 /// One body: its rings, and how it moves.
 struct WorldBody {
   SharedRings rings;
-  /// Of its parents, the outermost first, and its own; those that rest are left out, unless all do. Scaled.
+  /// Of its parents, the outermost first, and its own; those that rest are left out. Scaled.
   MotionChain motions;
   int group = 0;
+  std::vector<MotionPiece> own = {};  ///< seen from its parent; empty if it rests there
+  int parent = -1;
 };
+
+/// The piece of each motion that holds at that time; of a body at rest, one that rests.
+PieceChain pieces_at(const MotionChain& motions, double t);
 
 /// All bodies in one scale, their groups, and which pairs are asked about.
 class WorldPlan {
@@ -46,13 +52,24 @@ class WorldPlan {
   /// Of all pairs: how many are ignored, how many of the others are of one group. `apart` and `checked` are 0.
   const Coverage& coverage() const { return coverage_; }
 
+  /// Another motion of a body from t on, which must be valid; what happened before is forgotten but for the piece that
+  /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew.
+  void replan(int body, const Motion& motion, double t, double from);
+  /// Is it that body, or does its chain of parents have it?
+  bool follows(int body, int ancestor) const;
+
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
   std::vector<Leg> legs(const PairPlan& pair) const;
+  /// The same from a later time on; and with the roles exchanged.
+  std::array<std::vector<Leg>, 2> both_legs(const PairPlan& pair, double from) const;
 
  private:
+  std::vector<Leg> legs(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
+  MotionChain chain_of(int body) const;
   void find_groups();
+  void find_group(WorldBody& body);
   void count_pairs();
 
   double start_, end_;

@@ -31,9 +31,11 @@ std::string compare_joined(const Placement& placement, const StaticTiling& fresh
 }  // namespace
 
 std::string compare_with_static(Session& session, AuditCounts& counts) {
-  Engine& engine = session.engine();
+  return compare_with_static(session.engine(), session.end(), counts);
+}
+
+std::string compare_with_static(Engine& engine, double end, AuditCounts& counts) {
   if (engine.state() != EngineState::running) return {};
-  const double end = session.end();
   const auto next = engine.next_event(end);
   if (engine.leg().bridge) {
     ++counts.not_compared;
@@ -64,15 +66,15 @@ std::string compare_with_static(Session& session, AuditCounts& counts) {
 
 namespace {
 
-class RepairCounter : public Tracer {
+class RepairCounter : public EngineObserver {
  public:
   explicit RepairCounter(AuditCounts& counts) : counts_(counts) {}
-  void on_event(const TraceEvent& e) override {
+  void on_event(const EngineEvent& e) override {
     ++counts_.events;
-    ++counts_.repairs[to_string(e.repair)];
-    counts_.pinch_rule += e.pinch_rule;
+    ++counts_.repairs[to_string(e.report.repair)];
+    counts_.pinch_rule += e.report.pinch_rule;
     counts_.three_corners += e.three_corners;
-    counts_.largest_repair = std::max<std::uint64_t>(counts_.largest_repair, e.corners_touched);
+    counts_.largest_repair = std::max<std::uint64_t>(counts_.largest_repair, e.report.corner_count);
   }
 
  private:
@@ -86,34 +88,77 @@ void count_corner(const Engine& engine, AuditCounts& counts) {
   ++counts.repairs[std::string(c.sign > 0 ? "convex" : "reflex") + " at face " + face_name(map.node(c.corner))];
 }
 
-}  // namespace
-
-AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned compare_every) {
-  AuditResult result;
-  RepairCounter tracer(counts);
-  ++counts.scenes;
-  try {
-    Session session(scene, touch, &tracer);
-    unsigned steps = 0;
-    while (!session.finished()) {
-      if (steps++ % compare_every == 0) {
-        result.fault = compare_with_static(session, counts);
-        if (!result.fault.empty()) return result;
-      }
-      const double end = session.end();
-      if (session.engine().next_event(end)) count_corner(session.engine(), counts);
-      session.step(end);
+/// To the end, or a contact; says what differs, or nothing.
+template <class Step>
+std::string follow(Engine& engine, double end, AuditCounts& counts, unsigned compare_every, const Step& step) {
+  unsigned steps = 0;
+  while (engine.state() == EngineState::running) {
+    if (steps++ % compare_every == 0) {
+      if (const std::string fault = compare_with_static(engine, end, counts); !fault.empty()) return fault;
     }
-    result.contact = session.contact();
-    result.outcome = session.overlap_at_start() ? Outcome::overlap_at_start
-                     : session.contact()        ? Outcome::contact
-                                                : Outcome::free;
-    counts.collisions += session.contact().has_value();
+    if (engine.next_event(end)) count_corner(engine, counts);
+    step();
+  }
+  return {};
+}
+
+/// What stops a run is a fault.
+template <class Run>
+void guarded(AuditResult& result, const Run& run) {
+  try {
+    run();
   } catch (const Undecidable& u) {
     result.fault = std::string("undecided: ") + u.what;
   } catch (const std::exception& e) {
     result.fault = e.what();
   }
+}
+
+}  // namespace
+
+AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned compare_every) {
+  AuditResult result;
+  RepairCounter observer(counts);
+  ++counts.scenes;
+  guarded(result, [&] {
+    Session session(scene, touch, nullptr, &observer);
+    if (!session.finished()) {
+      result.fault =
+          follow(session.engine(), session.end(), counts, compare_every, [&] { session.step(session.end()); });
+    }
+    if (!result.fault.empty()) return;
+    result.contact = session.contact();
+    result.outcome = session.overlap_at_start() ? Outcome::overlap_at_start
+                     : session.contact()        ? Outcome::contact
+                                                : Outcome::free;
+    counts.collisions += session.contact().has_value();
+  });
+  return result;
+}
+
+RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditCounts& counts, unsigned compare_every) {
+  RingAudit result;
+  RepairCounter observer(counts);
+  ++counts.scenes;
+  guarded(result, [&] {
+    const PairPlan plan = world.pair(a, b);
+    const PairGeometry geometry = displaced_pair(plan, inwards);
+    RingEngines engines(plan, geometry, inwards, world.both_legs(plan, world.start()), &observer);
+    if (engines.overlap()) {
+      result.outcome = Outcome::overlap_at_start;
+      return;
+    }
+    for (std::size_t k = 0; k < engines.size() && result.fault.empty(); ++k) {
+      result.contained += engines.is_contained(k);
+      Engine& engine = engines.engine(k);
+      result.fault = follow(engine, world.end(), counts, compare_every, [&] { engine.step(world.end()); });
+    }
+    if (!result.fault.empty()) return;
+    engines.advance(world.end());
+    result.found = engines.contact();
+    result.outcome = result.found ? Outcome::contact : Outcome::free;
+    counts.collisions += result.found.has_value();
+  });
   return result;
 }
 

@@ -6,8 +6,10 @@
 #include <map>
 #include <string>
 
+#include "kinetic/ring_engines.hpp"
 #include "kinetic/session.hpp"
 #include "taut/scene.hpp"
+#include "world/world_plan.hpp"
 
 namespace taut::testing {
 
@@ -29,8 +31,17 @@ struct AuditResult {
 /// Runs the scene to its end. `compare_every`: 1 compares after every event.
 AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned compare_every = 1);
 
+/// The same of two bodies of rings.
+struct RingAudit : AuditResult {
+  std::optional<RingEngines::Found> found;
+  unsigned contained = 0;  ///< pairs of rings of which one is in a hole
+};
+RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditCounts& counts,
+                      unsigned compare_every = 1);
+
 /// Compares the session's map with the static one at the middle between the present and the next event; says what
 /// differs, or nothing.
 std::string compare_with_static(Session& session, AuditCounts& counts);
+std::string compare_with_static(Engine& engine, double end, AuditCounts& counts);
 
 }  // namespace taut::testing

@@ -132,5 +132,79 @@ TEST(OverlapWitness, IsFoundForRandomPolygons) {
   EXPECT_GT(overlaps, 20);
 }
 
+/// -1 outside, 0 on the boundary of a part, 1 inside one, for a body at rest.
+int where(const Point& point, const Body& body) {
+  int best = -1;
+  for (const Part& part : body.parts.empty() ? std::vector<Part>{{body.polygon, {}}} : body.parts) {
+    int here = where(point, part.outline, {});
+    for (const Polygon& hole : part.holes) here = std::min(here, -where(point, hole, {}));
+    best = std::max(best, here);
+  }
+  return best;
+}
+
+std::optional<Point> world_witness(const Scene& scene) {
+  std::optional<Point> found;
+  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both}) {
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      CheckOptions options;
+      options.engine = engine;
+      options.touch = touch;
+      const Answer answer = check(scene, options);
+      EXPECT_EQ(answer.outcome, Outcome::overlap_at_start);
+      if (found) {
+        EXPECT_EQ(answer.overlap_point, found);
+      }
+      found = answer.overlap_point;
+    }
+  }
+  return found;
+}
+
+Body of_parts(const std::string& name, const std::vector<Part>& parts) {
+  Body body;
+  body.name = name;
+  body.parts = parts;
+  return body;
+}
+
+/// Neither holes nor other parts count as inside.
+TEST(OverlapWitness, OfBodiesOfRingsLiesInAPartOfEach) {
+  const Body frame =
+      of_parts("frame", {{box_body(0, 0, 10, 10), {box_body(1, 1, 9, 9)}}, {box_body(20, 0, 21, 1), {}}});
+  const Body plug = of_parts("plug", {{box_body(8, 4, 9.5, 6), {box_body(8.5, 4.5, 9.25, 5.5)}}});
+  const Body far =
+      of_parts("far", {{box_body(-9, -9, -8, -8), {}}, {box_body(20.5, 0.5, 30, 2), {box_body(22, 1, 23, 1.5)}}});
+  const Body inside = of_parts("inside", {{box_body(0.25, 0.25, 0.5, 0.5), {}}});
+  for (const Body& other : {plug, far, inside}) {
+    for (const bool swapped : {false, true}) {
+      Scene scene;
+      scene.end = 1;
+      scene.bodies = {frame, other, Body{"away", box_body(100, 100, 101, 101), from_velocity({1, 0}, 0)}};
+      scene.bodies[1].motion = from_velocity({1, 0}, 0);
+      if (swapped) std::swap(scene.bodies[0], scene.bodies[1]);
+      const std::optional<Point> point = world_witness(scene);
+      ASSERT_TRUE(point) << other.name;
+      EXPECT_EQ(where(*point, frame), 1) << other.name;
+      EXPECT_EQ(where(*point, other), 1) << other.name;
+    }
+  }
+}
+
+TEST(OverlapWitness, OfABodyWithAParentIsWhereItsParentPutsIt) {
+  Scene scene;
+  scene.end = 1;
+  Body hand = of_parts("hand", {{box_body(5, -1, 7, 1), {}}});
+  hand.relative_to = "arm";
+  scene.bodies = {Body{"arm", box_body(0, -1, 4, 1), from_sweep({0, 0}, 90, 120, 0, 1)}, hand,
+                  Body{"ceiling", box_body(-10, 6, 10, 8), {}}};
+  const std::optional<Point> point = world_witness(scene);
+  ASSERT_TRUE(point);
+  EXPECT_EQ(where(*point, scene.bodies[2]), 1);
+  EXPECT_LT(std::fabs(point->x), 1 + 1e-12);
+  EXPECT_GT(point->y, 6);
+  EXPECT_LT(point->y, 7 + 1e-12);
+}
+
 }  // namespace
 }  // namespace taut

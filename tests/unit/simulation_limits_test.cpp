@@ -104,8 +104,36 @@ TEST(SimulationLimits, DoNotTakeBackAContact) {
 
 TEST(SimulationLimits, RefusedInputIsNoMatterOfLimits) {
   Scene scene = meshing_gears();
-  scene.bodies.pop_back();
+  scene.bodies[1].polygon.resize(2);
   EXPECT_THROW(Simulation{scene}, InputError);
+}
+
+TEST(SimulationLimits, EndAWorldWithWhatIsProved) {
+  Scene scene = gen::make_planetary({});
+  SimulationOptions options;
+  options.max_seconds = 0;
+  Simulation at_once(scene, options);
+  EXPECT_EQ(at_once.state(), SimulationState::undecided);
+  EXPECT_EQ(at_once.reason(), "the time limit was reached");
+  EXPECT_EQ(at_once.time(), scene.start);
+  EXPECT_FALSE(at_once.next_event());
+  EXPECT_THROW(at_once.set_motion(0, {}), UndecidedError);
+  std::atomic<bool> stop{false};
+  options = {};
+  options.stop = &stop;
+  Simulation stopped(scene, options);
+  EXPECT_EQ(stopped.advance_to(0.25), SimulationState::running);
+  stop = true;
+  EXPECT_EQ(stopped.advance_to(scene.end), SimulationState::undecided);
+  EXPECT_EQ(stopped.reason(), "interrupted");
+  EXPECT_GE(stopped.time(), 0.25);
+  EXPECT_LT(stopped.time(), scene.end);
+  options = {};
+  options.max_events = 100;
+  Simulation counted(scene, options);
+  EXPECT_EQ(counted.advance_to(scene.end), SimulationState::undecided);
+  EXPECT_LE(counted.events(), 100u);
+  EXPECT_LT(counted.time(), scene.end);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided";
 export interface Options {
   /** What counts as a collision: overlap ("open", the default), or touching, too. */
   touch?: "open" | "closed";
-  engine?: "kinetic" | "spacetime" | "both" | "either";
+  engine?: "kinetic" | "spacetime" | "both" | "either" | "usual";
   /** Stop with "undecided" after so many seconds. */
   maxSeconds?: number;
   /** Stop with "undecided" after so many events of the kinetic engine. */

@@ -1,0 +1,155 @@
+#include "kinetic/ring_engines.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "pair/placement.hpp"
+#include "sign/instant_order.hpp"
+
+namespace taut {
+
+RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothLegs legs,
+                         EngineObserver* observer)
+    : plan_(plan), geometry_(geometry), inwards_(inwards), legs_(std::move(legs)) {
+  const Leg& first = legs_[0].front();
+  const Placement placement(geometry, first, first.start, Positions::on_demand);
+  const RingMeetings meetings = ring_meetings(plan, placement);
+  start_in_doubles_ = placement.precise_calls() == 0;
+  inside_ = meetings.inside;
+  overlap_ = inside_.has_value();
+  for (const RingMeeting& rings : meetings.pairs) {
+    begin(rings, observer);
+    if (overlap_) return;
+  }
+}
+
+const LoneRing& RingEngines::ring_of(const Run& run, bool plays_p) const {
+  return plays_p != run.exchanged ? plan_.rings[0]->lone(run.rings.p, inwards_)
+                                  : plan_.rings[1]->lone(run.rings.q, inwards_);
+}
+
+void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
+  const RingSet &p = *plan_.rings[0], &q = *plan_.rings[1];
+  Run run;
+  run.rings = rings;
+  // The rules at the root want the polygon with the larger diameter as P; a container's box is larger than what it
+  // contains.
+  if (q.rings()[rings.q].ring > 0) {
+    run.exchanged = true;
+  } else if (p.rings()[rings.p].ring == 0) {
+    run.exchanged = q.diameter_squared(rings.q) > p.diameter_squared(rings.p);
+  }
+  run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, true).polygon, ring_of(run, false).polygon),
+                                        legs_[run.exchanged ? 1 : 0], observer);
+  overlap_ = run.engine->state() == EngineState::overlap;
+  runs_.push_back(std::move(run));
+}
+
+bool RingEngines::is_contained(std::size_t k) const {
+  const RingMeeting& rings = runs_[k].rings;
+  return plan_.rings[0]->rings()[rings.p].ring > 0 || plan_.rings[1]->rings()[rings.q].ring > 0;
+}
+
+RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
+  std::uint64_t left = events;
+  bool arrived = true;
+  for (Run& run : runs_) {
+    Engine& engine = *run.engine;
+    while (engine.state() == EngineState::running) {
+      if (left == 0) {
+        arrived = false;
+        break;
+      }
+      // What comes after a contact that is known does not matter.
+      const double limit = contact_ ? std::min(t, legs_[0][contact_->leg].time(contact_->contact.hi)) : t;
+      const std::uint64_t before = engine.events();
+      if (!engine.step(limit) && engine.events() == before) break;
+      left -= engine.events() - before;
+    }
+    if (engine.state() == EngineState::contact) note_contact(run);
+  }
+  if (!arrived) return Arrival::on_the_way;
+  return contact_ ? Arrival::contact : Arrival::there;
+}
+
+double RingEngines::reached() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Run& run : runs_) least = std::min(least, run.engine->reached());
+  return least;
+}
+
+double RingEngines::proved_until() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Run& run : runs_) least = std::min(least, run.engine->proved_until());
+  return least;
+}
+
+std::optional<std::pair<double, double>> RingEngines::next_event(double t) {
+  std::optional<std::pair<double, double>> first;
+  for (Run& run : runs_) {
+    const auto next = run.engine->next_event(first ? std::min(t, first->second) : t);
+    if (next && (!first || next->first < first->first)) first = next;
+  }
+  return first;
+}
+
+/// From a vertex of two rings, or the edge from it, to that of the two bodies. Their slit's walls are no features, and
+/// can only be met where a vertex was displaced into the mouth.
+VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
+  const PairGeometry& two = run.engine->geometry();
+  const bool plays_p = two.in_p(v);
+  const LoneRing& ring = ring_of(run, plays_p);
+  const VertexId own(plays_p ? v.value : v.value - two.np);
+  const std::optional<std::uint32_t> k = edge ? ring.edge(own) : ring.vertex(own);
+  if (!k) throw Undecidable{"what a vertex in the slit of a hole meets"};
+  return VertexId(plays_p != run.exchanged ? *k : geometry_.np + *k);
+}
+
+void RingEngines::note_contact(const Run& run) {
+  const EngineContact& found = *run.engine->contact();
+  const Found here{{in_pair(run, found.vertex, false), in_pair(run, found.edge, true), found.lo, found.hi},
+                   run.engine->leg_index()};
+  if (!contact_ || comes_before(here, *contact_)) contact_ = here;
+}
+
+bool RingEngines::comes_before(const Found& a, const Found& b) const {
+  if (a.leg != b.leg) return a.leg < b.leg;
+  if (a.contact.vertex == b.contact.vertex && a.contact.edge == b.contact.edge) return a.contact.lo < b.contact.lo;
+  const Leg& leg = legs_[0][a.leg];
+  const int order = order_of({&leg, &geometry_, a.contact}, {&leg, &geometry_, b.contact});
+  if (order == 0) throw Undecidable{"the order of two contacts"};
+  return order < 0;
+}
+
+std::uint64_t RingEngines::events() const {
+  std::uint64_t sum = 0;
+  for (const Run& run : runs_) sum += run.engine->events();
+  return sum;
+}
+
+std::uint64_t RingEngines::certificates() const {
+  std::uint64_t sum = 0;
+  for (const Run& run : runs_) sum += run.engine->active_certificates();
+  return sum;
+}
+
+std::uint64_t RingEngines::initial_certificates() const {
+  std::uint64_t sum = 0;
+  for (const Run& run : runs_) sum += run.engine->initial_certificates();
+  return sum;
+}
+
+std::uint64_t RingEngines::max_certificates() const {
+  std::uint64_t sum = 0;
+  for (const Run& run : runs_) sum += run.engine->max_certificates();
+  return sum;
+}
+
+bool RingEngines::doubles_sufficed() const {
+  return start_in_doubles_ &&
+         std::all_of(runs_.begin(), runs_.end(), [](const Run& r) { return r.engine->doubles_sufficed(); });
+}
+
+}  // namespace taut

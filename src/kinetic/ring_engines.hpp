@@ -1,0 +1,88 @@
+// Two bodies of rings in the kinetic engine: one engine for each two rings that can meet.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kinetic/engine.hpp"
+#include "pair/pair_plan.hpp"
+#include "pair/ring_meetings.hpp"
+#include "sign/contact_bracket.hpp"
+
+namespace taut {
+
+/// The tiling is between two simple polygons. Which of two parts' rings can meet is settled where they start, and does
+/// not change before they do: so the first contact of two bodies is the earliest of those of such pairs of rings, each
+/// with an engine of its own. A hole that has the other body's part in it takes part as the container around it.
+class RingEngines {
+ public:
+  /// Legs of the pair in its roles, and with the roles exchanged: a pair of rings has P and Q by what is larger.
+  using BothLegs = std::array<std::vector<Leg>, 2>;
+
+  /// Builds the tilings at the start of the legs. The plan and the geometry are those of bodies of rings, and must
+  /// outlive this, as must the observer, who may be null. Throws Undecidable.
+  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothLegs legs,
+              EngineObserver* observer = nullptr);
+
+  /// Do the bodies overlap at the start of the legs? Then no more can be asked.
+  bool overlap() const { return overlap_; }
+  /// If they do, and it was seen by a vertex of one in the other, that vertex of the pair's geometry.
+  const std::optional<VertexId>& inside() const { return inside_; }
+
+  enum class Arrival : unsigned char { there, contact, on_the_way };
+  /// Up to t, or to the contact. After so many events it is left on the way. Throws Undecidable, and what interrupts
+  /// it.
+  Arrival advance(double t, std::uint64_t events = UINT64_MAX);
+  /// Everything up to there is proved.
+  double reached() const;
+  /// The same at the present, between events: no failure is due before.
+  double proved_until() const;
+  /// An enclosure of the time of the next event up to t.
+  std::optional<std::pair<double, double>> next_event(double t);
+
+  /// In the terms of the pair's geometry and of its legs.
+  struct Found {
+    FoundContact contact;
+    std::size_t leg = 0;
+  };
+  const std::optional<Found>& contact() const { return contact_; }
+
+  std::uint64_t events() const;
+  std::uint64_t certificates() const;
+  std::uint64_t initial_certificates() const;
+  std::uint64_t max_certificates() const;
+  bool doubles_sufficed() const;
+  const std::vector<Leg>& legs() const { return legs_[0]; }
+
+  std::size_t size() const { return runs_.size(); }
+  Engine& engine(std::size_t k) { return *runs_[k].engine; }
+  RingMeeting meeting(std::size_t k) const { return runs_[k].rings; }
+  /// Does a hole take part in it?
+  bool is_contained(std::size_t k) const;
+
+ private:
+  struct Run {
+    RingMeeting rings;
+    bool exchanged = false;  ///< P of the pair plays Q
+    std::unique_ptr<Engine> engine;
+  };
+  const LoneRing& ring_of(const Run& run, bool plays_p) const;
+  void begin(const RingMeeting& rings, EngineObserver* observer);
+  VertexId in_pair(const Run& run, VertexId v, bool edge) const;
+  void note_contact(const Run& run);
+  bool comes_before(const Found& a, const Found& b) const;
+
+  const PairPlan& plan_;
+  const PairGeometry& geometry_;
+  bool inwards_;
+  BothLegs legs_;
+  std::vector<Run> runs_;
+  bool overlap_ = false;
+  std::optional<VertexId> inside_;
+  bool start_in_doubles_ = true;
+  std::optional<Found> contact_;
+};
+
+}  // namespace taut

@@ -1,0 +1,127 @@
+#include "search/kinetic_pair.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/crossing_edges.hpp"
+#include "pair/placement.hpp"
+
+namespace taut {
+
+KineticPair::KineticPair(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
+    : world_(world),
+      inwards_(inwards),
+      budget_(budget),
+      plan_(world.pair(a, b)),
+      geometry_(displaced_pair(plan_, inwards)),
+      legs_(world.legs(plan_)) {
+  result_.a = std::min(a, b);
+  result_.b = std::max(a, b);
+  result_.free_until = world.end();
+  result_.engine = EngineName::kinetic;
+}
+
+void KineticPair::ask_start() {
+  try {
+    settle_start();
+  } catch (const Undecidable& limit) {
+    give_up(not_decided(limit), world_.start());
+  }
+}
+
+void KineticPair::settle_start() {
+  begin(world_.start());
+  if (!engines_->overlap()) return;
+  result_.free_until = world_.start();
+  result_.outcome = Outcome::overlap_at_start;
+  if (!inwards_) touch_at_start();
+  engines_.reset();
+}
+
+/// Touching makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
+void KineticPair::touch_at_start() {
+  const double start = world_.start();
+  const PairGeometry inner = displaced_pair(plan_, true);
+  if (RingEngines(plan_, inner, true, world_.both_legs(plan_, start)).overlap()) return;
+  const Leg& leg = legs_.front();
+  result_.outcome = Outcome::contact;
+  if (const auto crossing = crossing_edges(Placement(geometry_, leg, start))) {
+    result_.touching = spacetime::StartOverlap{true, crossing->p, crossing->q, {}};
+    result_.contact = witness().contact_of_crossing(crossing->p, crossing->q, leg, start);
+    return;
+  }
+  if (!engines_->inside()) throw StructureError("bodies that touch without a crossing of their outlines");
+  result_.touching = spacetime::StartOverlap{false, {}, {}, *engines_->inside()};
+  result_.contact = witness().contact_of_vertex(*engines_->inside(), leg, start);
+}
+
+void KineticPair::begin(double from) {
+  leave();
+  engines_ = std::make_unique<RingEngines>(plan_, geometry_, inwards_, world_.both_legs(plan_, from));
+  at_ = window_ = from;
+}
+
+void KineticPair::leave() {
+  before_ = counts();
+  doubles_ = doubles_sufficed();
+  engines_.reset();
+}
+
+KineticCounts KineticPair::counts() const {
+  KineticCounts sum = before_;
+  if (engines_) sum += {engines_->events(), engines_->initial_certificates(), engines_->max_certificates()};
+  return sum;
+}
+
+bool KineticPair::work(double from, double to, std::uint64_t events) {
+  if (!open() && result_.free_until <= from) return true;
+  try {
+    if (!engines_ || (at_ != from && window_ != from)) {
+      begin(from);
+      if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
+    }
+    window_ = from;
+    return advance(to, events);
+  } catch (const Undecidable& limit) {
+    give_up(not_decided(limit), engines_ ? engines_->reached() : from);
+  } catch (const Interrupted& limit) {
+    // In the middle of an event, perhaps.
+    give_up(limit.reason, engines_ ? engines_->reached() : from);
+  }
+  return true;
+}
+
+bool KineticPair::advance(double to, std::uint64_t events) {
+  const std::uint64_t before = engines_->events(), most = std::min(events, budget_.left);
+  const RingEngines::Arrival arrival = engines_->advance(to, most);
+  budget_.left -= engines_->events() - before;
+  if (arrival == RingEngines::Arrival::contact) {
+    note_contact();
+  } else if (arrival == RingEngines::Arrival::there) {
+    at_ = to;
+  } else if (budget_.left == 0) {
+    give_up("the limit of " + std::to_string(budget_.most) + " events was reached", engines_->proved_until());
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void KineticPair::note_contact() {
+  const RingEngines::Found& found = *engines_->contact();
+  // Legs from a later time on are the last ones of all.
+  const std::size_t leg = legs_.size() - engines_->legs().size() + found.leg;
+  result_ = contact_of(result_, witness(), legs_[leg], leg, found.contact, world_.start());
+}
+
+void KineticPair::give_up(const std::string& reason, double until) {
+  result_.outcome = Outcome::undecided;
+  result_.reason = reason;
+  result_.free_until = std::clamp(until, world_.start(), world_.end());
+  leave();
+}
+
+}  // namespace taut

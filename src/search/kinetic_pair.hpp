@@ -1,0 +1,66 @@
+// A pair of a world by the kinetic engine.
+#pragma once
+
+#include <memory>
+
+#include "kinetic/ring_engines.hpp"
+#include "search/pair_question.hpp"
+#include "sign/witness.hpp"
+#include "world/world_plan.hpp"
+
+namespace taut {
+
+/// How many events all pairs of a world may take together.
+struct EventBudget {
+  std::uint64_t most = UINT64_MAX;
+  std::uint64_t left = UINT64_MAX;
+
+  explicit EventBudget(std::uint64_t limit) : most(limit), left(limit) {}
+};
+
+/// The tilings of the pair's rings are built where its first window begins, and followed through windows that follow
+/// each other; after a gap, in which the bodies were apart by their boxes, they are built anew.
+class KineticPair final : public WindowedPair {
+ public:
+  /// The world and the budget must outlive it. Throws InputError where a body has features that are finer than the
+  /// displacement.
+  KineticPair(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget);
+
+  void ask_start() override;
+  void ask(double from, double to) override { work(from, to, UINT64_MAX); }
+  /// The same, for about so many events; true once it is settled. Else it can be asked again about the same window.
+  bool work(double from, double to, std::uint64_t events);
+  const PairResult& result() const override { return result_; }
+  std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
+  bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }
+  KineticCounts counts() const override;
+  /// Up to where the present tilings have come.
+  double at() const { return at_; }
+  /// The present tilings; null before the first window, and where the bodies overlap.
+  RingEngines* engines() { return engines_.get(); }
+
+ private:
+  void settle_start();
+  void touch_at_start();
+  void begin(double from);
+  void leave();
+  bool advance(double to, std::uint64_t events);
+  void note_contact();
+  void give_up(const std::string& reason, double until);
+  Witness witness() const { return {plan_, geometry_, inwards_}; }
+
+  const WorldPlan& world_;
+  bool inwards_;
+  EventBudget& budget_;
+  PairPlan plan_;
+  PairGeometry geometry_;
+  std::vector<Leg> legs_;  ///< from the world's start
+  std::unique_ptr<RingEngines> engines_;
+  double at_ = 0;         ///< up to where the present engines have come
+  double window_ = 0;     ///< where the window begins that they are in
+  KineticCounts before_;  ///< of engines that have been left
+  bool doubles_ = true;   ///< they sufficed for these
+  PairResult result_;
+};
+
+}  // namespace taut

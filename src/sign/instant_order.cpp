@@ -1,0 +1,112 @@
+#include "sign/instant_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "sign/precise_triple.hpp"
+
+namespace taut {
+namespace {
+
+/// The instant, enclosed better from stage to stage.
+class ClosingInstant {
+ public:
+  explicit ClosingInstant(const ContactInstant& instant)
+      : leg_(*instant.leg),
+        root_(leg_, *instant.geometry,
+              {instant.contact.edge, instant.geometry->next(instant.contact.edge), instant.contact.vertex,
+               instant.geometry->in_p(instant.contact.edge)}),
+        parameter_(PreciseTime::between(instant.contact.lo, instant.contact.hi)) {}
+
+  /// What a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
+  void refine(int stage, double enough) { root_.refine(-1, parameter_, stage, enough); }
+  const PreciseTime& parameter() const { return parameter_; }
+  /// Of the world.
+  PreciseTime time() const { return leg_.bridge ? PreciseTime::between(leg_.joint, leg_.joint) : parameter_; }
+
+ private:
+  const Leg& leg_;
+  PreciseTriple root_;
+  PreciseTime parameter_;
+};
+
+}  // namespace
+
+int order_of(const ContactInstant& a, const ContactInstant& b) {
+  const bool one_bridge = a.leg == b.leg && a.leg->bridge;
+  ClosingInstant x(a), y(b);
+  for (int stage = -1; stage < precise_stages; ++stage) {
+    if (stage >= 0) {
+      x.refine(stage, 0);
+      y.refine(stage, 0);
+    }
+    const PreciseTime s = one_bridge ? x.parameter() : x.time(), t = one_bridge ? y.parameter() : y.time();
+    if (s.certainly_before(t)) return -1;
+    if (t.certainly_before(s)) return 1;
+  }
+  return 0;
+}
+
+namespace {
+
+/// A contact that may be the first, with room for what the bodies' displacement moves it by.
+class Rival {
+ public:
+  Rival(std::size_t index, const ContactCandidate& candidate)
+      : index_(index), lo_(candidate.time.lo), hi_(candidate.time.hi) {
+    if (!candidate.instant) return;
+    const ContactInstant& at = *candidate.instant;
+    sway_ = displacement_sway(*at.geometry, *at.leg, at.contact);
+    if (std::isfinite(sway_)) root_ = std::make_unique<ClosingInstant>(at);
+  }
+
+  std::size_t index() const { return index_; }
+  const RealMax& lo() const { return lo_; }
+  const RealMax& hi() const { return hi_; }
+  void refine(int stage) {
+    if (!root_) return;
+    root_->refine(stage, sway_);
+    const PreciseTime t = root_->time();
+    lo_ = std::max(lo_, RealMax(t.lo() - sway_));
+    hi_ = std::min(hi_, RealMax(t.hi() + sway_));
+  }
+
+ private:
+  std::size_t index_;
+  RealMax lo_, hi_;
+  double sway_ = 0;
+  std::unique_ptr<ClosingInstant> root_;
+};
+
+/// Leaves out those that come after another one for certain.
+template <class Interval>
+void keep_first(std::vector<Interval>& all) {
+  const auto ends_first = [](const Interval& a, const Interval& b) { return a.hi() < b.hi(); };
+  const RealMax least = std::min_element(all.begin(), all.end(), ends_first)->hi();
+  std::erase_if(all, [&](const Interval& a) { return a.lo() > least; });
+}
+
+}  // namespace
+
+std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& contacts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ContactCandidate& c : contacts) least = std::min(least, c.time.hi);
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].time.lo <= least) left.push_back(i);
+  }
+  if (left.size() < 2) return left;
+  std::vector<Rival> rivals;
+  for (const std::size_t i : left) rivals.emplace_back(i, contacts[i]);
+  for (int stage = 0; stage < precise_stages && rivals.size() > 1; ++stage) {
+    for (Rival& rival : rivals) rival.refine(stage);
+    keep_first(rivals);
+  }
+  left.clear();
+  for (const Rival& rival : rivals) left.push_back(rival.index());
+  return left;
+}
+
+}  // namespace taut

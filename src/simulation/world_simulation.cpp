@@ -1,0 +1,175 @@
+#include "simulation/world_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/headline.hpp"
+#include "motion/pieces.hpp"
+#include "pair/validate_world.hpp"
+#include "taut/error.hpp"
+#include "world/world_witness.hpp"
+
+namespace taut {
+namespace {
+
+const Scene& validated(const Scene& scene) {
+  validate_world(scene);
+  return scene;
+}
+
+/// In the input's units.
+Bounds bounds_of(const WorldPlan& plan, BodyId body) {
+  const Bounds& b = plan.bodies()[static_cast<std::size_t>(body)].rings->bounds();
+  const auto back = [&](double x) { return std::ldexp(x, -plan.exponent()); };
+  return {{back(b.lo.x), back(b.lo.y)}, {back(b.hi.x), back(b.hi.y)}};
+}
+
+}  // namespace
+
+WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t max_events)
+    : touch_(touch),
+      start_(scene.start),
+      plan_(validated(scene)),
+      near_(plan_),
+      budget_(max_events),
+      now_(scene.start) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    names_.push_back(scene.bodies[i].name);
+    extent_ = std::max(extent_, diagonal(bounds_of(plan_, static_cast<BodyId>(i))));
+    // Refuses features that are too fine now, rather than when the body comes near another one.
+    plan_.bodies()[i].rings->displaced(touch == Touch::open);
+  }
+  answer_.outcome = Outcome::free;
+  near_.begin(now_);
+  open_window();
+  ask_starts([](int, int) { return true; });
+}
+
+/// Pairs that are no longer near are forgotten.
+void WorldSimulation::open_window() {
+  std::erase_if(pairs_, [&](const auto& entry) { return !near_.has(entry.first.first, entry.first.second); });
+}
+
+KineticPair& WorldSimulation::pair(const Key& key) {
+  std::unique_ptr<KineticPair>& place = pairs_[key];
+  if (!place) place = std::make_unique<KineticPair>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
+  return *place;
+}
+
+/// Of the pairs that are asked about for the first time: do they overlap, or touch?
+void WorldSimulation::ask_starts(const std::function<bool(int, int)>& is_new) {
+  std::vector<int> all;
+  for (const WorldBody& body : plan_.bodies()) all.push_back(body.rings->body());
+  MeetingBoxes(plan_, all, plan_.start(), plan_.start()).each([&](int a, int b, bool) {
+    if (is_new(a, b)) pair({a, b}).ask_start();
+  });
+  conclude();
+}
+
+void WorldSimulation::advance(double t) {
+  while (!over() && now_ < t) {
+    const double to = std::min(t, near_.until());
+    advance_pairs(to);
+    if (over()) return;
+    now_ = to;
+    if (now_ < near_.until() || near_.last()) continue;
+    near_.next();
+    open_window();
+  }
+}
+
+void WorldSimulation::advance_pairs(double to) {
+  double stop = to;
+  near_.each([&](int a, int b) {
+    KineticPair& near = pair({a, b});
+    near.work(near.engines() ? near.at() : near_.from(), stop, std::numeric_limits<std::uint64_t>::max());
+    if (near.result().contact) stop = std::min(stop, near.result().contact->time.hi);
+  });
+  certificates_max_ = std::max(certificates_max_, certificates());
+  conclude();
+}
+
+std::optional<TimeInterval> WorldSimulation::next_event() {
+  while (!over()) {
+    std::optional<std::pair<double, double>> first;
+    near_.each([&](int a, int b) {
+      KineticPair& near = pair({a, b});
+      if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
+      if (!near.engines()) return;
+      const auto next = near.engines()->next_event(first ? std::min(near_.until(), first->second) : near_.until());
+      if (next && (!first || next->first < first->first)) first = next;
+    });
+    if (first) return TimeInterval{first->first, first->second};
+    conclude();
+    if (near_.last() || over()) return std::nullopt;
+    advance(near_.until());
+  }
+  return std::nullopt;
+}
+
+void WorldSimulation::conclude() {
+  std::vector<PairEvent> events;
+  for (const auto& [key, near] : pairs_) {
+    if (!near->open()) events.push_back({answer_of(near->result()), near->instant()});
+  }
+  if (events.empty()) return;
+  // Nothing happens before the present: enclosures may begin a little before it.
+  for (PairEvent& event : events) {
+    event.pair.free_until = std::max(event.pair.free_until, now_);
+    if (!event.pair.contact) continue;
+    TimeInterval& time = event.pair.contact->time;
+    time = {std::max(time.lo, now_), std::max(time.hi, now_)};
+  }
+  take_headline(events, answer_);
+  now_ = std::max(now_, answer_.free_until);
+  if (answer_.outcome != Outcome::overlap_at_start) return;
+  answer_.overlap_point = common_point(plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
+}
+
+std::uint64_t WorldSimulation::certificates() const {
+  std::uint64_t sum = 0;
+  for (const auto& [key, near] : pairs_) {
+    if (near->engines()) sum += near->engines()->certificates();
+  }
+  return sum;
+}
+
+void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
+  const auto count = static_cast<BodyId>(names_.size());
+  if (body < 0 || body >= count)
+    throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 to " + std::to_string(count - 1));
+  const std::string& name = names_[static_cast<std::size_t>(body)];
+  const Bounds bounds = bounds_of(plan_, body);
+  validate_motion(motion, name, bounds, now_, end(), extent_);
+  const std::vector<MotionPiece>& own = plan_.bodies()[static_cast<std::size_t>(body)].own;
+  const MotionPiece before = own.empty() ? MotionPiece{} : scaled(piece_at(own, now_), -plan_.exponent());
+  const MotionPiece after = pieces_between(motion, now_, end()).front();
+  const double gap = joint_gap(before, after, bounds, now_);
+  if (!(gap <= joint_room(before, after, bounds, now_, extent_)))
+    throw InputError(name,
+                     "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now_),
+                     "coefficients are in powers of the absolute time t");
+}
+
+void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
+  check_motion(body, motion);
+  if (over()) return;
+  std::vector<int> groups;
+  for (const WorldBody& b : plan_.bodies()) groups.push_back(b.group);
+  const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
+  plan_.replan(body, motion, now_, from);
+  std::erase_if(pairs_, [&](const auto& entry) {
+    return plan_.follows(entry.first.first, body) || plan_.follows(entry.first.second, body);
+  });
+  near_.begin(from);
+  open_window();
+  // Bodies that have moved alike were not asked about. At the start of the scene everything is new.
+  const auto group = [&](int k) { return groups[static_cast<std::size_t>(k)]; };
+  const auto changed = [&](int k) { return plan_.follows(k, body); };
+  ask_starts([&](int a, int b) {
+    return (groups.size() > 2 && group(a) == group(b)) || (from == now_ && (changed(a) || changed(b)));
+  });
+}
+
+}  // namespace taut
