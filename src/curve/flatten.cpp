@@ -1,0 +1,50 @@
+// Curves as polygons, for people.
+#include <cmath>
+
+#include "curve/flat_part.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+
+Outline outline_of(const Polygon& polygon) {
+  Outline outline;
+  if (polygon.empty()) return outline;
+  outline.start = polygon[0];
+  for (std::size_t i = 1; i < polygon.size(); ++i) outline.segments.emplace_back(LineTo{polygon[i]});
+  return outline;
+}
+
+void curve::refine_to(BandedPart& part, double tolerance, const std::string& name) {
+  for (std::size_t ring = 0; ring < part.bands().size(); ++ring) {
+    for (;;) {
+      const Band& band = part.bands()[ring];
+      std::vector<int> halvings;
+      bool finer = false;
+      for (const Cell& cell : band.cells()) {
+        const bool thick = cell.thickness > tolerance;
+        if (thick && cell.settled)
+          throw InputError(name, "doubles do not allow a tolerance that small",
+                           "choose one of at least 2^-40 of the largest coordinate");
+        halvings.push_back(thick ? 1 : 0);
+        finer = finer || thick;
+      }
+      if (!finer) break;
+      part.band(ring).refine(halvings);
+    }
+  }
+}
+
+std::vector<Part> flatten(const std::vector<CurvedPart>& parts, CurveSide side, double tolerance,
+                          const std::string& name) {
+  if (!(tolerance > 0 && std::isfinite(tolerance)))
+    throw InputError(name, "the tolerance is not a positive number", "choose how far polygons may be from the curves");
+  std::vector<Part> polygons;
+  for (const CurvedPart& part : parts) {
+    curve::BandedPart banded(part, name);
+    curve::refine_to(banded, tolerance, name);
+    polygons.push_back(banded.polygons(side));
+  }
+  return polygons;
+}
+
+}  // namespace taut
