@@ -1,6 +1,7 @@
 // Outlines with curves, as a user writes them: the segments of an SVG path.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -60,6 +61,9 @@ enum class FillRule { nonzero, evenodd };
 
 /// The outline of a polygon.
 Outline outline_of(const Polygon& polygon);
+
+/// The same part as polygons, if it is bounded by lines only; else nothing. Lines of no length are left out.
+std::optional<Part> polygons_of(const CurvedPart& part);
 
 /// The parts that an SVG path encloses: M L H V C S Q T A Z, either case; every subpath is closed. Where a subpath lies
 /// in others, the rule says what is inside; subpaths must not meet each other or themselves. Throws InputError with the

@@ -14,6 +14,28 @@ Outline outline_of(const Polygon& polygon) {
   return outline;
 }
 
+std::optional<Part> polygons_of(const CurvedPart& part) {
+  const auto polygon_of_lines = [](const Outline& outline) -> std::optional<Polygon> {
+    Polygon polygon{outline.start};
+    for (const CurveSegment& segment : outline.segments) {
+      if (!std::holds_alternative<LineTo>(segment)) return std::nullopt;
+      if (!(end_of(segment) == polygon.back())) polygon.push_back(end_of(segment));
+    }
+    if (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+    return polygon;
+  };
+  Part polygons;
+  const auto outline = polygon_of_lines(part.outline);
+  if (!outline) return std::nullopt;
+  polygons.outline = *outline;
+  for (const Outline& ring : part.holes) {
+    const auto hole = polygon_of_lines(ring);
+    if (!hole) return std::nullopt;
+    polygons.holes.push_back(*hole);
+  }
+  return polygons;
+}
+
 void curve::refine_to(BandedPart& part, double tolerance, const std::string& name) {
   for (std::size_t ring = 0; ring < part.bands().size(); ++ring) {
     for (;;) {

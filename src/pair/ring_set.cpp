@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/prepared_shape.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
@@ -19,6 +20,7 @@ void reverse_order(std::vector<DisplacedPoint>& ring) { std::reverse(ring.begin(
 }  // namespace
 
 std::vector<Part> parts_of(const Body& body) {
+  refuse_curves(body);
   if (!body.parts.empty()) return body.parts;
   return {{polygon_of(body), {}}};
 }
