@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   taut::cli::add_envelope(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_cells(app, action);
+  taut::cli::add_flatten(app, action);
   taut::cli::add_gen(app, action);
   taut::cli::add_import(app, action);
   taut::cli::add_schema(app, action);

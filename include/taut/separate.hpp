@@ -50,6 +50,7 @@ struct Separation {
   /// Those that are left and cannot be taken away one by one. Several might still leave together.
   std::vector<BodyId> stuck;
   std::string reason;  ///< why it is not decided; empty otherwise
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// How to ask.

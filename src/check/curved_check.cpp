@@ -7,6 +7,7 @@
 #include "check/headline.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "pair/fitted_scene.hpp"
 #include "taut/error.hpp"
 
@@ -158,35 +159,6 @@ class CurvedCheck {
   std::uint64_t events_ = 0;
 };
 
-/// The scene of two bodies, with all that they are seen from, and with nobody else asked about. `ids` are theirs in the
-/// whole scene.
-Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids) {
-  std::vector<bool> kept(scene.bodies.size(), false);
-  const auto keep = [&](BodyId id) {
-    for (bool found = true; found;) {
-      found = false;
-      kept[static_cast<std::size_t>(id)] = true;
-      const std::string& parent = scene.bodies[static_cast<std::size_t>(id)].relative_to;
-      for (std::size_t k = 0; k < scene.bodies.size() && !found && !parent.empty(); ++k) {
-        found = scene.bodies[k].name == parent && !kept[k];
-        if (found) id = static_cast<BodyId>(k);
-      }
-    }
-  };
-  keep(pair[0]);
-  keep(pair[1]);
-  Scene small;
-  small.start = scene.start;
-  small.end = scene.end;
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    if (!kept[k]) continue;
-    ids.push_back(static_cast<BodyId>(k));
-    small.bodies.push_back(scene.bodies[k]);
-    if (ids.back() != pair[0] && ids.back() != pair[1]) small.ignore.push_back({scene.bodies[k].name, "*"});
-  }
-  return small;
-}
-
 Answer check_curved_or_plain(const Scene& scene, const CheckOptions& options) {
   return has_curves(scene) ? CurvedCheck(scene, options).run() : check(scene, options);
 }
@@ -269,6 +241,10 @@ bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t 
 Answer check_curved(const Scene& scene, const CheckOptions& options) {
   if (!(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1))
     throw InputError("time tolerance", "it is not between 1e-15 and 1", "1e-9 of the scene's time is usual");
+  // Events would be those of polygons that are made on the way, run after run.
+  if (options.tracer != nullptr) {
+    for (const Body& body : scene.bodies) refuse_curves(body);
+  }
   if (options.fit != 0) return check_fitted_curves(scene, options);
   if (options.all_pairs) return check_each_pair(scene, options);
   return CurvedCheck(scene, options).run();

@@ -5,10 +5,21 @@
 
 #include "pair/curved_world.hpp"
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
+#include "taut/intervals.hpp"
+#include "taut/separate.hpp"
 
 namespace taut {
 
 Answer check_curved(const Scene& scene, const CheckOptions& options);
+Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
+MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
+Separation separate_curves(const Scene& scene, const SeparateOptions& options);
+
+/// The scene of two bodies, with all that they are seen from, and with nobody else asked about. `ids` are theirs in the
+/// whole scene.
+Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids);
 
 /// How finely cells may be cut before a question is given up: curves that run along each other for a while would never
 /// end.

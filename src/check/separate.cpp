@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
 #include "search/free_directions.hpp"
@@ -123,6 +124,7 @@ class SeparationSearch {
 }  // namespace
 
 Separation separate(const Scene& scene, const SeparateOptions& options) {
+  if (has_curves(scene)) return separate_curves(scene, options);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Separation answer;
   try {

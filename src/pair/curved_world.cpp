@@ -118,6 +118,24 @@ double CurvedWorld::name_curves(CurveSide side, Contact& contact) const {
   return std::max(name_curve(side, contact.vertex), name_curve(side, contact.edge));
 }
 
+std::size_t CurvedWorld::mark_vertex(CurveSide side, const VertexRef& vertex, Halvings& marks) const {
+  const auto body = static_cast<std::size_t>(vertex.body), p = static_cast<std::size_t>(vertex.part);
+  if (parts_[body].empty()) return 0;
+  const auto ring = static_cast<std::size_t>(vertex.ring);
+  const curve::BandedPart& part = parts_[body][p];
+  const curve::Band& band = part.bands()[ring];
+  const std::size_t n = band.cells().size();
+  const auto cell =
+      static_cast<std::size_t>(band.sources(part.left_is(ring, side))[static_cast<std::size_t>(vertex.index)].cell);
+  std::size_t count = 0;
+  for (const std::size_t k : {(cell + n - 1) % n, cell, (cell + 1) % n}) {
+    if (band.cells()[k].settled || marks[body][p][ring][k] != 0) continue;
+    marks[body][p][ring][k] = 1;
+    ++count;
+  }
+  return count;
+}
+
 double CurvedWorld::tolerance() const {
   double worst = 0;
   for (const auto& body : parts_) {

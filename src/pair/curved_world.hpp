@@ -40,6 +40,9 @@ class CurvedWorld {
   /// Of both features of a contact; the tolerance at the thicker one.
   double name_curves(CurveSide side, Contact& contact) const;
 
+  /// Of a vertex of polygons(): marks its cell and the ones beside it.
+  std::size_t mark_vertex(CurveSide side, const VertexRef& vertex, Halvings& marks) const;
+
   double tolerance() const;
   std::uint64_t segments() const;
 
