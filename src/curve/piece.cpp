@@ -19,10 +19,11 @@ double angle_between(const WidePoint& u, const WidePoint& v) {
   return std::ldexp(chord, 24);
 }
 
-/// Of eight: the ends of the axes have even numbers, the quarters between them odd ones. Where it is not certain, an
-/// end.
+/// Of eight: the ends of the axes have even numbers, the quarters between them odd ones. What is as good as an end counts
+/// as one, so that no piece is too short for its gates; its neighbour is longer than a quarter by as little.
 int octant_of(const WidePoint& u) {
-  const int x = u.x.sign(), y = u.y.sign();
+  const auto side = [](const WideBall& x) { return x.magnitude() < 0x1p-20 ? 0 : x.sign(); };
+  const int x = side(u.x), y = side(u.y);
   constexpr int octants[3][3] = {{5, 4, 3}, {6, -1, 2}, {7, 0, 1}};
   return octants[x + 1][y + 1];
 }

@@ -6,7 +6,7 @@
 //
 //   Bezier curves: both are theirs by definition (Bernstein polynomials are nonnegative and sum up to 1), and de
 //     Casteljau's halving keeps them.
-//   Arcs of ellipses of at most a quarter: images of c + (cos t, sin t) under an affine map. The arc of the circle
+//   Arcs of ellipses of a quarter or hardly more: images of c + (cos t, sin t) under an affine map. The arc of the circle
 //   between
 //     the directions u and v lies in the triangle of its ends and the point (u + v) / (1 + u v) at which the tangents
 //     of these meet, and its tangents turn from the one leg's direction to the other's. Halves are between u, v and (u
