@@ -97,7 +97,8 @@ struct CheckOptions {
   /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are refined
   /// until they tell it as well as that, or doubles end.
   double time_tolerance = 1e-9;
-  /// Told of every event of the kinetic engine; may be null. Not owned.
+  /// Told of every event of the kinetic engine; may be null. Not owned. Of a scene with curves, events are those of the
+  /// polygons that stand for them, run after run.
   Tracer* tracer = nullptr;
 };
 

@@ -7,7 +7,6 @@
 #include "check/headline.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
-#include "geometry/prepared_shape.hpp"
 #include "pair/fitted_scene.hpp"
 #include "taut/error.hpp"
 
@@ -241,10 +240,6 @@ bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t 
 Answer check_curved(const Scene& scene, const CheckOptions& options) {
   if (!(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1))
     throw InputError("time tolerance", "it is not between 1e-15 and 1", "1e-9 of the scene's time is usual");
-  // Events would be those of polygons that are made on the way, run after run.
-  if (options.tracer != nullptr) {
-    for (const Body& body : scene.bodies) refuse_curves(body);
-  }
   if (options.fit != 0) return check_fitted_curves(scene, options);
   if (options.all_pairs) return check_each_pair(scene, options);
   return CurvedCheck(scene, options).run();
