@@ -164,10 +164,13 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
     ++count;
   };
   PosedCells::meet(first, second, [&](PosedCell& a, PosedCell& b) {
-    const bool done = (!a.mark || a.marked) && (!b.mark || b.marked);
-    if (done || distance_between(a, b) > a.thickness + b.thickness + room) return;
-    mark(a);
-    mark(b);
+    // Beside a coarse cell a fine one need not become finer.
+    const bool first_matters = a.mark && !a.marked && 4 * a.thickness >= b.thickness;
+    const bool second_matters = b.mark && !b.marked && 4 * b.thickness >= a.thickness;
+    if (!first_matters && !second_matters) return;
+    if (distance_between(a, b) > a.thickness + b.thickness + room) return;
+    if (first_matters) mark(a);
+    if (second_matters) mark(b);
   });
   return count;
 }

@@ -19,8 +19,8 @@ double angle_between(const WidePoint& u, const WidePoint& v) {
   return std::ldexp(chord, 24);
 }
 
-/// Of eight: the ends of the axes have even numbers, the quarters between them odd ones. What is as good as an end counts
-/// as one, so that no piece is too short for its gates; its neighbour is longer than a quarter by as little.
+/// Of eight: the ends of the axes have even numbers, the quarters between them odd ones. What is as good as an end
+/// counts as one, so that no piece is too short for its gates; its neighbour is longer than a quarter by as little.
 int octant_of(const WidePoint& u) {
   const auto side = [](const WideBall& x) { return x.magnitude() < 0x1p-20 ? 0 : x.sign(); };
   const int x = side(u.x), y = side(u.y);

@@ -26,7 +26,7 @@ std::string io::curve_place_json(const Body& body, int part, int ring, int segme
   std::string s;
   if (body.curves.size() > 1 || (!body.curves.empty() && !body.curves[0].holes.empty()))
     s += ",\"part\":" + std::to_string(part) + ",\"ring\":" + std::to_string(ring);
-  return s + ",\"segment\":" + std::to_string(segment) + ",\"at\":" + io::number_text(parameter);
+  return s + ",\"index\":" + std::to_string(segment) + ",\"at\":" + io::number_text(parameter);
 }
 
 std::string io::geometry_json(const std::optional<CurveGeometry>& geometry) {

@@ -15,9 +15,9 @@
 namespace taut {
 namespace {
 
-using taut::testing::effort;
 using curve::BandedPart;
 using curve::Cell;
+using taut::testing::effort;
 using Long =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<61>, boost::multiprecision::et_off>;
 

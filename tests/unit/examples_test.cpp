@@ -38,6 +38,10 @@ const double lid_angle = std::acos(-4.0 / 14.0) * 180 / std::numbers::pi;
 const std::vector<Example> examples = {
     always("combs.json", is_free),
     always("continents/continents.json", touches_at(0.9623363728206296)),
+    always("curves/cam.json", touches_at(81.70361049775896)),
+    always("curves/geneva.json", is_free),
+    always("curves/hinge.json", touches_at(20)),
+    always("curves/slot.json", touches_at(60.28647919598177)),
     always("dips.json", is_free),
     always("gears.json", is_free),
     always("gears_thick_tooth.json", touches_at(0.4422683326461688)),
