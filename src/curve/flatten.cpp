@@ -37,9 +37,16 @@ std::optional<Part> polygons_of(const CurvedPart& part) {
 }
 
 void curve::refine_to(BandedPart& part, double tolerance, const std::string& name) {
+  constexpr std::size_t most_cells = 1000000;
   for (std::size_t ring = 0; ring < part.bands().size(); ++ring) {
+    if (tolerance < part.bands()[ring].resolution().size * 0x1p-41)
+      throw InputError(name, "doubles do not allow a tolerance that small",
+                       "choose one of at least 2^-40 of the largest coordinate");
     for (;;) {
       const Band& band = part.bands()[ring];
+      if (band.cells().size() > most_cells)
+        throw InputError(name, "polygons that near to the curves have more than a million edges",
+                         "choose a larger tolerance");
       std::vector<int> halvings;
       bool finer = false;
       for (const Cell& cell : band.cells()) {
