@@ -9,6 +9,7 @@
 #include "curve/banded_part.hpp"
 #include "geometry/predicates.hpp"
 #include "support/effort.hpp"
+#include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 
@@ -223,6 +224,63 @@ TEST(CurveBand, ToleranceIsReachedAndTold) {
       ASSERT_LE(nearest, size * 1e-4 * (1 + 1e-9)) << write_path({{outline, {}}});
     }
   }
+}
+
+/// Polygons at a tolerance of their own are on the side of the bracket that they must be on.
+TEST(CurveBand, FirstContactsLieBetweenThoseOfFinePolygons) {
+  std::mt19937_64 random(2026);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::uint64_t contacts = 0, frees = 0;
+  for (std::uint64_t done = 0; done < effort(100);) {
+    const Outline a = random_outline(random), b = random_outline(random);
+    const auto part_a = banded(a), part_b = banded(b);
+    if (!part_a || !part_b) continue;
+    ++done;
+    Scene scene;
+    scene.end = 1;
+    scene.bodies.resize(2);
+    scene.bodies[0].name = "a";
+    scene.bodies[0].curves = {{a, {}}};
+    scene.bodies[1].name = "b";
+    scene.bodies[1].curves = {{b, {}}};
+    // From well away to beyond a's start, turning on the way.
+    const double size = part_a->bands()[0].resolution().size + part_b->bands()[0].resolution().size;
+    MotionPiece piece;
+    piece.x = {a.start.x - b.start.x + 4 * size, -5 * size};
+    piece.y = {a.start.y - b.start.y + size * (unit(random) - 0.5)};
+    piece.pivot = b.start;
+    piece.rotation = AngleRotation{{6 * unit(random), 2 * unit(random)}};
+    scene.bodies[1].motion.pieces = {piece};
+    const Answer answer = check(scene);
+    const auto flat = [&](CurveSide side) {
+      Scene polygons = scene;
+      for (Body& body : polygons.bodies) {
+        body.polygon = flatten(body.curves, side, size * 1e-6)[0].outline;
+        body.curves.clear();
+      }
+      return check(polygons);
+    };
+    const Answer outer = flat(CurveSide::outer), inner = flat(CurveSide::inner);
+    SCOPED_TRACE(write_path({{a, {}}}) + "   " + write_path({{b, {}}}));
+    if (answer.outcome == Outcome::contact) {
+      ++contacts;
+      ASSERT_EQ(outer.outcome, Outcome::contact);
+      EXPECT_LE(outer.contact->time.lo, answer.contact->time.hi);
+      if (inner.contact) {
+        EXPECT_GE(inner.contact->time.hi, answer.contact->time.lo);
+      }
+      EXPECT_LE(answer.contact->time.hi - answer.contact->time.lo, 1.1e-9);
+    }
+    if (answer.outcome == Outcome::free) {
+      ++frees;
+      EXPECT_EQ(inner.outcome, Outcome::free);
+    }
+    if (answer.outcome == Outcome::overlap_at_start) {
+      EXPECT_EQ(outer.outcome, Outcome::overlap_at_start);
+    }
+  }
+  EXPECT_GT(contacts, frees / 20);
+  EXPECT_GT(frees, 5u);
 }
 
 }  // namespace
