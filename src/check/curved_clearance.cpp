@@ -25,7 +25,7 @@ double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
 }
 
 /// Bodies that certainly touch have no distance: when they do, the check tells.
-Clearance touching(const Scene& scene, const ClearanceOptions& options, Clearance found) {
+Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, Clearance found) {
   CheckOptions own;
   own.touch = Touch::closed;
   own.engine = EngineChoice::spacetime;
@@ -65,7 +65,7 @@ Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
     }
     if (count == 0 || limit.reached(world) || !refine_marked(world, std::move(marks), count)) {
       inner.nearest->lo = std::min(lo, hi);
-      if (!(hi > 0)) return touching(scene, options, std::move(inner));
+      if (!(hi > 0)) return touching_curves(scene, options, std::move(inner));
       inner.geometry->tolerance = name_edges(world, *inner.nearest);
       return inner;
     }

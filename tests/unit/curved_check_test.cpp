@@ -28,7 +28,7 @@ Body curve_body(const std::string& name, const std::string& path, const MotionPi
   return body;
 }
 
-MotionPiece moving(std::vector<double> x, std::vector<double> y) {
+MotionPiece curve_motion(std::vector<double> x, std::vector<double> y) {
   MotionPiece piece;
   piece.x = std::move(x);
   piece.y = std::move(y);
@@ -54,7 +54,7 @@ void expect_contact_at(const Answer& answer, long double t, double width) {
 TEST(CurvedCheck, CircleMeetsCircle) {
   for (const double y : {0.1, 1.0, 2.5}) {
     const Answer answer =
-        check(scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(10, y, 2), moving({0, -1}, {}))}));
+        check(scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(10, y, 2), curve_motion({0, -1}, {}))}));
     expect_contact_at(answer, 10 - std::sqrt((long double)9 - (long double)y * y), 1e-8);
     EXPECT_TRUE(answer.contact->vertex.parameter && answer.contact->edge.parameter);
   }
@@ -65,7 +65,7 @@ TEST(CurvedCheck, CircleMeetsLine) {
   wall.name = "wall";
   wall.polygon = {{0, 0}, {30, 40}, {-8, 6}};
   // The distance of (20, -5 + t) from the line through (0, 0) and (30, 40) is |4 x - 3 y| / 5.
-  const Answer answer = check(scene_of({wall, curve_body("disc", disc(20, -5, 2), moving({}, {0, 3}))}));
+  const Answer answer = check(scene_of({wall, curve_body("disc", disc(20, -5, 2), curve_motion({}, {0, 3}))}));
   expect_contact_at(answer, (80.0L + 15 - 10) / 9, 1e-8);
   EXPECT_EQ(answer.contact->vertex.body, 1);
   EXPECT_FALSE(answer.contact->edge.parameter) << "the wall is a polygon";
@@ -86,9 +86,9 @@ TEST(CurvedCheck, WhatFitsExactlyAlongAxesIsFree) {
   Body slot;
   slot.name = "slot";
   slot.polygon = {{0, 0}, {20, 0}, {20, 1}, {1, 1}, {1, 3}, {20, 3}, {20, 4}, {0, 4}};
-  const Body pin = curve_body("pin", "M5 1 H10 A1 1 0 0 1 10 3 H5 A1 1 0 0 1 5 1 Z", moving({0, 1}, {}));
+  const Body pin = curve_body("pin", "M5 1 H10 A1 1 0 0 1 10 3 H5 A1 1 0 0 1 5 1 Z", curve_motion({0, 1}, {}));
   EXPECT_EQ(check(scene_of({slot, pin})).outcome, Outcome::free);
-  const Body stopped = curve_body("pin", disc(10, 2, 1), moving({0, -1}, {}));
+  const Body stopped = curve_body("pin", disc(10, 2, 1), curve_motion({0, -1}, {}));
   expect_contact_at(check(scene_of({slot, stopped})), 8, 1e-8);
 }
 
@@ -109,7 +109,7 @@ TEST(CurvedCheck, EqualRadiiAreUndecidedWithARemedy) {
 
 TEST(CurvedCheck, GrazingIsUndecidedAndBracketed) {
   const Answer answer =
-      check(scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(3, 2, 1), moving({0, -1}, {}))}));
+      check(scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(3, 2, 1), curve_motion({0, -1}, {}))}));
   EXPECT_EQ(answer.outcome, Outcome::undecided);
   EXPECT_LE(answer.free_until, 3);
   EXPECT_GT(answer.free_until, 2.999);
@@ -124,8 +124,8 @@ TEST(CurvedCheck, OverlapAtTheStartNeedsInnerPolygonsThatOverlap) {
 }
 
 TEST(CurvedCheck, WorldsAndAllPairs) {
-  Scene scene = scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(10, 0.5, 1), moving({0, -1}, {})),
-                          curve_body("c", disc(0, 5, 1), moving({}, {0, -0.125}))});
+  Scene scene = scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(10, 0.5, 1), curve_motion({0, -1}, {})),
+                          curve_body("c", disc(0, 5, 1), curve_motion({}, {0, -0.125}))});
   const Answer first = check(scene);
   expect_contact_at(first, 10 - std::sqrt(3.75L), 1e-8);
   ASSERT_TRUE(first.pair);
