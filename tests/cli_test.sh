@@ -73,7 +73,7 @@ rm -f huge.json million.json
 expect 0 'Subcommands' '' --help
 expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
-for command in demo import check clearance intervals range separate envelope cells trace prove verify draw view separator gen schema completion man; do expect 0 'Example' '' "$command" --help; done
+for command in demo import check clearance intervals range separate envelope cells trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
 expect 2 '' 'subcommand is required'
 expect 2 '' 'unknown command "chek"' chek x
@@ -669,6 +669,26 @@ rm -f picture.svg
 expect 0 'fewest links' '' separator free.json -o picture.svg
 grep -q '>separator<' picture.svg || { echo "FAILED: no picture of a separator"; failures=$((failures + 1)); }
 expect 2 '' 'no/picture.svg: cannot write' separator free.json -o no/picture.svg
+
+# Curves.
+cat >discs.json <<'END'
+{"format":"taut-scene/1","time":[0,10],"bodies":[
+ {"name":"wheel","polygon":{"path":"M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}},
+ {"name":"roller","polygon":{"path":"M12 1 A2 2 0 0 1 8 1 A2 2 0 0 1 12 1 Z"},"motion":{"velocity":[-1,0]}}]}
+END
+expect 1 'CONTACT  wheel x roller   t = 7\.17157287' '' check discs.json
+expect 1 '"geometry":{"tolerance":' '' check --json --time-tolerance 1e-6 discs.json
+expect 2 '' 'time tolerance: it is not between' check --time-tolerance 0 discs.json
+expect 1 'CLEARANCE  0 .*7\.17157287' '' clearance discs.json
+expect 1 'closer than 0\.5 at t = 6\.64589803' '' check --clearance 0.5 discs.json
+expect 0 'A[0-9.]*,[0-9.]* 0 0 0 ' '' draw discs.json
+expect 0 '"polygon":\[\[1,0\]' '' flatten --outer --tolerance 0.1 discs.json
+expect 2 '' 'the side of the curves is missing' flatten --tolerance 0.1 discs.json
+expect 2 '' 'doubles do not allow a tolerance' flatten --inner --tolerance 1e-30 discs.json
+for command in "prove -o x.proof" trace separator "cells --resolution 1" view; do
+  # shellcheck disable=SC2086
+  expect 2 '' 'bounded by curves.*|taut flatten' $command discs.json
+done
 
 # Generators: what they promise.
 for kind in gears combs lock jigsaw dips rotor spiral maze; do

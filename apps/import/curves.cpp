@@ -19,6 +19,42 @@ double longest_axis_of(const Point& a, const Point& b) {
   return std::sqrt((p + q + std::hypot(p - q, 2 * r)) / 2);
 }
 
+/// What a cosine's rounding leaves of zero is zero: points on the axes of circles are those that were meant.
+double cleaned(double x) { return std::fabs(x) < 1e-15 ? 0 : x; }
+
+Point on_ellipse(const Point& centre, const Point& a, const Point& b, double t) {
+  const double c = cleaned(std::cos(t)), s = cleaned(std::sin(t));
+  return {centre.x + c * a.x + s * b.x, centre.y + c * a.y + s * b.y};
+}
+
+/// The ellipse of cos(t) a + sin(t) b as SVG gives it.
+struct HalfAxes {
+  double longer = 0, shorter = 0, degrees = 0;
+  bool mirrored = false;  ///< it runs clockwise
+};
+
+HalfAxes half_axes_of(const Point& a, const Point& b) {
+  const double p = a.x * a.x + a.y * a.y, q = b.x * b.x + b.y * b.y, r = a.x * b.x + a.y * b.y;
+  HalfAxes axes;
+  axes.mirrored = a.x * b.y - a.y * b.x < 0;
+  if (r == 0) {
+    axes.longer = a.y == 0 ? std::fabs(a.x) : a.x == 0 ? std::fabs(a.y) : std::sqrt(p);
+    axes.shorter = b.y == 0 ? std::fabs(b.x) : b.x == 0 ? std::fabs(b.y) : std::sqrt(q);
+    if (std::fabs(axes.longer - axes.shorter) <= 4e-16 * axes.longer) axes.shorter = axes.longer;
+    axes.degrees = axes.longer == axes.shorter ? 0 : std::atan2(a.y, a.x) * 360 / full_turn;
+    return axes;
+  }
+  // The parameter at which cos(t) a + sin(t) b is longest.
+  const double t = std::atan2(2 * r, p - q) / 2;
+  const Point u = on_ellipse({0, 0}, a, b, t), v = on_ellipse({0, 0}, a, b, t + full_turn / 4);
+  axes.longer = std::hypot(u.x, u.y);
+  axes.shorter = std::hypot(v.x, v.y);
+  const bool round = std::fabs(axes.longer - axes.shorter) <= 1e-15 * axes.longer;
+  if (round) axes.shorter = axes.longer;
+  axes.degrees = round ? 0 : std::atan2(u.y, u.x) * 360 / full_turn;
+  return axes;
+}
+
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
   const double along = length > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / length, 0.0, 1.0) : 0;
@@ -67,6 +103,15 @@ int Flattener::steps(double longest_axis, double sweep) {
 
 void Flattener::arc(std::vector<Point>& out, const Point& centre, const Point& a, const Point& b, double from,
                     double sweep, const Point& end) {
+  if (settings_.curves) {
+    ++counts_.segments;
+    const int parts = static_cast<int>(std::max(1.0, std::ceil(std::fabs(sweep) * 4 / full_turn - 1e-9)));
+    for (int i = 0; i < parts; ++i) {
+      const double at = from + sweep * i / parts, to = from + sweep * (i + 1) / parts;
+      keep_arc(out, centre, a, b, at, to - at, i + 1 == parts ? end : on_ellipse(centre, a, b, to));
+    }
+    return;
+  }
   const int n = steps(longest_axis_of(a, b), sweep);
   ++counts_.segments;
   for (int i = 1; i < n; ++i) {
@@ -76,20 +121,42 @@ void Flattener::arc(std::vector<Point>& out, const Point& centre, const Point& a
   append(out, end);
 }
 
+void Flattener::keep(const std::vector<Point>& out, std::size_t since, CurveSegment segment) {
+  if (out.size() < since + 2) return;
+  kept_.push_back({{out.begin() + static_cast<std::ptrdiff_t>(since), out.end() - 1}, std::move(segment)});
+}
+
+void Flattener::keep_arc(std::vector<Point>& out, const Point& centre, const Point& a, const Point& b, double from,
+                         double sweep, const Point& end) {
+  const int n = std::max(2, steps(longest_axis_of(a, b), sweep));
+  const std::size_t since = out.size();
+  for (int i = 1; i <= n; ++i) append(out, i == n ? end : on_ellipse(centre, a, b, from + sweep * i / n));
+  const HalfAxes axes = half_axes_of(a, b);
+  keep(out, since, ArcTo{axes.longer, axes.shorter, axes.degrees, false, (sweep > 0) != axes.mirrored, end});
+}
+
 void Flattener::ellipse(std::vector<Point>& out, const Point& centre, const Point& a, const Point& b) {
   arc(out, centre, a, b, 0, full_turn, {centre.x + a.x, centre.y + a.y});
 }
 
 void Flattener::bezier(std::vector<Point>& out, const std::vector<ControlPoint>& control) {
   ++counts_.segments;
-  halve(out, control, 0);
+  const auto even = [&](const ControlPoint& c) { return c.w == control[0].w; };
+  const bool kept = settings_.curves && (control.size() == 3 || control.size() == 4) &&
+                    std::all_of(control.begin(), control.end(), even);
+  const std::size_t since = out.size();
+  halve(out, control, 0, kept ? 1 : 0);
+  if (!kept) return;
+  const Point end = control.back().point(), first = control[1].point();
+  if (control.size() == 3) return keep(out, since, QuadraticTo{first, end});
+  keep(out, since, CubicTo{first, control[2].point(), end});
 }
 
-void Flattener::halve(std::vector<Point>& out, std::vector<ControlPoint> control, int depth) {
+void Flattener::halve(std::vector<Point>& out, std::vector<ControlPoint> control, int depth, int least) {
   const Point first = control.front().point(), last = control.back().point();
   double away = 0;
   for (const ControlPoint& c : control) away = std::max(away, distance_to_segment(c.point(), first, last));
-  if (!(away > settings_.tolerance) || depth == deepest) {
+  if (depth >= least && (!(away > settings_.tolerance) || depth == deepest)) {
     counts_.deviation = std::max(counts_.deviation, away);
     return append(out, last);
   }
@@ -99,8 +166,8 @@ void Flattener::halve(std::vector<Point>& out, std::vector<ControlPoint> control
     for (std::size_t i = 0; i + 1 < n; ++i) control[i] = between(control[i], control[i + 1], 0.5);
     left.push_back(control[0]);
   }
-  halve(out, std::move(left), depth + 1);
-  halve(out, std::move(control), depth + 1);
+  halve(out, std::move(left), depth + 1, least);
+  halve(out, std::move(control), depth + 1, least);
 }
 
 std::vector<std::vector<ControlPoint>> bezier_spans(int degree, const std::vector<double>& knots,

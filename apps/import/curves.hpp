@@ -31,16 +31,25 @@ class Flattener {
   /// control points, and is halved until these are near enough to the chord.
   void bezier(std::vector<Point>& out, const std::vector<ControlPoint>& control);
 
+  /// With ImportSettings::curves: those that scenes can have. Rational ones, and those of a higher degree, are chords.
+  std::vector<KeptCurve> take_kept() { return std::move(kept_); }
   const CurveCounts& counts() const { return counts_; }
 
  private:
   /// How many chords.
   int steps(double longest_axis, double sweep);
   void append(std::vector<Point>& out, const Point& p);
-  void halve(std::vector<Point>& out, std::vector<ControlPoint> control, int depth);
+  void halve(std::vector<Point>& out, std::vector<ControlPoint> control, int depth, int least);
   [[noreturn]] void fail_size() const;
 
+  /// A quarter of an ellipse or less, kept.
+  void keep_arc(std::vector<Point>& out, const Point& centre, const Point& a, const Point& b, double from, double sweep,
+                const Point& end);
+  /// What has been appended since, less the last point, stands for this.
+  void keep(const std::vector<Point>& out, std::size_t since, CurveSegment segment);
+
   ImportSettings settings_;
+  std::vector<KeptCurve> kept_;
   std::string file_;
   CurveCounts counts_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/geometry.hpp"
+#include "taut/outline.hpp"
 
 namespace taut::drawing {
 
@@ -15,8 +16,9 @@ struct ImportSettings {
   double tolerance = 0.01;     ///< the most that a chord may be away from its curve, in units of the scene
   std::optional<double> join;  ///< ends at most so far apart are one point; a hundredth of the tolerance if not given
   double scale = 1;            ///< all lengths are multiplied by this
-  bool split = false;          ///< a body for each part
-  bool unknown_free = false;   ///< of a robot's map: cells that are neither free nor occupied are no obstacles
+  bool curves = false;  ///< curves stay curves where scenes have such: chords stand for them while lines are joined
+  bool split = false;   ///< a body for each part
+  bool unknown_free = false;          ///< of a robot's map: cells that are neither free nor occupied are no obstacles
   std::size_t max_points = 20000000;  ///< of a whole file: a hostile one must not fill the memory
   double join_distance() const { return join.value_or(tolerance / 100); }
 };
@@ -52,6 +54,12 @@ struct Skipped {
   int times = 1;
 };
 
+/// A curve that a scene can have, and the points that stand for it between its ends; at least one.
+struct KeptCurve {
+  std::vector<Point> inner;
+  CurveSegment segment;
+};
+
 /// Curves that became chords.
 struct CurveCounts {
   std::size_t segments = 0, chords = 0;
@@ -63,6 +71,7 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<Skipped> skipped;
   CurveCounts curves;
+  std::vector<KeptCurve> kept = {};
 
   /// The layer of this name, which is made if there is none.
   Layer& layer(const std::string& name);

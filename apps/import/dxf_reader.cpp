@@ -44,6 +44,7 @@ class DxfReader {
     const Affine root = scaling(settings_.scale, settings_.scale);
     read_entities(entities_, root, "", 0);
     drawing_.curves = flattener_.counts();
+    drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
   }
 

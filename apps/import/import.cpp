@@ -9,6 +9,7 @@
 #include "geometry/part_validation.hpp"
 #include "geometry/predicates.hpp"
 #include "import/dxf_reader.hpp"
+#include "import/kept_curves.hpp"
 #include "import/nesting.hpp"
 #include "import/svg_reader.hpp"
 #include "io/number_text.hpp"
@@ -92,7 +93,9 @@ class BodyMaker {
   BodyMaker(const ImportSettings& settings, Import& import) : settings_(settings), import_(import) {}
 
   void add(Drawing drawing) {
-    file_ = {drawing.file, drawing.format, drawing.units, drawing.curves, {}, std::move(drawing.skipped)};
+    file_ = {drawing.file, drawing.format, drawing.units, drawing.curves, {}, std::move(drawing.skipped), 0};
+    const CurveFinder finder(drawing.kept);
+    finder_ = settings_.curves ? &finder : nullptr;
     const std::size_t before = import_.scene.bodies.size();
     for (Layer& layer : drawing.layers) add_layer(layer);
     if (import_.scene.bodies.size() == before) {
@@ -104,6 +107,7 @@ class BodyMaker {
       throw InputError(drawing.file, "nothing in the file encloses an area" + reasons,
                        "draw closed lines; ends that do not meet are joined with --join E");
     }
+    file_.kept = finder.found();
     import_.files.push_back(std::move(file_));
   }
 
@@ -179,12 +183,33 @@ class BodyMaker {
       report.vertices += part.outline.size();
       for (const Polygon& hole : part.holes) report.vertices += hole.size();
     }
+    take_curves(parts, body);
+    if (!body.curves.empty()) return keep_body(std::move(body), std::move(report));
     if (parts.size() == 1 && parts[0].holes.empty())
       body.polygon = std::move(parts[0].outline);
     else
       body.parts = std::move(parts);
+    keep_body(std::move(body), std::move(report));
+  }
+
+  void keep_body(Body body, BodyReport report) {
     import_.scene.bodies.push_back(std::move(body));
     import_.bodies.push_back(std::move(report));
+  }
+
+  /// The curves that the rings were made of, if there are any.
+  void take_curves(const std::vector<Part>& parts, Body& body) const {
+    if (!finder_) return;
+    bool any = false;
+    for (const Part& part : parts) {
+      CurvedPart curved{finder_->outline(part.outline), {}};
+      for (const Polygon& hole : part.holes) curved.holes.push_back(finder_->outline(hole));
+      any = any || !polygons_of(curved);
+      body.curves.push_back(std::move(curved));
+    }
+    if (!any) return body.curves.clear();
+    // Throws where curves meet though their chords do not.
+    flatten(body.curves, CurveSide::outer, 1e300, body.name);
   }
 
   /// Bodies are told apart by their names; a name has no line breaks in it.
@@ -200,6 +225,7 @@ class BodyMaker {
 
   ImportSettings settings_;
   Import& import_;
+  const CurveFinder* finder_ = nullptr;  ///< of the file that is read, where curves are kept
   FileReport file_;
   std::map<std::string, int> names_;
   std::set<std::string> used_;

@@ -16,6 +16,7 @@ struct FileReport {
   CurveCounts curves;
   JoinCounts joins;
   std::vector<Skipped> skipped;
+  std::size_t kept = 0;  ///< segments of outlines that stayed curves
 };
 
 struct BodyReport {

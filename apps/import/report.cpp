@@ -23,7 +23,10 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 
 std::string file_text(const FileReport& file, const ImportSettings& settings) {
   std::string s = fmt::format("{}: {}, units: {}\n", file.file, file.format, file.units);
-  if (file.curves.segments > 0) {
+  if (file.kept > 0)
+    s += fmt::format("  {} of {} kept as they are\n", counted(file.kept, "segment", "segments"),
+                     counted(file.curves.segments, "curve", "curves"));
+  if (file.curves.segments > 0 && file.kept == 0) {
     s += fmt::format("  {} as {}, nowhere farther than {:.3g} away (--tolerance {})\n",
                      counted(file.curves.segments, "curve", "curves"), counted(file.curves.chords, "chord", "chords"),
                      rounded_up(file.curves.deviation), settings.tolerance);
@@ -47,10 +50,10 @@ std::string file_json(const FileReport& file) {
   }
   return fmt::format(
       "{{\"file\":{},\"format\":{},\"units\":{},\"curves\":{},\"chords\":{},\"deviation\":{},\"joins\":{},"
-      "\"longest_join\":{},\"skipped\":[{}]}}",
+      "\"longest_join\":{},{}\"skipped\":[{}]}}",
       io::string_text(file.file), io::string_text(file.format), io::string_text(file.units), file.curves.segments,
       file.curves.chords, io::number_text(file.curves.deviation), file.joins.joins, io::number_text(file.joins.longest),
-      skipped);
+      file.kept > 0 ? fmt::format("\"kept\":{},", file.kept) : "", skipped);
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ class SvgReader {
     }
     tell_what_is_not_drawn();
     drawing_.curves = flattener_.counts();
+    drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
   }
 

@@ -124,6 +124,10 @@ void add_check(const Command& app, Action& action) {
       .add_option("--fit", arguments->options.fit,
                   "shrink bodies by E to 2 E first: overlaps by rounding are none then")
       .value("E");
+  command
+      .add_option("--time-tolerance", arguments->options.time_tolerance,
+                  "how well to tell the time of a contact of curves, as a share of the scene's time (1e-9)")
+      .value("X");
   const auto clearance = std::make_shared<std::optional<double>>();
   const Option margin =
       command

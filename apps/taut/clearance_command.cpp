@@ -37,15 +37,19 @@ std::string nearest_line(const Scene& scene, const NearestPoints& n) {
   return fmt::format("{}  {}   at t = {:.9g}{}\n", time_text({n.lo, n.hi}), pair, n.time.lo, angle);
 }
 
+/// Of a polygon, or of a curve.
+const char* kind(const EdgeRef& edge) { return edge.parameter ? "segment" : "edge"; }
+
 std::string clearance_text(const Scene& scene, const Clearance& answer) {
   if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
   if (!answer.nearest) return "CLEARANCE  no pair is asked about\n";
   const NearestPoints& n = *answer.nearest;
   std::string text = "CLEARANCE  " + nearest_line(scene, n);
   if (n.hi > 0)
-    text += fmt::format("  edge {} of {} at ({:.9g}, {:.9g}), edge {} of {} at ({:.9g}, {:.9g})\n", n.edges[0].index,
-                        body_name(scene, n.edges[0].body), n.points[0].x, n.points[0].y, n.edges[1].index,
-                        body_name(scene, n.edges[1].body), n.points[1].x, n.points[1].y);
+    text +=
+        fmt::format("  {} {} of {} at ({:.9g}, {:.9g}), {} {} of {} at ({:.9g}, {:.9g})\n", kind(n.edges[0]),
+                    n.edges[0].index, body_name(scene, n.edges[0].body), n.points[0].x, n.points[0].y, kind(n.edges[1]),
+                    n.edges[1].index, body_name(scene, n.edges[1].body), n.points[1].x, n.points[1].y);
   for (const NearestPoints& pair : answer.pairs) text += "    " + nearest_line(scene, pair);
   return text;
 }

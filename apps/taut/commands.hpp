@@ -31,6 +31,7 @@ void add_range(const Command& app, Action& action);
 void add_separate(const Command& app, Action& action);
 void add_envelope(const Command& app, Action& action);
 void add_cells(const Command& app, Action& action);
+void add_flatten(const Command& app, Action& action);
 void add_separator(const Command& app, Action& action);
 void add_schema(const Command& app, Action& action);
 /// `program`: how it was called, argv[0].

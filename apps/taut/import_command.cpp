@@ -54,6 +54,8 @@ void add_import(const Command& app, Action& action) {
       .add_option("--tolerance", settings.tolerance,
                   "chords are at most D away from their curves, in units of the scene (0.01)")
       .value("D");
+  command.add_flag("--curves", settings.curves,
+                   "keep arcs and Bezier curves as they are, instead of chords: outlines are paths");
   command
       .add_option("--join", settings.join,
                   "ends of lines that are at most E apart are one point (a hundredth of the\ntolerance)")

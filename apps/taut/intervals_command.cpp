@@ -39,8 +39,9 @@ std::string degrees_at(const Scene& scene, const OverlapInterval& o, const TimeI
 }
 
 std::string features_text(const char* what, const Contact& c, const Scene& scene) {
-  return fmt::format("    {}: vertex {} of {} and edge {} of {}\n", what, c.vertex.index,
-                     body_called(scene, c.vertex.body), c.edge.index, body_called(scene, c.edge.body));
+  return fmt::format("    {}: {} {} of {} and {} {} of {}\n", what, c.vertex.parameter ? "segment" : "vertex",
+                     c.vertex.index, body_called(scene, c.vertex.body), c.edge.parameter ? "segment" : "edge",
+                     c.edge.index, body_called(scene, c.edge.body));
 }
 
 std::string text_of_answer(const Scene& scene, const OverlapInterval& o) {

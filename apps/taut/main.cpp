@@ -15,9 +15,9 @@
 namespace {
 
 const char* const examples =
-    "Example: taut demo lid && taut check lid.json\n"
-    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n"
-    "`taut COMMAND --help` tells more. `taut completion bash|zsh|fish` and `taut man` are for installations.\n";
+    "Example: taut demo lid && taut check lid.json. More: taut COMMAND --help; taut completion bash|zsh|fish; taut "
+    "man\n"
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n";
 
 /// CLI11 would only say that a subcommand is required.
 void require_known_command(const taut::cli::Command& taut, int argc, char** argv) {
@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   taut::cli::add_envelope(app, action);
   taut::cli::add_separator(app, action);
   taut::cli::add_cells(app, action);
+  taut::cli::add_flatten(app, action);
   taut::cli::add_gen(app, action);
   taut::cli::add_import(app, action);
   taut::cli::add_schema(app, action);

@@ -77,6 +77,11 @@ std::string work(const Answer& answer) {
                      answer.compared ? "two engines agree, " : "", seconds);
 }
 
+/// How well curves were known.
+std::string geometry_text(const CurveGeometry& geometry) {
+  return fmt::format("  curves known to {:.3g}, by {} straight edges\n", geometry.tolerance, geometry.segments);
+}
+
 std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
   std::string interval = fmt::format("[{}, {}]", scene.start, scene.end);
   if (answer.outcome == Outcome::contact || answer.outcome == Outcome::undecided) {
@@ -131,6 +136,7 @@ std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   }
   if (answer.outcome == Outcome::undecided) text += "  " + answer.reason + "\n";
   if (answer.fit > 0) text += fmt::format("  of bodies shrunk by {:.9g} to {:.9g}\n", answer.fit, 2 * answer.fit);
+  if (answer.geometry) text += geometry_text(*answer.geometry);
   return text + proved(scene, answer, touch);
 }
 

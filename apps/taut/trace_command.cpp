@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "io/trace_json.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
@@ -29,6 +30,11 @@ struct TraceArguments {
 
 int run_trace(TraceArguments arguments) {
   const Scene scene = load_scene(arguments.scene);
+  // Events would be those of polygons that are made on the way, run after run.
+  within_file(arguments.scene.path, [&] {
+    for (const Body& body : scene.bodies) refuse_curves(body);
+    return true;
+  });
   LineTracer tracer(scene);
   arguments.options.tracer = &tracer;
   const Answer answer = watched_run(scene, arguments.scene.path, arguments.options, check);

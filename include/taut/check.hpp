@@ -68,6 +68,14 @@ struct Contact {
   bool grazing = false;
 };
 
+/// How well curves were known for an answer about bodies that are bounded by some.
+struct CurveGeometry {
+  /// No curve was farther from the polygons that decided, where it mattered: of `free`, anywhere; else at what the
+  /// answer names. 0 if only straight edges did.
+  double tolerance = 0;
+  std::uint64_t segments = 0;  ///< edges of the polygons around the bodies, in the end
+};
+
 /// How to check; the defaults are those of `taut check`.
 struct CheckOptions {
   Touch touch = Touch::open;
@@ -87,7 +95,11 @@ struct CheckOptions {
   /// anything is asked, so that what overlaps by rounding does not. The answer is about the shrunk bodies, whose
   /// vertices have the numbers of those given. InputError where a body has features that are finer.
   double fit = 0;
-  /// Told of every event of the kinetic engine; may be null. Not owned.
+  /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are
+  /// refined until they tell it as well as that, or doubles end.
+  double time_tolerance = 1e-9;
+  /// Told of every event of the kinetic engine; may be null. Not owned. Of a scene with curves, events are those of the
+  /// polygons that stand for them, run after run.
   Tracer* tracer = nullptr;
 };
 
@@ -150,6 +162,9 @@ struct Answer {
   double fit = 0;
   /// With CheckOptions::all_pairs: of every pair that was asked about, in the order of the scene.
   std::optional<std::vector<PairAnswer>> pairs;
+  /// Of a scene with curves. An `undecided` one may then name a `contact`: the instant, at the earliest, and the place
+  /// at which polygons around the bodies meet.
+  std::optional<CurveGeometry> geometry = {};
 };
 
 /// Decides whether and when bodies of `scene` first collide.

@@ -27,6 +27,7 @@ struct Clearance {
   std::vector<NearestPoints> pairs;
   std::string reason;  ///< why it is not decided; empty otherwise
   Coverage coverage;
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// How precise the bracket is to be.
@@ -77,6 +78,7 @@ struct MarginAnswer {
   double free_until = 0;
   std::string reason;
   Coverage coverage;
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? The

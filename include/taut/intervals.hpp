@@ -24,6 +24,7 @@ struct Intervals {
   std::vector<OverlapInterval> intervals;  ///< pair by pair, each pair's in order of time
   std::vector<PairAnswer> undecided;       ///< pairs about whose overlaps nothing is claimed, with the reason
   Coverage coverage;
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// All intervals in which bodies overlap, for each pair that is asked about. With open touching an instant of touching
@@ -39,7 +40,8 @@ struct Range {
   std::optional<TimeInterval> from, to;
   /// What stops it there.
   std::optional<OverlapInterval> before, after;
-  std::string reason;  ///< why it is not decided
+  std::string reason;                          ///< why it is not decided
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// The maximal interval of time around `t` in which no two bodies that are asked about overlap. Throws InputError if t

@@ -8,6 +8,7 @@
 
 #include "taut/geometry.hpp"
 #include "taut/motion.hpp"
+#include "taut/outline.hpp"
 
 namespace taut {
 
@@ -31,6 +32,9 @@ struct Body {
   /// The name of another body of the scene, in whose frame the motion is seen; empty: the world's. Chains of parents
   /// have at most max_depth bodies, and no cycles.
   std::string relative_to = {};
+  /// The parts of a body that is bounded by curves; `polygon`, `parts` and `prepared` are empty then. Questions that
+  /// do not take curves refuse it: flatten() makes polygons of it.
+  std::vector<CurvedPart> curves = {};
 };
 
 /// The most bodies that a chain of `relative_to` may have.

@@ -57,7 +57,8 @@ struct Separation {
   std::vector<RemovalStep> order;
   /// Those that are left and cannot be taken away one by one. Several might still leave together.
   std::vector<BodyId> stuck;
-  std::string reason;  ///< why it is not decided; empty otherwise
+  std::string reason;                          ///< why it is not decided; empty otherwise
+  std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 
 /// How to ask.

@@ -27,6 +27,7 @@
 // taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/envelope.hpp    for which combinations of joint values bodies keep apart
 // taut/separator.hpp   curves with the fewest edges between the bodies
+// taut/outline.hpp     outlines with curves, and polygons within and around them
 // taut/scene.hpp       bodies, motions, time
 // taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
 // taut/pose.hpp        where a body is at one instant, for drawing
@@ -48,6 +49,7 @@
 #include "taut/map_query.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"
+#include "taut/outline.hpp"
 #include "taut/pose.hpp"
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"

@@ -189,7 +189,7 @@ void read_linkage_form(const SceneText& text) {
 void bind_questions(py::module_& module) {
   py::class_<SceneText>(module, "SceneText").def(py::init<std::string, std::string, std::string>());
   py::class_<RunOptions>(module, "RunOptions")
-      .def(py::init<std::string, std::string, std::string, std::optional<double>, std::optional<std::uint64_t>,
+      .def(py::init<std::string, std::string, std::string, std::optional<double>, std::optional<std::uint64_t>, double,
                     double>());
   module.def("check", &check);
   module.def("intervals", &intervals);

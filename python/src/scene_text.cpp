@@ -35,6 +35,7 @@ taut::CheckOptions check_options(const RunOptions& given, const std::atomic<bool
   if (given.max_seconds) options.max_seconds = *given.max_seconds;
   if (given.max_events) options.max_events = *given.max_events;
   options.fit = given.fit;
+  options.time_tolerance = given.time_tolerance;
   options.stop = &stop;
   return options;
 }

@@ -28,6 +28,7 @@ struct RunOptions {
   std::optional<double> max_seconds;
   std::optional<std::uint64_t> max_events;
   double fit = 0;  ///< 0: bodies as they are given
+  double time_tolerance = 1e-9;
 };
 
 /// Throws InputError for a word that has no meaning. `stop` must outlive the result.

@@ -36,8 +36,8 @@ from typing import Optional, Union
 
 from . import _taut2d
 from ._numbers import number
-from .answers import (Answer, Contact, Coverage, EdgeRef, PairAnswer, Proof, ProvedCloseness, Verified, VertexRef,
-                      answer_from_json, verified_from_json)
+from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
+                      VertexRef, answer_from_json, verified_from_json)
 from .cells import Cells, cells
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
@@ -49,7 +49,7 @@ from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTang
 from .directions import (BodyDirections, DirectionArc, RemovalStep, Separation, VertexAtEdge,
                          separation_from_json)
 from .options import run_options, scene_text, seconds
-from .parts import GeojsonFile, Part, WktFile
+from .parts import GeojsonFile, Part, Path, WktFile
 from .pictures import Pose
 from .questions import (Clearance, DistanceCurve, DistanceProfile, Intervals, Meeting, NearestPoints, OverlapInterval,
                         Range, clearance_from_json, intervals_from_json, profile_from_json, range_from_json)
@@ -63,21 +63,22 @@ from .viewer import Viewer
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
     "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope",
-    "EnvelopeCell", "EnvelopeWitness", "GeojsonFile", "HalfAngleTangent", "InputError", "InternalError", "Intervals",
-    "Keyframe", "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting", "Mover",
-    "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Pieces", "Polynomial", "Pose",
-    "Proof", "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation", "Shape", "Simulation",
-    "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
-    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile",
-    "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope",
-    "intervals", "prove", "prove_clearance", "range", "separate", "sweep", "verify",
+    "EnvelopeCell", "EnvelopeWitness", "GeojsonFile", "Geometry", "HalfAngleTangent", "InputError", "InternalError",
+    "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting",
+    "Mover", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Path", "Pieces",
+    "Polynomial", "Pose", "Proof", "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation",
+    "Shape", "Simulation", "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge",
+    "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef",
+    "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance",
+    "distance_profile", "envelope", "intervals", "prove", "prove_clearance", "range", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()
 
 
 def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: str = "first",
-          max_seconds: Optional[float] = None, max_events: Optional[int] = None, fit: Optional[float] = None) -> Answer:
+          max_seconds: Optional[float] = None, max_events: Optional[int] = None, fit: Optional[float] = None,
+          time_tolerance: float = 1e-9) -> Answer:
     """Decides whether and when bodies of the scene first collide.
 
     ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
@@ -88,12 +89,13 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: st
     engine; None is no limit.
     ``fit``: if given, bodies are shrunk on each side by between ``fit`` and twice as much first, in the scene's units, so
     that what overlaps by rounding does not; the answer is about the shrunk bodies, and says so.
+    ``time_tolerance``: of a scene with curves, how wide the time of a contact may be, as a share of the scene's time.
 
     "free" and "contact" are proofs for every instant of the scene's time. The same scene gives the same answer
     everywhere, unless ``max_seconds`` ends it. Raises InputError if the scene or an option is not valid, InternalError
     for a defect of taut, KeyboardInterrupt on Ctrl-C.
     """
-    options = run_options(touch, engine, pairs, max_seconds, max_events, fit)
+    options = run_options(touch, engine, pairs, max_seconds, max_events, fit, time_tolerance)
     with _plain_places():
         return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
 

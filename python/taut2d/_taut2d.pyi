@@ -6,7 +6,7 @@ class SceneText:
 class RunOptions:
     def __init__(
         self, touch: str, engine: str, pairs: str, max_seconds: Optional[float], max_events: Optional[int],
-        fit: float
+        fit: float, time_tolerance: float = ...
     ) -> None: ...
 
 class Shape:

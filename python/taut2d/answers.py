@@ -20,24 +20,36 @@ Point = tuple[float, float]
 @dataclass(frozen=True)
 class VertexRef:
     """Vertex ``index`` of a body, as its shape lists them, from 0: of ring ``ring`` (0 is the outline, k the k-th hole)
-    of part ``part``."""
+    of part ``part``. Of a body bounded by curves it is segment ``index`` of that ring, and ``at``, between 0 and 1, says where
+    on it: else None."""
 
     body: str
     index: int
     part: int = 0
     ring: int = 0
     id: Any = None
+    at: Optional[float] = field(default=None, repr=False)
 
 
 @dataclass(frozen=True)
 class EdgeRef:
-    """The edge of a body from vertex ``index`` to the next one of the same ring."""
+    """The edge of a body from vertex ``index`` to the next one of the same ring; of curves, as VertexRef has it."""
 
     body: str
     index: int
     part: int = 0
     ring: int = 0
     id: Any = None
+    at: Optional[float] = field(default=None, repr=False)
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """How well curves were known: polygons of ``segments`` edges in all were, where it mattered, nowhere farther from them than
+    ``tolerance``."""
+
+    tolerance: float
+    segments: int
 
 
 @dataclass(frozen=True)
@@ -106,6 +118,7 @@ class Answer:
     ``scene``: the Scene that was asked about.
     ``fit``: what bodies were shrunk by, at least, before they were asked about; 0 if they were not.
     ``json``: the answer as ``taut check --json`` prints it, byte for byte, without the line break.
+    ``geometry``: of a scene with curves, how well they were known; else None.
     """
 
     outcome: str
@@ -130,6 +143,7 @@ class Answer:
     id: Any
     json: str = field(repr=False)
     scene: Optional[Scene] = field(default=None, repr=False, compare=False)
+    geometry: Optional[Geometry] = None
 
     @property
     def free(self) -> bool:
@@ -268,6 +282,7 @@ def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
         id=object.get("id"),
         json=text,
         scene=scene,
+        geometry=Geometry(**object["geometry"]) if "geometry" in object else None,
     )
 
 

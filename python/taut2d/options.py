@@ -20,7 +20,7 @@ def seconds(limit: Optional[float]) -> Optional[float]:
 
 
 def run_options(touch: str, engine: str, pairs: str, max_seconds: Optional[float],
-                max_events: Optional[int], fit: Optional[float] = None) -> _taut2d.RunOptions:
+                max_events: Optional[int], fit: Optional[float] = None, time_tolerance: float = 1e-9) -> _taut2d.RunOptions:
     for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
         if not isinstance(value, str):
             raise InputError(name, f"expected a word, found {type(value).__name__}")
@@ -34,7 +34,8 @@ def run_options(touch: str, engine: str, pairs: str, max_seconds: Optional[float
     shrink = 0.0 if fit is None else number(fit, "fit")
     if fit is not None and not shrink > 0:
         raise InputError("fit", "it is not a positive number", "None leaves bodies as they are")
-    return _taut2d.RunOptions(touch, engine, pairs, seconds(max_seconds), max_events, shrink)
+    return _taut2d.RunOptions(touch, engine, pairs, seconds(max_seconds), max_events, shrink,
+                              number(time_tolerance, "time_tolerance"))
 
 
 def scene_text(scene: Any, place: str = "scene") -> _taut2d.SceneText:

@@ -10,7 +10,7 @@ from typing import Any, Union
 from ._numbers import number, path_text, point
 from .errors import InputError
 
-__all__ = ["GeojsonFile", "OnePart", "Part", "Parts", "WktFile", "parts_of_value", "shape_of_value"]
+__all__ = ["GeojsonFile", "OnePart", "Part", "Parts", "Path", "WktFile", "parts_of_value", "shape_of_value"]
 
 Point = tuple[float, float]
 Ring = tuple[Point, ...]
@@ -46,6 +46,53 @@ class Part:
         return {"outline": outline, "holes": [[list(p) for p in hole] for hole in self.holes]} if self.holes else outline
 
 
+def _segment_text(segment: Any, place: str) -> str:
+    """One segment of an SVG path, without where it begins."""
+    points = [complex(p) if not hasattr(p, "__len__") else complex(*p) for p in segment[1:]] if len(segment) != 6 else []
+    if len(points) in (1, 2, 3):
+        return "LQC"[len(points) - 1] + " ".join(f" {p.real!r} {p.imag!r}" for p in points)
+    if len(segment) == 6:
+        radius, end = (complex(p) if not hasattr(p, "__len__") else complex(*p) for p in (segment[1], segment[5]))
+        turned, large, sweep = number(segment[2], place), bool(segment[3]), bool(segment[4])
+        return f"A {radius.real!r} {radius.imag!r} {turned!r} {large:d} {sweep:d} {end.real!r} {end.imag!r}"
+    raise InputError(place, f"a segment of {len(segment)} members",
+                     "give (start, end), (start, control, end), (start, control, control, end), or an arc as (start, radius, "
+                     "rotation, large, sweep, end)")
+
+
+@dataclass(frozen=True)
+class Path:
+    """What an SVG path encloses, y upwards, about its curves themselves.
+
+    ``path``: its data, M L H V C S Q T A Z; or an object with a method ``d()``, such as a Path of svgpathtools; or a list of
+    segments in order, each a tuple of points, (x, y) or complex: (start, end) is a line, (start, control, end) and (start,
+    control, control, end) are Bezier curves, (start, radius, rotation, large, sweep, end) is an arc. Every subpath is
+    closed, and must meet neither itself nor another one.
+    ``fill_rule``: "nonzero" or "evenodd", where subpaths lie in each other.
+    """
+
+    path: Any
+    fill_rule: str = "nonzero"
+
+    def __post_init__(self) -> None:
+        if self.fill_rule not in ("nonzero", "evenodd"):
+            raise InputError("fill_rule", f"unknown rule {self.fill_rule!r}", 'write "nonzero" or "evenodd"')
+        if hasattr(self.path, "d"):
+            object.__setattr__(self, "path", str(self.path.d()))
+        if isinstance(self.path, str):
+            return
+        segments = list(self.path)
+        if not segments:
+            raise InputError("path", "there are no segments", "give at least two")
+        first = segments[0][0]
+        start = complex(first) if not hasattr(first, "__len__") else complex(*first)
+        text = " ".join(_segment_text(s, f"path[{i}]") for i, s in enumerate(segments))
+        object.__setattr__(self, "path", f"M {start.real!r} {start.imag!r} {text} Z")
+
+    def _json(self) -> Any:
+        return {"path": self.path, "fill-rule": self.fill_rule}
+
+
 @dataclass(frozen=True)
 class WktFile:
     """An outline from a file with a WKT POLYGON. ``path`` is relative to the scene's folder, and must lie below it."""
@@ -73,7 +120,7 @@ class GeojsonFile:
         return {"geojson": self.path}
 
 
-OnePart = Union[Part, WktFile, GeojsonFile]
+OnePart = Union[Part, Path, WktFile, GeojsonFile]
 Parts = Union[OnePart, tuple[OnePart, ...]]
 
 _shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
@@ -132,20 +179,22 @@ def _is_ring(value: Any) -> bool:
     if not value:
         return True
     first = value[0]
-    if isinstance(first, (str, bytes, Mapping, Part, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
+    if isinstance(first, (str, bytes, Mapping, Part, Path, WktFile, GeojsonFile)) or hasattr(first, "__geo_interface__"):
         return False
     return _is_number(first) or (isinstance(first, Iterable) and all(map(_is_number, first)))
 
 
 def _parts(value: Any, place: str) -> tuple[tuple[OnePart, ...], bool]:
     """The parts that a value stands for, and whether they were written as a list of parts."""
-    if isinstance(value, (Part, WktFile, GeojsonFile)):
+    if isinstance(value, (Part, Path, WktFile, GeojsonFile)):
         return (value,), False
     if isinstance(value, str):
         return _wkt_parts(value, place), False
     if hasattr(value, "__geo_interface__"):
         return _geo_parts(value.__geo_interface__, place), False
     if isinstance(value, Mapping):
+        if "path" in value:
+            return (Path(value["path"], value.get("fill-rule", "nonzero")),), False
         if "outline" in value:
             return (Part(value["outline"], tuple(value.get("holes", ()))),), False
         return _geo_parts(value, place), False

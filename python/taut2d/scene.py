@@ -14,7 +14,7 @@ from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
                       motion_from_json)
-from .parts import GeojsonFile, OnePart, Part, WktFile, shape_of_value
+from .parts import GeojsonFile, OnePart, Part, Path, WktFile, shape_of_value
 from .pictures import Pose
 
 if TYPE_CHECKING:
@@ -87,6 +87,8 @@ def _body_from_json(value: dict[str, Any]) -> Body:
         if isinstance(given, dict):
             if "wkt" in given:
                 return WktFile(given["wkt"])
+            if "path" in given:
+                return Path(given["path"], given.get("fill-rule", "nonzero"))
             if "geojson" in given:
                 return GeojsonFile(given["geojson"])
             return Part(given["outline"], tuple(given.get("holes", ())))

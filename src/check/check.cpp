@@ -1,5 +1,6 @@
 #include "taut/check.hpp"
 
+#include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "pair/fitted_scene.hpp"
 #include "pair/validate_world.hpp"
@@ -26,6 +27,7 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
 }  // namespace
 
 Answer check(const Scene& scene, const CheckOptions& options) {
+  if (has_curves(scene)) return check_curved(scene, options);
   if (options.fit != 0) return check_fitted(scene, options);
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);
   switch (options.engine) {

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
@@ -149,6 +150,7 @@ class ClearanceSearch {
 
 Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
+  if (has_curves(scene)) return clearance_of_curves(scene, options);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Clearance answer;
   try {

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
 #include "search/overlap_intervals.hpp"
@@ -47,6 +48,7 @@ void search_pair(const WorldPlan& plan, int a, int b, bool inwards, Intervals& a
 }  // namespace
 
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
+  if (has_curves(scene)) return intervals_of_curves(scene, options);
   // Limits begin with the first pair: what they end is then said pair by pair.
   validate_world(scene);
   const WorldPlan plan(scene);
@@ -74,6 +76,7 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");
   const Intervals all = intervals(scene, options);
   Range range;
+  range.geometry = all.geometry;
   if (!all.undecided.empty()) {
     range.reason = all.undecided.front().reason;
     return range;

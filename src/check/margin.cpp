@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -192,6 +193,7 @@ class MarginSearch {
 MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOptions& options) {
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
+  if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
   const InterruptionScope scope(options.stop, options.max_seconds);
   MarginAnswer answer;
   try {

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
 #include "search/free_directions.hpp"
@@ -136,6 +137,7 @@ class SeparationSearch {
 Separation separate(const Scene& scene, const SeparateOptions& options) {
   if (!(options.travel > 0))
     throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
+  if (has_curves(scene)) return separate_curves(scene, options);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Separation answer;
   try {

@@ -1,5 +1,6 @@
 #include "geometry/prepared_shape.hpp"
 
+#include "taut/error.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {
@@ -26,7 +27,16 @@ const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
   return *roles_.back();
 }
 
+void refuse_curves(const Body& body) {
+  if (body.curves.empty()) return;
+  throw InputError(
+      body.name, "the body is bounded by curves, which this does not take",
+      "`taut flatten SCENE --tolerance X --outer`, or flatten() in the library, makes polygons around such "
+      "bodies, and with --inner within them");
+}
+
 const Polygon& polygon_of(const Body& body) {
+  refuse_curves(body);
   return body.prepared && body.polygon.empty() ? body.prepared->polygon() : body.polygon;
 }
 

@@ -62,6 +62,9 @@ class PreparedShape {
   mutable std::vector<std::unique_ptr<const ShapeInRole>> roles_;
 };
 
+/// Throws InputError, with what to do, if the body is bounded by curves.
+void refuse_curves(const Body& body);
+
 /// A normalised polygon, displaced for a role.
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role);
 

@@ -13,12 +13,27 @@ std::string feature_text(const Scene& scene, const Ref& feature) {
   const Body& body = scene.bodies[static_cast<std::size_t>(feature.body)];
   std::string s = "{\"body\":" + io::string_text(body.name);
   if (!body.id.empty()) s += ",\"id\":" + body.id;
+  if (feature.parameter)
+    return s + io::curve_place_json(body, feature.part, feature.ring, feature.index, *feature.parameter) + "}";
   if (!body.parts.empty())
     s += ",\"part\":" + std::to_string(feature.part) + ",\"ring\":" + std::to_string(feature.ring);
   return s + ",\"index\":" + std::to_string(feature.index) + "}";
 }
 
 }  // namespace
+
+std::string io::curve_place_json(const Body& body, int part, int ring, int segment, double parameter) {
+  std::string s;
+  if (body.curves.size() > 1 || (!body.curves.empty() && !body.curves[0].holes.empty()))
+    s += ",\"part\":" + std::to_string(part) + ",\"ring\":" + std::to_string(ring);
+  return s + ",\"index\":" + std::to_string(segment) + ",\"at\":" + io::number_text(parameter);
+}
+
+std::string io::geometry_json(const std::optional<CurveGeometry>& geometry) {
+  if (!geometry) return "";
+  return ",\"geometry\":{\"tolerance\":" + io::number_text(geometry->tolerance) +
+         ",\"segments\":" + std::to_string(geometry->segments) + "}";
+}
 
 std::string io::pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair) {
   return "[" + io::string_text(scene.bodies[static_cast<std::size_t>(pair[0])].name) + "," +
@@ -101,6 +116,7 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
   }
   s += world_text(scene, answer);
+  s += io::geometry_json(answer.geometry);
   s += std::string(",\"engine\":\"") + (answer.compared ? "both" : to_string(answer.engine)) +
        "\",\"events\":" + std::to_string(answer.events) +
        ",\"certificates\":{\"initial\":" + std::to_string(answer.certificates_initial) +

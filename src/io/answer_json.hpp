@@ -26,6 +26,10 @@ std::string contact_json(const Scene& scene, const Contact& contact);
 /// The names of a pair, and which features meet.
 std::string pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair);
 std::string features_json(const Scene& scene, const Contact& contact);
+/// Where on a curve: the members "index", of the segment, and "at", and "part" and "ring" where there are several.
+std::string curve_place_json(const Body& body, int part, int ring, int segment, double parameter);
+/// The member "geometry" with a comma before it, if there is one.
+std::string geometry_json(const std::optional<CurveGeometry>& geometry);
 std::string coverage_json(const Coverage& coverage);
 std::string vertex_json(const Scene& scene, const VertexRef& vertex);
 std::string edge_json(const Scene& scene, const EdgeRef& edge);

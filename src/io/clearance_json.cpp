@@ -11,6 +11,7 @@ namespace {
 std::string nearest_edge_text(const Scene& scene, const EdgeRef& edge) {
   const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
   std::string s = "{\"body\":" + io::string_text(body.name);
+  if (edge.parameter) return s + io::curve_place_json(body, edge.part, edge.ring, edge.index, *edge.parameter) + "}";
   if (!body.parts.empty()) s += ",\"part\":" + std::to_string(edge.part) + ",\"ring\":" + std::to_string(edge.ring);
   return s + ",\"index\":" + std::to_string(edge.index) + "}";
 }
@@ -41,6 +42,7 @@ std::string clearance_json(const Scene& scene, const Clearance& answer) {
     s += "]";
   }
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
+  s += io::geometry_json(answer.geometry);
   return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
          ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + "}}";
 }

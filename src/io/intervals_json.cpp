@@ -45,7 +45,8 @@ std::string intervals_json(const Scene& scene, const Intervals& answer, Touch to
   s += "],\"undecided\":[";
   for (std::size_t i = 0; i < answer.undecided.size(); ++i)
     s += (i ? "," : "") + io::pair_answer_json(scene, answer.undecided[i]);
-  return s + "],\"coverage\":" + io::coverage_json(answer.coverage) + question_scope(scene, touch) + "}";
+  s += "]" + io::geometry_json(answer.geometry);
+  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) + question_scope(scene, touch) + "}";
 }
 
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch) {
@@ -59,6 +60,7 @@ std::string range_json(const Scene& scene, double from, const Range& answer, Tou
   s += "},\"around\":" + io::number_text(from);
   if (answer.before) s += ",\"before\":" + overlap_text(scene, *answer.before);
   if (answer.after) s += ",\"after\":" + overlap_text(scene, *answer.after);
+  s += io::geometry_json(answer.geometry);
   return s + question_scope(scene, touch) + "}";
 }
 

@@ -78,6 +78,14 @@ JsonObject::JsonObject(const JsonDocument& document, std::size_t token, const st
   }
 }
 
+bool has_member(const JsonDocument& document, std::size_t token, const std::string& key) {
+  const std::size_t end = document.after(token);
+  for (std::size_t k = token + 1; k < end; k = document.after(k + 1)) {
+    if (document.string_at(k) == key) return true;
+  }
+  return false;
+}
+
 std::optional<std::size_t> JsonObject::find(const std::string& key) const {
   for (const auto& member : members_) {
     if (member.first == key) return member.second;

@@ -30,6 +30,9 @@ class JsonObject {
   std::vector<std::pair<std::string, std::size_t>> members_;
 };
 
+/// Does the object at a token have such a member? It may have others.
+bool has_member(const JsonDocument& document, std::size_t token, const std::string& key);
+
 /// The index after the path: "bodies" and 1 make "bodies[1]".
 std::string element_path(const std::string& path, std::size_t index);
 

@@ -59,6 +59,7 @@ std::string margin_json(const Scene& scene, double clearance, const MarginAnswer
   if (!answer.pairs.empty()) s += ",\"pairs\":" + list_of(scene, answer.pairs);
   if (answer.outcome == Outcome::undecided)
     s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
+  s += io::geometry_json(answer.geometry);
   return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
          ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) +
          "\"}}";

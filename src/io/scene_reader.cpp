@@ -160,6 +160,7 @@ class SceneReader {
       throw document_.error(token, path, "both \"polygon\" and \"parts\" are given", "write one of the two");
     if (!parts) {
       const std::size_t given = object.get("polygon");
+      if (is_path(given)) return take_curves(read_path(given, object.path("polygon")), body);
       std::vector<Part> read = read_parts(given, object.path("polygon"));
       if (read.size() == 1 && read[0].holes.empty()) {
         body.polygon = std::move(read[0].outline);
@@ -170,19 +171,90 @@ class SceneReader {
     }
     const std::string shape = R"("parts": [polygon, polygon, ...], each as "polygon" is written)";
     document_.require(*parts, JsonKind::array, object.path("parts"), shape);
-    const std::size_t end = document_.after(*parts);
-    for (std::size_t i = *parts + 1; i < end; i = document_.after(i)) {
-      for (Part& part : read_parts(i, element_path(object.path("parts"), body.parts.size())))
-        body.parts.push_back(std::move(part));
+    read_part_list(*parts, object.path("parts"), body);
+    if (body.parts.empty() && body.curves.empty())
+      throw document_.error(*parts, object.path("parts"), "there are no parts", "write " + shape);
+  }
+
+  /// Parts one after the other. Where one of them has curves, all are taken as curves.
+  void read_part_list(std::size_t token, const std::string& list, Body& body) const {
+    std::vector<CurvedPart> curves;
+    const std::size_t end = document_.after(token);
+    std::size_t count = 0;
+    bool paths = false;
+    for (std::size_t i = token + 1; i < end; i = document_.after(i)) paths = paths || is_path(i);
+    for (std::size_t i = token + 1; i < end; i = document_.after(i), ++count) {
+      const std::string path = element_path(list, count);
+      if (is_path(i)) {
+        for (CurvedPart& part : read_path(i, path)) curves.push_back(std::move(part));
+        continue;
+      }
+      for (Part& part : read_parts(i, path)) {
+        if (paths) {
+          curves.push_back(curved(part));
+        } else {
+          body.parts.push_back(std::move(part));
+        }
+      }
     }
-    if (body.parts.empty()) throw document_.error(*parts, object.path("parts"), "there are no parts", "write " + shape);
+    if (paths) take_curves(std::move(curves), body);
+  }
+
+  static CurvedPart curved(const Part& part) {
+    CurvedPart curves{outline_of(part.outline), {}};
+    for (const Polygon& hole : part.holes) curves.holes.push_back(outline_of(hole));
+    return curves;
+  }
+
+  bool is_path(std::size_t token) const {
+    return document_.at(token).kind() == JsonKind::object && io::has_member(document_, token, "path");
+  }
+
+  std::vector<CurvedPart> read_path(std::size_t token, const std::string& path) const {
+    const std::string shape = R"({"path": "M0 0 H10 A5 5 0 0 1 10 10 Z", "fill-rule": "nonzero"})";
+    const JsonObject object(document_, token, path, {"path", "fill-rule"}, shape);
+    FillRule rule = FillRule::nonzero;
+    if (const auto given = object.find("fill-rule")) {
+      document_.require(*given, JsonKind::string, object.path("fill-rule"), shape);
+      const std::string& word = document_.string_at(*given);
+      if (word != "nonzero" && word != "evenodd")
+        throw document_.error(*given, object.path("fill-rule"), "unknown rule \"" + io::excerpt(word) + "\"",
+                              R"(write "nonzero" or "evenodd")");
+      if (word == "evenodd") rule = FillRule::evenodd;
+    }
+    const std::size_t data = object.get("path");
+    document_.require(data, JsonKind::string, object.path("path"), shape);
+    try {
+      return parse_path(document_.string_at(data), rule, "");
+    } catch (const InputError& error) {
+      throw error.within(document_.error(data, object.path("path"), "", "").place());
+    }
+  }
+
+  /// Parts that are bounded by lines only are polygons.
+  static void take_curves(std::vector<CurvedPart> curves, Body& body) {
+    std::vector<Part> straight;
+    for (const CurvedPart& part : curves) {
+      const auto polygons = polygons_of(part);
+      if (!polygons) {
+        body.curves = std::move(curves);
+        return;
+      }
+      straight.push_back(*polygons);
+    }
+    if (straight.size() == 1 && straight[0].holes.empty()) {
+      body.polygon = std::move(straight[0].outline);
+    } else {
+      body.parts = std::move(straight);
+    }
   }
 
   /// What stands for a polygon: points, an outline with holes, or a file, which may have several.
   std::vector<Part> read_parts(std::size_t token, const std::string& path) const {
     if (document_.at(token).kind() != JsonKind::object) return {{read_points(token, path), {}}};
-    const JsonObject object(document_, token, path, {"outline", "holes", "wkt", "geojson"},
-                            R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file})");
+    const JsonObject object(
+        document_, token, path, {"outline", "holes", "wkt", "geojson"},
+        R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"path": ...}, or {"wkt": file})");
     if (object.find("outline") || object.find("holes")) return {read_part(token, path)};
     return read_file(token, path);
   }
@@ -207,7 +279,7 @@ class SceneReader {
 
   std::vector<Part> read_file(std::size_t token, const std::string& path) const {
     const std::string shape =
-        R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"wkt": file}, or {"geojson": file})";
+        R"("polygon": [[x, y], ...], or {"outline": ..., "holes": ...}, or {"path": "M..."}, or {"wkt": file}, or {"geojson": file})";
     const JsonObject object(document_, token, path, {"wkt", "geojson"}, shape);
     const auto wkt = object.find("wkt"), geojson = object.find("geojson");
     if (wkt.has_value() == geojson.has_value()) {

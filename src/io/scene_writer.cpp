@@ -73,9 +73,23 @@ std::string parts_text(const std::vector<Part>& parts) {
   return s + "]";
 }
 
+std::string path_text(const std::vector<CurvedPart>& parts) {
+  return "{\"path\":" + io::string_text(write_path(parts)) + ",\"fill-rule\":\"evenodd\"}";
+}
+
+/// Each part is a path of its own, since parts may overlap.
+std::string curves_text(const std::vector<CurvedPart>& parts) {
+  if (parts.size() == 1) return "\"polygon\":" + path_text(parts);
+  std::string s = "\"parts\":[";
+  for (std::size_t i = 0; i < parts.size(); ++i) s += (i ? ",\n    " : "") + path_text({parts[i]});
+  return s + "]";
+}
+
 std::string body_text(const Body& body) {
   std::string s = "  {\"name\":" + io::string_text(body.name);
-  if (body.parts.empty())
+  if (!body.curves.empty())
+    s += ",\n   " + curves_text(body.curves);
+  else if (body.parts.empty())
     s += ",\n   \"polygon\":" + polygon_text(polygon_of(body));
   else if (body.parts.size() == 1)
     s += ",\n   \"polygon\":" + part_text(body.parts[0]);

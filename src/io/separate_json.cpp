@@ -62,13 +62,15 @@ std::string separation_json(const Scene& scene, const Separation& answer) {
   if (answer.overlap) return s + ",\"pair\":" + io::pair_names_json(scene, *answer.overlap) + "}";
   if (scene.bodies.size() == 2) {
     const BodyDirections& body = answer.bodies[0];
-    return s + ",\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
+    return s + ",\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) +
+           io::geometry_json(answer.geometry) + "}";
   }
   s += ",\"bodies\":" + listed(answer.bodies, [&](const BodyDirections& body) {
          return "{\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
        });
   s += ",\"order\":" + listed(answer.order, [&](const RemovalStep& step) { return step_text(scene, step); });
-  return s + ",\"stuck\":" + listed(answer.stuck, [&](BodyId id) { return name_text(scene, id); }) + "}";
+  s += ",\"stuck\":" + listed(answer.stuck, [&](BodyId id) { return name_text(scene, id); });
+  return s + io::geometry_json(answer.geometry) + "}";
 }
 
 }  // namespace taut

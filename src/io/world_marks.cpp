@@ -40,14 +40,16 @@ std::string seamed(const std::string& path, double width, const char* colour = c
 
 std::string contact_mark(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const SvgCanvas& canvas,
                          const Contact& contact) {
+  const Point p = canvas.pixel(contact.point);
+  const Point tip{p.x + 30 * contact.normal.x, p.y - 30 * contact.normal.y};
+  const std::string circle = fmt::format("M{:.2f},{:.2f}a9,9 0 1 0 18,0a9,9 0 1 0 -18,0", p.x - 9, p.y);
+  const std::string normal = "M" + pixel_text(p) + "L" + pixel_text(tip) + circle;
+  if (contact.edge.parameter) return seamed(normal, 2.5);
   const Polygon& ring = shapes.parts(at(contact.edge.body))[at(contact.edge.part)][at(contact.edge.ring)];
   const BodyPose& pose = poses[at(contact.edge.body)];
   const std::size_t i = at(contact.edge.index);
   const Point a = canvas.pixel(placed(pose, ring[i])), b = canvas.pixel(placed(pose, ring[(i + 1) % ring.size()]));
-  const Point p = canvas.pixel(contact.point);
-  const Point tip{p.x + 30 * contact.normal.x, p.y - 30 * contact.normal.y};
-  const std::string circle = fmt::format("M{:.2f},{:.2f}a9,9 0 1 0 18,0a9,9 0 1 0 -18,0", p.x - 9, p.y);
-  return seamed("M" + pixel_text(a) + "L" + pixel_text(b) + "M" + pixel_text(p) + "L" + pixel_text(tip) + circle, 2.5);
+  return seamed("M" + pixel_text(a) + "L" + pixel_text(b) + normal, 2.5);
 }
 
 std::string overlap_mark(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const SvgCanvas& canvas,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/curve_path.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/world_shapes.hpp"
 #include "taut/io.hpp"
@@ -34,7 +35,10 @@ std::string body_shape(const std::vector<std::string>& parts, std::size_t body, 
 template <class Pixel>
 std::string body_shape(const WorldShapes& shapes, std::size_t body, const Pixel& pixel) {
   std::vector<std::string> parts;
-  for (const std::vector<Polygon>& rings : shapes.parts(body)) parts.push_back(rings_path(rings, pixel));
+  for (const CurvedPart& part : shapes.curves(body)) parts.push_back(curve_path(part, pixel));
+  if (parts.empty()) {
+    for (const std::vector<Polygon>& rings : shapes.parts(body)) parts.push_back(rings_path(rings, pixel));
+  }
   return body_shape(parts, body, world_outline_width(shapes));
 }
 

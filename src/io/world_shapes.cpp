@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "io/curve_path.hpp"
 #include "io/text_file.hpp"
 #include "pair/ring_set.hpp"
 
@@ -84,6 +85,18 @@ InnerPoint inner_point(const std::vector<Polygon>& part) {
   return best;
 }
 
+/// Of each part: its outline, then its holes.
+std::vector<std::vector<Polygon>> rings_of(const Body& body) {
+  std::vector<std::vector<Polygon>> all;
+  for (const CurvedPart& part : body.curves) all.push_back(sketched(part));
+  if (!body.curves.empty()) return all;
+  for (const Part& part : parts_of(body)) {
+    all.push_back({part.outline});
+    all.back().insert(all.back().end(), part.holes.begin(), part.holes.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 BodyLook body_look(std::size_t body) { return looks[body % body_looks]; }
@@ -92,16 +105,15 @@ WorldShapes::WorldShapes(const Scene& scene) : order_(scene.bodies.size()) {
   for (const Body& body : scene.bodies) {
     Shape shape;
     Box box;
-    for (const Part& part : parts_of(body)) {
-      std::vector<Polygon> rings{part.outline};
-      rings.insert(rings.end(), part.holes.begin(), part.holes.end());
+    shape.curves = body.curves;
+    for (std::vector<Polygon>& rings : rings_of(body)) {
       std::size_t count = 0;
       for (const Polygon& ring : rings) count += ring.size();
       vertices_ += count;
       InnerPoint inner = count <= largest_searched ? inner_point(rings) : InnerPoint{};
       inner.part = shape.parts.size();
       if (inner.room > shape.inner.room) shape.inner = inner;
-      grow(box, part.outline);
+      grow(box, rings[0]);
       shape.parts.push_back(std::move(rings));
     }
     shape.middle = {box.lo.x / 2 + box.hi.x / 2, box.lo.y / 2 + box.hi.y / 2};

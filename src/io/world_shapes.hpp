@@ -34,6 +34,8 @@ class WorldShapes {
   std::size_t size() const { return bodies_.size(); }
   /// Of each part of a body: its outline, then its holes.
   const std::vector<std::vector<Polygon>>& parts(std::size_t body) const { return bodies_[body].parts; }
+  /// The parts of a body that is bounded by curves; then parts() has polygons near them.
+  const std::vector<CurvedPart>& curves(std::size_t body) const { return bodies_[body].curves; }
   const InnerPoint& inner(std::size_t body) const { return bodies_[body].inner; }
   /// Of its bounds.
   const Point& middle(std::size_t body) const { return bodies_[body].middle; }
@@ -44,6 +46,7 @@ class WorldShapes {
  private:
   struct Shape {
     std::vector<std::vector<Polygon>> parts;
+    std::vector<CurvedPart> curves;
     InnerPoint inner;
     Point middle;
     double extent = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
@@ -20,6 +21,7 @@ void reverse_order(std::vector<DisplacedPoint>& ring) { std::reverse(ring.begin(
 }  // namespace
 
 std::vector<Part> parts_of(const Body& body) {
+  refuse_curves(body);
   if (!body.parts.empty()) return body.parts;
   return {{polygon_of(body), {}}};
 }

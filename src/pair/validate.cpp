@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/prepared_shape.hpp"
 #include "motion/pieces.hpp"
+#include "pair/curved_world.hpp"
 #include "pair/pair_plan.hpp"
 #include "pair/validate_time.hpp"
 #include "pair/validate_world.hpp"
@@ -41,6 +43,7 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
 
 std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   validate_time(scene);
+  for (const Body& body : scene.bodies) refuse_curves(body);
   if (is_world(scene)) {
     validate_world(scene);
     throw InputError("bodies", "this takes scenes of two bodies, each one polygon in the world's frame, now",
@@ -64,6 +67,10 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
 }
 
 void validate(const Scene& scene) {
+  if (has_curves(scene)) {
+    validate_world(CurvedWorld(scene).polygons(CurveSide::outer));
+    return;
+  }
   if (is_world(scene)) return validate_world(scene);
   validated_facts(scene);
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "geometry/part_validation.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "geometry/shape_facts.hpp"
 #include "motion/pieces.hpp"
 #include "pair/ring_set.hpp"
@@ -100,12 +101,15 @@ void validate_ignored(const Scene& scene, const Names& names) {
 }  // namespace
 
 bool is_world(const Scene& scene) {
-  const auto plain = [](const Body& body) { return body.parts.empty() && body.relative_to.empty(); };
+  const auto plain = [](const Body& body) {
+    return body.parts.empty() && body.relative_to.empty() && body.curves.empty();
+  };
   return scene.bodies.size() != 2 || !scene.ignore.empty() ||
          !std::all_of(scene.bodies.begin(), scene.bodies.end(), plain);
 }
 
 void validate_world(const Scene& scene) {
+  for (const Body& body : scene.bodies) refuse_curves(body);
   validate_time(scene);
   if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
   const Names names = names_of(scene);

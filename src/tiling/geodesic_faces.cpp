@@ -67,7 +67,7 @@ class Builder {
           PlanarMap& map)
       : triangulation_(t), tree_(tree), first_(first), ring_(tree.leaves()), map_(map), funnel_(placement, t) {}
   /// Of the open nodes of an outline.
-  Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, const Outline& outline,
+  Builder(const Placement& placement, const FreeTriangulation& t, const ChainTree& tree, const ShapeOutline& outline,
           const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map)
       : triangulation_(t),
         tree_(tree),
@@ -225,7 +225,7 @@ class Builder {
   std::uint32_t first_, ring_;  ///< the vertices of the ring in the triangulation: the first one, and how many
   PlanarMap& map_;
   Funnel funnel_;
-  const Outline* outline_ = nullptr;
+  const ShapeOutline* outline_ = nullptr;
   const std::vector<VertexId>* vertices_ = nullptr;  ///< the map's, if they are not the triangulation's
   const GeodesicVisitor* visitor_ = nullptr;
   std::uint32_t next_edge_ = 0, next_leaf_ = 0;
@@ -258,7 +258,7 @@ std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const Fre
 }
 
 std::vector<HalfedgeId> add_open_faces(const Placement& outside, const FreeTriangulation& triangulation,
-                                       const ChainTree& tree, const Outline& outline,
+                                       const ChainTree& tree, const ShapeOutline& outline,
                                        const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map) {
   return Builder(outside, triangulation, tree, outline, vertices, first, map).run();
 }

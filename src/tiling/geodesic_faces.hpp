@@ -27,7 +27,7 @@ std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const Fre
                                            const GeodesicVisitor& visitor = {});
 
 /// A polygon that contains a body: some subtrees' chains are replaced by their geodesics, which are in the map already.
-struct Outline {
+struct ShapeOutline {
   std::vector<bool> open;                 ///< by heap number: is the node's geodesic still to be found?
   std::vector<std::uint32_t> open_nodes;  ///< those for which it is, by heap number
   std::vector<HalfedgeId> edges;          ///< the polygon's edges, counterclockwise, body on the left
@@ -37,7 +37,7 @@ struct Outline {
 /// The same for the open nodes only. The triangulation is that of the space outside the outlines of both bodies, whose
 /// vertices are `vertices` of the map; this outline's begin at number `first`.
 std::vector<HalfedgeId> add_open_faces(const Placement& outside, const FreeTriangulation& triangulation,
-                                       const ChainTree& tree, const Outline& outline,
+                                       const ChainTree& tree, const ShapeOutline& outline,
                                        const std::vector<VertexId>& vertices, std::uint32_t first, PlanarMap& map);
 
 /// The pinned geodesic cycle of one level of the tree (section 2 of the paper): the geodesics of the nodes of depth

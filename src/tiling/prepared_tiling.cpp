@@ -15,7 +15,7 @@ class OutlineBuilder {
     out_.open.resize(near.size(), false);
   }
 
-  Outline run() {
+  ShapeOutline run() {
     visit(shape_.tree.root());
     return std::move(out_);
   }
@@ -52,7 +52,7 @@ class OutlineBuilder {
   const PlanarMap& map_;
   const PlanarMap::Renumbering& number_;
   const std::vector<bool>& near_;
-  Outline out_;
+  ShapeOutline out_;
 };
 
 /// Makes an outline shorter where nothing happens: runs of edges of the convex hull, with nothing near the cap between
@@ -65,7 +65,7 @@ class Capper {
          double margin, PlanarMap& map)
       : geometry_(geometry), pose_(pose), keep_off_(keep_off), other_pose_(other_pose), margin_(margin), map_(map) {}
 
-  void shorten(Outline& outline) {
+  void shorten(ShapeOutline& outline) {
     pockets_ = box_of_pockets(outline);
     longest_run_ = outline.edges.size() / 3;  // so that three corners remain
     edges_.clear();
@@ -113,7 +113,7 @@ class Capper {
   Point point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
 
   /// Around all edges that are not the hull's.
-  std::optional<NodeBox> box_of_pockets(const Outline& outline) const {
+  std::optional<NodeBox> box_of_pockets(const ShapeOutline& outline) const {
     std::optional<BoxBuilder> box;
     for (const HalfedgeId h : outline.edges) {
       if (on_hull(h)) continue;
@@ -195,8 +195,8 @@ class Joiner {
       for (const HalfedgeId h : p_.hull) hull_p.push_back(number_p(h));
       for (const HalfedgeId h : q_.hull) hull_q.push_back(number_q(h));
     } else {
-      Outline outline_p = OutlineBuilder(p_, number_p, near_p.has).run();
-      Outline outline_q = OutlineBuilder(q_, number_q, near_q.has).run();
+      ShapeOutline outline_p = OutlineBuilder(p_, number_p, near_p.has).run();
+      ShapeOutline outline_q = OutlineBuilder(q_, number_q, near_q.has).run();
       remove_faces(p_, outline_p, number_p);
       remove_faces(q_, outline_q, number_q);
       Capper capper_p(geometry_, place_.pose_p(), q_.boxes[1], place_.pose_q(), margin, map_);
@@ -218,7 +218,7 @@ class Joiner {
   static std::size_t worthwhile(std::size_t vertices) { return vertices / 4 + 8; }
 
   /// The edges that only open nodes' geodesics run along.
-  void remove_faces(const ShapeTiling& shape, const Outline& outline, const PlanarMap::Renumbering& number) {
+  void remove_faces(const ShapeTiling& shape, const ShapeOutline& outline, const PlanarMap::Renumbering& number) {
     doomed_.clear();
     const PlanarMap& map = shape.map;
     const auto is_open = [&](NodeId node) {
@@ -238,11 +238,11 @@ class Joiner {
   }
 
   /// Returns false if the outlines are not disjoint.
-  bool add_faces(const Outline& outline_p, const Outline& outline_q, std::vector<HalfedgeId>& hull_p,
+  bool add_faces(const ShapeOutline& outline_p, const ShapeOutline& outline_q, std::vector<HalfedgeId>& hull_p,
                  std::vector<HalfedgeId>& hull_q) {
     std::vector<VertexId> vertices;
     vertices.reserve(outline_p.edges.size() + outline_q.edges.size());
-    const auto corners = [&](const Outline& outline) {
+    const auto corners = [&](const ShapeOutline& outline) {
       std::vector<DisplacedPoint> points;
       points.reserve(outline.edges.size());
       for (const HalfedgeId h : outline.edges) {

@@ -1,0 +1,75 @@
+#include "import/kept_curves.hpp"
+
+#include <algorithm>
+
+namespace taut::drawing {
+
+namespace {
+
+std::pair<double, double> key_of(const Point& p) { return {p.x, p.y}; }
+
+/// The same curve to this end, the other way round if asked for.
+CurveSegment segment_to(const KeptCurve& curve, bool reversed, const Point& end) {
+  CurveSegment segment = curve.segment;
+  if (auto* arc = std::get_if<ArcTo>(&segment)) {
+    if (reversed) arc->sweep = !arc->sweep;
+    arc->to = end;
+  } else if (auto* q = std::get_if<QuadraticTo>(&segment)) {
+    q->to = end;
+  } else if (auto* c = std::get_if<CubicTo>(&segment)) {
+    if (reversed) std::swap(c->first, c->second);
+    c->to = end;
+  }
+  return segment;
+}
+
+}  // namespace
+
+CurveFinder::CurveFinder(const std::vector<KeptCurve>& curves) {
+  for (const KeptCurve& curve : curves) {
+    by_first_.emplace(key_of(curve.inner.front()), Match{&curve, false});
+    by_first_.emplace(key_of(curve.inner.back()), Match{&curve, true});
+  }
+}
+
+CurveFinder::Match CurveFinder::match_at(const Polygon& ring, std::size_t first) const {
+  const auto known = by_first_.find(key_of(ring[first % ring.size()]));
+  if (known == by_first_.end()) return {};
+  const std::vector<Point>& inner = known->second.curve->inner;
+  if (inner.size() >= ring.size()) return {};
+  // Of one inner point both directions are the same to the eye: the ring's own ends tell.
+  for (const bool reversed : {known->second.reversed, !known->second.reversed}) {
+    bool same = inner.size() > 1 ||
+                reversed == (ring[(first + ring.size() - 1) % ring.size()] == end_of(known->second.curve->segment));
+    for (std::size_t i = 0; i < inner.size() && same; ++i)
+      same = ring[(first + i) % ring.size()] == inner[reversed ? inner.size() - 1 - i : i];
+    if (same) return {known->second.curve, reversed};
+  }
+  return {};
+}
+
+Outline CurveFinder::outline(const Polygon& ring) const {
+  const std::size_t n = ring.size();
+  // Begin at a point that is inside of no curve.
+  std::vector<bool> inside(n, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Match match = match_at(ring, i);
+    for (std::size_t k = 0; match.curve && k < match.curve->inner.size(); ++k) inside[(i + k) % n] = true;
+  }
+  std::size_t begin = 0;
+  while (begin < n && inside[begin]) ++begin;
+  Outline outline{ring[begin % n], {}};
+  for (std::size_t i = 1; i <= n;) {
+    const Match match = match_at(ring, begin + i);
+    if (!match.curve) {
+      outline.segments.emplace_back(LineTo{ring[(begin + i++) % n]});
+      continue;
+    }
+    i += match.curve->inner.size();
+    outline.segments.push_back(segment_to(*match.curve, match.reversed, ring[(begin + i++) % n]));
+    ++found_;
+  }
+  return outline;
+}
+
+}  // namespace taut::drawing

@@ -1,0 +1,59 @@
+"""Bodies bounded by curves."""
+
+import json
+import math
+
+import pytest
+import taut2d
+
+DISC = "M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"
+
+
+
+def scene_of(shape):
+    roller = {"name": "roller", "polygon": shape._json(), "motion": {"x": [10, -1], "y": [1]}}
+    text = {"format": "taut-scene/1", "time": [0, 10],
+            "bodies": [{"name": "wheel", "polygon": taut2d.Path(DISC)._json()}, roller]}
+    return taut2d.Scene.from_json(json.dumps(text))
+
+
+def test_a_circle_meets_a_circle_when_it_does():
+    answer = taut2d.check(scene_of(taut2d.Path(DISC)))
+    exact = 10 - math.sqrt(3)
+    assert answer.contact.t[0] <= exact <= answer.contact.t[1]
+    assert answer.contact.t[1] - answer.contact.t[0] <= 1e-8
+    assert 0 <= answer.contact.vertex.at <= 1 and answer.contact.vertex.index in (0, 1)
+    assert answer.geometry.tolerance < 1e-6 and answer.geometry.segments > 8
+
+
+def test_the_time_is_told_as_well_as_was_asked_for():
+    coarse = taut2d.check(scene_of(taut2d.Path(DISC)), time_tolerance=1e-3)
+    fine = taut2d.check(scene_of(taut2d.Path(DISC)))
+    assert coarse.geometry.segments < fine.geometry.segments
+    assert coarse.contact.t[0] <= fine.contact.t[0] <= fine.contact.t[1] <= coarse.contact.t[1]
+
+
+def test_segments_may_be_tuples():
+    arcs = [((1, 0), (1, 1), 0, False, True, (-1, 0)), (-1 + 0j, 1 + 1j, 0, False, True, 1 + 0j)]
+    of_tuples = taut2d.check(scene_of(taut2d.Path(arcs)))
+    assert of_tuples.contact.t == taut2d.check(scene_of(taut2d.Path(DISC))).contact.t
+    with pytest.raises(taut2d.InputError, match="segment of 5 members"):
+        taut2d.Path([(0, 1, 2, 3, 4)])
+
+
+def test_scenes_keep_their_paths():
+    scene = scene_of(taut2d.Path(DISC, "evenodd"))
+    again = taut2d.Scene.from_json(scene.to_json())
+    assert again.bodies[1].shape == taut2d.Path(DISC, "evenodd")
+
+
+def test_what_takes_polygons_only_refuses_with_a_remedy():
+    with pytest.raises(taut2d.InputError, match="taut flatten"):
+        taut2d.prove(scene_of(taut2d.Path(DISC)))
+    with pytest.raises(taut2d.InputError, match="before"):
+        taut2d.check(scene_of(taut2d.Path("M0 0 X")))
+
+
+def test_clearance_is_a_bracket():
+    found = taut2d.clearance(scene_of(taut2d.Path("M1 3 A1 1 0 0 1 -1 3 A1 1 0 0 1 1 3 Z")))
+    assert found.nearest.lo <= 2 <= found.nearest.hi <= 2 + 1e-8

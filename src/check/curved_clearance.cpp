@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+
+#include "check/curved_questions.hpp"
+#include "check/near_cells.hpp"
+#include "check/run.hpp"
+
+namespace taut {
+namespace {
+
+using ClearanceClock = std::chrono::steady_clock;
+
+double largest_size(const CurvedWorld& world) {
+  double size = 0;
+  for (std::size_t i = 0; i < world.scene().bodies.size(); ++i) {
+    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(i)))
+      size = std::max(size, part.bands()[0].resolution().size);
+  }
+  return size;
+}
+
+double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
+  return std::max(world.name_curve(CurveSide::inner, nearest.edges[0]),
+                  world.name_curve(CurveSide::inner, nearest.edges[1]));
+}
+
+/// Bodies that certainly touch have no distance: when they do, the check tells.
+Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, Clearance found) {
+  CheckOptions own;
+  own.touch = Touch::closed;
+  own.engine = EngineChoice::spacetime;
+  own.max_seconds = options.max_seconds;
+  own.stop = options.stop;
+  const Answer answer = check_curved(scene, own);
+  if (!answer.contact) return found;
+  if (answer.pair) found.nearest->pair = *answer.pair;
+  found.nearest->time = answer.contact->time;
+  found.nearest->points = {answer.contact->point, answer.contact->point};
+  found.nearest->edges = {answer.contact->edge, answer.contact->edge};
+  found.geometry = answer.geometry;
+  return found;
+}
+
+/// The least distance of all pairs, between those of polygons around the bodies and within them.
+Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
+  const ClearanceClock::time_point began = ClearanceClock::now();
+  CurvedWorld world(scene);
+  const RefinementLimit limit(world);
+  ClearanceOptions own = options;
+  own.all_pairs = false;
+  own.relative = std::max(options.relative / 4, 1e-12);
+  for (;;) {
+    own.max_seconds = options.max_seconds - seconds_since(began);
+    const Clearance outer = clearance(world.polygons(CurveSide::outer), own);
+    Clearance inner = clearance(world.polygons(CurveSide::inner), own);
+    inner.geometry = CurveGeometry{world.tolerance(), world.segments()};
+    if (!outer.reason.empty()) inner.reason = outer.reason;
+    if (!inner.reason.empty() || !inner.nearest || !outer.nearest) return inner;
+    const double lo = outer.nearest->lo, hi = inner.nearest->hi;
+    CurvedWorld::Halvings marks = world.no_halvings();
+    std::size_t count = 0;
+    if (hi - lo > options.relative * hi + 1e-12 * largest_size(world)) {
+      count += mark_near(world, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks);
+      count += mark_near(world, inner.nearest->pair, inner.nearest->time.hi, hi, marks);
+    }
+    if (count == 0 || limit.reached(world) || !refine_marked(world, std::move(marks), count)) {
+      inner.nearest->lo = std::min(lo, hi);
+      if (!(hi > 0)) return touching_curves(scene, options, std::move(inner));
+      inner.geometry->tolerance = name_edges(world, *inner.nearest);
+      return inner;
+    }
+  }
+}
+
+/// A pair's answer in the terms of the whole scene.
+void place_in(const std::vector<BodyId>& ids, const std::array<BodyId, 2>& pair, NearestPoints& nearest) {
+  nearest.pair = pair;
+  for (EdgeRef& edge : nearest.edges) edge.body = ids[static_cast<std::size_t>(edge.body)];
+}
+
+void name_margin(const CurvedWorld& world, PairMargin& pair) {
+  if (pair.nearest) name_edges(world, *pair.nearest);
+  if (!pair.features) return;
+  world.name_curve(CurveSide::inner, pair.features->vertex);
+  if (pair.features->edge) world.name_curve(CurveSide::inner, *pair.features->edge);
+  if (pair.features->other) world.name_curve(CurveSide::inner, *pair.features->other);
+}
+
+MarginAnswer undecided_margin(MarginAnswer outer, const std::string& reason) {
+  outer.outcome = Outcome::undecided;
+  outer.reason = reason;
+  outer.also.clear();
+  if (outer.first) {
+    outer.free_until = outer.first->free_until;
+    outer.first->outcome = Outcome::undecided;
+    outer.first->reason = reason;
+    outer.first->features.reset();
+    outer.first->nearest.reset();
+  }
+  return outer;
+}
+
+/// What of two runs is too wide, marked; nothing if the answer is there.
+class MarginBracket {
+ public:
+  MarginBracket(const Scene& scene, double clearance, const CheckOptions& options)
+      : clearance_(clearance), options_(options), world_(scene), limit_(world_) {
+    options_.all_pairs = false;
+  }
+
+  MarginAnswer run() {
+    const double wanted = options_.time_tolerance * (world_.scene().end - world_.scene().start);
+    for (;;) {
+      const MarginAnswer outer = ask(CurveSide::outer);
+      if (outer.outcome == Outcome::free || outer.outcome == Outcome::undecided) return outer;
+      MarginAnswer inner = ask(CurveSide::inner);
+      if (inner.outcome == Outcome::undecided) return inner;
+      if (inner.outcome == outer.outcome && settled(outer, inner, wanted)) return concluded(outer, std::move(inner));
+      CurvedWorld::Halvings marks = world_.no_halvings();
+      const std::size_t count = mark(outer, marks) + mark(inner, marks);
+      if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
+        return undecided_margin(outer, "whether curves come closer is finer than doubles tell, or when");
+    }
+  }
+
+ private:
+  MarginAnswer ask(CurveSide side) {
+    MarginAnswer answer = check_clearance(world_.polygons(side), clearance_, options_);
+    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+    return answer;
+  }
+
+  static bool settled(const MarginAnswer& outer, const MarginAnswer& inner, double wanted) {
+    if (outer.outcome == Outcome::overlap_at_start) return true;
+    const double own = 2 * (inner.first->time.hi - inner.first->time.lo);
+    return inner.first->time.hi - outer.first->time.lo <=
+           std::max({wanted, own, 0x1p-49 * std::fabs(inner.first->time.hi)});
+  }
+
+  std::size_t mark(const MarginAnswer& answer, CurvedWorld::Halvings& marks) const {
+    if (!answer.first) return 0;
+    const bool late = answer.outcome == Outcome::contact;
+    return mark_near(world_, answer.first->bodies, late ? answer.first->time.hi : world_.scene().start, clearance_,
+                     marks);
+  }
+
+  MarginAnswer concluded(const MarginAnswer& outer, MarginAnswer inner) const {
+    if (inner.outcome == Outcome::contact) {
+      inner.first->time.lo = outer.first->time.lo;
+      inner.first->free_until = inner.free_until = outer.first->time.lo;
+    }
+    name_margin(world_, *inner.first);
+    for (PairMargin& pair : inner.also) name_margin(world_, pair);
+    return inner;
+  }
+
+  double clearance_;
+  CheckOptions options_;
+  CurvedWorld world_;
+  RefinementLimit limit_;
+};
+
+}  // namespace
+
+Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options) {
+  Clearance answer = least_clearance(scene, options);
+  if (!options.all_pairs || !answer.reason.empty()) return answer;
+  // Which pairs are asked about: those that polygons of any kind are.
+  ClearanceOptions coarse = options;
+  coarse.relative = 0.1;
+  const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::inner), coarse);
+  for (const NearestPoints& pair : pairs.pairs) {
+    std::vector<BodyId> ids;
+    const Scene small = scene_of_pair(scene, pair.pair, ids);
+    ClearanceOptions own = options;
+    own.all_pairs = false;
+    const Clearance found = has_curves(small) ? least_clearance(small, own) : clearance(small, own);
+    if (!found.reason.empty()) answer.reason = found.reason;
+    if (!found.nearest) continue;
+    answer.pairs.push_back(*found.nearest);
+    place_in(ids, pair.pair, answer.pairs.back());
+  }
+  return answer;
+}
+
+MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
+  MarginAnswer answer = MarginBracket(scene, clearance, options).run();
+  if (!options.all_pairs) return answer;
+  CheckOptions all = options;
+  const MarginAnswer pairs = check_clearance(CurvedWorld(scene).polygons(CurveSide::outer), clearance, all);
+  all.all_pairs = false;
+  for (PairMargin pair : pairs.pairs) {
+    if (pair.outcome != Outcome::free) {
+      std::vector<BodyId> ids;
+      const Scene small = scene_of_pair(scene, pair.bodies, ids);
+      const MarginAnswer own = check_clearance(small, clearance, all);
+      PairMargin found = own.first.value_or(PairMargin{});
+      found.bodies = pair.bodies;
+      found.outcome = own.outcome;
+      found.free_until = own.free_until;
+      found.reason = own.reason;
+      if (found.nearest) place_in(ids, pair.bodies, *found.nearest);
+      const auto place = [&](auto& feature) { feature.body = ids[static_cast<std::size_t>(feature.body)]; };
+      if (found.features) {
+        place(found.features->vertex);
+        if (found.features->edge) place(*found.features->edge);
+        if (found.features->other) place(*found.features->other);
+      }
+      pair = found;
+    }
+    answer.pairs.push_back(pair);
+  }
+  return answer;
+}
+
+}  // namespace taut

@@ -1,0 +1,38 @@
+// Questions about bodies with curves, each asked twice: of polygons around the bodies, and of polygons within them.
+// What is true of the bodies lies between. Where the two answers differ by more than is wanted, polygons are refined
+// near what made the difference, and the question is asked again.
+#pragma once
+
+#include "pair/curved_world.hpp"
+#include "taut/check.hpp"
+#include "taut/clearance.hpp"
+#include "taut/intervals.hpp"
+#include "taut/separate.hpp"
+
+namespace taut {
+
+Answer check_curved(const Scene& scene, const CheckOptions& options);
+Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
+MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
+Separation separate_curves(const Scene& scene, const SeparateOptions& options);
+
+/// The scene of two bodies, with all that they are seen from, and with nobody else asked about. `ids` are theirs in the
+/// whole scene.
+Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids);
+
+/// How finely cells may be cut before a question is given up: curves that run along each other for a while would never
+/// end.
+class RefinementLimit {
+ public:
+  explicit RefinementLimit(const CurvedWorld& world) : most_(4 * world.segments() + 30000) {}
+  bool reached(const CurvedWorld& world) const { return world.segments() > most_; }
+
+ private:
+  std::uint64_t most_;
+};
+
+/// Refines what is marked: a little if that is much, farther if it is little.
+bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count);
+
+}  // namespace taut

@@ -1,0 +1,11 @@
+// Is the curve in its cell?
+#pragma once
+
+#include "curve/cell.hpp"
+
+namespace taut::curve {
+
+/// C1 to C4 of cell.hpp, for a piece that is not a line.
+bool verified(const Cell& cell, const Gate& first, const Gate& last);
+
+}  // namespace taut::curve
