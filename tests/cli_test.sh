@@ -92,6 +92,15 @@ END
 expect 0 '"holes":\[\[' '2 curves as [0-9]+ chords.*0.01|skipped: <text> at plate.svg:2' import plate.svg
 expect 0 '"name":"plate","file":"plate.svg","parts":1,"holes":1' '' import plate.svg --json -o plate.json
 is_json_lines
+# Curves as they are: a corner in the outline's own direction, y upwards, and what is none is named.
+cat >round.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path id="cam" d="M1 1 H5 A2 2 0 0 1 5 5 Q3 6 1 5 Z"/><circle id="roller" cx="9" cy="3" r="0.5"/></svg>
+END
+expect 0 '"path":"M 1 -1 L 5 -1 A 2 2 0 0 0 7 -3 A 2 2 0 0 0 5 -5 Q 3 -6 1 -5 L 1 -1 Z"' '7 segments of 3 curves kept as they are' import --curves round.svg
+expect 0 '' 'body roller: 1 part, 0 holes' import --curves round.svg -o round.json
+# The cam ends at x = 7, the roller begins at 8.5, and both at y = -3.
+expect 0 '^CLEARANCE  \[?1\.(4999999|5000000)' '' clearance round.json --tolerance 1e-9
+expect 0 'A 6 6 0 0 1 120 6 .*A 4 4 0 0 1' '100 segments of 48 curves kept as they are' import --curves "$examples/curves/hinge.dxf"
 expect 2 '' '--tolerance: 0 is not a positive number' import plate.svg --tolerance 0
 expect 2 '' '--output|-o' import plate.svg --json
 touch plate.png
