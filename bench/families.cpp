@@ -101,7 +101,37 @@ Case far_approach(int n) {
   return c;
 }
 
+/// A wheel with square teeth, narrower than the gaps.
+Polygon square_gear(int teeth, double radius, double depth, double share, double phase) {
+  Polygon wheel;
+  for (int k = 0; k < teeth; ++k) {
+    const double pitch = 2 * gen::pi / teeth, from = pitch * (k + phase), to = from + share * pitch;
+    for (const auto& [r, angle] : {std::pair{radius, from}, std::pair{radius + depth, from},
+                                   std::pair{radius + depth, to}, std::pair{radius, to}})
+      wheel.push_back(gen::polar(r, angle));
+  }
+  return wheel;
+}
+
 }  // namespace
+
+Scene square_gears(int n) {
+  const int teeth = n / 4;
+  const double radius = teeth / (2 * gen::pi), depth = 0.3, share = 0.25;
+  Scene scene;
+  scene.end = 1;
+  const double distance = 2 * radius + depth + 0.1;
+  scene.bodies = {
+      {"left", square_gear(teeth, radius, depth, share, -share / 2), {}},
+      {"right", square_gear(teeth, radius, depth, share, 0.5 - share / 2 + (teeth % 2 == 0 ? 0 : 0.5)), {}}};
+  MotionPiece turn;
+  turn.rotation = AngleRotation{{0, 2 * gen::pi}};
+  scene.bodies[0].motion.pieces = {turn};
+  turn.x = {distance};
+  turn.rotation = AngleRotation{{0, -2 * gen::pi}};
+  scene.bodies[1].motion.pieces = {turn};
+  return scene;
+}
 
 Scene resting_combs(int n, double end) {
   gen::CombOptions o;

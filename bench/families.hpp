@@ -29,4 +29,8 @@ const std::vector<Family>& families();
 /// Combs interlocked and at rest, from time 0 to `end`.
 Scene resting_combs(int n, double end);
 
+/// Two equal wheels with square teeth, the teeth of one in the middle of the other's gaps, one turn in opposite
+/// directions.
+Scene square_gears(int n);
+
 }  // namespace taut::bench

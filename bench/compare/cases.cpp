@@ -35,36 +35,7 @@ Contest dips(int n) { return of_family("dips", n); }
 Contest dips_linear(int n) { return of_family("dips_linear", n); }
 Contest far_approach(int n) { return of_family("far", n); }
 
-/// A wheel with square teeth, narrower than the gaps.
-Polygon square_gear(int teeth, double radius, double depth, double share, double phase) {
-  Polygon wheel;
-  for (int k = 0; k < teeth; ++k) {
-    const double pitch = 2 * gen::pi / teeth, from = pitch * (k + phase), to = from + share * pitch;
-    for (const auto& [r, angle] : {std::pair{radius, from}, std::pair{radius + depth, from},
-                                   std::pair{radius + depth, to}, std::pair{radius, to}})
-      wheel.push_back(gen::polar(r, angle));
-  }
-  return wheel;
-}
-
-/// Two equal wheels, the teeth of one in the middle of the other's gaps, one turn in opposite directions.
-Contest square_gears(int n) {
-  const int teeth = n / 4;
-  const double radius = teeth / (2 * gen::pi), depth = 0.3, share = 0.25;
-  Scene scene;
-  scene.end = 1;
-  const double distance = 2 * radius + depth + 0.1;
-  scene.bodies = {
-      {"left", square_gear(teeth, radius, depth, share, -share / 2), {}},
-      {"right", square_gear(teeth, radius, depth, share, 0.5 - share / 2 + (teeth % 2 == 0 ? 0 : 0.5)), {}}};
-  MotionPiece turn;
-  turn.rotation = AngleRotation{{0, 2 * gen::pi}};
-  scene.bodies[0].motion.pieces = {turn};
-  turn.x = {distance};
-  turn.rotation = AngleRotation{{0, -2 * gen::pi}};
-  scene.bodies[1].motion.pieces = {turn};
-  return from("gears, square", n, scene);
-}
+Contest gears_square(int n) { return from("gears, square", n, square_gears(n)); }
 
 Contest combs(int n) {
   gen::CombOptions o;
@@ -213,7 +184,7 @@ const std::vector<ContestFamily>& contest_families() {
       {"stars", "two stars, one straight way to a hit", {8, 64, 512, 4096, 65536}, stars},
       {"blades", "two thin blades, one flies through the other", {8, 64, 512}, blades},
       {"gears", "two involute gears, a full turn", {64, 512, 4096, 65536}, gears},
-      {"gears, square", "two gears with square teeth, a full turn", {64, 512, 4096, 65536}, square_gears},
+      {"gears, square", "two gears with square teeth, a full turn", {64, 512, 4096, 65536}, gears_square},
       {"gears, hit", "the same gears, one tooth too thick", {64, 512}, gears_hit},
       {"combs", "two combs, 16 slides within the slots", {64, 512, 4096, 65536}, combs},
       {"combs, hit", "the same combs, slides wider than the slots", {64, 512}, combs_hit},

@@ -6,11 +6,11 @@ namespace taut {
 namespace {
 
 thread_local InterruptionScope* innermost = nullptr;
-thread_local unsigned calls = 0;
+thread_local std::uint64_t spent = 0, next_look = 0;
 
 /// Longer limits than this are none.
 constexpr double for_ever = 1e9;
-constexpr unsigned stride = 64;
+constexpr std::uint64_t between_looks = 64;
 
 }  // namespace
 
@@ -21,9 +21,10 @@ InterruptionScope::InterruptionScope(const std::atomic<bool>* stop, double max_s
   innermost = this;
 }
 
-InterruptionScope::InterruptionScope(std::uint64_t effort) : effort_(effort / stride), outer_(innermost) {
+InterruptionScope::InterruptionScope(std::uint64_t effort)
+    : until_(effort < UINT64_MAX - spent ? spent + effort : UINT64_MAX), outer_(innermost) {
   innermost = this;
-  calls = 0;
+  next_look = spent + between_looks;
 }
 
 InterruptionScope::~InterruptionScope() { innermost = outer_; }
@@ -34,18 +35,22 @@ void InterruptionScope::check() const {
   if (outer_) outer_->check();
 }
 
-/// At every `stride` interruption points.
-void InterruptionScope::count() {
+void InterruptionScope::look() {
   check();
-  if (effort_ == 0) {
-    exhausted_ = true;
-    throw Interrupted{"the effort was used up"};
-  }
-  --effort_;
+  if (spent < until_) return;
+  exhausted_ = true;
+  throw Interrupted{"the effort was used up"};
 }
 
-void interruption_point() {
-  if (innermost && ++calls % stride == 0) innermost->count();
+void interruption_point(std::uint64_t work) {
+  spent += work;
+  if (!innermost || spent < next_look) return;
+  next_look = spent + between_looks;
+  innermost->look();
 }
+
+void count_work(std::uint64_t work) { spent += work; }
+
+std::uint64_t work_spent() { return spent; }
 
 }  // namespace taut

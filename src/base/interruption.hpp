@@ -1,4 +1,4 @@
-// Long computations can be told to stop: by a flag, by the clock, or after some effort.
+// Long computations can be told to stop: by a flag, by the clock, or after some work.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ class InterruptionScope {
 
   /// `stop` may be null. The limit counts from now, in seconds.
   InterruptionScope(const std::atomic<bool>* stop, double max_seconds);
-  /// For about so many interruption points from now: the same number every time.
+  /// For about so much work from now: the same every time.
   explicit InterruptionScope(std::uint64_t effort);
   ~InterruptionScope();
   InterruptionScope(const InterruptionScope&) = delete;
@@ -32,18 +32,24 @@ class InterruptionScope {
   bool exhausted() const { return exhausted_; }
 
  private:
-  friend void interruption_point();
-  void count();
+  friend void interruption_point(std::uint64_t);
+  void look();
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;
-  std::uint64_t effort_ = UINT64_MAX;
+  std::uint64_t until_ = UINT64_MAX;  ///< which work_spent()
   bool exhausted_ = false;
   Clock::time_point deadline_{};
   InterruptionScope* outer_;
 };
 
-/// Looks at every 64th call.
-void interruption_point();
+/// Counts so much work, and stops it where that is asked for. A unit is what a look at two boxes costs, some 60 ns of
+/// 2020: whatever costs far more than that says how much. So the work of different engines can be compared, and is the
+/// same on every machine.
+void interruption_point(std::uint64_t work = 1);
+/// Counts it alone, where nothing may be left half done.
+void count_work(std::uint64_t work);
+/// All that this thread has counted so far.
+std::uint64_t work_spent();
 
 }  // namespace taut

@@ -69,11 +69,11 @@ class KineticRun final : public Run {
   /// To the end, a contact, or a limit, of which the answer tells; or until the effort is spent.
   bool run(std::uint64_t effort) {
     const Engine& engine = session_->engine();
-    const std::uint64_t begun = engine.events();
+    const std::uint64_t begun = work_spent();
     try {
       while (!session_->finished()) {
         if (const std::string limit = limit_reached(); !limit.empty()) return give_up(limit, engine.proved_until());
-        if (engine.events() - begun >= effort) return false;
+        if (work_spent() - begun >= effort) return false;
         session_->step(session_->end());
       }
     } catch (const Interrupted& limit) {

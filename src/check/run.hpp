@@ -16,7 +16,8 @@ class RunWatcher;
 class Run {
  public:
   virtual ~Run() = default;
-  /// Goes on for about `effort` events, or looks at pairs of boxes; true once answer() says all that will come of it.
+  /// Goes on for about so much work, in the units of interruption_point(); true once answer() says all that will come
+  /// of it.
   /// What a limit of the options stopped, or precision, is `undecided`.
   virtual bool work(std::uint64_t effort) = 0;
   virtual const Answer& answer() const = 0;

@@ -53,7 +53,8 @@ class SpacetimeQuestion {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(0, plan_, geometry_, touch == Touch::open),
         tree_q_(1, plan_, geometry_, touch == Touch::open),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        reached_{0, legs_.front().start} {}
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {
@@ -72,8 +73,9 @@ class SpacetimeQuestion {
     return false;
   }
 
+  /// From where the last run was interrupted.
   void run(Answer& answer) {
-    const SpacetimeResult found = spacetime::first_contact(geometry_, trees(), legs_);
+    const SpacetimeResult found = spacetime::first_contact_from(reached_, geometry_, trees(), legs_);
     precise_ += found.precise;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
@@ -86,6 +88,7 @@ class SpacetimeQuestion {
       answer.free_until = answer.contact->time.lo;
     } else {
       answer.reason = found.reason;
+      reached_ = {found.leg, found.lo};
     }
   }
 
@@ -101,10 +104,11 @@ class SpacetimeQuestion {
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
-  std::uint64_t precise_ = 0;  ///< questions to multi-precision
+  spacetime::LegPlace reached_;  ///< no contact before
+  std::uint64_t precise_ = 0;    ///< questions to multi-precision
 };
 
-/// A stretch of time that proves too much is begun again: what was found out about it is not kept.
+/// Of a stretch of time that proves too much for a turn, what was found out is not kept: the next turn begins with it.
 class SpacetimeRun final : public Run {
  public:
   SpacetimeRun(const Scene& scene, const CheckOptions& options) : scope_(options.stop, options.max_seconds) {

@@ -7,6 +7,12 @@
 #include "pair/placement.hpp"
 
 namespace taut {
+namespace {
+
+/// In units of interruption_point(): of a certificate that is looked at, and of an event with its repair.
+constexpr std::uint64_t work_of_look = 2, work_of_event = 25;
+
+}  // namespace
 
 Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer, const KnownTilings& known)
     : geometry_(std::move(geometry)),
@@ -155,7 +161,7 @@ void Engine::update_corner(HalfedgeId h, Now& now) {
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
-    interruption_point();
+    interruption_point(work_of_look);
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;
@@ -223,6 +229,7 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
 bool Engine::step(double t) {
   if (state_ != EngineState::running) return false;
   if (next_event(t)) {
+    interruption_point(work_of_event);
     process(next_, leg().bridge ? leg().end : std::min(t, leg().end));
     return state_ != EngineState::contact;
   }
@@ -271,7 +278,7 @@ void Engine::look_at_settled(double t, bool all_due) {
     Certificate& c = certificates_[i];
     if (!c.corner.valid()) continue;
     const CertificateId id(i);
-    interruption_point();
+    interruption_point(work_of_look);
     if (settled_.is_settled(id)) {
       queue_.remove(id);
       solver_.rest(c);

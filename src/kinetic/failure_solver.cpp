@@ -45,6 +45,11 @@ void FailureSolver::release(Certificate& c) {
   c.precise = -1;
 }
 
+void FailureSolver::holds_until(Certificate& c, double t) {
+  release(c);
+  c.come_after(t, leg().end);
+}
+
 void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
   precise_slot(c) = t;
   c.kind = RootKind::isolated;
@@ -101,6 +106,8 @@ void FailureSolver::advance_from(Certificate& c, double t) {
 }
 
 void FailureSolver::advance_hard(Certificate& c, double t) {
+  // Doubles may see no value, but a slope.
+  if (fast_.follow_from_zero(c, Instant::exactly(t), false)) return;
   if (!c.function.level1) {
     FastFunction next;
     if (FastFunction::level_one(leg(), geometry_, form_of(c), next)) {
@@ -118,16 +125,56 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
 /// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
 void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from) {
   ++counts_.precise;
+  if (pass_turn(c, from)) return;
   // Events may crowd closer to the end of the leg than doubles can tell.
   const double t = from.last().floor();
-  if (t >= leg().end) return c.come_after(leg().end, leg().end);
+  if (t >= leg().end) return holds_until(c, leg().end);
   const double to = clock_.cell(std::max(t, leg().start)).end;
   if (const auto found = function.first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
-    release(c);
-    c.come_after(to, leg().end);
+    holds_until(c, to);
   }
+}
+
+/// Where the function nearly touches zero, as those of symmetric mechanisms do, its turn tells. The certificate's sign
+/// holds just after `from`. False if that is not so.
+bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
+  if (c.function.level1 || from.floor() < leg().start || from.ceiling() > leg().end) return false;
+  const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
+  if (!place) return false;
+  const TieFrame* const frame = ties_.around(place->at, place->at);
+  if (!frame) return false;
+  const TieForm tie(*frame, leg(), geometry_, form_of(c));
+  const auto turn = tie.turn();
+  if (!turn) return false;
+  const bool valley = turn->bend_sign == c.sign;
+  if (turn->value_sign == turn->bend_sign) {
+    if (valley) holds_until(c, place->until);
+    return valley;
+  }
+  const auto before = tie.root_beside(*turn, -1, 0), after = tie.root_beside(*turn, 1, 0);
+  if (!before || !after) return false;
+  // It holds before the first root and after the second one of a valley, and between those of a hill.
+  if (valley && after->certainly_before(from)) {
+    holds_until(c, place->until);
+    return true;
+  }
+  if (valley && from.certainly_before(*before)) return isolate_on_leg(c, *before);
+  return !valley && !from.certainly_before(*before) && from.certainly_before(*after) && isolate_on_leg(c, *after);
+}
+
+/// False if it is not known whether the failure comes on the leg.
+bool FailureSolver::isolate_on_leg(Certificate& c, const PreciseTime& t) {
+  const PreciseTime end = PreciseTime::between(leg().end, leg().end);
+  if (end.certainly_before(t)) {
+    holds_until(c, leg().end);
+  } else if (t.not_after(end)) {
+    set_isolated(c, t);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 int FailureSolver::sign_now(const Form& form, Now& now) {
@@ -139,7 +186,7 @@ int FailureSolver::sign_now(const Form& form, Now& now) {
 
 int FailureSolver::precise_sign(const Form& form, Now& now) {
   ++counts_.precise;
-  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now))) return s;
+  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now), &ties_)) return s;
   throw Undecidable{"two events at the same instant"};
 }
 

@@ -41,7 +41,10 @@ class FailureSolver {
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }
-  void enter(const Leg& leg) { clock_.reset(leg); }
+  void enter(const Leg& leg) {
+    clock_.reset(leg);
+    ties_.reset(leg);
+  }
   const Leg& leg() const { return clock_.leg(); }
   const StageCounts& counts() const { return counts_; }
   const std::vector<PreciseTime>& pool() const { return pool_; }
@@ -78,14 +81,17 @@ class FailureSolver {
 
  private:
   Form form_of(const Certificate& c) const { return Form::of(geometry_, c.u, c.v, c.w); }
-  PreciseTriple precise_of(const Certificate& c) const { return {leg(), geometry_, form_of(c)}; }
+  PreciseTriple precise_of(const Certificate& c) { return {leg(), geometry_, form_of(c), &ties_}; }
   void advance_from(Certificate& c, double t);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
+  bool pass_turn(Certificate& c, const PreciseTime& from);
+  bool isolate_on_leg(Certificate& c, const PreciseTime& t);
   bool start_in_doubles(Certificate& c, const Now& now);
   bool start_on_line(Certificate& c, double t);
   bool start_on_line(Certificate& c, const Now& now);
   void set_isolated(Certificate& c, const PreciseTime& t);
+  void holds_until(Certificate& c, double t);
   void sharpen(Certificate& c, int stage);
   PreciseTime& precise_slot(Certificate& c);
   PreciseTime& precise_now(Now& now) const;
@@ -95,6 +101,7 @@ class FailureSolver {
 
   const PairGeometry& geometry_;
   LegClock clock_;
+  TieFrames ties_;
   StageCounts counts_;
   FastRoots fast_{clock_, counts_};
   std::vector<PreciseTime> pool_;

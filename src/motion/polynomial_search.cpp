@@ -14,8 +14,9 @@ namespace {
 using Big = Ball<RealMax>;
 using Double = Ball<double>;
 
-/// Of halvings that doubles try first: they settle nearly every motion at once.
-constexpr int double_depth = 4;
+/// Intervals that doubles look at first, and how often they are halved: they settle nearly every motion, those that
+/// reach 1 at an instant too, around which intervals get ever shorter.
+constexpr int double_intervals = 4000, double_depth = 40;
 
 BallPolynomial<double> in_doubles(const Coefficients& c) {
   BallPolynomial<double> out;
@@ -63,11 +64,17 @@ int time_exponent(double start, double end) {
 
 /// Doubles are certain that `fine` holds all over [lo, hi].
 template <class Fine>
-bool fine_in_doubles(const Fine& fine, double lo, double hi, int depth = 0) {
+bool fine_in_doubles(const Fine& fine, double lo, double hi, int& left, int depth = 0) {
+  if (--left < 0) return false;
   if (fine(Double::between(lo, hi))) return true;
   const double middle = lo + (hi - lo) / 2;
   if (depth == double_depth || !(lo < middle && middle < hi)) return false;
-  return fine_in_doubles(fine, lo, middle, depth + 1) && fine_in_doubles(fine, middle, hi, depth + 1);
+  return fine_in_doubles(fine, lo, middle, left, depth + 1) && fine_in_doubles(fine, middle, hi, left, depth + 1);
+}
+template <class Fine>
+bool fine_in_doubles(const Fine& fine, double lo, double hi) {
+  int left = double_intervals;
+  return fine_in_doubles(fine, lo, hi, left);
 }
 
 /// A time at which `wrong` holds, or around which `fine` fails over the shortest interval there is; nothing if `fine`

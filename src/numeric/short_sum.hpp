@@ -1,10 +1,12 @@
 // Numbers given exactly as sums of a few doubles: enough for events that differ by a displacement only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "numeric/exact_sum.hpp"
+#include "numeric/fixed.hpp"
 #include "numeric/real.hpp"
 
 namespace taut {
@@ -17,6 +19,11 @@ class ShortSum {
   ShortSum() = default;
   explicit ShortSum(double x) {
     if (x != 0) part_[size_++] = x;
+  }
+  explicit ShortSum(const Fixed& x) {
+    static_assert(Fixed::most_parts <= capacity);
+    x.each_part([this](double part) { part_[size_++] = part; });
+    std::reverse(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(size_));
   }
   /// Of a sum with few enough terms.
   template <std::size_t Terms>

@@ -4,12 +4,15 @@
 #include <iterator>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 namespace taut {
 namespace {
 
 /// The sweep runs along (1, tilt).
 constexpr double tilt = 0.4390625173;
+/// In units of interruption_point().
+constexpr std::uint64_t work_of_precise = 15;
 static_assert(1 + tilt * tilt < Placement::steepest_key * Placement::steepest_key);
 
 }  // namespace
@@ -124,64 +127,73 @@ bool Placement::before(VertexId a, VertexId b) const {
   if (-d > key_error_) return true;
   if (a == b) return false;
   ++precise_calls_;
+  count_work(work_of_precise);
+  if (const int s = order_in<FixedBall>(a, b)) return s < 0;
   for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int s = with_stage(stage, [&](auto zero) { return order_at<decltype(zero)>(a, b); })) return s < 0;
+    if (const int s = with_stage(stage, [&](auto zero) { return order_in<Ball<decltype(zero)>>(a, b); })) return s < 0;
   }
   throw Undecidable{"the order of two vertices along the sweep"};
 }
 
-template <class Real>
-const Frame<Real>& Placement::frame_at() const {
-  auto& f = std::get<std::optional<Frame<Real>>>(frames_);
-  if (!f) f = frame(*leg_, Ball<Real>::exact(t_));
-  return *f;
+template <class N>
+const Placement::PoseIn<N>& Placement::pose_in() const {
+  auto& pose = std::get<std::optional<PoseIn<N>>>(poses_);
+  if (pose) return *pose;
+  if constexpr (std::is_same_v<N, FixedBall>) {
+    const PoseIn<Ball<Real320>>& from = pose_in<Ball<Real320>>();
+    pose = {FixedBall::of(from.x), FixedBall::of(from.y), FixedBall::of(from.c), FixedBall::of(from.s)};
+  } else {
+    const auto f = frame(*leg_, N::exact(t_)).for_pp;
+    pose = {f[1].v, f[2].v, f[3].v, f[4].v};
+  }
+  return *pose;
 }
 
-template <class Real>
-void Placement::position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<Real>& y) const {
-  using B = Ball<Real>;
+template <class N>
+void Placement::position(VertexId v, N& x, N& y) const {
   if (v.value >= size()) {
-    x = B::exact(corners_[v.value - size()].x);
-    y = B::exact(corners_[v.value - size()].y);
+    x = N::exact(corners_[v.value - size()].x);
+    y = N::exact(corners_[v.value - size()].y);
     return;
   }
   const DisplacedPoint& p = geometry_->point(v);
   const bool of_p = v.value < geometry_->np;
-  B px = B::exact(p.x) + B::exact(p.dx), py = B::exact(p.y) + B::exact(p.dy);
+  N px = N::exact(p.x) + N::exact(p.dx), py = N::exact(p.y) + N::exact(p.dy);
   add_offset(*leg_, of_p, px, py);
   if (of_p) {
     x = px;
     y = py;
     return;
   }
-  const B &c = f.for_pp[3].v, &sine = f.for_pp[4].v;
-  x = f.for_pp[1].v + c * px - sine * py;
-  y = f.for_pp[2].v + sine * px + c * py;
+  const PoseIn<N>& pose = pose_in<N>();
+  x = pose.x + pose.c * px - pose.s * py;
+  y = pose.y + pose.s * px + pose.c * py;
 }
 
-template <class Real>
-int Placement::orientation_at(VertexId a, VertexId b, VertexId c) const {
-  const Frame<Real>& f = frame_at<Real>();
-  Ball<Real> ax, ay, bx, by, cx, cy;
-  position(a, f, ax, ay);
-  position(b, f, bx, by);
-  position(c, f, cx, cy);
+template <class N>
+int Placement::orientation_in(VertexId a, VertexId b, VertexId c) const {
+  N ax, ay, bx, by, cx, cy;
+  position(a, ax, ay);
+  position(b, bx, by);
+  position(c, cx, cy);
   return ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).sign();
 }
 
-template <class Real>
-int Placement::order_at(VertexId a, VertexId b) const {
-  const Frame<Real>& f = frame_at<Real>();
-  Ball<Real> ax, ay, bx, by;
-  position(a, f, ax, ay);
-  position(b, f, bx, by);
-  return ((ax - bx) + (ay - by) * tilt).sign();
+template <class N>
+int Placement::order_in(VertexId a, VertexId b) const {
+  N ax, ay, bx, by;
+  position(a, ax, ay);
+  position(b, bx, by);
+  return ((ax - bx) + (ay - by) * N::exact(tilt)).sign();
 }
 
 int Placement::precise_orientation(VertexId a, VertexId b, VertexId c) const {
   ++precise_calls_;
+  count_work(work_of_precise);
+  if (const int s = orientation_in<FixedBall>(a, b, c)) return s;
   for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int s = with_stage(stage, [&](auto zero) { return orientation_at<decltype(zero)>(a, b, c); })) return s;
+    if (const int s = with_stage(stage, [&](auto zero) { return orientation_in<Ball<decltype(zero)>>(a, b, c); }))
+      return s;
   }
   throw Undecidable{"the orientation of three vertices"};
 }

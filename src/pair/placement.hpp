@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "numeric/fixed.hpp"
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
 
@@ -65,17 +66,22 @@ class Placement {
     const double x = p.x + before_turn_.x, y = p.y + before_turn_.y, c = pose_q_.c, s = pose_q_.s;
     return {after_turn_.x + (c * x - s * y), after_turn_.y + (s * x + c * y)};
   }
-  template <class Real>
-  void position(VertexId v, const Frame<Real>& f, Ball<Real>& x, Ball<Real>& y) const;
-  template <class Real>
-  int orientation_at(VertexId a, VertexId b, VertexId c) const;
-  template <class Real>
-  int order_at(VertexId a, VertexId b) const;
+  /// From Q's coordinates to P's frame, in numbers that bound their errors.
+  template <class N>
+  struct PoseIn {
+    N x, y, c, s;
+  };
+  template <class N>
+  const PoseIn<N>& pose_in() const;
+  template <class N>
+  void position(VertexId v, N& x, N& y) const;
+  template <class N>
+  int orientation_in(VertexId a, VertexId b, VertexId c) const;
+  template <class N>
+  int order_in(VertexId a, VertexId b) const;
   double orientation_bound(double products, double differences, double coordinate) const;
   int close_orientation(VertexId a, VertexId b, VertexId c) const;
   int precise_orientation(VertexId a, VertexId b, VertexId c) const;
-  template <class Real>
-  const Frame<Real>& frame_at() const;
 
   const PairGeometry* geometry_;
   const Leg* leg_;
@@ -89,8 +95,9 @@ class Placement {
   double coarse_bound_ = 0;         ///< of any three vertices' determinant
   double key_error_ = 0;            ///< of each difference of keys_
   template <class... Reals>
-  static std::tuple<std::optional<Frame<Reals>>...> one_frame_each(const std::tuple<Reals...>&);
-  mutable decltype(one_frame_each(Precisions())) frames_;  ///< made when first asked for
+  static std::tuple<std::optional<PoseIn<FixedBall>>, std::optional<PoseIn<Ball<Reals>>>...> one_each(
+      const std::tuple<Reals...>&);
+  mutable decltype(one_each(Precisions())) poses_;  ///< made when first asked for
   mutable std::uint64_t precise_calls_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -58,6 +60,7 @@ void bound(FrameModel& m, int i, const ModelSeries<double>& at_middle, const Mod
 }  // namespace
 
 FrameModel FrameModel::over(const Leg& leg, double start, double end) {
+  count_work(leg.translation ? 8 : leg.composed ? 150 : 50);
   FrameModel m;
   const Ball<double> whole = Ball<double>::between(start, end);
   m.start = start;

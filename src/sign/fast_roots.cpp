@@ -123,7 +123,15 @@ bool FastRoots::follow(Root& r, const Course& now, double t, int cells) {
   const double least = r.sign * now.value.value - now.value.error;
   const double h = lasts(r, now, least);
   if (h < now.cell.end - now.t && isolate(r, now, std::max(t, below(now.t + h)))) return true;
-  return holds_on(r, now, t, least, h, cells);
+  return holds_on(r, now, t, least, h, cells) || isolate_across(r, now, t);
+}
+
+/// A root at the end of a cell, where those of symmetric motions like to be, is within a wider one.
+bool FastRoots::isolate_across(Root& r, const Course& now, double t) {
+  const double end = now.cell.end;
+  if (!now.local || end >= leg().end || !(end - t < 0x1p-20 * (end - now.cell.start))) return false;
+  Course wide = now;
+  return widen(r.function, wide, now.t, above(end)) && isolate(r, wide, t);
 }
 
 bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
@@ -136,11 +144,28 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
   const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
   if (slope > error) return holds_on(r, now, now.t, 0, lasts(r, now, 0));
   if (-slope > error && !own && isolate(r, now, instant.lo)) {
-    r.kind = RootKind::isolated;
-    // Reports show this enclosure: where doubles see little, as near t = 0, high precision is worth its price.
-    return r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi);
+    // Reports show this enclosure: it is as short as doubles can make it, or is made so when it matters.
+    if (r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi)) r.kind = RootKind::isolated;
+    return true;
   }
   return false;
+}
+
+std::optional<PlaceOfTurn> FastRoots::turn_near(const FastFunction& f, double t) {
+  Course now = course(f, t);
+  const double start = now.cell.start, end = now.cell.end;
+  if (!now.local || !(std::fabs(now.bend.value) > 2 * now.bend.error)) return std::nullopt;
+  // The second step starts where slopes are small.
+  for (int step = 0; step < 2; ++step) {
+    const double at = now.t - now.slope.value / now.bend.value;
+    if (!(at >= start && at < end && std::fabs(at - t) < 0x1p-8 * (end - start))) return std::nullopt;
+    now = course(f, at);
+  }
+  // The bend keeps its sign for so long, and did so from t on.
+  const double steady = 0.5 * (std::fabs(now.bend.value) - now.bend.error), least = 0x1p-6 * (end - start);
+  const double lasting = steady > now.third * (end - start) ? end - start : steady / now.third;
+  if (!(lasting > least)) return std::nullopt;
+  return PlaceOfTurn{now.t, std::min(end, now.t + lasting * (1 - 0x1p-40))};
 }
 
 /// Encloses a bracketed root within a few ulps, if doubles can. Most cells have a polynomial that is as good as the

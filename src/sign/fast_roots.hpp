@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "relative/leg_clock.hpp"
 #include "sign/root.hpp"
@@ -31,6 +32,11 @@ struct Course {
   }
 };
 
+/// About where a function turns, and until when it bends to one side from there on.
+struct PlaceOfTurn {
+  double at, until;
+};
+
 class FastRoots {
  public:
   /// Answers are counted in `counts`. Both must outlive it.
@@ -54,6 +60,8 @@ class FastRoots {
   /// born, and another one is zero at the same instant, or it was so itself (`own`). If it certainly rises or falls
   /// there, doubles are good enough to go on.
   bool follow_from_zero(Root& r, const Instant& instant, bool own);
+  /// Where the function turns, if that is so near that doubles see little else of it, and its cell is smooth.
+  std::optional<PlaceOfTurn> turn_near(const FastFunction& f, double t);
   /// Encloses a bracketed root within a few ulps, if doubles can.
   void enclose(Root& r);
   /// Where the function was evaluated when a root was last enclosed: the frame is known there.
@@ -69,6 +77,7 @@ class FastRoots {
   double positive_beyond(const Root& r, const Course& now, double value, int cells);
   bool holds_on(Root& r, const Course& now, double t, double least, double lasting, int cells = all_cells);
   bool isolate(Root& r, const Course& now, double from);
+  bool isolate_across(Root& r, const Course& now, double t);
   bool narrow(Root& r);
   void newton(Root& r);
   bool newton_step(Root& r, const Course& here);

@@ -34,16 +34,17 @@ struct Instant {
   /// What is known of it so far.
   PreciseTime enclosure() const { return known ? *known : PreciseTime::between(lo, hi); }
   /// Encloses it, t, as well as a stage can; false if that does not do.
-  bool refine(const Leg& leg, const PairGeometry& g, int stage, PreciseTime& t) const {
-    return !event || PreciseTriple(leg, g, Form::of(g, u, v, w)).refine(sign, t, stage);
+  bool refine(const Leg& leg, const PairGeometry& g, int stage, PreciseTime& t, TieFrames* ties = nullptr) const {
+    return !event || PreciseTriple(leg, g, Form::of(g, u, v, w), ties).refine(sign, t, stage);
   }
 };
 
 /// The sign of a form at an instant, enclosed by t, by the first stage that can tell; 0 if none can.
-inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t) {
-  const PreciseTriple f(leg, g, form);
+inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t,
+                   TieFrames* ties = nullptr) {
+  const PreciseTriple f(leg, g, form, ties);
   for (int stage = 0; stage < precise_stages; ++stage) {
-    if (!instant.refine(leg, g, stage, t)) continue;
+    if (!instant.refine(leg, g, stage, t, ties)) continue;
     if (const int s = f.sign_at(t, stage)) return s;
   }
   return 0;

@@ -1,8 +1,10 @@
 // A form as a function of the leg's parameter, at high precision.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
+#include "base/interruption.hpp"
 #include "sign/form.hpp"
 #include "sign/vanishing.hpp"
 
@@ -11,6 +13,13 @@ namespace taut {
 /// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
 template <class Real>
 class PreciseFunction {
+  /// In units of interruption_point(): a turn needs a sine and a cosine.
+  static std::uint64_t work_of_value(const Leg& leg) {
+    constexpr std::uint64_t bits = RealTraits<Real>::bits;
+    if (std::is_same_v<Real, double>) return leg.translation ? 2 : 10;
+    return leg.translation ? bits / 8 : bits * bits / 256;
+  }
+
  public:
   PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form) : leg_(leg), pp_(form.pp) {
     const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced);
@@ -24,6 +33,7 @@ class PreciseFunction {
 
   /// Value and derivatives over the ball t of the leg's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const {
+    count_work(2 * work_of_value(leg_));
     if (leg_.translation) return polynomial_range(polynomial_, t);
     const Frame<Real> f = frame(leg_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
@@ -32,6 +42,7 @@ class PreciseFunction {
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
+    count_work(2 * work_of_value(leg_));
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
@@ -54,6 +65,7 @@ class PreciseFunction {
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
+    count_work(work_of_value(leg_));
     if (leg_.translation) return polynomial_value(polynomial_, t);
     const FrameValues<Real> f = frame_values(leg_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
@@ -94,6 +106,7 @@ class PreciseFunction {
     const Real lo = std::min<Real>(t.lower(), std::max<Real>(t.mid - 4 * t.rad, Real(leg_.start)));
     const Real hi = std::max<Real>(t.upper(), std::min<Real>(t.mid + 4 * t.rad, Real(leg_.end)));
     const Ball<Real> over = Ball<Real>::between(lo, hi), middle(over.mid, 0.0);
+    count_work(5 * work_of_value(leg_));
     model_ = Model{lo, hi, over.mid, over.rad, taylor_polynomial(frame_series(leg_, middle), frame_series(leg_, over))};
   }
 

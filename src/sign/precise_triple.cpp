@@ -181,6 +181,14 @@ const ExactLine* PreciseTriple::line() const {
   return line_->exact() ? &*line_ : nullptr;
 }
 
+/// The function about an instant given by sums of doubles, if it is of use there.
+std::optional<TieForm> PreciseTriple::near(const PreciseTime& t) const {
+  if (!ties_ || !t.has_sums()) return std::nullopt;
+  const TieFrame* const frame = ties_->around(t.floor(), t.ceiling());
+  if (!frame) return std::nullopt;
+  return TieForm(*frame, leg_, geometry_, form_);
+}
+
 template <class Real>
 void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
                                 double enough) const {
@@ -196,6 +204,10 @@ int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
   if (t.has_sums()) {
     const ExactLine* const exact = line();
     if (const int sign = exact ? exact->sign_over(t) : 0) return sign;
+    if (stage == 0) {
+      const std::optional<TieForm> tie = near(t);
+      if (const int sign = tie ? tie->sign_over(t) : 0) return sign;
+    }
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
@@ -256,6 +268,11 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
   if (stage == 0) {
     const ExactLine* const exact = line();
     if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
+      t = *root;
+      return true;
+    }
+    const std::optional<TieForm> tie = near(t);
+    if (const auto root = tie ? tie->root(sign, stage, enough) : std::nullopt) {
       t = *root;
       return true;
     }

@@ -8,14 +8,16 @@
 #include "sign/exact_line.hpp"
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
+#include "sign/tie_form.hpp"
 
 namespace taut {
 
 /// A form on a leg, at any precision.
 class PreciseTriple {
  public:
-  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form)
-      : leg_(leg), geometry_(geometry), form_(form) {}
+  /// `ties` is of the same leg, if there is one, and must outlive it.
+  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form, TieFrames* ties = nullptr)
+      : leg_(leg), geometry_(geometry), form_(form), ties_(ties) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
   int sign_at(const PreciseTime& t, int stage) const;
@@ -33,12 +35,14 @@ class PreciseTriple {
   };
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
+  std::optional<TieForm> near(const PreciseTime& t) const;
   template <class Real>
   void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
 
   const Leg& leg_;
   const PairGeometry& geometry_;
   Form form_;
+  TieFrames* ties_;
   mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };
 

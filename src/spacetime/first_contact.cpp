@@ -146,16 +146,15 @@ std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
 
 }  // namespace
 
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
-  constexpr double everywhere = std::numeric_limits<double>::infinity();
-  return first_contact(geometry, trees, legs, {-everywhere, everywhere, true});
-}
+namespace {
 
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                              const TimeWindow& window) {
+/// The first contact on the parts of legs that part(leg's number) gives.
+template <class Part>
+SpacetimeResult first_contact_on(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                                 const Part& part_of) {
   SpacetimeResult result;
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const std::optional<TimeInterval> part = clipped(legs[i], window);
+    const std::optional<TimeInterval> part = part_of(i);
     if (!part) continue;
     LegSearch search(geometry, trees, legs[i], part->lo);
     try {
@@ -177,6 +176,25 @@ SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& tree
   }
   result.outcome = SpacetimeResult::free;
   return result;
+}
+
+}  // namespace
+
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
+  return first_contact_from({0, legs.front().start}, geometry, trees, legs);
+}
+
+SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
+                                   const std::vector<Leg>& legs) {
+  return first_contact_on(geometry, trees, legs, [&](std::size_t i) -> std::optional<TimeInterval> {
+    if (i < place.leg) return std::nullopt;
+    return TimeInterval{i == place.leg ? place.parameter : legs[i].start, legs[i].end};
+  });
+}
+
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                              const TimeWindow& window) {
+  return first_contact_on(geometry, trees, legs, [&](std::size_t i) { return clipped(legs[i], window); });
 }
 
 std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,

@@ -37,6 +37,15 @@ struct SpacetimeResult {
 /// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
 
+/// A leg, and a parameter on it.
+struct LegPlace {
+  std::size_t leg = 0;
+  double parameter = 0;
+};
+/// The same from there on, up to which there is no contact.
+SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
+                                   const std::vector<Leg>& legs);
+
 /// A crossing of an edge by a vertex, on a leg.
 struct LegCrossing {
   VertexId vertex, edge;

@@ -1,0 +1,239 @@
+// Numbers of a fixed length with bounds of their errors: for events that differ by a displacement only.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "numeric/ball.hpp"
+#include "numeric/real.hpp"
+
+namespace taut {
+
+/// An integer times 2^-320, between -2^63 and 2^63, in two's complement. Everything about a pair of bodies is scaled to
+/// about 1, and what tells ties apart is about 2^-200: so the place of the point need not move, and a product costs a
+/// fraction of one of floating numbers as long. What is beyond the range is not noticed here but by FixedBall.
+class Fixed {
+ public:
+  static constexpr int limbs = 6, fraction_bits = 320;
+  /// A unit in the last place, and a bound of what a product loses.
+  static constexpr double unit = 0x1p-320, lost_in_product = 0x1p-316;
+  /// Doubles below this are within the range.
+  static constexpr double limit = 0x1p62;
+
+  Fixed() : limb_{} {}
+  /// Less than a unit nearer to zero than x, or x; requires |x| < limit.
+  explicit Fixed(double x) : limb_{} {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    const int exponent = static_cast<int>(bits >> 52 & 0x7ff);
+    std::uint64_t digits = (bits & 0xfffffffffffff) | (exponent > 0 ? std::uint64_t{1} << 52 : 0);
+    int place = std::max(exponent, 1) - 1075 + fraction_bits;
+    if (place < 0) {
+      digits = place > -64 ? digits >> -place : 0;
+      place = 0;
+    }
+    put(digits, place);
+    if (x < 0) negate();
+  }
+  /// The same of a binary number; requires that it is within the range.
+  template <unsigned Bits>
+  explicit Fixed(const BinaryFloat<Bits>& x) : limb_{} {
+    if (x.is_zero()) return;
+    const auto& mantissa = x.backend().bits();
+    using Limb = std::remove_cvref_t<decltype(*mantissa.limbs())>;
+    constexpr int limb_bits = std::numeric_limits<Limb>::digits;
+    int place = static_cast<int>(x.backend().exponent()) - static_cast<int>(Bits) + 1 + fraction_bits;
+    for (unsigned k = 0; k < mantissa.size(); ++k, place += limb_bits) {
+      std::uint64_t digits = mantissa.limbs()[k];
+      if (place >= 0) {
+        put(digits, place);
+      } else if (place > -limb_bits) {
+        put(digits >> -place, 0);
+      }
+    }
+    if (x.backend().sign()) negate();
+  }
+
+  bool is_negative() const { return static_cast<std::int64_t>(limb_[limbs - 1]) < 0; }
+  void negate() {
+    std::uint64_t carry = 1;
+    for (std::uint64_t& limb : limb_) {
+      limb = ~limb + carry;
+      carry = carry != 0 && limb == 0 ? 1 : 0;
+    }
+  }
+  friend Fixed operator-(Fixed a) {
+    a.negate();
+    return a;
+  }
+  friend Fixed operator+(Fixed a, const Fixed& b) {
+    Wide carry = 0;
+    for (std::size_t i = 0; i < limbs; ++i) {
+      carry += Wide{a.limb_[i]} + b.limb_[i];
+      a.limb_[i] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    return a;
+  }
+  friend Fixed operator-(const Fixed& a, const Fixed& b) { return a + -b; }
+  /// Less than lost_in_product nearer to zero than the product, or it.
+  friend Fixed operator*(const Fixed& a, const Fixed& b) {
+    const Fixed x = a.is_negative() ? -a : a, y = b.is_negative() ? -b : b;
+    // Row by row, columns of the full product from the one below the last place on: those below it are less than three
+    // units there. Most numbers have rows of zeros.
+    constexpr std::size_t first = fraction_bits / 64 - 1;
+    std::array<std::uint64_t, 2 * limbs> sum{};
+    for (std::size_t i = 0; i < limbs; ++i) {
+      if (x.limb_[i] == 0) continue;
+      Wide carry = 0;
+      for (std::size_t k = i < first ? first - i : 0; k < limbs; ++k) {
+        carry += Wide{x.limb_[i]} * y.limb_[k] + sum[i + k];
+        sum[i + k] = static_cast<std::uint64_t>(carry);
+        carry >>= 64;
+      }
+      sum[i + limbs] = static_cast<std::uint64_t>(carry);
+    }
+    Fixed result;
+    std::memcpy(result.limb_.data(), sum.data() + first + 1, sizeof result.limb_);
+    if (a.is_negative() != b.is_negative()) result.negate();
+    return result;
+  }
+
+  /// Within 2^-50 of it, relatively.
+  double approximate() const {
+    const Fixed size = is_negative() ? -*this : *this;
+    std::size_t top = limbs - 1;
+    while (top > 0 && size.limb_[top] == 0) --top;
+    double value = static_cast<double>(size.limb_[top]);
+    if (top > 0) value += static_cast<double>(size.limb_[top - 1]) * 0x1p-64;
+    value *= power_of_two(static_cast<int>(64 * top) - fraction_bits);
+    return is_negative() ? -value : value;
+  }
+  /// The same number as doubles that do not overlap, the largest first.
+  template <class Take>
+  void each_part(const Take& take) const {
+    const double sign = is_negative() ? -1 : 1;
+    Fixed size = is_negative() ? -*this : *this;
+    for (std::size_t k = limbs; k-- > 0;) {
+      while (size.limb_[k] != 0) {
+        // The 53 bits from the highest one on, as far as there are so many.
+        const int top = static_cast<int>(64 * k + std::bit_width(size.limb_[k])), place = std::max(top - 53, 0);
+        const std::uint64_t digits = size.take_from(place);
+        take(sign * static_cast<double>(digits) * power_of_two(place - fraction_bits));
+      }
+    }
+  }
+  static constexpr std::size_t most_parts = 8;
+
+ private:
+  __extension__ using Wide = unsigned __int128;
+
+  /// Sets bits that are not set yet.
+  void put(std::uint64_t digits, int place) {
+    const auto k = static_cast<std::size_t>(place / 64);
+    const int shift = place % 64;
+    if (k >= limbs) return;
+    limb_[k] |= digits << shift;
+    if (shift > 0 && k + 1 < limbs) limb_[k + 1] |= digits >> (64 - shift);
+  }
+
+  /// All bits from a place on, at most 53; they are zero afterwards.
+  std::uint64_t take_from(int place) {
+    const auto k = static_cast<std::size_t>(place / 64);
+    const int shift = place % 64;
+    std::uint64_t digits = limb_[k] >> shift;
+    limb_[k] &= (std::uint64_t{1} << shift) - 1;
+    if (k + 1 < limbs && limb_[k + 1] != 0) {
+      digits |= limb_[k + 1] << (64 - shift);
+      limb_[k + 1] = 0;
+    }
+    return digits;
+  }
+
+  std::array<std::uint64_t, limbs> limb_;
+};
+
+/// A number of fixed length, how far from it the true one is at most, and how large that is at most. What leaves the
+/// range may be anything.
+class FixedBall {
+ public:
+  FixedBall() = default;
+  static FixedBall exact(double x) {
+    const double size = std::fabs(x);
+    if (!(size < Fixed::limit)) return anything();
+    // From 2^-267 on, the last of 53 bits is a unit at least.
+    return FixedBall(Fixed(x), size >= 0x1p-267 || size == 0 ? 0 : Fixed::unit, size);
+  }
+  template <unsigned Bits>
+  static FixedBall of(const Ball<BinaryFloat<Bits>>& x) {
+    const double size = RealTraits<BinaryFloat<Bits>>::magnitude(x.mid);
+    if (!(size < Fixed::limit)) return anything();
+    return FixedBall(Fixed(x.mid), (x.rad + Fixed::unit) * up, size + x.rad + Fixed::unit);
+  }
+  FixedBall(const Fixed& mid, double rad, double most) : mid_(mid), rad_(rad), most_(most) {}
+
+  const Fixed& mid() const { return mid_; }
+  double rad() const { return rad_; }
+  /// A bound of its magnitude.
+  double most() const { return most_; }
+  bool is_zero() const { return most_ == 0; }
+  /// A double nearby, and how far from it the true number is at most.
+  double about() const { return mid_.approximate(); }
+  double error_of(double about) const { return (rad_ + std::fabs(about) * 0x1p-49) * up; }
+  /// -1 or 1 if that is certain, else 0.
+  int sign() const {
+    const double x = about(), error = error_of(x);
+    return x > error ? 1 : (-x > error ? -1 : 0);
+  }
+  /// The same, with the magnitude known better where terms have cancelled.
+  FixedBall tightened() const {
+    const double size = std::fabs(about());
+    return {mid_, rad_, std::min(most_, (size * up + rad_) * up)};
+  }
+  void widen(double by) {
+    rad_ = (rad_ + by) * up;
+    most_ = (most_ + by) * up;
+    check();
+  }
+
+  friend FixedBall operator-(FixedBall a) {
+    a.mid_.negate();
+    return a;
+  }
+  friend FixedBall operator+(const FixedBall& a, const FixedBall& b) {
+    FixedBall sum(a.mid_ + b.mid_, (a.rad_ + b.rad_) * up, (a.most_ + b.most_) * up);
+    sum.check();
+    return sum;
+  }
+  friend FixedBall operator-(const FixedBall& a, const FixedBall& b) { return a + -b; }
+  friend FixedBall operator*(const FixedBall& a, const FixedBall& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    FixedBall product(a.mid_ * b.mid_, (a.most_ * b.rad_ + b.most_ * a.rad_ + Fixed::lost_in_product) * up,
+                      (a.most_ * b.most_ + Fixed::lost_in_product) * up);
+    product.check();
+    return product;
+  }
+
+ private:
+  static constexpr double up = 1 + 0x1p-50;
+
+  static FixedBall anything() {
+    FixedBall x;
+    x.rad_ = x.most_ = std::numeric_limits<double>::infinity();
+    return x;
+  }
+  void check() {
+    if (!(most_ < Fixed::limit)) *this = anything();  // not a number neither
+  }
+
+  Fixed mid_;
+  double rad_ = 0, most_ = 0;
+};
+
+}  // namespace taut

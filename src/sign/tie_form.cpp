@@ -1,0 +1,138 @@
+#include "sign/tie_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double up = 1 + 0x1p-45;
+
+/// The time since `about`, of a sum of doubles.
+FixedBall since(double about, const ShortSum& t) {
+  FixedBall h = -FixedBall::exact(about);
+  for (std::size_t i = t.size(); i-- > 0;) h = h + FixedBall::exact(t.part(i));
+  return h.tightened();
+}
+
+/// Exactly this number.
+FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * up}; }
+
+}  // namespace
+
+TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form)
+    : about_(frame.about), reach_(frame.reach), power_(frame.power) {
+  count_work(20);
+  const FormPoints<FixedBall> points = points_of<FixedBall>(leg, g, form, Shape::displaced);
+  const std::array<FixedBall, 5> a = coefficients_on(leg, form.pp, points, FixedBall());
+  const auto& functions = frame.functions(form.pp);
+  for (std::size_t i = 0; i < 5; ++i) {
+    if (a[i].is_zero()) continue;
+    for (std::size_t k = 0; k < TieFrame::terms; ++k) {
+      if (functions[i][k].is_zero()) continue;
+      c_[k] = c_[k] + a[i] * functions[i][k];
+      terms_ = std::max(terms_, k + 1);
+    }
+    rest_ = (rest_ + a[i].most() * frame.rest(form.pp)[i]) * up;
+  }
+  c_[0].widen(rest_ * power_[TieFrame::terms] * up);
+  set_steepness();
+}
+
+/// What the slope at the instant tells of that within reach.
+void TieForm::set_steepness() {
+  const double slope = c_[1].about();
+  double change = 0;
+  for (std::size_t k = 2; k < terms_; ++k) change += static_cast<double>(k) * c_[k].most() * power_[k - 1];
+  change += static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1];
+  change = (change + c_[1].error_of(slope)) * up;
+  steep_ = {(std::fabs(slope) - change) / up, (std::fabs(slope) + change) * up, slope};
+}
+
+FixedBall TieForm::value(const FixedBall& h) const {
+  FixedBall sum;
+  for (std::size_t k = terms_; k-- > 0;) sum = sum * h + c_[k];
+  return sum;
+}
+
+int TieForm::sign_over(const PreciseTime& t) const {
+  const double width = t.width_of_sums();
+  const FixedBall from = since(about_, t.sum_lo());
+  if (!(from.most() + width <= reach_)) return 0;
+  const FixedBall v = value(from);
+  const double about = v.about(), sure = std::fabs(about) - v.error_of(about) - width * steep_.most * up;
+  if (!(sure > 0)) return 0;
+  return about > 0 ? 1 : -1;
+}
+
+std::optional<PreciseTime> TieForm::root(int sign, int stage, double enough) const {
+  if (!(steep_.least > 0) || (steep_.signed_about > 0) != (sign < 0)) return std::nullopt;
+  FixedBall h;
+  double error = INFINITY;
+  // Each step gains nearly as many bits as the slope at the instant is right to.
+  for (int left = 12;; --left) {
+    const FixedBall v = value(h);
+    const double about = v.about(), noise = v.error_of(about), before = error;
+    // By the mean value theorem.
+    error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * up;
+    if (left == 0 || !(error < before) || error <= enough || !(std::fabs(about) > 4 * noise)) break;
+    h = chosen(h.mid() + Fixed(std::clamp(-about / steep_.signed_about, -reach_, reach_)));
+  }
+  return around(h.mid(), error, stage);
+}
+
+/// The enclosure of what is no farther than `error` from h.
+std::optional<PreciseTime> TieForm::around(const Fixed& h, double error, int stage) const {
+  if (!(std::fabs(h.approximate()) * up + error < reach_)) return std::nullopt;
+  const FixedBall about = FixedBall::exact(about_);
+  if (about.rad() > 0) return std::nullopt;
+  const Fixed at = about.mid() + h, spread = Fixed(error * up) + Fixed(Fixed::unit);
+  return PreciseTime(ShortSum(at - spread), ShortSum(at + spread), stage);
+}
+
+FixedBall TieForm::slope(const FixedBall& h) const {
+  FixedBall sum;
+  for (std::size_t k = terms_; k-- > 1;) sum = sum * h + c_[k] * FixedBall::exact(static_cast<double>(k));
+  // Of what the terms leave out.
+  sum.widen(static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1] * up);
+  return sum;
+}
+
+std::optional<TieForm::Turn> TieForm::turn() const {
+  const double bend = 2 * c_[2].about();
+  double change = 2 * c_[2].error_of(bend);
+  for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most() * power_[k - 2];
+  constexpr double last = TieFrame::terms * (TieFrame::terms - 1.0);
+  const double least = std::fabs(bend) - (change + last * rest_ * power_[TieFrame::terms - 2]) * up;
+  if (!(least > 0)) return std::nullopt;
+  Fixed h;
+  double steep = 0, noise = 0;
+  for (int left = 8;; --left) {
+    const FixedBall s = slope(chosen(h));
+    steep = s.about();
+    noise = s.error_of(steep);
+    if (left == 0 || !(std::fabs(steep) > 4 * noise)) break;
+    h = h + Fixed(std::clamp(-steep / bend, -reach_, reach_));
+    if (!(std::fabs(h.approximate()) < 0.5 * reach_)) return std::nullopt;
+  }
+  // The extreme is as much beyond the value here as the slope that is left makes of it.
+  FixedBall v = value(chosen(h));
+  const double open = std::fabs(steep) + noise;
+  if (!(open < 0.25 * reach_ * least)) return std::nullopt;
+  v.widen(open * open / least);
+  if (v.sign() == 0) return std::nullopt;
+  return Turn{h, v.sign(), bend > 0 ? 1 : -1, std::sqrt(2 * std::fabs(v.about() / bend))};
+}
+
+std::optional<PreciseTime> TieForm::root_beside(const Turn& turn, int side, int stage) const {
+  const double error = 0x1p-24 * turn.half_gap;
+  const Fixed root = turn.at + Fixed(side * turn.half_gap);
+  // The value has the turn's sign on the near side of the root, and the other one beyond.
+  const auto sign_at = [&](double h) { return value(chosen(root + Fixed(h))).sign(); };
+  if (sign_at(-side * error) != turn.value_sign || sign_at(side * error) != -turn.value_sign) return std::nullopt;
+  return around(root, error, stage);
+}
+
+}  // namespace taut

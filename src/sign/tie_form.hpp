@@ -1,0 +1,57 @@
+// A form near an instant at which much happens at once: see tie_frames.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "sign/form.hpp"
+#include "sign/precise_time.hpp"
+#include "sign/tie_frames.hpp"
+
+namespace taut {
+
+/// The form as a polynomial in the time since the frame's instant, the displacement included. Everything is enclosed;
+/// what these numbers are too short for is left to other stages.
+class TieForm {
+ public:
+  TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form);
+
+  /// At all instants of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not known.
+  int sign_over(const PreciseTime& t) const;
+  /// The root within the frame's reach, if the form has the sign `sign` before it and is monotone all over there; no
+  /// better enclosed than `enough`. Nothing if that is not known.
+  std::optional<PreciseTime> root(int sign, int stage, double enough) const;
+
+  /// Where the function turns: as symmetric mechanisms touch zero without the displacement.
+  struct Turn {
+    Fixed at;         ///< about there, since the frame's instant
+    int value_sign;   ///< of its extreme value
+    int bend_sign;    ///< of its second derivative, all over the reach
+    double half_gap;  ///< about how far from it the roots are, if the two signs differ
+  };
+  /// The only one within reach, if there is no other for certain, and its value's sign is known.
+  std::optional<Turn> turn() const;
+  /// The root before it (-1) or after it (1), if the two signs differ.
+  std::optional<PreciseTime> root_beside(const Turn& turn, int side, int stage) const;
+
+ private:
+  /// A double and a bound of its error.
+  struct Steepness {
+    double least, most;   ///< of the slope's magnitude within reach
+    double signed_about;  ///< the slope at the frame's instant
+  };
+
+  void set_steepness();
+  FixedBall value(const FixedBall& h) const;
+  FixedBall slope(const FixedBall& h) const;
+  std::optional<PreciseTime> around(const Fixed& h, double error, int stage) const;
+
+  double about_, reach_;
+  std::array<double, TieFrame::terms + 1> power_;  ///< of the reach
+  std::array<FixedBall, TieFrame::terms> c_;
+  std::size_t terms_ = 0;  ///< those from there on are zero
+  double rest_ = 0;        ///< a bound of the next coefficient
+  Steepness steep_{};
+};
+
+}  // namespace taut

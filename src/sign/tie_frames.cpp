@@ -1,0 +1,78 @@
+#include "sign/tie_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+double rest_of(const ModelSeries<double>& f) {
+  return f.terms > static_cast<int>(TieFrame::terms) ? f.c[TieFrame::terms].magnitude() : 0;
+}
+
+void take(const std::array<ModelSeries<Real320>, 5>& at, const std::array<ModelSeries<double>, 5>& over,
+          std::array<std::array<FixedBall, TieFrame::terms>, 5>& functions, std::array<double, 5>& rest) {
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t k = 0; k < TieFrame::terms; ++k) {
+      functions[i][k] = static_cast<int>(k) < at[i].terms ? FixedBall::of(at[i].c[k]) : FixedBall();
+    }
+    rest[i] = rest_of(over[i]);
+  }
+}
+
+std::array<double, TieFrame::terms + 1> powers_of(double x) {
+  std::array<double, TieFrame::terms + 1> power;
+  power[0] = 1;
+  for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] * x;
+  return power;
+}
+
+/// So near that the terms make up the functions, up to less than the numbers resolve; not at all, where it is singular.
+double reach_from(const Leg& leg, double about) {
+  const double least = 0x1p-50 * std::max(std::fabs(about), leg.end - leg.start);
+  for (double reach = 0x1p-34 * (leg.end - leg.start); reach > least; reach /= 4) {
+    const auto over = frame_series(leg, Ball<double>(about, reach));
+    double rest = 0;
+    for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i]) + rest_of(over.for_qq[i]);
+    if (rest * powers_of(reach).back() < Fixed::lost_in_product) return reach;
+  }
+  return 0;
+}
+
+TieFrame frame_about(const Leg& leg, double about) {
+  TieFrame made;
+  made.about = about;
+  made.reach = reach_from(leg, about);
+  if (made.reach == 0) return made;
+  made.power = powers_of(made.reach);
+  const auto at = frame_series(leg, Ball<Real320>::exact(about));
+  const auto over = frame_series(leg, Ball<double>(about, made.reach));
+  take(at.for_pp, over.for_pp, made.pp, made.pp_rest);
+  take(at.for_qq, over.for_qq, made.qq, made.qq_rest);
+  return made;
+}
+
+}  // namespace
+
+const TieFrame* TieFrames::around(double lo, double hi) {
+  if (!leg_ || leg_->bridge || (leg_->translation && leg_->degree <= 1)) return nullptr;
+  for (const TieFrame& frame : kept_) {
+    if (frame.reach == 0 && lo <= frame.about && frame.about <= hi) return nullptr;
+    if (lo >= frame.about - frame.reach && hi <= frame.about + frame.reach) return &frame;
+  }
+  count_work(leg_->translation ? 200 : 1000);
+  TieFrame& made = slot();
+  made = frame_about(*leg_, lo + (hi - lo) / 2);
+  return hi - made.about <= made.reach && made.about - lo <= made.reach ? &made : nullptr;
+}
+
+TieFrame& TieFrames::slot() {
+  if (kept_.empty()) kept_.reserve(most_kept);
+  if (kept_.size() < most_kept) return kept_.emplace_back();
+  next_ = (next_ + 1) % most_kept;
+  return kept_[next_];
+}
+
+}  // namespace taut

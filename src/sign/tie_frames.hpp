@@ -1,0 +1,56 @@
+// A leg's frame functions about instants at which much happens at once, to 2^-315 or so.
+//
+// Parts drawn on a grid, and mechanisms with equal teeth, have many events that only the displacement, or the rounding
+// of their coordinates, tells apart. All of them fall within a few units in the last place of one double. So the
+// frame's Taylor polynomials about that double are made once, in numbers of a fixed length, and serve them all: a form
+// there is a linear combination of these, its root a few steps of Newton's (TieForm), at a small part of what a search
+// in floating numbers as long costs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "numeric/fixed.hpp"
+#include "relative/leg.hpp"
+
+namespace taut {
+
+/// The functions' Taylor polynomials in the time since `about`, for times no farther from it than `reach`.
+struct TieFrame {
+  static constexpr std::size_t terms = model_degree;
+
+  double about = 0, reach = 0;
+  std::array<double, terms + 1> power{};  ///< of the reach: 1, reach, ...
+  std::array<std::array<FixedBall, terms>, 5> pp, qq;
+  /// Bounds of the next coefficient within reach: nothing else is left out.
+  std::array<double, 5> pp_rest{}, qq_rest{};
+
+  const std::array<std::array<FixedBall, terms>, 5>& functions(bool of_pp) const { return of_pp ? pp : qq; }
+  const std::array<double, 5>& rest(bool of_pp) const { return of_pp ? pp_rest : qq_rest; }
+};
+
+/// Those of one leg that were asked for last.
+class TieFrames {
+ public:
+  /// Prepares a leg; the reference must stay valid.
+  void reset(const Leg& leg) {
+    leg_ = &leg;
+    kept_.clear();
+    next_ = 0;
+  }
+  /// One that reaches over [lo, hi], valid until the next call; none where that is too long for it to be of use, on
+  /// straight legs and bridges, which have better ways, and where the motion is singular.
+  const TieFrame* around(double lo, double hi);
+
+ private:
+  static constexpr std::size_t most_kept = 16;
+
+  TieFrame& slot();
+
+  const Leg* leg_ = nullptr;
+  std::vector<TieFrame> kept_;
+  std::size_t next_ = 0;  ///< which was replaced last
+};
+
+}  // namespace taut

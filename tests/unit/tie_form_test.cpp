@@ -1,0 +1,153 @@
+// Forms about an instant, in numbers of a fixed length: against the same functions in 960 bits.
+#include "sign/tie_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/pieces.hpp"
+#include "pair/pair_plan.hpp"
+#include "relative/make_legs.hpp"
+#include "sign/precise_triple.hpp"
+#include "support/effort.hpp"
+#include "support/random_scenes.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// A pair on a curved way or turning, on a grid by turns, so that much coincides.
+struct CurvedSetting {
+  PairGeometry geometry;
+  std::vector<Leg> legs;
+
+  static CurvedSetting of(std::uint64_t seed) {
+    SceneOptions options;
+    options.grid = seed % 3 != 0;
+    const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
+    const PairPlan plan = plan_pair(scene);
+    CurvedSetting s;
+    s.geometry = displaced_pair(plan, seed % 2 == 0);
+    for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+      if (!leg.bridge && !(leg.translation && leg.degree <= 1)) s.legs.push_back(leg);
+    }
+    return s;
+  }
+  Form form(Rng& rng) const {
+    for (;;) {
+      const auto any = [&] { return VertexId(static_cast<std::uint32_t>(rng.below(geometry.size()))); };
+      const VertexId u = any(), v = any(), w = any();
+      const bool mixed = !(geometry.same_body(u, v) && geometry.same_body(v, w));
+      if (mixed && u != v && v != w && u != w) return Form::of(geometry, u, v, w);
+    }
+  }
+};
+
+TEST(TieForm, SignsAndRootsAreThoseOf960Bits) {
+  Rng rng(21);
+  std::uint64_t signs = 0, roots = 0, unknown = 0;
+  for (std::uint64_t seed = 0; seed < effort(500); ++seed) {
+    const CurvedSetting s = CurvedSetting::of(seed);
+    for (const Leg& leg : s.legs) {
+      TieFrames frames;
+      frames.reset(leg);
+      for (int k = 0; k < 6; ++k) {
+        const Form form = s.form(rng);
+        const PreciseTriple precise(leg, s.geometry, form);
+        const PreciseFunction<Real960> f(leg, s.geometry, form);
+        const int sign = f.value(Ball<Real960>::exact(leg.start)).sign();
+        std::optional<PreciseTime> failure;
+        try {
+          if (sign != 0) failure = precise.first_failure(sign, PreciseTime::between(leg.start, leg.start), leg.end);
+        } catch (const Undecidable&) {
+        }
+        if (!failure || !(failure->ceiling() < leg.end)) continue;
+        const TieFrame* const frame = frames.around(failure->floor(), failure->ceiling());
+        if (!frame) continue;
+        const TieForm tie(*frame, leg, s.geometry, form);
+        // An instant of some doubles nearby.
+        const ShortSum at(Fixed(frame->about) + Fixed(rng.real(-1, 1) * frame->reach * 0.4) +
+                          Fixed(rng.unit() * 0x1p-150));
+        const int found = tie.sign_over(PreciseTime(at, at, 0));
+        if (found != 0) {
+          ++signs;
+          EXPECT_EQ(found, f.value(Ball<Real960>(Real960(at.real()), 0.0)).sign()) << "seed " << seed;
+        }
+        const auto root = tie.root(sign, 0, 0);
+        if (!root) {
+          ++unknown;
+          continue;
+        }
+        ++roots;
+        PreciseTime deep = *failure;
+        if (!precise.refine(sign, deep, 2)) continue;
+        EXPECT_FALSE(root->certainly_before(deep)) << "seed " << seed;
+        EXPECT_FALSE(deep.certainly_before(*root)) << "seed " << seed;
+        EXPECT_LE(root->width_of_sums(), 0x1p-180);
+      }
+    }
+  }
+  EXPECT_GT(signs, effort(300));
+  EXPECT_GT(roots, effort(300));
+  EXPECT_LT(unknown, roots / 4);
+}
+
+/// A square with its lower corners on y = height rides on a parabola whose lowest point is at the time 1/4, over one
+/// with its upper edge on y = 0.
+Scene riding(double height) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"floor", {{-4, -1}, {4, -1}, {4, 0}, {-4, 0}}, {}}, {"rider", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}};
+  MotionPiece piece;
+  piece.x = {0.25};
+  piece.y = {height + 0.0625, -0.5, 1};
+  scene.bodies[1].motion = Motion{{piece}};
+  return scene;
+}
+
+TEST(TieForm, TurnsTellWhetherZeroIsReached) {
+  int reached = 0, missed = 0;
+  for (const double height : {0.0, 0x1p-56, -0x1p-56, 0x1p-50, -0x1p-50}) {
+    for (const bool inwards : {true, false}) {
+      const Scene scene = riding(height);
+      const PairPlan plan = plan_pair(scene);
+      const PairGeometry geometry = displaced_pair(plan, !inwards);
+      const Leg leg = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end).front();
+      TieFrames frames;
+      frames.reset(leg);
+      const TieFrame* const frame = frames.around(0.25 + 1e-12, 0.25 + 1e-12);
+      ASSERT_TRUE(frame);
+      for (std::uint32_t u = 0; u < geometry.size(); ++u) {
+        for (std::uint32_t v = 0; v < geometry.size(); ++v) {
+          const VertexId a(u), b = geometry.next(a), c(v);
+          if (geometry.same_body(a, c)) continue;
+          const Form form{a, b, c, geometry.in_p(a)};
+          const TieForm tie(*frame, leg, geometry, form);
+          const auto turn = tie.turn();
+          if (!turn) continue;
+          const PreciseFunction<Real960> f(leg, geometry, form);
+          const RealMax at = RealMax(frame->about) + ShortSum(turn->at).real();
+          EXPECT_EQ(f.value(Ball<Real960>(at, 0.0)).sign(), turn->value_sign);
+          if (turn->value_sign == turn->bend_sign) {
+            ++missed;
+            continue;
+          }
+          if (!(turn->half_gap < 0.25 * frame->reach)) continue;
+          ++reached;
+          for (const int side : {-1, 1}) {
+            const auto root = tie.root_beside(*turn, side, 0);
+            ASSERT_TRUE(root);
+            const int before = f.value(Ball<Real960>(root->lo(), 0.0)).sign();
+            const int after = f.value(Ball<Real960>(root->hi(), 0.0)).sign();
+            EXPECT_EQ(before, side < 0 ? turn->bend_sign : turn->value_sign);
+            EXPECT_EQ(after, side < 0 ? turn->value_sign : turn->bend_sign);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(reached, 0);
+  EXPECT_GT(missed, 0);
+}
+
+}  // namespace
+}  // namespace taut::testing
