@@ -162,6 +162,8 @@ class SeparationsVerifier {
     const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, Instant::exactly(since)};
     if (!(since >= last.start && since <= about)) throw ProofError("a contact before its leg");
     const Instant now = lifetimes.failure(corner, about);
+    if (!lifetimes.is_near(now, about) || !lifetimes.holds(corner, now))
+      throw ProofError("the vertex does not come to the edge's line from outside then");
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
     std::vector<LegStretch> way;
