@@ -36,9 +36,8 @@ void put_f64(std::string& out, double x) {
 /// What comes after the header, for an answer that is known.
 class SeparationsWriter {
  public:
-  SeparationsWriter(const WorldPlan& plan, const proof::ProvedScene& scene, Claim claim, bool inwards,
-                    double margin = 0)
-      : plan_(plan), scene_(scene), claim_(claim), world_(scene, inwards, margin) {}
+  SeparationsWriter(const proof::ProvedScene& scene, Claim claim, bool inwards, double margin = 0)
+      : scene_(scene), claim_(claim), world_(scene, inwards, margin) {}
 
   /// Nothing meets before `until`.
   std::string apart_until(double until) {
@@ -53,7 +52,7 @@ class SeparationsWriter {
     out_.push_back(crossing ? 0 : 1);
     put_u32(out_, crossing ? e.value : inside.value);
     put_u32(out_, crossing ? f.value : inside.value);
-    all_windows(plan_.start());
+    all_windows(scene_.start());
     return std::move(out_);
   }
 
@@ -104,7 +103,7 @@ class SeparationsWriter {
     put_u32(out_, static_cast<std::uint32_t>(result.b));
   }
   void all_windows(double until) {
-    WindowWriter(plan_, scene_, world_.room(), contact_pair_, out_, [this](const auto& pair, const WorldTime& time) {
+    WindowWriter(scene_, world_.room(), contact_pair_, out_, [this](const auto& pair, const WorldTime& time) {
       const proof::ProvedPair& met = world_.pair(pair.first, pair.second);
       section(met, proof::stretches(met.legs, time), {});
     }).write(until);
@@ -198,7 +197,6 @@ class SeparationsWriter {
 
   static constexpr int most_steps = 30;
 
-  const WorldPlan& plan_;
   const proof::ProvedScene& scene_;
   Claim claim_;
   proof::ProvedWorld world_;
@@ -228,19 +226,18 @@ const PairResult* headline(const Answer& answer, const std::vector<PairResult>& 
 /// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
 std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, const proof::ProvedScene& proved,
                                                          const Answer& answer, Touch touch) {
-  const WorldPlan& plan = *run.plan();
   const bool inwards = touch == Touch::open;
-  const double until = std::clamp(answer.free_until, plan.start(), plan.end());
+  const double until = std::clamp(answer.free_until, proved.start(), proved.end());
   if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free, SeparationsWriter(plan, proved, Claim::free, inwards).apart_until(plan.end()));
-  if (answer.outcome == Outcome::undecided && until > plan.start())
-    return std::pair(Claim::free_until, SeparationsWriter(plan, proved, Claim::free_until, inwards).apart_until(until));
+    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards).apart_until(proved.end()));
+  if (answer.outcome == Outcome::undecided && until > proved.start())
+    return std::pair(Claim::free_until, SeparationsWriter(proved, Claim::free_until, inwards).apart_until(until));
   if (answer.outcome != Outcome::contact) return std::nullopt;
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = headline(answer, results);
   if (named->touching)
-    return std::pair(Claim::touching, SeparationsWriter(plan, proved, Claim::touching, true).touching(*named));
-  return std::pair(Claim::contact, SeparationsWriter(plan, proved, Claim::contact, inwards).contact(*named, until));
+    return std::pair(Claim::touching, SeparationsWriter(proved, Claim::touching, true).touching(*named));
+  return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards).contact(*named, until));
 }
 
 }  // namespace
@@ -276,20 +273,18 @@ namespace {
 /// What an answer about a clearance comes to in a log.
 std::optional<std::pair<Claim, std::string>> body_about_clearance(const Scene& scene, const MarginAnswer& answer,
                                                                   double clearance, Touch touch) {
-  const WorldPlan plan(scene);
   const proof::ProvedScene proved(scene);
   const bool inwards = touch == Touch::open;
-  const double margin = std::ldexp(clearance, plan.exponent());
-  const double until = std::clamp(answer.free_until, plan.start(), plan.end());
+  const double margin = std::ldexp(clearance, proved.exponent());
+  const double until = std::clamp(answer.free_until, proved.start(), proved.end());
   if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free,
-                     SeparationsWriter(plan, proved, Claim::free, inwards, margin).apart_until(plan.end()));
-  if (answer.outcome == Outcome::undecided && until > plan.start())
+    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards, margin).apart_until(proved.end()));
+  if (answer.outcome == Outcome::undecided && until > proved.start())
     return std::pair(Claim::free_until,
-                     SeparationsWriter(plan, proved, Claim::free_until, inwards, margin).apart_until(until));
+                     SeparationsWriter(proved, Claim::free_until, inwards, margin).apart_until(until));
   if (answer.outcome != Outcome::contact) return std::nullopt;
   const PairMargin& first = *answer.first;
-  return std::pair(Claim::contact, SeparationsWriter(plan, proved, Claim::contact, inwards, margin)
+  return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards, margin)
                                        .closer(first.bodies, *first.features, {until, first.time.hi}));
 }
 

@@ -19,13 +19,14 @@ using proof::WorldTime;
 
 /// Windows are not halved more often.
 constexpr int deepest_written = 30;
+/// Boxes of half a window are much shorter if those of the window are so long beside the bodies' own.
+constexpr double long_beside = 1.5;
 /// So few bodies are all looked at in pairs.
 constexpr int few_bodies = 12;
 /// A box is worth its bytes if it tells a body apart from so many others.
 constexpr int pairs_for_a_box = 4;
-/// What boxes have around them beside their length, so that verifiers with coarser bounds see it, too; more where
-/// motions join badly.
-constexpr double shares_of_room[] = {0x1p-12, 0x1p-6};
+/// What boxes have around them beside their length, so that verifiers with coarser bounds see it, too.
+constexpr double share_of_room = 0x1p-12;
 
 float not_above(double x) {
   if (!(x > -3e38)) return -std::numeric_limits<float>::infinity();
@@ -34,8 +35,11 @@ float not_above(double x) {
 }
 float not_below(double x) { return -not_above(-x); }
 
-StatedBox around(const SweptBox& b, double room) {
-  return {not_above(b.lo_x - room), not_above(b.lo_y - room), not_below(b.hi_x + room), not_below(b.hi_y + room)};
+/// Along each axis with a share of its length: a body in a lane keeps to the lane.
+StatedBox around(const BoxedBody& b, double room) {
+  const double least = room + 0x1p-40 * (std::fabs(b.lo_x) + std::fabs(b.hi_x) + std::fabs(b.lo_y) + std::fabs(b.hi_y));
+  const double x = least + share_of_room * (b.hi_x - b.lo_x), y = least + share_of_room * (b.hi_y - b.lo_y);
+  return {not_above(b.lo_x - x), not_above(b.lo_y - y), not_below(b.hi_x + x), not_below(b.hi_y + y)};
 }
 
 /// What is within both. The borders of the second are those of stated boxes, so that nothing is rounded.
@@ -52,35 +56,31 @@ void put_f32(std::string& out, float x) {
 
 }  // namespace
 
-WindowWriter::WindowWriter(const WorldPlan& plan, const proof::ProvedScene& scene, double room, const Pair& except,
-                           std::string& out, Section section)
-    : plan_(plan),
-      scene_(scene),
+WindowWriter::WindowWriter(const proof::ProvedScene& scene, double room, const Pair& except, std::string& out,
+                           Section section)
+    : scene_(scene),
       room_(room),
       except_(except),
       out_(out),
       section_(std::move(section)),
       boxes_(scene),
-      fresh_(plan.bodies().size()) {
+      fresh_(static_cast<std::size_t>(scene.size())) {
   for (int i = 0; i < scene.size(); ++i) {
     const Bounds& b = scene[i].rings->bounds();
     sizes_.push_back(diagonal(b));
-    fresh_[static_cast<std::size_t>(i)].swept = {b.lo.x, b.lo.y, b.hi.x, b.hi.y};
+    fresh_[static_cast<std::size_t>(i)].reach = {b.lo.x, b.lo.y, b.hi.x, b.hi.y};
   }
 }
 
 WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) const {
   interruption_point();
-  Fresh fresh;
-  fresh.swept = swept_box(plan_.bodies()[static_cast<std::size_t>(body)], time.from, time.to);
-  if (!std::isfinite(fresh.swept.longest())) return fresh;
-  for (const double share : shares_of_room) {
-    const StatedBox box = around(fresh.swept, room_ + share * fresh.swept.longest());
-    if (!proof::stays_within(scene_[body], time, room_, box)) continue;
-    fresh.box = within(box, boxes_.of(body));
-    break;
-  }
-  return fresh;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::optional<BoxedBody> reach = proof::box_around(scene_[body], time);
+  if (!reach) return {{-infinite, -infinite, infinite, infinite}, {}};
+  const StatedBox box = around(*reach, room_);
+  // Where doubles do not tell, as with coordinates beyond those of a single.
+  if (!proof::stays_within(scene_[body], time, room_, box)) return {*reach, {}};
+  return {*reach, within(box, boxes_.of(body))};
 }
 
 /// Of a few pairs: does a body's box tell enough of them apart? Of all pairs, every box does.
@@ -104,20 +104,20 @@ std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, co
 /// Would boxes of halves be much shorter, and do so many meet now that a list of them is long?
 bool WindowWriter::better_halved(const std::vector<int>& moving) const {
   const auto longer = std::count_if(moving.begin(), moving.end(), [&](int i) {
-    return fresh_[static_cast<std::size_t>(i)].swept.longest() > 1.5 * sizes_[static_cast<std::size_t>(i)];
+    return fresh_[static_cast<std::size_t>(i)].reach.longest() > long_beside * sizes_[static_cast<std::size_t>(i)];
   });
   if (2 * static_cast<std::size_t>(longer) < moving.size()) return false;
   proof::WindowBoxes stated = boxes_;
   for (const int i : moving) {
     if (const auto& box = fresh_[static_cast<std::size_t>(i)].box) stated.state(i, as_doubles(*box));
   }
-  return !stated.meeting(scene_, 4 * plan_.bodies().size());
+  return !stated.meeting(scene_, 4 * static_cast<std::size_t>(scene_.size()));
 }
 
 /// Do shorter windows tell the pair apart?
 bool WindowWriter::is_left(const Pair& pair) const {
   const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
-  return is_long(fresh_[a].swept, fresh_[b].swept, sizes_[a] + sizes_[b]);
+  return fresh_[a].reach.longest() + fresh_[b].reach.longest() > long_beside * (sizes_[a] + sizes_[b]);
 }
 
 void WindowWriter::halves(const WorldTime& time, const OpenPairs& open, int depth) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "proof/open_pairs.hpp"
-#include "world/swept_box.hpp"
 
 namespace taut {
 
@@ -19,15 +18,14 @@ class WindowWriter {
   using Section = std::function<void(const Pair&, const proof::WorldTime&)>;
 
   /// `room` as proof::stays_within() wants it. Of the pair `except` nothing is written. All of them must outlive it.
-  WindowWriter(const WorldPlan& plan, const proof::ProvedScene& scene, double room, const Pair& except,
-               std::string& out, Section section);
+  WindowWriter(const proof::ProvedScene& scene, double room, const Pair& except, std::string& out, Section section);
 
   void write(double until) { window({scene_.start(), until, true}, {}, 0); }
 
  private:
   /// Where a body may be in the present window.
   struct Fresh {
-    SweptBox swept;
+    proof::BoxedBody reach;
     std::optional<proof::StatedBox> box;  ///< to be stated, if there is one
   };
 
@@ -38,7 +36,6 @@ class WindowWriter {
   bool better_halved(const std::vector<int>& moving) const;
   bool is_left(const Pair& pair) const;
 
-  const WorldPlan& plan_;
   const proof::ProvedScene& scene_;
   double room_;
   Pair except_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/interruption.hpp"
 #include "motion/pieces.hpp"
@@ -19,45 +20,57 @@ Ball<double> over_stretch(const Jet<double>& middle, const Jet<double>& over, do
   return by_slope.rad <= over.v.rad ? by_slope : over.v;
 }
 
-/// A body in its box: where is that while every motion of the chain follows one piece?
-class BoxWatch {
+/// Where the chain puts a point m of the body, as the origin of a pose. The point is taken relative to the pivot before
+/// anything is multiplied: far from the origin the two parts of a turn about a pivot nearly cancel.
+Pose<double> pose_about(const PieceChain& chain, const Point& m, const Ball<double>& t) {
+  using J = Jet<double>;
+  const MotionPiece& last = chain.back();
+  Pose<double> p{J::polynomial(last.x, t), J::polynomial(last.y, t), {}, {}};
+  rotation_jet(last.rotation, t, p.xx, p.xy);
+  if (orbits(last)) add_orbit(last, t, p.ox, p.oy);
+  const Point c = turns(last) ? last.pivot : m;
+  const J x = J::constant(m.x) - J::constant(c.x), y = J::constant(m.y) - J::constant(c.y);
+  p.ox = p.ox + J::constant(c.x) + (p.xx * x - p.xy * y);
+  p.oy = p.oy + J::constant(c.y) + (p.xy * x + p.xx * y);
+  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
+  return p;
+}
+
+/// A body while every motion of its chain follows one piece.
+class BodyReach {
  public:
-  BoxWatch(const Bounds& bounds, double room, const StatedBox& box)
+  explicit BodyReach(const Bounds& bounds)
       : middle_{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2},
         half_wide_((bounds.hi.x - bounds.lo.x) / 2),
-        half_high_((bounds.hi.y - bounds.lo.y) / 2),
-        room_(room),
-        box_(box) {}
+        half_high_((bounds.hi.y - bounds.lo.y) / 2) {}
 
-  bool holds(const PieceChain& chain, double from, double to, int halvings) const {
+  /// A box that it stays in; with numbers that are none where the motion is singular.
+  BoxedBody over(const PieceChain& chain, double from, double to) const {
+    const double half = (to - from) / 2 * (1 + 0x1p-50);
+    const Pose<double> whole = pose_about(chain, middle_, Ball<double>::between(from, to));
+    const Pose<double> at = pose_about(chain, middle_, Ball<double>::exact(from + (to - from) / 2));
+    const Ball<double> x = over_stretch(at.ox, whole.ox, half), y = over_stretch(at.oy, whole.oy, half);
+    // The rectangle as it is turned lies in a rectangle along the axes, and in a disc.
+    const double cosine = whole.xx.v.magnitude(), sine = whole.xy.v.magnitude(), disc = length(half_wide_, half_high_);
+    const double wide = std::min(disc, cosine * half_wide_ + sine * half_high_);
+    const double high = std::min(disc, sine * half_wide_ + cosine * half_high_);
+    const double rounding = 0x1p-45 * (x.magnitude() + y.magnitude() + half_wide_ + half_high_);
+    const double to_x = x.rad + wide + rounding, to_y = y.rad + high + rounding;
+    return {x.mid - to_x, y.mid - to_y, x.mid + to_x, y.mid + to_y};
+  }
+  /// Does it stay within the box, as far as some halvings tell?
+  bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
     interruption_point();
-    if (holds_at_once(chain, from, to)) return true;
+    const BoxedBody b = over(chain, from, to);
+    if (b.lo_x >= box.lo_x && b.lo_y >= box.lo_y && b.hi_x <= box.hi_x && b.hi_y <= box.hi_y) return true;
     const double m = from + (to - from) / 2;
-    return halvings > 0 && from < m && m < to && holds(chain, from, m, halvings - 1) &&
-           holds(chain, m, to, halvings - 1);
+    return halvings > 0 && from < m && m < to && within(box, chain, from, m, halvings - 1) &&
+           within(box, chain, m, to, halvings - 1);
   }
 
  private:
-  bool holds_at_once(const PieceChain& chain, double from, double to) const {
-    const double half = (to - from) / 2 * (1 + 0x1p-50);
-    const Pose<double> own{Jet<double>::constant(middle_.x), Jet<double>::constant(middle_.y),
-                           Jet<double>::constant(1.0), Jet<double>::constant(0.0)};
-    const Pose<double> over = compose(pose_of<Jet<double>>(chain, Ball<double>::between(from, to)), own);
-    const Pose<double> at = compose(pose_of<Jet<double>>(chain, Ball<double>::exact(from + (to - from) / 2)), own);
-    const Ball<double> x = over_stretch(at.ox, over.ox, half), y = over_stretch(at.oy, over.oy, half);
-    // The rectangle as it is turned lies in a rectangle along the axes, and in a disc.
-    const double cosine = over.xx.v.magnitude(), sine = over.xy.v.magnitude(), disc = length(half_wide_, half_high_);
-    const double wide = std::min(disc, cosine * half_wide_ + sine * half_high_);
-    const double high = std::min(disc, sine * half_wide_ + cosine * half_high_);
-    const double rounding = 0x1p-45 * (x.magnitude() + y.magnitude() + half_wide_ + half_high_ + room_);
-    const double to_x = x.rad + wide + room_ + rounding, to_y = y.rad + high + room_ + rounding;
-    return x.mid - to_x >= box_.lo_x && x.mid + to_x <= box_.hi_x && y.mid - to_y >= box_.lo_y &&
-           y.mid + to_y <= box_.hi_y;
-  }
-
   Point middle_;
-  double half_wide_, half_high_, room_;
-  const StatedBox& box_;
+  double half_wide_, half_high_;
 };
 
 /// The piece of each motion of the chain that holds at a time, and until when all of them do.
@@ -73,6 +86,33 @@ struct PiecesAt {
   }
 };
 
+/// Calls visit(chain, from, to, halvings) for all stretches of that time without a joint, and for the instants at
+/// joints at which some motions of the chain, the inner ones, have passed to the next piece. True if all calls are.
+template <class Visit>
+bool all_stretches(const MotionChain& motions, const WorldTime& time, const Visit& visit) {
+  for (double t = time.from;;) {
+    const PiecesAt now(motions, t);
+    if (!visit(now.chain, t, std::min(now.until, time.to), most_box_halvings)) return false;
+    // A joint at the very end belongs to this stretch.
+    if (now.until > time.to) return true;
+    t = now.until;
+    PieceChain mixed = PiecesAt(motions, t).chain;
+    for (std::size_t outer = 0; outer < mixed.size(); ++outer) {
+      if (!visit(mixed, t, t, 0)) return false;
+      mixed[outer] = now.chain[outer];
+    }
+    if (t >= time.to) return true;
+  }
+}
+
+/// Without the room, and what rounding it off may add.
+BoxedBody shrunk(const StatedBox& b, double room) {
+  const auto less = [room](double side, int away) {
+    return std::isinf(side) ? side : side + away * (room + 0x1p-50 * (std::fabs(side) + room));
+  };
+  return {less(b.lo_x, 1), less(b.lo_y, 1), less(b.hi_x, -1), less(b.hi_y, -1)};
+}
+
 }  // namespace
 
 StatedBox read_box(ByteReader& in) {
@@ -83,20 +123,23 @@ StatedBox read_box(ByteReader& in) {
 }
 
 bool stays_within(const ProvedBody& body, const WorldTime& time, double room, const StatedBox& box) {
-  const BoxWatch watch(body.rings->bounds(), room, box);
-  for (double t = time.from;;) {
-    const PiecesAt now(body.motions, t);
-    if (!watch.holds(now.chain, t, std::min(now.until, time.to), most_box_halvings)) return false;
-    // A joint at the very end belongs to this stretch.
-    if (now.until > time.to) return true;
-    t = now.until;
-    PieceChain mixed = PiecesAt(body.motions, t).chain;
-    for (std::size_t outer = 0; outer < mixed.size(); ++outer) {
-      if (!watch.holds(mixed, t, t, 0)) return false;
-      mixed[outer] = now.chain[outer];
-    }
-    if (t >= time.to) return true;
-  }
+  const BodyReach reach(body.rings->bounds());
+  const BoxedBody inner = shrunk(box, room);
+  return all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int halvings) {
+    return reach.within(inner, chain, from, to, halvings);
+  });
+}
+
+std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time) {
+  const BodyReach reach(body.rings->bounds());
+  BoxedBody all{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  const bool known = all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int) {
+    const BoxedBody b = reach.over(chain, from, to);
+    all = {std::min(all.lo_x, b.lo_x), std::min(all.lo_y, b.lo_y), std::max(all.hi_x, b.hi_x),
+           std::max(all.hi_y, b.hi_y)};
+    return std::isfinite(b.lo_x + b.lo_y + b.hi_x + b.hi_y);
+  });
+  return known ? std::optional(all) : std::nullopt;
 }
 
 }  // namespace taut::proof

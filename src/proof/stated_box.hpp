@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "proof/bytes.hpp"
 #include "proof/proved_scene.hpp"
@@ -30,6 +31,7 @@ struct StatedBox {
 struct BoxedBody {
   double lo_x, lo_y, hi_x, hi_y;
 
+  double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
   bool meets(const BoxedBody& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
 };
 
@@ -44,5 +46,8 @@ StatedBox read_box(ByteReader& in);
 /// time? At a joint also where a part of the chain of motions, the outermost ones, is before it still: from there
 /// bodies go straight to where they are after it. False where that is so, but by so little that doubles do not tell.
 bool stays_within(const ProvedBody& body, const WorldTime& time, double room, const StatedBox& box);
+
+/// A box in which the body, without room around it, stays; nothing where its motion is too wild to tell.
+std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time);
 
 }  // namespace taut::proof
