@@ -20,22 +20,6 @@ Ball<double> over_stretch(const Jet<double>& middle, const Jet<double>& over, do
   return by_slope.rad <= over.v.rad ? by_slope : over.v;
 }
 
-/// Where the chain puts a point m of the body, as the origin of a pose. The point is taken relative to the pivot before
-/// anything is multiplied: far from the origin the two parts of a turn about a pivot nearly cancel.
-Pose<double> pose_about(const PieceChain& chain, const Point& m, const Ball<double>& t) {
-  using J = Jet<double>;
-  const MotionPiece& last = chain.back();
-  Pose<double> p{J::polynomial(last.x, t), J::polynomial(last.y, t), {}, {}};
-  rotation_jet(last.rotation, t, p.xx, p.xy);
-  if (orbits(last)) add_orbit(last, t, p.ox, p.oy);
-  const Point c = turns(last) ? last.pivot : m;
-  const J x = J::constant(m.x) - J::constant(c.x), y = J::constant(m.y) - J::constant(c.y);
-  p.ox = p.ox + J::constant(c.x) + (p.xx * x - p.xy * y);
-  p.oy = p.oy + J::constant(c.y) + (p.xy * x + p.xx * y);
-  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
-  return p;
-}
-
 /// A body while every motion of its chain follows one piece.
 class BodyReach {
  public:
