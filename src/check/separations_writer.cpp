@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "check/apart_writer.hpp"
+#include "check/window_writer.hpp"
 #include "check/world_run.hpp"
 #include "numeric/undecided.hpp"
 #include "proof/header.hpp"
@@ -23,7 +24,6 @@ namespace {
 
 using proof::Claim;
 using proof::WorldTime;
-using Pairs = std::vector<std::pair<int, int>>;
 
 void put_u32(std::string& out, std::uint32_t x) {
   for (int i = 0; i < 4; ++i) out.push_back(static_cast<char>(x >> (8 * i) & 0xff));
@@ -36,10 +36,8 @@ void put_f64(std::string& out, double x) {
 /// What comes after the header, for an answer that is known.
 class SeparationsWriter {
  public:
-  SeparationsWriter(const WorldPlan& plan, Claim claim, bool inwards, double margin = 0)
-      : plan_(plan), claim_(claim), world_(plan, inwards, margin) {
-    for (const WorldBody& body : plan.bodies()) sizes_.push_back(diagonal(body.rings->bounds()));
-  }
+  SeparationsWriter(const proof::ProvedScene& scene, Claim claim, bool inwards, double margin = 0)
+      : scene_(scene), claim_(claim), world_(scene, inwards, margin) {}
 
   /// Nothing meets before `until`.
   std::string apart_until(double until) {
@@ -54,7 +52,7 @@ class SeparationsWriter {
     out_.push_back(crossing ? 0 : 1);
     put_u32(out_, crossing ? e.value : inside.value);
     put_u32(out_, crossing ? f.value : inside.value);
-    all_windows(plan_.start());
+    all_windows(scene_.start());
     return std::move(out_);
   }
 
@@ -105,31 +103,10 @@ class SeparationsWriter {
     put_u32(out_, static_cast<std::uint32_t>(result.b));
   }
   void all_windows(double until) {
-    const WorldTime all{plan_.start(), until, true};
-    windows(all, world_.meeting(all));
-  }
-
-  /// As the verifier reads them: a pair is left to the halves of a window where these tell more.
-  void windows(const WorldTime& time, const Pairs& pairs, int depth = 0) {
-    proof::BoxesOver boxes(plan_, time, world_.margin());
-    Pairs left;
-    for (const auto& pair : pairs) {
-      interruption_point();
-      if (pair == contact_pair_ || !boxes.meet(pair)) continue;
-      const double sizes = sizes_[static_cast<std::size_t>(pair.first)] + sizes_[static_cast<std::size_t>(pair.second)];
-      const bool later =
-          time.divisible() && depth < deepest && is_long(boxes.of(pair.first), boxes.of(pair.second), sizes);
-      out_.push_back(later ? 0 : 1);
-      if (later) {
-        left.push_back(pair);
-      } else {
-        const proof::ProvedPair& met = world_.pair(pair.first, pair.second);
-        section(met, proof::stretches(met.legs, time), {});
-      }
-    }
-    if (left.empty()) return;
-    windows({time.from, time.middle(), time.first}, left, depth + 1);
-    windows({time.middle(), time.to, false}, left, depth + 1);
+    WindowWriter(scene_, world_.room(), contact_pair_, out_, [this](const auto& pair, const WorldTime& time) {
+      const proof::ProvedPair& met = world_.pair(pair.first, pair.second);
+      section(met, proof::stretches(met.legs, time), {});
+    }).write(until);
   }
 
   void section(const proof::ProvedPair& pair, const std::vector<proof::LegStretch>& stretches,
@@ -219,13 +196,11 @@ class SeparationsWriter {
   }
 
   static constexpr int most_steps = 30;
-  static constexpr int deepest = 30;
 
-  const WorldPlan& plan_;
+  const proof::ProvedScene& scene_;
   Claim claim_;
   proof::ProvedWorld world_;
-  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
-  Pairs::value_type contact_pair_{-1, -1};
+  std::pair<int, int> contact_pair_{-1, -1};
   std::string out_;
 };
 
@@ -249,20 +224,20 @@ const PairResult* headline(const Answer& answer, const std::vector<PairResult>& 
 }
 
 /// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
-std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, const Answer& answer, Touch touch) {
-  const WorldPlan& plan = *run.plan();
+std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, const proof::ProvedScene& proved,
+                                                         const Answer& answer, Touch touch) {
   const bool inwards = touch == Touch::open;
-  const double until = std::clamp(answer.free_until, plan.start(), plan.end());
+  const double until = std::clamp(answer.free_until, proved.start(), proved.end());
   if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free, SeparationsWriter(plan, Claim::free, inwards).apart_until(plan.end()));
-  if (answer.outcome == Outcome::undecided && until > plan.start())
-    return std::pair(Claim::free_until, SeparationsWriter(plan, Claim::free_until, inwards).apart_until(until));
+    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards).apart_until(proved.end()));
+  if (answer.outcome == Outcome::undecided && until > proved.start())
+    return std::pair(Claim::free_until, SeparationsWriter(proved, Claim::free_until, inwards).apart_until(until));
   if (answer.outcome != Outcome::contact) return std::nullopt;
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = headline(answer, results);
   if (named->touching)
-    return std::pair(Claim::touching, SeparationsWriter(plan, Claim::touching, true).touching(*named));
-  return std::pair(Claim::contact, SeparationsWriter(plan, Claim::contact, inwards).contact(*named, until));
+    return std::pair(Claim::touching, SeparationsWriter(proved, Claim::touching, true).touching(*named));
+  return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards).contact(*named, until));
 }
 
 }  // namespace
@@ -276,7 +251,7 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   if (!run.search()) return answer;
   std::string unproved;
   try {
-    if (const auto body = body_of_log(run, answer, options.touch))
+    if (const auto body = body_of_log(run, proof::ProvedScene(scene), answer, options.touch))
       write_log(log, scene, options.touch, body->first, body->second);
     return answer;
   } catch (const Undecidable& limit) {
@@ -296,18 +271,20 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
 namespace {
 
 /// What an answer about a clearance comes to in a log.
-std::optional<std::pair<Claim, std::string>> body_about_clearance(const WorldPlan& plan, const MarginAnswer& answer,
+std::optional<std::pair<Claim, std::string>> body_about_clearance(const Scene& scene, const MarginAnswer& answer,
                                                                   double clearance, Touch touch) {
+  const proof::ProvedScene proved(scene);
   const bool inwards = touch == Touch::open;
-  const double margin = std::ldexp(clearance, plan.exponent());
-  const double until = std::clamp(answer.free_until, plan.start(), plan.end());
+  const double margin = std::ldexp(clearance, proved.exponent());
+  const double until = std::clamp(answer.free_until, proved.start(), proved.end());
   if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free, SeparationsWriter(plan, Claim::free, inwards, margin).apart_until(plan.end()));
-  if (answer.outcome == Outcome::undecided && until > plan.start())
-    return std::pair(Claim::free_until, SeparationsWriter(plan, Claim::free_until, inwards, margin).apart_until(until));
+    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards, margin).apart_until(proved.end()));
+  if (answer.outcome == Outcome::undecided && until > proved.start())
+    return std::pair(Claim::free_until,
+                     SeparationsWriter(proved, Claim::free_until, inwards, margin).apart_until(until));
   if (answer.outcome != Outcome::contact) return std::nullopt;
   const PairMargin& first = *answer.first;
-  return std::pair(Claim::contact, SeparationsWriter(plan, Claim::contact, inwards, margin)
+  return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards, margin)
                                        .closer(first.bodies, *first.features, {until, first.time.hi}));
 }
 
@@ -320,7 +297,7 @@ MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream&
   std::string unproved;
   try {
     const InterruptionScope scope(options.stop, options.max_seconds);
-    if (const auto body = body_about_clearance(WorldPlan(scene), answer, clearance, options.touch))
+    if (const auto body = body_about_clearance(scene, answer, clearance, options.touch))
       write_log(log, scene, options.touch, body->first, body->second, clearance);
     return answer;
   } catch (const Undecidable& limit) {

@@ -7,8 +7,8 @@
 
 #include "base/interruption.hpp"
 #include "envelope/cell_pair.hpp"
+#include "pair/ignored_pairs.hpp"
 #include "taut/error.hpp"
-#include "world/ignored_pairs.hpp"
 
 namespace taut {
 namespace {

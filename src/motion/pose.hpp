@@ -199,4 +199,23 @@ PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
   return p;
 }
 
+/// The same with a point m of the body in place of its origin. The point is taken relative to the pivot before anything
+/// is multiplied: far from the origin the two parts of a turn about a pivot nearly cancel, and ranges of them do not.
+template <class Real>
+Pose<Real> pose_about(const PieceChain& chain, const Point& m, const Ball<Real>& t) {
+  using J = Jet<Real>;
+  const MotionPiece& last = chain.back();
+  Pose<Real> p;
+  p.ox = J::polynomial(last.x, t);
+  p.oy = J::polynomial(last.y, t);
+  rotation_jet(last.rotation, t, p.xx, p.xy);
+  if (orbits(last)) add_orbit(last, t, p.ox, p.oy);
+  const Point c = turns(last) ? last.pivot : m;
+  const J x = J::constant(m.x) - J::constant(c.x), y = J::constant(m.y) - J::constant(c.y);
+  p.ox = p.ox + J::constant(c.x) + (p.xx * x - p.xy * y);
+  p.oy = p.oy + J::constant(c.y) + (p.xy * x + p.xx * y);
+  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
+  return p;
+}
+
 }  // namespace taut

@@ -82,6 +82,12 @@ class ByteReader {
     std::memcpy(&x, &bits, sizeof x);
     return x;
   }
+  float f32() {
+    const std::uint32_t bits = u32();
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  }
   /// Reads the checksum, after which nothing may come.
   void close() {
     const std::uint64_t expected = checksum_.value();

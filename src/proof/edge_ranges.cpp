@@ -20,6 +20,7 @@ class RectangleAround {
     hi_ = {std::fmax(hi_.x, s), std::fmax(hi_.y, t)};
     largest_ = std::fmax(largest_, size(p));
   }
+  bool is_wide() const { return hi_.x - lo_.x >= hi_.y - lo_.y; }
   EdgeRange range() const {
     const double room = projection_rounding * largest_ + displacement_room;
     EdgeRange r;
@@ -75,7 +76,7 @@ std::uint32_t EdgeRanges::add_rings(const DisplacedPolygon& body, std::span<Ring
   const auto index = static_cast<std::uint32_t>(ranges_.size());
   ranges_.push_back(box.range());
   ranges_[index].count = count;
-  const bool along_x = ranges_[index].half_length >= ranges_[index].half_width;
+  const bool along_x = box.is_wide();
   std::vector<std::pair<double, RingSpan>> order;
   for (const RingSpan& ring : rings) order.emplace_back(middle(body, ring, along_x), ring);
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {

@@ -3,6 +3,7 @@
 
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
+#include "pair/ignored_pairs.hpp"
 #include "pair/ring_set.hpp"
 #include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
@@ -10,7 +11,6 @@
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
-#include "world/ignored_pairs.hpp"
 
 namespace taut {
 namespace {

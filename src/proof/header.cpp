@@ -4,6 +4,12 @@
 
 namespace taut::proof {
 
+namespace {
+
+char shown(char version) { return version >= '0' && version <= '9' ? version : '?'; }
+
+}  // namespace
+
 Header read_header(ByteReader& in, const Scene& scene) {
   for (const char c : magic) {
     if (in.u8() != static_cast<std::uint8_t>(c)) throw ProofError("this is not a proof log of taut");
@@ -11,8 +17,8 @@ Header read_header(ByteReader& in, const Scene& scene) {
   Header header;
   header.version = static_cast<char>(in.u8());
   if (header.version != of_tilings && header.version != of_separations)
-    throw ProofError(
-        "the log is of another version of the format than 2 and 3, which this program checks: prove again");
+    throw ProofError("the log is of version " + std::string(1, shown(header.version)) +
+                     " of the format, and this program checks versions 2 and 4: prove again");
   if (header.version == of_tilings && is_world(scene))
     throw ProofError("the log is of a tiling around two bodies, and the scene is another one");
   for (std::uint8_t& byte : header.fingerprint) byte = in.u8();

@@ -186,6 +186,13 @@ Instant Lifetimes::tightened(Instant event) const {
   return event;
 }
 
+bool Lifetimes::is_near(const Instant& event, double about) const {
+  const double near = nearness(leg().start, leg().end);
+  if (about - near <= event.lo && event.hi <= about + near) return true;
+  const Instant tight = tightened(event);
+  return tight.lo - near <= about && about <= tight.hi + near;
+}
+
 bool Lifetimes::in_order(const Instant& a, const Instant& b) {
   if (a.hi <= b.lo) return true;
   if (b.event && a.concerns(b.u, b.v, b.w)) return b.hi >= a.lo;

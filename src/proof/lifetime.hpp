@@ -43,6 +43,9 @@ class Lifetimes {
   bool holds(const SignedForm& form, const Instant& until, bool own);
   /// The same, as far as doubles can tell: nothing is known where they cannot.
   bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own);
+  /// Is a failure as near to the time that a log gives for it as it has to be? An enclosure in doubles can be wide:
+  /// where it does not tell, a finer one does.
+  bool is_near(const Instant& event, double about) const;
   /// Is `a` certainly before `b`, or are they one?
   bool in_order(const Instant& a, const Instant& b);
   /// A failure enclosed within a few units in the last place, if that can be done.

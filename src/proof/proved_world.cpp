@@ -1,7 +1,6 @@
 #include "proof/proved_world.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/interruption.hpp"
 #include "pair/crossing_edges.hpp"
@@ -18,32 +17,12 @@ const EdgeRanges& ProvedWorld::ranges(const RingSet& body) {
 ProvedPair& ProvedWorld::pair(int a, int b) {
   std::unique_ptr<ProvedPair>& place = pairs_[{a, b}];
   if (place) return *place;
-  PairPlan plan = plan_.pair(a, b);
+  PairPlan plan = scene_.plan(a, b);
   PairGeometry geometry = displaced_pair(plan, inwards_);
-  std::vector<Leg> legs = plan_.legs(plan);
+  std::vector<Leg> legs = scene_.legs(plan);
   const EdgeRanges &p = ranges(*plan.rings[0]), &q = ranges(*plan.rings[1]);
   place = std::make_unique<ProvedPair>(std::move(plan), std::move(geometry), std::move(legs), p, q);
   return *place;
-}
-
-/// A sweep along x.
-std::vector<std::pair<int, int>> ProvedWorld::meeting(const WorldTime& time) const {
-  BoxesOver boxes(plan_, time, margin_);
-  std::vector<int> order(plan_.bodies().size()), active;
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return std::pair(boxes.of(i).lo_x, i) < std::pair(boxes.of(j).lo_x, j); });
-  std::vector<std::pair<int, int>> found;
-  for (const int i : order) {
-    std::erase_if(active, [&](int j) { return boxes.of(j).grown(margin_).hi_x < boxes.of(i).lo_x; });
-    for (const int j : active) {
-      interruption_point();
-      if (boxes.meet({i, j}) && plan_.asked(i, j)) found.emplace_back(std::min(i, j), std::max(i, j));
-    }
-    active.push_back(i);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time) {

@@ -1,4 +1,4 @@
-// A scene in the terms of a log of separations: its pairs, their ranges of edges, and how they move.
+// The pairs of a scene in the terms of a log of separations: their ranges of edges, and how they move.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 #include "pair/placement.hpp"
 #include "proof/apart_checker.hpp"
-#include "world/swept_box.hpp"
-#include "world/world_plan.hpp"
+#include "proof/proved_scene.hpp"
+#include "proof/stated_box.hpp"
 
 namespace taut::proof {
 
@@ -28,16 +28,6 @@ struct ProvedPair {
   ProvedPair& operator=(const ProvedPair&) = delete;
 };
 
-/// A stretch of the world's time, without its beginning unless it begins with the scene: stretches that follow each
-/// other have each joint once.
-struct WorldTime {
-  double from = 0, to = 0;
-  bool first = true;
-
-  double middle() const { return from + (to - from) / 2; }
-  bool divisible() const { return from < middle() && middle() < to; }
-};
-
 /// A stretch of a leg's parameter.
 struct LegStretch {
   std::size_t leg = 0;
@@ -47,21 +37,21 @@ struct LegStretch {
 /// Bodies displaced one way, prepared when first asked for.
 class ProvedWorld {
  public:
-  /// The plan must outlive it. With a margin, in internal units, boxes meet that come as close as that.
-  ProvedWorld(const WorldPlan& plan, bool inwards, double margin = 0)
-      : plan_(plan), inwards_(inwards), margin_(margin), ranges_(plan.bodies().size()) {}
+  /// The scene must outlive it. The margin is in internal units.
+  ProvedWorld(const ProvedScene& scene, bool inwards, double margin = 0)
+      : scene_(scene), inwards_(inwards), margin_(margin), ranges_(static_cast<std::size_t>(scene.size())) {}
 
-  const WorldPlan& plan() const { return plan_; }
+  const ProvedScene& scene() const { return scene_; }
   bool inwards() const { return inwards_; }
   double margin() const { return margin_; }
   ProvedPair& pair(int a, int b);
-  /// All pairs that are asked about and whose boxes over that time meet, in order.
-  std::vector<std::pair<int, int>> meeting(const WorldTime& time) const;
+  /// Around a box around a body has to be so much room.
+  double room() const { return margin_ + box_room; }
 
  private:
   const EdgeRanges& ranges(const RingSet& body);
 
-  const WorldPlan& plan_;
+  const ProvedScene& scene_;
   bool inwards_;
   double margin_;
   std::vector<std::unique_ptr<EdgeRanges>> ranges_;  ///< by body
@@ -76,24 +66,5 @@ std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime&
 bool overlap_at(const ProvedPair& pair, const Leg& leg, double t);
 /// Does the other body's material contain that vertex?
 bool inside_the_other(const Placement& place, VertexId vertex);
-
-/// The boxes of bodies over a stretch of time, each made once.
-class BoxesOver {
- public:
-  BoxesOver(const WorldPlan& plan, const WorldTime& time, double margin = 0)
-      : plan_(plan), time_(time), margin_(margin), boxes_(plan.bodies().size()) {}
-  const SweptBox& of(int body) {
-    std::optional<SweptBox>& box = boxes_[static_cast<std::size_t>(body)];
-    if (!box) box = swept_box(plan_.bodies()[static_cast<std::size_t>(body)], time_.from, time_.to);
-    return *box;
-  }
-  bool meet(const std::pair<int, int>& pair) { return of(pair.first).grown(margin_).meets(of(pair.second)); }
-
- private:
-  const WorldPlan& plan_;
-  WorldTime time_;
-  double margin_;
-  std::vector<std::optional<SweptBox>> boxes_;
-};
 
 }  // namespace taut::proof

@@ -126,7 +126,7 @@ class Verifier {
     if (!watched_.has(h)) throw ProofError("the corner does not fail on this leg");
     const Corner corner = corner_at(h);
     const Instant now = lifetimes_.failure(corner, about);
-    if (!is_near(now, about)) throw ProofError("the corner fails at another time");
+    if (!lifetimes_.is_near(now, about)) throw ProofError("the corner fails at another time");
     if (!lifetimes_.in_order(last_, now)) throw ProofError("the event comes before the one before it");
     check_sides(corner, now, kind);
     last_ = now;
@@ -136,14 +136,6 @@ class Verifier {
     }
     change(h, now, kind);
     return true;
-  }
-
-  /// An enclosure in doubles can be wide: where it does not tell, a finer one does.
-  bool is_near(const Instant& now, double about) const {
-    const double near = nearness(leg().start, leg().end);
-    if (about - near <= now.lo && now.hi <= about + near) return true;
-    const Instant tight = lifetimes_.tightened(now);
-    return tight.lo - near <= about && about <= tight.hi + near;
   }
 
   /// The map's rules speak of what is between what.

@@ -9,6 +9,7 @@
 #include "base/interruption.hpp"
 #include "pair/placement.hpp"
 #include "proof/kept_margin.hpp"
+#include "proof/open_pairs.hpp"
 #include "proof/proved_world.hpp"
 #include "sign/witness.hpp"
 
@@ -17,8 +18,6 @@ namespace {
 
 /// How often a window may be halved.
 constexpr int deepest_window = 60;
-
-using Pairs = std::vector<std::pair<int, int>>;
 
 class SeparationsVerifier {
  public:
@@ -72,8 +71,8 @@ class SeparationsVerifier {
     if (claim_ == Claim::touching) touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
-    const WorldTime all{scene_.start, result_.free_until, true};
-    windows(all, world_.meeting(all), 0);
+    boxes_.emplace(plan_);
+    window({scene_.start, result_.free_until, true}, {}, 0);
   }
 
   /// Two bodies that are asked about; the next two numbers.
@@ -84,26 +83,50 @@ class SeparationsVerifier {
     return {static_cast<int>(a), static_cast<int>(b)};
   }
 
-  /// Every pair whose boxes meet is shown to be apart over the window, or is left to its halves.
-  void windows(const WorldTime& time, const Pairs& pairs, int depth) {
-    BoxesOver boxes(plan_, time, margin_);
-    Pairs left;
-    for (const auto& pair : pairs) {
+  /// Every open pair whose boxes meet is shown to be apart over the window, or is left to its halves.
+  void window(const WorldTime& time, const OpenPairs& open, int depth) {
+    const std::uint8_t kind = in_.u8();
+    if (kind > 1) throw ProofError("a window of an unknown kind");
+    if (kind == 0) return halves(time, open, depth);
+    const std::vector<std::pair<int, BoxedBody>> before = stated_boxes(time, open);
+    OpenPairs left;
+    left.listed.emplace();
+    for (const auto& [a, b] : open.all() ? *boxes_->meeting(plan_) : *open.listed) {
       interruption_point();
-      if (pair == contact_pair_ || !boxes.meet(pair)) continue;
+      if (std::pair(a, b) == contact_pair_ || !boxes_->meet(a, b)) continue;
       const std::uint8_t now = in_.u8();
       if (now > 1) throw ProofError("neither a pair's separations nor shorter windows");
       if (now == 0) {
-        left.push_back(pair);
+        left.listed->emplace_back(a, b);
       } else {
-        const ProvedPair& met = world_.pair(pair.first, pair.second);
+        const ProvedPair& met = world_.pair(a, b);
         section(met, stretches(met.legs, time), time.first, {});
       }
     }
-    if (left.empty()) return;
+    if (!left.listed->empty()) halves(time, left, depth);
+    for (const auto& [body, box] : before) boxes_->state(body, box);
+  }
+  void halves(const WorldTime& time, const OpenPairs& open, int depth) {
     if (depth >= deepest_window || !time.divisible()) throw ProofError("a window is halved too often");
-    windows({time.from, time.middle(), time.first}, left, depth + 1);
-    windows({time.middle(), time.to, false}, left, depth + 1);
+    window(time.first_half(), open, depth + 1);
+    window(time.second_half(), open, depth + 1);
+  }
+
+  /// Reads the boxes that hold in this window; returns what they take the place of.
+  std::vector<std::pair<int, BoxedBody>> stated_boxes(const WorldTime& time, const OpenPairs& open) {
+    std::vector<std::pair<int, BoxedBody>> before;
+    for (const int body : moving_bodies(plan_, open)) {
+      interruption_point();
+      const std::uint8_t stated = in_.u8();
+      if (stated > 1) throw ProofError("neither a box nor none");
+      if (stated == 0) continue;
+      const StatedBox box = read_box(in_);
+      if (!stays_within(plan_[body], time, world_.room(), box))
+        throw ProofError("body " + std::to_string(body) + " does not stay within its box");
+      before.emplace_back(body, boxes_->of(body));
+      boxes_->state(body, as_doubles(box));
+    }
+    return before;
   }
 
   /// The pair does not meet on these stretches of its legs, the last one up to `until` only if that is set.
@@ -139,6 +162,8 @@ class SeparationsVerifier {
     const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, Instant::exactly(since)};
     if (!(since >= last.start && since <= about)) throw ProofError("a contact before its leg");
     const Instant now = lifetimes.failure(corner, about);
+    if (!lifetimes.is_near(now, about) || !lifetimes.holds(corner, now))
+      throw ProofError("the vertex does not come to the edge's line from outside then");
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
     std::vector<LegStretch> way;
@@ -236,9 +261,10 @@ class SeparationsVerifier {
   const Header& header_;
   Verified result_;
   Claim claim_;
-  WorldPlan plan_;
+  ProvedScene plan_;
   double margin_;  ///< of a claim about a clearance, else 0
   ProvedWorld world_;
+  std::optional<WindowBoxes> boxes_;
   std::pair<int, int> contact_pair_{-1, -1};  ///< whose separations are not in the windows
 };
 

@@ -25,10 +25,7 @@ SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double fro
   const double half = (to - from) / 2 * (1 + 0x1p-50);
   const Ball<double> middle = Ball<double>::exact(from + (to - from) / 2), over = Ball<double>::between(from, to);
   const Point c{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2};
-  const Pose<double> own{Jet<double>::constant(c.x), Jet<double>::constant(c.y), Jet<double>::constant(1.0),
-                         Jet<double>::constant(0.0)};
-  const Pose<double> at = compose(pose_of<Jet<double>>(chain, middle), own);
-  const Pose<double> range = compose(pose_of<Jet<double>>(chain, over), own);
+  const Pose<double> at = pose_about(chain, c, middle), range = pose_about(chain, c, over);
   const Ball<double> x = range_of(at.ox, range.ox, half), y = range_of(at.oy, range.oy, half);
   double wide = (bounds.hi.x - bounds.lo.x) / 2, high = (bounds.hi.y - bounds.lo.y) / 2;
   if (turns(chain)) wide = high = length(wide, high);

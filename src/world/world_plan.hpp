@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "pair/ignored_pairs.hpp"
 #include "pair/pair_plan.hpp"
 #include "relative/make_legs.hpp"
 #include "taut/check.hpp"
-#include "world/ignored_pairs.hpp"
 
 namespace taut {
 

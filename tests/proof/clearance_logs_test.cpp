@@ -141,11 +141,11 @@ TEST(ClearanceLogs, OfBodiesThatCrossAtTheStart) {
   scene.end = 1;
   scene.bodies = {{"lies", {{-5, -1}, {5, -1}, {5, 1}, {-5, 1}}, {}},
                   {"stands", {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}}, {}}};
-  const WorldPlan plan(scene);
+  const proof::ProvedScene plan(scene);
   const double clearance = 0.125, margin = std::ldexp(clearance, plan.exponent());
   proof::ProvedWorld world(plan, true, margin);
   const proof::ProvedPair& pair = world.pair(0, 1);
-  std::string steps(1, '\1');
+  std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);
   lifetimes.enter(pair.legs[0]);
   ApartWriter(pair.ranges, lifetimes, std::nullopt, steps, margin).write(0, 1);

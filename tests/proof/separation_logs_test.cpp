@@ -292,10 +292,10 @@ TEST_F(DamagedSeparations, OtherScenes) {
 /// Two bars in the shape of a plus: no vertex is on an edge, or inside the other body, and still they overlap. A log of
 /// all that separations can say of them is not a proof.
 std::string log_without_incidences(const Scene& scene, Touch touch) {
-  const WorldPlan plan(scene);
+  const proof::ProvedScene plan(scene);
   proof::ProvedWorld world(plan, touch == Touch::open);
   const proof::ProvedPair& pair = world.pair(0, 1);
-  std::string steps(1, '\1');
+  std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);
   for (const proof::LegStretch& stretch : proof::stretches(pair.legs, {scene.start, scene.end, true})) {
     lifetimes.enter(pair.legs[stretch.leg]);

@@ -8,6 +8,7 @@
 #include "proof/edge_ranges.hpp"
 #include "proof/motion_window.hpp"
 #include "proof/separation.hpp"
+#include "proof/stated_box.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
@@ -173,6 +174,42 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
       EXPECT_LE(now.longest(), 3 * diagonal(plan.bodies()[i].rings->bounds()) + 1e-9);
     }
   }
+}
+
+/// Boxes that a log may state contain the body at every instant, and no box that leaves out a part of it passes.
+TEST(SeparationLaws, StatedBoxesContainTheBodies) {
+  int refused = 0;
+  for (std::uint64_t seed = 900; seed < 900 + effort(80); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const MadeWorld world = random_world(seed);
+    const proof::ProvedScene scene(scene_of(world));
+    const double scale = std::ldexp(1.0, scene.exponent());
+    for (int i = 0; i < scene.size(); ++i) {
+      if (scene[i].rests()) continue;
+      const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
+      const std::optional<proof::BoxedBody> box = proof::box_around(scene[i], {from, to, false});
+      ASSERT_TRUE(box);
+      proof::StatedBox cut{static_cast<float>(box->lo_x) - 1, static_cast<float>(box->lo_y) - 1,
+                           static_cast<float>(box->hi_x) + 1, static_cast<float>(box->hi_y) + 1};
+      EXPECT_TRUE(proof::stays_within(scene[i], {from, to, false}, proof::box_room, cut));
+      double right = -INFINITY;
+      for (int k = 0; k <= 8; ++k) {
+        for (const PosedPart& part : posed(world, i, from + (to - from) * k / 8)) {
+          for (const Complex& p : part[0]) {
+            const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
+            ASSERT_TRUE(x >= box->lo_x - rounding && x <= box->hi_x + rounding);
+            ASSERT_TRUE(y >= box->lo_y - rounding && y <= box->hi_y + rounding);
+            right = std::max(right, x);
+          }
+        }
+      }
+      cut.hi_x = static_cast<float>(right - 1e-6);
+      EXPECT_FALSE(proof::stays_within(scene[i], {from, to, false}, proof::box_room, cut));
+      ++refused;
+    }
+  }
+  EXPECT_GE(refused, static_cast<int>(enough(60)));
 }
 
 /// A direction that separates does so at every instant, for every point of both ranges.

@@ -1,4 +1,4 @@
-#include "world/ignored_pairs.hpp"
+#include "pair/ignored_pairs.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,49 @@
+// The windows of a log of separations: which are halved, and which boxes they state.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "proof/open_pairs.hpp"
+
+namespace taut {
+
+/// Boxes cost 16 bytes and tell many pairs apart; a pair's separations cost a byte or two. So windows state the boxes
+/// of bodies that they tell apart from several others. Where nearly everything may meet everything, the window is
+/// halved without a word, as long as that makes boxes shorter.
+class WindowWriter {
+ public:
+  using Pair = std::pair<int, int>;
+  /// Writes the separations of a pair in a window.
+  using Section = std::function<void(const Pair&, const proof::WorldTime&)>;
+
+  /// `room` as proof::stays_within() wants it. Of the pair `except` nothing is written. All of them must outlive it.
+  WindowWriter(const proof::ProvedScene& scene, double room, const Pair& except, std::string& out, Section section);
+
+  void write(double until) { window({scene_.start(), until, true}, {}, 0); }
+
+ private:
+  /// Where a body may be in the present window.
+  struct Fresh {
+    proof::BoxedBody reach;
+    std::optional<proof::StatedBox> box;  ///< to be stated, if there is one
+  };
+
+  void window(const proof::WorldTime& time, const proof::OpenPairs& open, int depth);
+  void halves(const proof::WorldTime& time, const proof::OpenPairs& open, int depth);
+  Fresh fresh_box(int body, const proof::WorldTime& time) const;
+  std::vector<bool> worth_stating(const std::vector<int>& moving, const proof::OpenPairs& open);
+  bool better_halved(const std::vector<int>& moving) const;
+  bool is_left(const Pair& pair) const;
+
+  const proof::ProvedScene& scene_;
+  double room_;
+  Pair except_;
+  std::string& out_;
+  Section section_;
+  proof::WindowBoxes boxes_;
+  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
+  std::vector<Fresh> fresh_;   ///< by body, of those that matter in the present window
+};
+
+}  // namespace taut

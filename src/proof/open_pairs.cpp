@@ -1,0 +1,106 @@
+#include "proof/open_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/interruption.hpp"
+
+namespace taut::proof {
+namespace {
+
+/// An interval along the axis of the sweep.
+struct Swept {
+  double lo, hi;
+  int body;
+};
+
+/// The intervals that have begun, of which some are over already: these are thrown out when looked through.
+class BegunIntervals {
+ public:
+  void add(const Swept& swept) { list_.push_back(swept); }
+  template <class Visit>
+  void each(double from, const Visit& visit) {
+    std::size_t kept = 0;
+    for (const Swept& swept : list_) {
+      if (swept.hi < from) continue;
+      list_[kept++] = swept;
+      visit(swept.body);
+    }
+    list_.resize(kept);
+  }
+
+ private:
+  std::vector<Swept> list_;
+};
+
+}  // namespace
+
+WindowBoxes::WindowBoxes(const ProvedScene& scene) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < scene.size(); ++i) {
+    const Bounds& b = scene[i].rings->bounds();
+    rests_.push_back(scene[i].rests());
+    boxes_.push_back(rests_.back() ? BoxedBody{b.lo.x, b.lo.y, b.hi.x, b.hi.y}
+                                   : BoxedBody{-infinite, -infinite, infinite, infinite});
+  }
+}
+
+/// Are boxes shorter along x than along y, beside how far they are spread?
+bool WindowBoxes::sweep_along_x() const {
+  double long_x = 0, long_y = 0, lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
+  for (const BoxedBody& b : boxes_) {
+    if (!std::isfinite(b.lo_x + b.hi_x + b.lo_y + b.hi_y)) continue;
+    long_x += b.hi_x - b.lo_x;
+    long_y += b.hi_y - b.lo_y;
+    lo_x = std::min(lo_x, b.lo_x);
+    lo_y = std::min(lo_y, b.lo_y);
+    hi_x = std::max(hi_x, b.hi_x);
+    hi_y = std::max(hi_y, b.hi_y);
+  }
+  return !(long_x * (hi_y - lo_y) > long_y * (hi_x - lo_x));
+}
+
+std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::size_t most) const {
+  const bool along_x = sweep_along_x();
+  std::vector<Swept> order;
+  for (int i = 0; i < scene.size(); ++i) {
+    const BoxedBody& b = of(i);
+    order.push_back({along_x ? b.lo_x : b.lo_y, along_x ? b.hi_x : b.hi_y, i});
+  }
+  std::sort(order.begin(), order.end(),
+            [](const Swept& a, const Swept& b) { return a.lo != b.lo ? a.lo < b.lo : a.body < b.body; });
+  BodyPairs found;
+  BegunIntervals moving, resting;
+  for (const Swept& next : order) {
+    const auto visit = [&](int other) {
+      interruption_point();
+      if (meet(next.body, other) && scene.asked(next.body, other)) found.push_back(std::minmax(next.body, other));
+    };
+    const bool rests = rests_[static_cast<std::size_t>(next.body)];
+    moving.each(next.lo, visit);
+    // Bodies at rest move alike.
+    if (!rests) resting.each(next.lo, visit);
+    (rests ? resting : moving).add(next);
+    if (found.size() > most) return std::nullopt;
+  }
+  if (scene.size() == 2 && scene[0].rests() && scene[1].rests() && scene.asked(0, 1)) found.emplace_back(0, 1);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<int> moving_bodies(const ProvedScene& scene, const OpenPairs& open) {
+  std::vector<int> bodies;
+  if (open.all()) {
+    bodies.resize(static_cast<std::size_t>(scene.size()));
+    std::iota(bodies.begin(), bodies.end(), 0);
+  } else {
+    for (const auto& [a, b] : *open.listed) bodies.insert(bodies.end(), {a, b});
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  }
+  std::erase_if(bodies, [&](int i) { return scene[i].rests(); });
+  return bodies;
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,51 @@
+// Which pairs of bodies a window of a log of separations has to say something about.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "proof/stated_box.hpp"
+
+namespace taut::proof {
+
+using BodyPairs = std::vector<std::pair<int, int>>;
+
+/// The pairs that are open in a window: all that are asked about but one, as long as windows are halved without a word,
+/// and later those that a longer window has left.
+struct OpenPairs {
+  std::optional<BodyPairs> listed;
+
+  bool all() const { return !listed; }
+};
+
+/// The boxes of all bodies in a window: those that windows around it have stated, and of bodies at rest those around
+/// their outlines.
+class WindowBoxes {
+ public:
+  explicit WindowBoxes(const ProvedScene& scene);
+
+  const BoxedBody& of(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
+  void state(int body, const BoxedBody& box) { boxes_[static_cast<std::size_t>(body)] = box; }
+  /// Those of two bodies. Two bodies at rest meet: nobody asks about them but where there are no others.
+  bool meet(int a, int b) const {
+    return of(a).meets(of(b)) || (rests_[static_cast<std::size_t>(a)] && rests_[static_cast<std::size_t>(b)]);
+  }
+  /// All pairs that are asked about and whose boxes meet, in order; nothing if they are more than `most`. By sweeping
+  /// along the axis along which fewer meet.
+  std::optional<BodyPairs> meeting(const ProvedScene& scene, std::size_t most = SIZE_MAX) const;
+
+ private:
+  bool sweep_along_x() const;
+
+  std::vector<BoxedBody> boxes_;
+  std::vector<bool> rests_;
+};
+
+inline BoxedBody as_doubles(const StatedBox& b) { return {b.lo_x, b.lo_y, b.hi_x, b.hi_y}; }
+
+/// The bodies that move and are in any of the pairs, in order; where all pairs are open, all that move.
+std::vector<int> moving_bodies(const ProvedScene& scene, const OpenPairs& open);
+
+}  // namespace taut::proof

@@ -1,0 +1,126 @@
+#include "proof/proved_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "motion/pieces.hpp"
+#include "taut/shape.hpp"
+
+namespace taut::proof {
+namespace {
+
+bool rests(const std::vector<MotionPiece>& pieces) {
+  return std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); });
+}
+
+bool same_pieces(const std::vector<MotionPiece>& a, const std::vector<MotionPiece>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const MotionPiece& x, const MotionPiece& y) { return x.until == y.until && same_motion(x, y); });
+}
+
+bool same_chain(const MotionChain& a, const MotionChain& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
+}
+
+/// Of a chain, numbers that are the same for the same motions, and seldom for others.
+std::vector<double> key_of(const MotionChain& chain) {
+  std::vector<double> key;
+  for (const std::vector<MotionPiece>& pieces : chain) {
+    for (const MotionPiece& piece : pieces) {
+      key.push_back(piece.until);
+      for (const Coefficients* c : {&piece.x, &piece.y})
+        key.push_back(std::accumulate(c->begin(), c->end(), 0.0, [](double sum, double x) { return 0.6 * sum + x; }));
+    }
+  }
+  return key;
+}
+
+/// The power of two that brings all outlines within 1.
+int exponent_for(const Scene& scene) {
+  double largest = 0;
+  for (const Body& body : scene.bodies) {
+    for (const Part& part : parts_of(body)) {
+      for (const Point& p : part.outline) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return -exponent;
+}
+
+double diagonal_of(const ProvedBody& body) { return diagonal(body.rings->bounds()); }
+
+}  // namespace
+
+ProvedScene::ProvedScene(const Scene& scene)
+    : start_(scene.start), end_(scene.end), exponent_(exponent_for(scene)), ignored_(scene) {
+  for (const Body& body : scene.bodies) {
+    const int index = size();
+    bodies_.push_back({std::make_shared<const RingSet>(body, index, exponent_), {}, index});
+  }
+  add_motions(scene);
+  std::map<std::vector<double>, std::vector<int>> first_of;
+  for (int i = 0; i < size(); ++i) {
+    ProvedBody& body = bodies_[static_cast<std::size_t>(i)];
+    std::vector<int>& others = first_of[key_of(body.motions)];
+    const auto same =
+        std::find_if(others.begin(), others.end(), [&](int k) { return same_chain((*this)[k].motions, body.motions); });
+    if (same != others.end()) {
+      body.alike = *same;
+    } else {
+      others.push_back(i);
+    }
+  }
+}
+
+void ProvedScene::add_motions(const Scene& scene) {
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  MotionChain own;
+  std::vector<int> parent;
+  for (const Body& body : scene.bodies) {
+    own.push_back(pieces_between(body.motion, start_, end_));
+    for (MotionPiece& piece : own.back()) piece = scaled(std::move(piece), exponent_);
+    parent.push_back(body.relative_to.empty() ? -1 : by_name.at(body.relative_to));
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    MotionChain& chain = bodies_[i].motions;
+    for (int k = static_cast<int>(i); k >= 0; k = parent[static_cast<std::size_t>(k)]) {
+      if (!rests(own[static_cast<std::size_t>(k)])) chain.push_back(own[static_cast<std::size_t>(k)]);
+    }
+    std::reverse(chain.begin(), chain.end());
+  }
+}
+
+bool ProvedScene::asked(int a, int b) const {
+  return ((*this)[a].alike != (*this)[b].alike || size() == 2) && !ignored_.has(a, b);
+}
+
+PairPlan ProvedScene::plan(int a, int b) const {
+  if (diagonal_of((*this)[b]) > diagonal_of((*this)[a])) std::swap(a, b);
+  PairPlan plan;
+  plan.rings = {(*this)[a].rings, (*this)[b].rings};
+  plan.exponent = exponent_;
+  for (std::size_t side = 0; side < 2; ++side) {
+    plan.names[side] = plan.rings[side]->name();
+    plan.maps[side].body = plan.rings[side]->body();
+  }
+  return plan;
+}
+
+std::vector<Leg> ProvedScene::legs(const PairPlan& pair) const {
+  const MotionChain &p = (*this)[pair.rings[0]->body()].motions, &q = (*this)[pair.rings[1]->body()].motions;
+  const std::size_t shorter = std::min(p.size(), q.size());
+  std::size_t common = 0;
+  while (common < shorter && same_pieces(p[common], q[common])) ++common;
+  const auto rest = [&](const MotionChain& chain) {
+    MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
+    if (own.empty()) own.push_back(pieces_between({}, start_, end_));
+    return own;
+  };
+  return make_legs(rest(p), rest(q), start_, end_);
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,129 @@
+#include "proof/stated_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "motion/pose.hpp"
+
+namespace taut::proof {
+namespace {
+
+/// How often a stretch is halved to see that a body stays within a box.
+constexpr int most_box_halvings = 8;
+
+/// A coordinate of the body's middle over a stretch: by its slope about the stretch's middle, or the range itself.
+Ball<double> over_stretch(const Jet<double>& middle, const Jet<double>& over, double half) {
+  const Ball<double> by_slope = middle.v + over.d * Ball<double>(0, half);
+  return by_slope.rad <= over.v.rad ? by_slope : over.v;
+}
+
+/// A body while every motion of its chain follows one piece.
+class BodyReach {
+ public:
+  explicit BodyReach(const Bounds& bounds)
+      : middle_{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2},
+        half_wide_((bounds.hi.x - bounds.lo.x) / 2),
+        half_high_((bounds.hi.y - bounds.lo.y) / 2) {}
+
+  /// A box that it stays in; with numbers that are none where the motion is singular.
+  BoxedBody over(const PieceChain& chain, double from, double to) const {
+    const double half = (to - from) / 2 * (1 + 0x1p-50);
+    const Pose<double> whole = pose_about(chain, middle_, Ball<double>::between(from, to));
+    const Pose<double> at = pose_about(chain, middle_, Ball<double>::exact(from + (to - from) / 2));
+    const Ball<double> x = over_stretch(at.ox, whole.ox, half), y = over_stretch(at.oy, whole.oy, half);
+    // The rectangle as it is turned lies in a rectangle along the axes, and in a disc.
+    const double cosine = whole.xx.v.magnitude(), sine = whole.xy.v.magnitude(), disc = length(half_wide_, half_high_);
+    const double wide = std::min(disc, cosine * half_wide_ + sine * half_high_);
+    const double high = std::min(disc, sine * half_wide_ + cosine * half_high_);
+    const double rounding = 0x1p-45 * (x.magnitude() + y.magnitude() + half_wide_ + half_high_);
+    const double to_x = x.rad + wide + rounding, to_y = y.rad + high + rounding;
+    return {x.mid - to_x, y.mid - to_y, x.mid + to_x, y.mid + to_y};
+  }
+  /// Does it stay within the box, as far as some halvings tell?
+  bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
+    interruption_point();
+    const BoxedBody b = over(chain, from, to);
+    if (b.lo_x >= box.lo_x && b.lo_y >= box.lo_y && b.hi_x <= box.hi_x && b.hi_y <= box.hi_y) return true;
+    const double m = from + (to - from) / 2;
+    return halvings > 0 && from < m && m < to && within(box, chain, from, m, halvings - 1) &&
+           within(box, chain, m, to, halvings - 1);
+  }
+
+ private:
+  Point middle_;
+  double half_wide_, half_high_;
+};
+
+/// The piece of each motion of the chain that holds at a time, and until when all of them do.
+struct PiecesAt {
+  PieceChain chain;
+  double until = std::numeric_limits<double>::infinity();
+
+  PiecesAt(const MotionChain& motions, double t) {
+    for (const std::vector<MotionPiece>& motion : motions) {
+      chain.push_back(piece_at(motion, t));
+      until = std::min(until, chain.back().until);
+    }
+  }
+};
+
+/// Calls visit(chain, from, to, halvings) for all stretches of that time without a joint, and for the instants at
+/// joints at which some motions of the chain, the inner ones, have passed to the next piece. True if all calls are.
+template <class Visit>
+bool all_stretches(const MotionChain& motions, const WorldTime& time, const Visit& visit) {
+  for (double t = time.from;;) {
+    const PiecesAt now(motions, t);
+    if (!visit(now.chain, t, std::min(now.until, time.to), most_box_halvings)) return false;
+    // A joint at the very end belongs to this stretch.
+    if (now.until > time.to) return true;
+    t = now.until;
+    PieceChain mixed = PiecesAt(motions, t).chain;
+    for (std::size_t outer = 0; outer < mixed.size(); ++outer) {
+      if (!visit(mixed, t, t, 0)) return false;
+      mixed[outer] = now.chain[outer];
+    }
+    if (t >= time.to) return true;
+  }
+}
+
+/// Without the room, and what rounding it off may add.
+BoxedBody shrunk(const StatedBox& b, double room) {
+  const auto less = [room](double side, int away) {
+    return std::isinf(side) ? side : side + away * (room + 0x1p-50 * (std::fabs(side) + room));
+  };
+  return {less(b.lo_x, 1), less(b.lo_y, 1), less(b.hi_x, -1), less(b.hi_y, -1)};
+}
+
+}  // namespace
+
+StatedBox read_box(ByteReader& in) {
+  StatedBox box;
+  for (float* side : {&box.lo_x, &box.lo_y, &box.hi_x, &box.hi_y}) *side = in.f32();
+  if (!(box.lo_x <= box.hi_x && box.lo_y <= box.hi_y)) throw ProofError("a box that is none");
+  return box;
+}
+
+bool stays_within(const ProvedBody& body, const WorldTime& time, double room, const StatedBox& box) {
+  const BodyReach reach(body.rings->bounds());
+  const BoxedBody inner = shrunk(box, room);
+  return all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int halvings) {
+    return reach.within(inner, chain, from, to, halvings);
+  });
+}
+
+std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time) {
+  const BodyReach reach(body.rings->bounds());
+  BoxedBody all{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  const bool known = all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int) {
+    const BoxedBody b = reach.over(chain, from, to);
+    all = {std::min(all.lo_x, b.lo_x), std::min(all.lo_y, b.lo_y), std::max(all.hi_x, b.hi_x),
+           std::max(all.hi_y, b.hi_y)};
+    return std::isfinite(b.lo_x + b.lo_y + b.hi_x + b.hi_y);
+  });
+  return known ? std::optional(all) : std::nullopt;
+}
+
+}  // namespace taut::proof

@@ -1,0 +1,53 @@
+// The boxes that a log of separations states around moving bodies, and whether the bodies stay within them.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "proof/bytes.hpp"
+#include "proof/proved_scene.hpp"
+
+namespace taut::proof {
+
+/// A stretch of the world's time, without its beginning unless it begins with the scene: stretches that follow each
+/// other have each joint once.
+struct WorldTime {
+  double from = 0, to = 0;
+  bool first = true;
+
+  double middle() const { return from + (to - from) / 2; }
+  bool divisible() const { return from < middle() && middle() < to; }
+  WorldTime first_half() const { return {from, middle(), first}; }
+  WorldTime second_half() const { return {middle(), to, false}; }
+};
+
+/// Along the axes of the world's frame, in internal coordinates; its borders belong to it. Everywhere at first.
+struct StatedBox {
+  float lo_x = -std::numeric_limits<float>::infinity(), lo_y = lo_x;
+  float hi_x = std::numeric_limits<float>::infinity(), hi_y = hi_x;
+};
+
+/// What all comparisons are made with: a stated box, or the box around a body at rest, as doubles.
+struct BoxedBody {
+  double lo_x, lo_y, hi_x, hi_y;
+
+  double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
+  bool meets(const BoxedBody& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
+};
+
+/// Around a box has to be so much room, besides the margin: far more than any vertex is displaced by, so that bodies
+/// whose boxes do not meet do not meet however they are displaced.
+inline constexpr double box_room = 0x1p-60;
+
+/// Throws ProofError unless it is a box.
+StatedBox read_box(ByteReader& in);
+
+/// Does everything that is nearer to the body than `room`, along x or y, stay within the box at all instants of that
+/// time? At a joint also where a part of the chain of motions, the outermost ones, is before it still: from there
+/// bodies go straight to where they are after it. False where that is so, but by so little that doubles do not tell.
+bool stays_within(const ProvedBody& body, const WorldTime& time, double room, const StatedBox& box);
+
+/// A box in which the body, without room around it, stays; nothing where its motion is too wild to tell.
+std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time);
+
+}  // namespace taut::proof

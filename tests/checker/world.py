@@ -1,0 +1,270 @@
+"""A scene in the terms of a log of separations: fingerprint, rings, chains, pairs. See docs/separation-logs.md.
+
+The scene must be valid; motions are given as pieces (`taut` writes any motion so)."""
+
+import hashlib
+import math
+import struct
+from fractions import Fraction
+
+from balls import (ONE, J1, between, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jroot, jsub,
+                   jturn)
+from bodies import INFINITE, NotCovered, displaced, is_clockwise, number, trimmed
+
+MASK = (1 << 64) - 1
+
+
+def packed(polynomial):
+    return struct.pack("<I", len(polynomial)) + b"".join(number(x) for x in polynomial)
+
+
+def point(json):
+    return tuple(float(c) for c in json) if json else (0.0, 0.0)
+
+
+class Piece:
+    """As given, and in internal units (`scaled`)."""
+
+    KINDS = {"angle": 1, "direction": 2, "half_angle_tangent": 3, "cosine": 4}
+
+    def __init__(self, json):
+        if set(json) - {"x", "y", "until", "rotation", "pivot", "orbit"}:
+            raise NotCovered("a motion that is not given by pieces")
+        self.x, self.y = trimmed(json.get("x", [])), trimmed(json.get("y", []))
+        self.until = float(json.get("until", INFINITE))
+        self.kind, self.rotation = 0, ()
+        for name, given in (json.get("rotation") or {}).items():
+            self.kind = self.KINDS[name]
+            given = [given["a"], given["b"]] if name == "direction" else [given]
+            self.rotation = tuple(tuple(trimmed(c)) for c in given)
+        orbit = json.get("orbit") or {}
+        self.orbit = trimmed(orbit.get("angle", []))
+        self.centre = point(orbit.get("center")) if self.orbit else (0.0, 0.0)
+        self.pivot = point(json.get("pivot")) if self.kind or self.orbit else (0.0, 0.0)
+
+    def bytes(self):
+        out = number(self.until) + packed(self.x) + packed(self.y)
+        if self.orbit:
+            out += b"\5" + number(self.centre[0]) + number(self.centre[1]) + packed(self.orbit)
+        out += bytes([self.kind]) + b"".join(packed(c) for c in self.rotation)
+        if self.kind or self.orbit:
+            out += number(self.pivot[0]) + number(self.pivot[1])
+        return out
+
+    def key(self):
+        return tuple(self.x), tuple(self.y), self.kind, self.rotation, tuple(self.orbit), self.centre, self.pivot
+
+    def rests(self):
+        return not (self.x or self.y or self.kind or self.orbit)
+
+    def scale(self, exponent):
+        """The coefficients as integers times 2^-BITS, lengths multiplied by 2^exponent."""
+        def length(x):
+            return exact(Fraction(x) * Fraction(2) ** exponent)
+
+        self.place = [[length(x) for x in c] for c in (self.x, self.y)]
+        self.c, self.m = [[(length(x), 0) for x in p] for p in (self.pivot, self.centre)]
+        self.turn = [[exact(x) for x in c] for c in self.rotation]
+        self.orbit_turn = [exact(x) for x in self.orbit]
+
+    def pivot_place(self, t):
+        """Where the pivot is."""
+        k = [jadd(jpolynomial(c, t), jconst(at)) for c, at in zip(self.place, self.c)]
+        if not self.orbit:
+            return k
+        m = [jconst(x) for x in self.m]
+        return cadd(cmul(jturn(jpolynomial(self.orbit_turn, t)), csub(k, m)), m)
+
+    def other_turn(self, t):
+        """The rotation, unless it is given by an angle."""
+        c = [jpolynomial(p, t) for p in self.turn]
+        if self.kind == 2:
+            far = jinverse(jroot(jadd(jmul(c[0], c[0]), jmul(c[1], c[1]))))
+            return jmul(c[0], far), jmul(c[1], far)
+        square = jmul(c[0], c[0])
+        if self.kind == 3:
+            below = jinverse(jadd(J1, square))
+            return jmul(jsub(J1, square), below), jmul(jadd(c[0], c[0]), below)
+        return c[0], jroot(jsub(J1, square))
+
+
+def pieces_between(motion, start, end):
+    given = motion if isinstance(motion, list) else motion.get("pieces", [motion]) if motion else []
+    out = []
+    for k, json in enumerate(given):
+        if float(json.get("until", INFINITE)) <= start and k + 1 < len(given):
+            continue
+        out.append(Piece(json))
+        if out[-1].until >= end:
+            break
+    out = out or [Piece({})]
+    out[-1].until = INFINITE
+    return out
+
+
+def refuse_cut_cosines(pieces, start, end):
+    """Those that reach 1 or -1, or nearly, are cut: not here."""
+    t = start
+    for piece in pieces:
+        until = min(piece.until, end)
+        if piece.kind == 4:
+            a, b, parts = exact(t), exact(until), 64
+            for k in range(parts):
+                stretch = between(a + (b - a) * k // parts, a + (b - a) * (k + 1) // parts + 1)
+                v = jpolynomial(piece.turn[0], stretch)[0]
+                if abs(v[0]) + v[1] >= ONE - (ONE >> 20):
+                    raise NotCovered("a cosine that comes near 1")
+        t = until
+
+
+class Ring:
+    """One ring of a body: scaled points with the material to the left, and their names in the scene."""
+
+    def __init__(self, given, exponent, hole, part, ring):
+        n, clockwise = len(given), is_clockwise(given)
+        first, step = given.index(min(given)), -1 if clockwise else 1
+        self.names = [(first + step * k) % n for k in range(n)]
+        self.around = [tuple(math.ldexp(c, exponent) for c in given[k]) for k in self.names]  # counterclockwise
+        self.hole, self.part, self.ring = hole, part, ring
+        if hole:
+            self.names = self.names[:1] + self.names[:0:-1]
+
+    def points(self):
+        return self.around[:1] + self.around[:0:-1] if self.hole else self.around
+
+    def displaced(self, inwards, seed):
+        moved = displaced(self.around, inwards != self.hole, seed)
+        return moved[:1] + moved[:0:-1] if self.hole else moved
+
+
+class Body:
+    def __init__(self, rings, index):
+        self.rings, self.index = rings, index
+        self.points = [p for ring in rings for p in ring.points()]
+        self.next, self.previous, self.ring_of = [], [], []
+        for ring in rings:
+            at, n = len(self.next), len(ring.names)
+            self.next += [at + (k + 1) % n for k in range(n)]
+            self.previous += [at + (k - 1) % n for k in range(n)]
+            self.ring_of += [(ring, k) for k in range(n)]
+        outer = [p for ring in rings if not ring.hole for p in ring.points()]
+        self.box = (min(p[0] for p in outer), min(p[1] for p in outer),
+                    max(p[0] for p in outer), max(p[1] for p in outer))
+        x, y = self.box[2] - self.box[0], self.box[3] - self.box[1]
+        m = max(x, y)
+        self.diagonal = m * math.sqrt((x / m) * (x / m) + (y / m) * (y / m))
+        self.known = {}
+
+    def displaced(self, inwards):
+        """Integers times 2^-BITS."""
+        if inwards not in self.known:
+            out = []
+            for k, ring in enumerate(self.rings):
+                seed = (0x9E3779B97F4A7C15 * (self.index + 1) + 0xBF58476D1CE4E5B9 * (k + 1)) & MASK
+                out += [(exact(v[0]) + exact(d[0]), exact(v[1]) + exact(d[1]))
+                        for v, d in ring.displaced(inwards, seed)]
+            self.known[inwards] = out
+        return self.known[inwards]
+
+    def vertex(self, v):
+        ring, k = self.ring_of[v]
+        return [self.index, ring.part, ring.ring, ring.names[k]]
+
+    def edge(self, v):
+        """Named by the vertex with which it begins in the scene."""
+        ring, k = self.ring_of[v]
+        n = len(ring.names)
+        a, b = ring.names[k], ring.names[(k + 1) % n]
+        return [self.index, ring.part, ring.ring, a if (a + 1) % n == b else b]
+
+
+class Scene:
+    def __init__(self, json):
+        self.start, self.end = (float(t) for t in json["time"])
+        self.bodies, self.own, self.chains = [], [], []
+        given = [self._rings(body) for body in json["bodies"]]
+        largest = max(abs(c) for rings in given for ring, hole, _, _ in rings if not hole for v in ring for c in v)
+        self.exponent = -math.frexp(largest)[1]
+        for k, rings in enumerate(given):
+            self.bodies.append(Body([Ring(r[0], self.exponent, *r[1:]) for r in rings], k))
+            self.own.append(pieces_between(json["bodies"][k].get("motion"), self.start, self.end))
+        self._find_ignored(json)
+        self.hashed = self._hashed(json, given)
+        self._find_chains()
+
+    @staticmethod
+    def _rings(body):
+        parts = body["parts"] if "parts" in body else [body["polygon"]]
+        out = []
+        for k, part in enumerate(parts):
+            if isinstance(part, dict) and "path" in part:
+                raise NotCovered("a curve")
+            rings = [part["outline"], *part.get("holes", [])] if isinstance(part, dict) else [part]
+            out += [([(float(x), float(y)) for x, y in ring], i > 0, k, i) for i, ring in enumerate(rings)]
+        return out
+
+    def _find_ignored(self, json):
+        self.names = {}
+        for k, body in enumerate(json["bodies"]):
+            self.names.setdefault(body["name"], k)
+        self.ignored_by_all = [False] * len(self.bodies)
+        self.ignored = set()
+        for a, b in json.get("ignore", []):
+            if a == b == "*":
+                self.ignored_by_all = [True] * len(self.bodies)
+            elif "*" in (a, b):
+                self.ignored_by_all[self.names[b if a == "*" else a]] = True
+            elif self.names[a] != self.names[b]:
+                self.ignored.add(tuple(sorted((self.names[a], self.names[b]))))
+        self.parents = [self.names[body["relative_to"]] if body.get("relative_to") else -1
+                        for body in json["bodies"]]
+
+    def _hashed(self, json, given):
+        """Without what comes before and in between: the name and the touch mode."""
+        out = number(self.start) + number(self.end)
+        plain = all("polygon" in b and not isinstance(b["polygon"], dict) and not b.get("relative_to")
+                    for b in json["bodies"])
+        self.is_world = not (plain and len(given) == 2 and not json.get("ignore"))
+
+        def ring_bytes(ring):
+            return struct.pack("<I", len(ring)) + b"".join(number(c) for v in ring for c in v)
+
+        if self.is_world:
+            out += struct.pack("<I", len(given))
+        for k, rings in enumerate(given):
+            pieces = struct.pack("<I", len(self.own[k])) + b"".join(p.bytes() for p in self.own[k])
+            if not self.is_world:
+                out += ring_bytes(rings[0][0]) + pieces
+                continue
+            parts = [[r[0] for r in rings if r[2] == part] for part in range(rings[-1][2] + 1)]
+            out += struct.pack("<I", len(parts))
+            for part in parts:
+                out += struct.pack("<I", len(part)) + b"".join(ring_bytes(ring) for ring in part)
+            out += struct.pack("<I", self.parents[k] & 0xFFFFFFFF) + pieces + bytes([self.ignored_by_all[k]])
+        if self.is_world:
+            out += struct.pack("<I", len(self.ignored))
+            out += b"".join(struct.pack("<II", a, b) for a, b in sorted(self.ignored))
+        return out
+
+    def fingerprint(self, closed):
+        name = b"taut world 1" if self.is_world else b"taut scene 2"
+        return hashlib.sha256(name + bytes([closed]) + self.hashed).digest()
+
+    def _find_chains(self):
+        for pieces in self.own:
+            for piece in pieces:
+                piece.scale(self.exponent)
+            refuse_cut_cosines(pieces, self.start, self.end)
+        for k in range(len(self.bodies)):
+            chain = []
+            while k >= 0:
+                if not all(piece.rests() for piece in self.own[k]):
+                    chain.insert(0, self.own[k])
+                k = self.parents[k]
+            self.chains.append(chain)
+        self.keys = [tuple(tuple((p.until, p.key()) for p in motion) for motion in chain) for chain in self.chains]
+
+    def asked(self, a, b):
+        if self.ignored_by_all[a] or self.ignored_by_all[b] or (min(a, b), max(a, b)) in self.ignored:
+            return False
+        return len(self.bodies) == 2 or self.keys[a] != self.keys[b]

@@ -1,0 +1,228 @@
+// Writes scenes, logs of separations about them, damaged ones, and what verify() says of each, as JSON lines.
+// `taut_checker_separations REPOSITORY LOGS`: so many valid logs, and ten damaged ones for each.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+
+#include "proof/log_text.hpp"
+#include "support/large_world.hpp"
+#include "support/made_world.hpp"
+#include "support/random_scenes.hpp"
+#include "support/rng.hpp"
+#include "taut/error.hpp"
+#include "taut/io.hpp"
+#include "taut/proof.hpp"
+#include "taut/shape.hpp"
+
+namespace taut::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_vertices = 150, most_bytes = 2500, claim_byte = 41;
+
+std::size_t vertices_in(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Body& body : scene.bodies) {
+    count += body.parts.empty() ? polygon_of(body).size() : 0;
+    for (const Part& part : body.parts) {
+      count += part.outline.size();
+      for (const Polygon& hole : part.holes) count += hole.size();
+    }
+  }
+  return count;
+}
+
+/// Small bodies that all go through the same place, some of them turning: everything may meet everything.
+Scene crowd(Rng& rng) {
+  Scene scene;
+  scene.end = 1;
+  const int bodies = rng.between(13, 18);
+  for (int i = 0; i < bodies; ++i) {
+    const double angle = 6.283185307179586 * i / bodies, size = rng.real(0.05, 0.3), off = rng.real(-3, 3);
+    const double x = std::cos(angle), y = std::sin(angle);
+    MotionPiece piece;
+    piece.x = {10 * x - off * y, -20 * x};
+    piece.y = {10 * y + off * x, -20 * y};
+    if (rng.chance(0.5)) piece.rotation = AngleRotation{{0, rng.real(-3, 3)}};
+    const Polygon square{{-size, -size}, {size, -size}, {size, size}, {-size, size}};
+    scene.bodies.push_back({"b" + std::to_string(i), square, rng.chance(0.9) ? Motion{{piece}} : Motion{}});
+    if (!scene.bodies.back().motion.pieces.empty()) continue;
+    for (Point& p : scene.bodies.back().polygon) p = {p.x + 8 * x, p.y + 8 * y};
+  }
+  return scene;
+}
+
+Scene drawn_world(Rng& rng, std::uint64_t number) {
+  if (number % 8 == 7) return crowd(rng);
+  if (number % 4 == 2) return scene_of(large_world(number).world);
+  if (number % 4 == 3) {
+    SceneOptions options;
+    options.grid = rng.chance(0.4);
+    return random_scene(number, all_families[rng.below(static_cast<int>(std::size(all_families)))], options);
+  }
+  return scene_of(random_world(number));
+}
+
+std::string in_hex(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) text += fmt::format("{:02x}", static_cast<std::uint8_t>(c));
+  return text;
+}
+
+template <class Ref>
+std::string feature_of(const Ref& f) {
+  return fmt::format("[{},{},{},{}]", f.body, f.part, f.ring, f.index);
+}
+
+std::string said_of(const Scene& scene, const std::string& log) {
+  std::istringstream in(log);
+  try {
+    const Verified v = verify(scene, in);
+    std::string text = fmt::format(R"("valid":true,"outcome":"{}","closed":{},"separations":{},"free_until":{})",
+                                   to_string(v.outcome), v.touch == Touch::closed, v.separations, v.free_until);
+    if (v.contact && v.contact_at != ContactAt::start)
+      text += fmt::format(R"(,"vertex":{},"edge":{},"t":[{},{}])", feature_of(v.contact->vertex),
+                          feature_of(v.contact->edge), v.contact->time.lo, v.contact->time.hi);
+    if (v.closer) text += fmt::format(R"(,"vertex":{})", feature_of(v.closer->features.vertex));
+    return text;
+  } catch (const ProofError& error) {
+    std::string reason = error.what();
+    std::erase_if(reason, [](char c) { return c == '"' || c == '\\' || c == '\n'; });
+    return fmt::format(R"("valid":false,"reason":"{}")", reason);
+  }
+}
+
+void print_line(const Scene& scene, const std::string& log, const char* damage) {
+  fmt::print("{{\"log\":\"{}\",\"damage\":\"{}\",{}}}\n", in_hex(log), damage, said_of(scene, log));
+}
+
+/// Four bytes that are a single of a plausible size, if there are any: the side of a box.
+bool change_box(Rng& rng, std::string& bytes) {
+  for (int tries = bytes.size() < 50 ? 60 : 0; tries < 60; ++tries) {
+    const auto at = static_cast<std::size_t>(rng.between(42, static_cast<int>(bytes.size()) - 4));
+    float side;
+    std::memcpy(&side, bytes.data() + at, sizeof side);
+    if (!(std::fabs(side) > 0x1p-6f && std::fabs(side) < 64)) continue;
+    side *= static_cast<float>(rng.real(0.5, 1.2));
+    std::memcpy(bytes.data() + at, &side, sizeof side);
+    return true;
+  }
+  return false;
+}
+
+/// All but the checksum; returns what was done.
+const char* damage(Rng& rng, const Scene& scene, std::string& bytes) {
+  const auto any = [&](int from) {
+    return static_cast<std::size_t>(rng.between(from, static_cast<int>(bytes.size()) - 1));
+  };
+  const std::size_t at = any(42), other = any(42), end = std::min(bytes.size(), at + 1 + any(0) % 24);
+  switch (rng.below(10)) {
+    case 0:
+      bytes.resize(any(0));
+      return "truncated";
+    case 1:
+      std::swap(bytes[at], bytes[other]);
+      return "swapped";
+    case 2:
+      bytes.erase(at, end - at);
+      return "missing";
+    case 3:
+      bytes.insert(other, bytes.substr(at, end - at));
+      return "twice";
+    case 4:
+      return change_box(rng, bytes) ? "box" : "nothing";
+    case 5:
+      bytes[claim_byte] = static_cast<char>(rng.below(4) + (rng.chance(0.3) ? 16 : 0));
+      return "claim";
+    case 6: {
+      bytes[40] = static_cast<char>(1 - bytes[40]);
+      const Fingerprint id = scene_fingerprint(scene, bytes[40] ? Touch::closed : Touch::open);
+      std::copy(id.begin(), id.end(), bytes.begin() + 8);
+      return "touch";
+    }
+    case 7:
+      bytes[at] = static_cast<char>(rng.below(5));
+      return "step";
+    default:
+      bytes[at] = static_cast<char>(rng.chance(0.5) ? bytes[at] ^ (1 << rng.below(8)) : rng.below(256));
+      return "byte";
+  }
+}
+
+/// The scene, its log, and damaged ones; true if there is one.
+bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance) {
+  std::ostringstream out;
+  CheckOptions options;
+  options.touch = touch;
+  options.engine = EngineChoice::spacetime;
+  options.max_seconds = 20;
+  try {
+    if (vertices_in(scene) > most_vertices) return false;
+    if (clearance > 0) {
+      prove_clearance(scene, clearance, out, options);
+    } else {
+      prove(scene, out, options);
+    }
+  } catch (const InputError&) {
+    return false;
+  }
+  const std::string log = out.str();
+  if (log.size() < 52 || log.size() > most_bytes) return false;
+  std::string text = write_scene(scene);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  fmt::print("{{\"scene\":{}}}\n", text);
+  print_line(scene, log, "");
+  for (int k = 0; k < 10; ++k) {
+    std::string bytes = log.substr(0, log.size() - 8);
+    const char* const what = damage(rng, scene, bytes);
+    print_line(scene, rng.chance(0.03) ? bytes + log.substr(log.size() - 8) : sealed(bytes), what);
+  }
+  return true;
+}
+
+/// A clearance of about the size that tells something; 0 for none.
+double drawn_clearance(Rng& rng, const Scene& scene) {
+  if (rng.chance(0.75)) return 0;
+  try {
+    const Clearance least = clearance(scene);
+    return least.nearest && least.nearest->hi > 0 ? least.nearest->hi * rng.real(0.7, 1.3) : 0;
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
+int write_all(const fs::path& root, int logs) {
+  Rng rng(21);
+  int written = 0;
+  const auto print = [&](const Scene& scene, Touch touch) {
+    written += print_world(rng, scene, touch, drawn_clearance(rng, scene));
+  };
+  for (const fs::path& folder : {root / "../shared/worlds", root / "examples/worlds"}) {
+    if (!fs::exists(folder)) continue;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      if (file.extension() != ".json" || file.stem().extension() == ".answer" || 2 * written > logs) continue;
+      for (const Touch touch : {Touch::open, Touch::closed}) print(read_scene(file.string()), touch);
+    }
+  }
+  for (std::uint64_t number = 1; written < logs; ++number)
+    print(drawn_world(rng, number), rng.chance(0.5) ? Touch::closed : Touch::open);
+  return 0;
+}
+
+}  // namespace
+}  // namespace taut::testing
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  return taut::testing::write_all(argv[1], std::atoi(argv[2]));
+}

@@ -1,0 +1,216 @@
+// Windows of logs of separations: boxes made smaller, taken away or exchanged, pairs and bodies and windows left out.
+// Such logs are rejected, or what they still prove is true.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "log_text.hpp"
+#include "proof/header.hpp"
+#include "proof/open_pairs.hpp"
+#include "proof/proved_world.hpp"
+#include "support/effort.hpp"
+#include "support/large_world.hpp"
+#include "support/rng.hpp"
+#include "taut/io.hpp"
+#include "world/swept_box.hpp"
+
+namespace taut::testing {
+namespace {
+
+constexpr std::size_t before_windows = 42, box_bytes = 16;
+
+struct BoxedLog {
+  Scene scene;
+  std::string log;                 ///< without its checksum
+  std::size_t window = 0;          ///< the first window that states boxes
+  std::vector<std::size_t> boxes;  ///< where the flags of its boxes are
+  std::size_t pairs = 0;           ///< where its pairs begin
+};
+
+/// Where the first window with boxes has them, in a log of a claim that nothing is said about.
+void find_boxes(BoxedLog& log) {
+  const proof::ProvedScene scene(log.scene);
+  std::size_t at = before_windows;
+  while (log.log[at] == 0) ++at;
+  log.window = at++;
+  for (std::size_t k = moving_bodies(scene, {}).size(); k > 0; --k) {
+    if (log.log[at] == 1) log.boxes.push_back(at);
+    at += log.log[at] == 1 ? 1 + box_bytes : 1;
+  }
+  log.pairs = at;
+}
+
+float float_at(const std::string& bytes, std::size_t at) {
+  float x;
+  std::memcpy(&x, bytes.data() + at, sizeof x);
+  return x;
+}
+void put_float(std::string& bytes, std::size_t at, float x) { std::memcpy(bytes.data() + at, &x, sizeof x); }
+
+class DamagedWindows : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    for (std::uint64_t seed = 1; logs().size() < effort(15); ++seed) {
+      BoxedLog made;
+      made.scene = scene_of(large_world(seed).world);
+      std::ostringstream out;
+      const Answer answer = prove(made.scene, out);
+      if (answer.outcome != Outcome::free || made.scene.bodies.size() < 13) continue;
+      made.log = out.str().substr(0, out.str().size() - 8);
+      find_boxes(made);
+      if (made.boxes.size() >= 2) logs().push_back(std::move(made));
+    }
+  }
+  static void TearDownTestSuite() {
+    for (const auto& [name, count] : counts())
+      std::cout << name << ": " << count[0] << " damaged logs, " << count[1] << " still proofs\n";
+  }
+  static std::vector<BoxedLog>& logs() {
+    static std::vector<BoxedLog> all;
+    return all;
+  }
+  static std::map<std::string, std::array<int, 2>>& counts() {
+    static std::map<std::string, std::array<int, 2>> all;
+    return all;
+  }
+  /// Is it refused? All scenes are free, so that what is proved of them is true.
+  static bool refused(const std::string& name, const BoxedLog& log, const std::string& bytes) {
+    ++counts()[name][0];
+    std::istringstream in(sealed(bytes));
+    try {
+      const Verified v = verify(log.scene, in);
+      EXPECT_EQ(v.outcome, Outcome::free);
+      ++counts()[name][1];
+      return false;
+    } catch (const ProofError&) {
+      return true;
+    }
+  }
+};
+
+TEST_F(DamagedWindows, NothingDamagedIsAccepted) {
+  for (const BoxedLog& log : logs()) EXPECT_FALSE(refused("nothing", log, log.log));
+}
+
+/// A side goes in by more than the writer leaves room on purpose.
+TEST_F(DamagedWindows, BoxesMadeSmaller) {
+  Rng rng(3);
+  int accepted = 0, tried = 0;
+  for (const BoxedLog& log : logs()) {
+    for (int i = 0; i < 20; ++i, ++tried) {
+      std::string bytes = log.log;
+      const std::size_t at = log.boxes[static_cast<std::size_t>(rng.below(static_cast<int>(log.boxes.size())))] + 1;
+      const int side = rng.below(4);
+      const float lo = float_at(bytes, at + (side % 2) * 4), hi = float_at(bytes, at + 8 + (side % 2) * 4);
+      const float by = static_cast<float>(rng.real(0.3, 0.9)) * (hi - lo);
+      put_float(bytes, at + static_cast<std::size_t>(side) * 4, side < 2 ? lo + by : hi - by);
+      accepted += !refused("a smaller box", log, bytes);
+    }
+  }
+  // The writer's boxes of long chains are wide, and the verifier sees that smaller ones hold as well.
+  EXPECT_LT(5 * accepted, tried);
+}
+
+TEST_F(DamagedWindows, BoxesOfOtherBodies) {
+  Rng rng(4);
+  for (const BoxedLog& log : logs()) {
+    for (int i = 0; i < 20; ++i) {
+      std::string bytes = log.log;
+      const auto any = [&] {
+        return log.boxes[static_cast<std::size_t>(rng.below(static_cast<int>(log.boxes.size())))];
+      };
+      const std::size_t a = any() + 1, b = any() + 1;
+      if (a == b) continue;
+      std::swap_ranges(bytes.begin() + static_cast<std::ptrdiff_t>(a),
+                       bytes.begin() + static_cast<std::ptrdiff_t>(a + box_bytes),
+                       bytes.begin() + static_cast<std::ptrdiff_t>(b));
+      refused("boxes exchanged", log, bytes);
+      bytes = log.log;
+      put_float(bytes, a, float_at(bytes, a) + 1000);
+      put_float(bytes, a + 8, float_at(bytes, a + 8) + 1000);
+      EXPECT_TRUE(refused("a box elsewhere", log, bytes));
+      bytes = log.log;
+      put_float(bytes, a, NAN);
+      EXPECT_TRUE(refused("not a box", log, bytes));
+    }
+  }
+}
+
+/// A body without its flag, a box without its bytes, a pair without its byte, a window without its end.
+TEST_F(DamagedWindows, ThingsLeftOut) {
+  Rng rng(5);
+  for (const BoxedLog& log : logs()) {
+    for (const std::size_t at : log.boxes) {
+      refused("a body left out", log, log.log.substr(0, at) + log.log.substr(at + 1 + box_bytes));
+      refused("a box left out", log, log.log.substr(0, at) + '\0' + log.log.substr(at + 1 + box_bytes));
+    }
+    for (std::size_t at = log.pairs; at < std::min(log.log.size(), log.pairs + 40); ++at)
+      refused("a byte of the pairs left out", log, log.log.substr(0, at) + log.log.substr(at + 1));
+    EXPECT_TRUE(refused("windows left out", log, log.log.substr(0, log.window)));
+    EXPECT_TRUE(refused("windows left out", log, log.log.substr(0, log.pairs - 1)));
+    if (log.pairs < log.log.size()) refused("the pairs left out", log, log.log.substr(0, log.pairs));
+    refused("a window of the other kind", log, log.log.substr(0, log.window) + '\0' + log.log.substr(log.window + 1));
+    EXPECT_TRUE(refused("a half left out", log, log.log.substr(0, log.window) + '\0' + log.log.substr(log.window)));
+  }
+}
+
+/// All bodies in the boxes that they have at the start, no two of which meet: a short proof that nothing ever happens,
+/// if nobody looked where the bodies go.
+TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
+  int forged = 0;
+  for (std::uint64_t seed = 500; forged < static_cast<int>(effort(20)); ++seed) {
+    const Scene scene = scene_of(large_world(seed).world);
+    if (check(scene).outcome != Outcome::contact) continue;
+    const proof::ProvedScene proved(scene);
+    const WorldPlan plan(scene);
+    std::ostringstream log;
+    proof::ByteWriter out(log);
+    proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, Touch::open), Touch::open,
+                              static_cast<std::uint8_t>(proof::Claim::free)});
+    out.u8(1);
+    for (const int body : moving_bodies(proved, {})) {
+      const SweptBox b = swept_box(plan.bodies()[static_cast<std::size_t>(body)], scene.start, scene.start).grown(1e-6);
+      out.u8(1);
+      for (const double side : {b.lo_x, b.lo_y, b.hi_x, b.hi_y}) {
+        const auto single = static_cast<float>(side);
+        std::uint32_t bits;
+        std::memcpy(&bits, &single, sizeof bits);
+        out.u32(bits);
+      }
+    }
+    out.close();
+    ++forged;
+    std::istringstream in(log.str());
+    try {
+      verify(scene, in);
+      ADD_FAILURE() << "accepted: seed " << seed;
+    } catch (const ProofError& error) {
+      EXPECT_NE(std::string(error.what()).find("within its box"), std::string::npos) << error.what();
+    }
+  }
+}
+
+/// Logs of version 3 are refused by that name.
+TEST(ForgedWindows, OfVersionThree) {
+  const Scene scene = scene_of(large_world(1).world);
+  std::ostringstream out;
+  prove(scene, out);
+  std::string log = out.str();
+  ASSERT_GT(log.size(), 50u);
+  log[7] = '3';
+  std::istringstream in(sealed(log.substr(0, log.size() - 8)));
+  try {
+    verify(scene, in);
+    ADD_FAILURE();
+  } catch (const ProofError& error) {
+    EXPECT_NE(std::string(error.what()).find("version 3"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace taut::testing
