@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "geometry/vector.hpp"
@@ -189,7 +190,7 @@ std::array<BodyPose, 2> poses_of_pair(const CurvedWorld& world, const std::array
 
 }  // namespace
 
-bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::size_t most) {
+bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most) {
   const std::array<BodyPose, 2> poses = poses_of_pair(world, pair, t);
   CurvedWorld::Halvings marks = world.no_halvings();
   PosedCells first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);

@@ -50,7 +50,7 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
     ["#a9d2fb", "#ffcfa3"],
   ],
   worldLine: ["", "#dfe6ec"],
-  band: ["rgba(255,255,255,0.55)", "rgba(16,22,29,0.5)"],
+  band: ["rgba(255,190,0,0.42)", "rgba(255,205,40,0.42)"],
   bandLine: ["#16202b", "#e8edf2"],
   faceTint: [
     ["58,134,200", "230,126,34"],
