@@ -11,24 +11,24 @@
 namespace taut {
 namespace {
 
-using Exact = boost::multiprecision::cpp_bin_float_50;
+using Fifty = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double base_radius = 3, first_angle = 0.2, last_angle = 1.1;
 constexpr int flank_pieces = 64;
 
 /// p(u) = r (cos u + u sin u, sin u - u cos u), and p'(u) = r u (cos u, sin u).
-std::array<Exact, 2> involute_at(const Exact& u) {
-  const Exact c = cos(u), s = sin(u);
+std::array<Fifty, 2> involute_at(const Fifty& u) {
+  const Fifty c = cos(u), s = sin(u);
   return {base_radius * (c + u * s), base_radius * (s - u * c)};
 }
 
-Point rounded_of(const std::array<Exact, 2>& p) { return {static_cast<double>(p[0]), static_cast<double>(p[1])}; }
+Point rounded_of(const std::array<Fifty, 2>& p) { return {static_cast<double>(p[0]), static_cast<double>(p[1])}; }
 
 /// A tooth's side from the centre to the involute, which is Hermite's cubics through its points and tangents.
 Outline flank() {
-  const auto angle = [](int k) -> Exact { return first_angle + (Exact(last_angle) - first_angle) * k / flank_pieces; };
-  const Exact third = (angle(1) - angle(0)) / 3;
-  const auto off = [&](const Exact& u, const Exact& by) {
+  const auto angle = [](int k) -> Fifty { return first_angle + (Fifty(last_angle) - first_angle) * k / flank_pieces; };
+  const Fifty third = (angle(1) - angle(0)) / 3;
+  const auto off = [&](const Fifty& u, const Fifty& by) {
     const auto p = involute_at(u);
     return rounded_of({p[0] + by * base_radius * u * cos(u), p[1] + by * base_radius * u * sin(u)});
   };
@@ -42,23 +42,23 @@ Outline flank() {
 
 /// How far the point is from the involute, along its normal: the tangent's length to the base circle is r times the
 /// angle at which it touches there.
-Exact off_involute(const Exact& x, const Exact& y) {
-  const Exact distance = sqrt(x * x + y * y), r = base_radius;
+Fifty off_involute(const Fifty& x, const Fifty& y) {
+  const Fifty distance = sqrt(x * x + y * y), r = base_radius;
   return sqrt(distance * distance - r * r) - r * (atan2(y, x) + acos(r / distance));
 }
 
 /// The most that the spline is away from the involute, at many points of each piece.
 double deviation_of(const Outline& outline) {
-  Exact most = 0;
+  Fifty most = 0;
   Point from = end_of(outline.segments[0]);
   for (std::size_t k = 1; k < outline.segments.size(); ++k) {
     const auto& c = std::get<CubicTo>(outline.segments[k]);
     for (int i = 0; i <= 40; ++i) {
-      const Exact t = Exact(i) / 40, s = 1 - t;
-      const auto at = [&](double a, double b, double d, double e) -> Exact {
+      const Fifty t = Fifty(i) / 40, s = 1 - t;
+      const auto at = [&](double a, double b, double d, double e) -> Fifty {
         return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * d + t * t * t * e;
       };
-      const Exact away =
+      const Fifty away =
           abs(off_involute(at(from.x, c.first.x, c.second.x, c.to.x), at(from.y, c.first.y, c.second.y, c.to.y)));
       if (away > most) most = away;
     }
@@ -89,7 +89,7 @@ TEST(CurvedInvolute, AWallMeetsTheFlankWhereTheInvoluteIs) {
     scene.bodies[1].motion.pieces[0].y = {0, -ny};
     const Answer answer = check(scene);
     ASSERT_EQ(answer.outcome, Outcome::contact) << u << ": " << answer.reason;
-    const double exact = static_cast<double>(8 - Exact(base_radius) * u), room = away + 1e-13;
+    const double exact = static_cast<double>(8 - Fifty(base_radius) * u), room = away + 1e-13;
     EXPECT_LE(answer.contact->time.lo, exact + room) << u;
     EXPECT_GE(answer.contact->time.hi, exact - room) << u;
     EXPECT_LE(answer.contact->time.hi - answer.contact->time.lo, 1e-8) << u;
