@@ -694,10 +694,14 @@ expect 0 'A[0-9.]*,[0-9.]* 0 0 0 ' '' draw discs.json
 expect 0 '"polygon":\[\[1,0\]' '' flatten --outer --tolerance 0.1 discs.json
 expect 2 '' 'the side of the curves is missing' flatten --tolerance 0.1 discs.json
 expect 2 '' 'doubles do not allow a tolerance' flatten --inner --tolerance 1e-30 discs.json
-for command in "prove -o x.proof" trace separator "cells --resolution 1" view; do
+for command in "prove -o x.proof" trace separator "cells --resolution 1"; do
   # shellcheck disable=SC2086
   expect 2 '' 'bounded by curves.*|taut flatten' $command discs.json
 done
+
+expect 0 '"path":"M 1 0 A 1 1 0 0 1 -1 0' '' view discs.json --template page.html
+expect 0 '^  +5 +2\.09901951 ' '' clearance --profile 3 discs.json
+expect 0 '"geometry":{"tolerance":' '' clearance --profile 3 --json discs.json
 
 # Generators: what they promise.
 for kind in gears combs lock jigsaw dips rotor spiral maze; do

@@ -7,6 +7,7 @@
 
 #include "base/interruption.hpp"
 #include "io/json_text.hpp"
+#include "pair/curved_world.hpp"
 #include "pair/validate_world.hpp"
 #include "questions.hpp"
 #include "recording.hpp"
@@ -137,7 +138,7 @@ std::string status_text(const World& w) {
   return std::string("{\"state\":\"") + outcome_state(answer.outcome) +
          "\",\"reached\":true,\"time\":" + io::number_text(w.end()) + ",\"freeUntil\":" + io::number_text(w.end()) +
          ",\"initial\":0,\"max\":0,\"answer\":" + answer_json(w.scene(), answer, w.touch()) +
-         ",\"world\":" + shapes_text(w.scene()) + "}";
+         ",\"world\":" + shapes_text(w.scene(), w.curves()) + "}";
 }
 
 /// The tiling at t, from a simulation of its own.
@@ -163,7 +164,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_scene(const char* text, const char* n
   return answered([&](Scene& scene) {
     scene = parse_scene(text, name);
     if (is_world(scene))
-      validate_world(scene);
+      validate_curved_world(scene);
     else
       validate(scene);
     return "{\"scene\":" + write_scene(scene) + "}";
@@ -187,8 +188,8 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char*
 EMSCRIPTEN_KEEPALIVE const char* taut_shapes(const char* text) {
   return answered([&](Scene& scene) {
     scene = parse_scene(text, "scene");
-    validate_world(scene);
-    return "{\"shapes\":" + shapes_text(scene) + "}";
+    validate_curved_world(scene);
+    return "{\"shapes\":" + shapes_text(scene, nullptr) + "}";
   });
 }
 

@@ -1,7 +1,10 @@
 #include "world.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "check/curved_questions.hpp"
 #include "io/json_text.hpp"
 #include "io/world_shapes.hpp"
 #include "taut/io.hpp"
@@ -11,18 +14,90 @@ namespace taut::web {
 
 namespace {
 
-Answer answer_to(const Scene& scene, Touch touch, double max_seconds) {
-  CheckOptions options;
-  options.touch = touch;
-  options.max_seconds = max_seconds;
-  options.tell_touching = false;
-  return check(scene, options);
+/// Bands are drawn no wider than this share of their body: what is coarse because it is far away would look it.
+constexpr double widest_band = 1.0 / 2048;
+
+double extent_of(const curve::BandedPart& part) {
+  Point lo{INFINITY, INFINITY}, hi{-INFINITY, -INFINITY};
+  const curve::Band& outline = part.bands()[0];
+  for (std::size_t k = 0; k < outline.cells().size(); ++k) {
+    for (const Point& p : outline.corners(k)) {
+      lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+      hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+    }
+  }
+  return std::hypot(hi.x - lo.x, hi.y - lo.y);
+}
+
+/// Marks the cells that are drawn too wide; how many?
+std::size_t mark_wide(const CurvedWorld& world, CurvedWorld::Halvings& marks) {
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < world.scene().bodies.size(); ++b) {
+    const auto& parts = world.parts(static_cast<BodyId>(b));
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const double wide = extent_of(parts[p]) * widest_band;
+      for (std::size_t ring = 0; ring < parts[p].bands().size(); ++ring) {
+        const auto& cells = parts[p].bands()[ring].cells();
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+          if (cells[k].settled || !(cells[k].thickness > wide)) continue;
+          marks[b][p][ring][k] = 1;
+          ++count;
+        }
+      }
+    }
+  }
+  return count;
+}
+
+/// Finer cells lie within coarser ones: what was decided with these holds for those.
+void make_drawable(CurvedWorld& world) {
+  for (CurvedWorld::Halvings marks = world.no_halvings(); mark_wide(world, marks) > 0; marks = world.no_halvings()) {
+    if (!world.refine(marks)) return;
+  }
+}
+
+std::string wall_text(const Polygon& wall) {
+  std::vector<double> numbers;
+  for (const Point& p : wall) numbers.insert(numbers.end(), {p.x, p.y});
+  return io::array_text(numbers);
+}
+
+std::string band_text(const curve::Band& band) {
+  double width = 0;
+  for (const curve::Cell& cell : band.cells()) width = std::max(width, cell.thickness);
+  return "[" + io::number_text(width) + "," + wall_text(band.wall(true)) + "," + wall_text(band.wall(false)) + "]";
+}
+
+std::string bands_text(const CurvedWorld& world) {
+  std::string text;
+  for (std::size_t b = 0; b < world.scene().bodies.size(); ++b) {
+    std::string parts;
+    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(b))) {
+      std::string rings;
+      for (const curve::Band& band : part.bands()) rings += (rings.empty() ? "" : ",") + band_text(band);
+      parts += (parts.empty() ? "[" : ",[") + rings + "]";
+    }
+    text += (b ? ",[" : "[") + parts + "]";
+  }
+  return "[" + text + "]";
 }
 
 }  // namespace
 
-World::World(const Scene& scene, Touch touch, double max_seconds)
-    : scene_(scene), touch_(touch), answer_(answer_to(scene, touch, max_seconds)) {}
+World::World(const Scene& scene, Touch touch, double max_seconds) : scene_(scene), touch_(touch) {
+  CheckOptions options;
+  options.touch = touch;
+  options.max_seconds = max_seconds;
+  options.tell_touching = false;
+  if (!has_curves(scene)) {
+    answer_ = check(scene, options);
+    return;
+  }
+  CurvedContact found = first_contact_of_curves(scene, options);
+  answer_ = std::move(found.answer);
+  curves_ = std::move(found.world);
+  make_drawable(*curves_);
+}
 
 double World::end() const {
   if (answer_.contact) return answer_.contact->time.lo;
@@ -34,7 +109,7 @@ std::string World::picture(double t) const {
   return draw_world_svg(scene_, shown, shown == end() ? marked(answer_) : WorldDrawOptions{});
 }
 
-std::string shapes_text(const Scene& scene) {
+std::string shapes_text(const Scene& scene, const CurvedWorld* curves) {
   const io::WorldShapes shapes(scene);
   std::string order, inner, looks;
   for (const std::size_t body : shapes.painting_order()) order += (order.empty() ? "" : ",") + std::to_string(body);
@@ -46,7 +121,8 @@ std::string shapes_text(const Scene& scene) {
     const io::BodyLook look = io::body_look(k);
     looks += std::string(k ? "," : "") + "[\"" + look.fill + "\",\"" + look.line + "\",\"" + look.ink + "\"]";
   }
-  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"looks\":[" + looks + "]}";
+  return "{\"order\":[" + order + "],\"inner\":[" + inner + "],\"looks\":[" + looks + "]" +
+         (curves ? ",\"bands\":" + bands_text(*curves) : "") + "}";
 }
 
 std::vector<double> poses_of(const Scene& scene, double t) {

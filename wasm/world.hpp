@@ -1,9 +1,11 @@
 // A scene of more than two polygons, answered once: there is no tiling of it to be recorded.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pair/curved_world.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 
@@ -19,18 +21,24 @@ class World {
   Touch touch() const { return touch_; }
   /// The last instant of which something is known.
   double end() const;
+  /// The bands of its curves, which decided; finer where they are far from what happens, so that they do not hide it.
+  /// Null if there are none.
+  const CurvedWorld* curves() const { return curves_ ? &*curves_ : nullptr; }
   /// The picture of an instant, marked if it is the last one.
   std::string picture(double t) const;
 
  private:
   Scene scene_;
   Touch touch_;
+  std::optional<CurvedWorld> curves_;
   Answer answer_;
 };
 
 /// For pictures on the page: {"order": bodies in the order of painting, "inner": for each body [x, y, room, part] of a
 /// point deep inside it, in its own coordinates, "looks": [[fill, line, ink], ...], which come again after the last}.
-std::string shapes_text(const Scene& scene);
+/// With `curves` also "bands": for each body, part and ring [width, [x, y, ...], [x, y, ...]], the walls of a band that
+/// the curve is in, none of them farther than the width from the other; for each polygon [].
+std::string shapes_text(const Scene& scene, const CurvedWorld* curves);
 
 /// Of every body, origin and axis at time t: four numbers each.
 std::vector<double> poses_of(const Scene& scene, double t);

@@ -49,6 +49,10 @@ const titles = {
   "worlds/drawer": "World: a drawer",
   "worlds/conveyor": "World: boxes on a belt",
   "worlds/puzzle": "World: a puzzle",
+  "curves/cam": "Curves: a cam and its follower",
+  "curves/slot": "Curves: a pin in a slot",
+  "curves/geneva": "Curves: a Geneva drive",
+  "curves/hinge": "Curves: a living hinge",
 };
 
 /** As JSON that may stand inside a script element. */

@@ -145,7 +145,14 @@ void Flattener::bezier(std::vector<Point>& out, const std::vector<ControlPoint>&
   const bool kept = settings_.curves && (control.size() == 3 || control.size() == 4) &&
                     std::all_of(control.begin(), control.end(), even);
   const std::size_t since = out.size();
+  const double others = std::exchange(counts_.deviation, 0);
   halve(out, control, 0, kept ? 1 : 0);
+  if (settings_.curves && !kept && control.size() > 2) {
+    ++chorded_.segments;
+    chorded_.chords += out.size() - since;
+    chorded_.deviation = std::max(chorded_.deviation, counts_.deviation);
+  }
+  counts_.deviation = std::max(counts_.deviation, others);
   if (!kept) return;
   const Point end = control.back().point(), first = control[1].point();
   if (control.size() == 3) return keep(out, since, QuadraticTo{first, end});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "import/drawing.hpp"
@@ -34,6 +35,8 @@ class Flattener {
   /// With ImportSettings::curves: those that scenes can have. Rational ones, and those of a higher degree, are chords.
   std::vector<KeptCurve> take_kept() { return std::move(kept_); }
   const CurveCounts& counts() const { return counts_; }
+  /// With ImportSettings::curves, since the last call: curves that are chords all the same.
+  CurveCounts take_chorded() { return std::exchange(chorded_, {}); }
 
  private:
   /// How many chords.
@@ -51,7 +54,7 @@ class Flattener {
   ImportSettings settings_;
   std::vector<KeptCurve> kept_;
   std::string file_;
-  CurveCounts counts_;
+  CurveCounts counts_, chorded_;
 };
 
 /// The B-spline's control points as those of Bezier curves, one for each span of its knots. Throws InputError with

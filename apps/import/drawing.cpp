@@ -1,5 +1,7 @@
 #include "import/drawing.hpp"
 
+#include <algorithm>
+
 namespace taut::drawing {
 
 Layer& Drawing::layer(const std::string& name) {
@@ -16,6 +18,18 @@ void Drawing::skip(const std::string& place, const std::string& what, const std:
     return;
   }
   skipped.push_back({place, what, reason});
+}
+
+void Drawing::count_chorded(const Chorded& more) {
+  for (Chorded& known : chorded) {
+    if (known.what != more.what || known.layer != more.layer) continue;
+    known.entities += more.entities;
+    known.counts.segments += more.counts.segments;
+    known.counts.chords += more.counts.chords;
+    known.counts.deviation = std::max(known.counts.deviation, more.counts.deviation);
+    return;
+  }
+  chorded.push_back(more);
 }
 
 }  // namespace taut::drawing

@@ -66,16 +66,26 @@ struct CurveCounts {
   double deviation = 0;  ///< of any curve from its chords, at most
 };
 
+/// Curves that scenes do not have, and which are chords though curves were to be kept; the first one of its kind and
+/// layer.
+struct Chorded {
+  std::string place, what, layer;
+  std::size_t entities = 0;
+  CurveCounts counts = {};
+};
+
 struct Drawing {
   std::string file, format, units;
   std::vector<Layer> layers;
   std::vector<Skipped> skipped;
   CurveCounts curves;
   std::vector<KeptCurve> kept = {};
+  std::vector<Chorded> chorded = {};
 
   /// The layer of this name, which is made if there is none.
   Layer& layer(const std::string& name);
   void skip(const std::string& place, const std::string& what, const std::string& reason);
+  void count_chorded(const Chorded& more);
 };
 
 }  // namespace taut::drawing

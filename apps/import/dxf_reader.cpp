@@ -123,6 +123,7 @@ class DxfReader {
       chain = polyline(item, vertices, placed);
     } else {
       chain = chain_of(item, placed, flattener_);
+      tell_chorded(item, layer);
     }
     if (!chain && type == "HATCH") return skip(item, "is a filling: draw its boundary as lines, if it is to be a body");
     if (!chain) return skip(item, "is no line or curve");
@@ -130,6 +131,14 @@ class DxfReader {
     Layer& target = drawing_.layer(layer);
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
     target.sheets[0].chains.push_back(std::move(*chain));
+  }
+
+  void tell_chorded(const DxfItem& item, const std::string& layer) {
+    const CurveCounts chorded = flattener_.take_chorded();
+    if (chorded.segments == 0) return;
+    const int degree = item.integer(71);
+    const std::string what = degree > 3 ? "degree " + std::to_string(degree) : "rational";
+    drawing_.count_chorded({item.place(), what + " " + io::excerpt(item.type(), 30), layer, 1, chorded});
   }
 
   Chain polyline(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const Affine& where) {

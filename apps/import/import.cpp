@@ -93,7 +93,14 @@ class BodyMaker {
   BodyMaker(const ImportSettings& settings, Import& import) : settings_(settings), import_(import) {}
 
   void add(Drawing drawing) {
-    file_ = {drawing.file, drawing.format, drawing.units, drawing.curves, {}, std::move(drawing.skipped), 0};
+    file_ = {drawing.file,
+             drawing.format,
+             drawing.units,
+             drawing.curves,
+             {},
+             std::move(drawing.skipped),
+             0,
+             std::move(drawing.chorded)};
     const CurveFinder finder(drawing.kept);
     finder_ = settings_.curves ? &finder : nullptr;
     const std::size_t before = import_.scene.bodies.size();

@@ -16,7 +16,8 @@ struct FileReport {
   CurveCounts curves;
   JoinCounts joins;
   std::vector<Skipped> skipped;
-  std::size_t kept = 0;  ///< segments of outlines that stayed curves
+  std::size_t kept = 0;               ///< segments of outlines that stayed curves
+  std::vector<Chorded> chorded = {};  ///< curves that did not, though they were to
 };
 
 struct BodyReport {

@@ -31,6 +31,12 @@ std::string file_text(const FileReport& file, const ImportSettings& settings) {
                      counted(file.curves.segments, "curve", "curves"), counted(file.curves.chords, "chord", "chords"),
                      rounded_up(file.curves.deviation), settings.tolerance);
   }
+  for (const Chorded& c : file.chorded) {
+    s += fmt::format("  as chords: {} at {}{}, layer {}: {} as {}, nowhere farther than {:.3g} away (--tolerance {})\n",
+                     c.what, c.place, c.entities > 1 ? fmt::format(", and {} more", c.entities - 1) : "", c.layer,
+                     counted(c.counts.segments, "curve", "curves"), counted(c.counts.chords, "chord", "chords"),
+                     rounded_up(c.counts.deviation), settings.tolerance);
+  }
   if (file.joins.joins > 0) {
     s += fmt::format("  {} closed, the widest {:.3g} (--join {})\n", counted(file.joins.joins, "gap", "gaps"),
                      rounded_up(file.joins.longest), settings.join_distance());
@@ -48,12 +54,20 @@ std::string file_json(const FileReport& file) {
     skipped += fmt::format("{}{{\"what\":{},\"place\":{},\"reason\":{},\"times\":{}}}", skipped.empty() ? "" : ",",
                            io::string_text(s.what), io::string_text(s.place), io::string_text(s.reason), s.times);
   }
+  std::string chorded;
+  for (const Chorded& c : file.chorded) {
+    chorded += fmt::format(
+        "{}{{\"what\":{},\"place\":{},\"layer\":{},\"entities\":{},\"curves\":{},\"chords\":{},\"deviation\":{}}}",
+        chorded.empty() ? "" : ",", io::string_text(c.what), io::string_text(c.place), io::string_text(c.layer),
+        c.entities, c.counts.segments, c.counts.chords, io::number_text(c.counts.deviation));
+  }
+  if (!chorded.empty()) chorded = "\"as_chords\":[" + chorded + "],";
   return fmt::format(
       "{{\"file\":{},\"format\":{},\"units\":{},\"curves\":{},\"chords\":{},\"deviation\":{},\"joins\":{},"
-      "\"longest_join\":{},{}\"skipped\":[{}]}}",
+      "\"longest_join\":{},{}{}\"skipped\":[{}]}}",
       io::string_text(file.file), io::string_text(file.format), io::string_text(file.units), file.curves.segments,
       file.curves.chords, io::number_text(file.curves.deviation), file.joins.joins, io::number_text(file.joins.longest),
-      file.kept > 0 ? fmt::format("\"kept\":{},", file.kept) : "", skipped);
+      file.kept > 0 ? fmt::format("\"kept\":{},", file.kept) : "", chorded, skipped);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ std::string clearance_text(const Scene& scene, const Clearance& answer) {
         fmt::format("  {} {} of {} at ({:.9g}, {:.9g}), {} {} of {} at ({:.9g}, {:.9g})\n", kind(n.edges[0]),
                     n.edges[0].index, body_name(scene, n.edges[0].body), n.points[0].x, n.points[0].y, kind(n.edges[1]),
                     n.edges[1].index, body_name(scene, n.edges[1].body), n.points[1].x, n.points[1].y);
+  if (!answer.wide.empty()) text += "  " + answer.wide + '\n';
   for (const NearestPoints& pair : answer.pairs) text += "    " + nearest_line(scene, pair);
   return text;
 }

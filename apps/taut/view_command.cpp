@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "pair/curved_world.hpp"
 #include "pair/pair_plan.hpp"
 #include "pair/validate_world.hpp"
 #include "scene_argument.hpp"
@@ -23,7 +24,7 @@ int run_view(const ViewArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   try {
     if (is_world(scene))
-      validate_world(scene);
+      validate_curved_world(scene);
     else
       validated_facts(scene);
   } catch (const InputError& error) {

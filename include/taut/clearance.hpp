@@ -28,6 +28,8 @@ struct Clearance {
   std::string reason;  ///< why it is not decided; empty otherwise
   Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
+  /// Why the bracket of `nearest` is wider than was asked for, where curves run along each other for long; else empty.
+  std::string wide = {};
 };
 
 /// How precise the bracket is to be.
@@ -118,6 +120,8 @@ struct DistanceProfile {
   std::vector<DistanceCurve> curves;
   std::string reason;  ///< why it is not decided; empty otherwise
   Coverage coverage;
+  /// Of a scene with curves; `tolerance` is the widest bracket of an instant.
+  std::optional<CurveGeometry> geometry = {};
 };
 
 /// What is to be known of the distance, and how precisely.
@@ -136,7 +140,10 @@ struct ProfileOptions {
 /// The distance of bodies over the scene's time. Each bracket is certain: at instants and from below by branch and
 /// bound, over stretches from above by a vertex and an edge that are followed. The upper bound of a stretch is as good
 /// as the stretch is short; the greatest distance is found by halving those that may have it. Where bodies may touch or
-/// not, within the enclosure of an instant of touching, the lower end is 0. Throws InputError.
+/// not, within the enclosure of an instant of touching, the lower end is 0. Brackets of curves hold the curves' own
+/// distance: from below that of polygons around them, from above that of polygons within, finer where bodies are near
+/// at the instants. Stretches and the greatest distance of curves are known no better than to 1e-4 of it. Throws
+/// InputError.
 DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options = {});
 
 }  // namespace taut

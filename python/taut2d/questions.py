@@ -87,14 +87,16 @@ class NearestPoints:
 @dataclass(frozen=True)
 class Clearance:
     """How close bodies come. ``nearest``: of the closest pair; None if no pair is asked about, or nothing was decided:
-    ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``json`` is what
-    ``taut clearance --json`` prints."""
+    ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``wide``: why the bracket is wider than
+    was asked for, where curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
+    prints."""
 
     nearest: Optional[NearestPoints]
     pairs: tuple[NearestPoints, ...]
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+    wide: Optional[str] = None
 
 
 @dataclass(frozen=True)
@@ -118,7 +120,8 @@ class DistanceCurve:
 @dataclass(frozen=True)
 class DistanceProfile:
     """The distance of bodies over time. ``curves``: first the least of all pairs, then each pair's own, if they were
-    asked for; none if no pair is asked about, or nothing was decided: ``reason`` then says why. ``json`` is what
+    asked for; none if no pair is asked about, or nothing was decided: ``reason`` then says why. Of bodies with curves
+    brackets hold the curves' own distance; between instants to 1e-4 of it at best. ``json`` is what
     ``taut clearance --profile N --json`` prints."""
 
     curves: tuple[DistanceCurve, ...]
@@ -175,7 +178,8 @@ def clearance_from_json(text: str) -> Clearance:
     """What ``taut clearance --json`` has printed."""
     value = json.loads(text)
     pairs = tuple(n for n in map(_nearest, value.get("pairs", ())) if n is not None)
-    return Clearance(_nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text)
+    return Clearance(_nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text,
+                     value.get("wide"))
 
 
 def _curve(value: Any) -> DistanceCurve:

@@ -57,3 +57,22 @@ def test_what_takes_polygons_only_refuses_with_a_remedy():
 def test_clearance_is_a_bracket():
     found = taut2d.clearance(scene_of(taut2d.Path("M1 3 A1 1 0 0 1 -1 3 A1 1 0 0 1 1 3 Z")))
     assert found.nearest.lo <= 2 <= found.nearest.hi <= 2 + 1e-8
+
+
+def test_a_profile_holds_the_curves_own_distance():
+    profile = taut2d.distance_profile(scene_of(taut2d.Path(DISC)), 6)
+    for t, lo, hi in profile.curves[0].instants:
+        exact = max(0, math.hypot(10 - t, 1) - 2)
+        assert lo <= exact + 1e-14 and exact - 1e-14 <= hi and hi - lo <= 2e-9 * hi + 1e-11
+    assert json.loads(profile.json)["geometry"]["tolerance"] < 1e-8
+
+
+def test_a_bracket_that_is_wide_says_so():
+    ring = taut2d.Path("M6 0 A6 6 0 0 1 -6 0 A6 6 0 0 1 6 0 Z M5 0 A5 5 0 0 0 -5 0 A5 5 0 0 0 5 0 Z")
+    pin = taut2d.Path("M4.9 0 A4.9 4.9 0 0 1 -4.9 0 A4.9 4.9 0 0 1 4.9 0 Z")
+    text = {"format": "taut-scene/1", "time": [0, 1],
+            "bodies": [{"name": "hub", "polygon": ring._json()}, {"name": "pin", "polygon": pin._json()}]}
+    found = taut2d.clearance(taut2d.Scene.from_json(json.dumps(text)))
+    assert found.nearest.lo <= 0.1 + 1e-12 and found.nearest.hi >= 0.1 - 1e-12
+    assert "run along each other" in found.wide
+    assert taut2d.clearance(scene_of(taut2d.Path(DISC))).wide is None

@@ -47,6 +47,8 @@ class CurvedCheck {
     }
   }
 
+  CurvedWorld take_world() { return std::move(world_); }
+
  private:
   double seconds_left() const { return options_.max_seconds - seconds_since(began_); }
 
@@ -74,7 +76,8 @@ class CurvedCheck {
     if (inner.outcome == Outcome::overlap_at_start) return concluded(inner, {});
     CurvedWorld::Halvings marks = world_.no_halvings();
     const std::size_t count = mark_near(world_, pair_in(outer), from_, 0, marks);
-    if (!limit_.reached(world_) && refine_marked(world_, std::move(marks), count)) return std::nullopt;
+    if (!is_hopeless(outer, from_, count) && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count))
+      return std::nullopt;
     return undecided(outer,
                      "curves touch or run along each other at the start: whether they overlap is finer than "
                      "polygons told");
@@ -93,7 +96,7 @@ class CurvedCheck {
       if (inner->contact && inner->contact->time.hi - lo <= width_of(*inner->contact)) return contact(outer, *inner);
       if (inner->contact) count += mark_near(world_, pair_in(*inner), inner->contact->time.hi, 0, marks);
     }
-    if (limit_.reached(world_) || !refine_marked(world_, std::move(marks), count)) {
+    if (is_hopeless(outer, lo, count) || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count)) {
       if (inner && inner->contact) return barely(outer, *inner);
       return undecided(outer,
                        "from t = " + short_text(lo) +
@@ -101,6 +104,12 @@ class CurvedCheck {
     }
     if (windows_) from_ = std::max(from_, lo - wanted_);
     return std::nullopt;
+  }
+
+  /// Where much is near, it may be all along curves that are as good as the same: the limit would be reached in vain.
+  bool is_hopeless(const Answer& outer, double t, std::size_t count) const {
+    constexpr std::size_t much = 200;
+    return count > much && run_along(world_, pair_in(outer), t, limit_.most());
   }
 
   /// What the polygons themselves leave open is no fault of theirs.
@@ -235,6 +244,12 @@ bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t 
     }
   }
   return world.refine(marks);
+}
+
+CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options) {
+  CurvedCheck check(scene, options);
+  Answer answer = check.run();
+  return {std::move(answer), check.take_world()};
 }
 
 Answer check_curved(const Scene& scene, const CheckOptions& options) {

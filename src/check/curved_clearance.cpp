@@ -10,15 +10,6 @@ namespace {
 
 using ClearanceClock = std::chrono::steady_clock;
 
-double largest_size(const CurvedWorld& world) {
-  double size = 0;
-  for (std::size_t i = 0; i < world.scene().bodies.size(); ++i) {
-    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(i)))
-      size = std::max(size, part.bands()[0].resolution().size);
-  }
-  return size;
-}
-
 double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
   return std::max(world.name_curve(CurveSide::inner, nearest.edges[0]),
                   world.name_curve(CurveSide::inner, nearest.edges[1]));
@@ -41,35 +32,107 @@ Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, C
   return found;
 }
 
-/// The least distance of all pairs, between those of polygons around the bodies and within them.
-Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
-  const ClearanceClock::time_point began = ClearanceClock::now();
-  CurvedWorld world(scene);
-  const RefinementLimit limit(world);
-  ClearanceOptions own = options;
-  own.all_pairs = false;
-  own.relative = std::max(options.relative / 4, 1e-12);
-  for (;;) {
-    own.max_seconds = options.max_seconds - seconds_since(began);
-    const Clearance outer = clearance(world.polygons(CurveSide::outer), own);
-    Clearance inner = clearance(world.polygons(CurveSide::inner), own);
-    inner.geometry = CurveGeometry{world.tolerance(), world.segments()};
-    if (!outer.reason.empty()) inner.reason = outer.reason;
-    if (!inner.reason.empty() || !inner.nearest || !outer.nearest) return inner;
-    const double lo = outer.nearest->lo, hi = inner.nearest->hi;
-    CurvedWorld::Halvings marks = world.no_halvings();
-    std::size_t count = 0;
-    if (hi - lo > options.relative * hi + 1e-12 * largest_size(world)) {
-      count += mark_near(world, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks);
-      count += mark_near(world, inner.nearest->pair, inner.nearest->time.hi, hi, marks);
-    }
-    if (count == 0 || limit.reached(world) || !refine_marked(world, std::move(marks), count)) {
-      inner.nearest->lo = std::min(lo, hi);
-      if (!(hi > 0)) return touching_curves(scene, options, std::move(inner));
-      inner.geometry->tolerance = name_edges(world, *inner.nearest);
-      return inner;
+/// The least distance of all pairs, between those of polygons around the bodies and within them. Where curves run along
+/// each other, all of them would have to be fine: then it ends when that is foreseen, with the bracket there is.
+class ClearanceBracket {
+ public:
+  ClearanceBracket(const Scene& scene, const ClearanceOptions& options)
+      : scene_(scene), options_(options), began_(ClearanceClock::now()), world_(scene), own_(options) {
+    own_.all_pairs = false;
+    own_.relative = std::max(options.relative / 4, 0.01);
+    most_ = 4 * world_.segments() + 3000;
+    size_ = largest_size(world_);
+  }
+
+  Clearance run() {
+    for (;;) {
+      const Clearance outer = ask(CurveSide::outer);
+      if (!outer.reason.empty() || !outer.nearest) return outer;
+      Clearance inner = ask(CurveSide::inner);
+      if (!inner.reason.empty() || !inner.nearest) return inner;
+      const double width = inner.nearest->hi - outer.nearest->lo, wanted = wanted_width(inner.nearest->hi);
+      if (width <= wanted) return concluded(outer, std::move(inner));
+      note_progress(width);
+      if (!refine(outer, inner, width / wanted)) {
+        Clearance answer = concluded(outer, std::move(inner));
+        if (answer.nearest->hi > 0)
+          answer.wide =
+              "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
+              "reasonable";
+        return answer;
+      }
+      // Not much finer than the polygons are: what they leave open has to be settled anyway.
+      own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * width / inner.nearest->hi));
     }
   }
+
+ private:
+  Clearance ask(CurveSide side) {
+    own_.max_seconds = options_.max_seconds - seconds_since(began_);
+    Clearance answer = clearance(world_.polygons(side), own_);
+    answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
+    return answer;
+  }
+
+  double wanted_width(double hi) const { return options_.relative * hi + 1e-12 * size_; }
+
+  void note_progress(double width) {
+    stalled_ = width > 0.5 * least_width_ ? stalled_ + 1 : 0;
+    least_width_ = std::min(least_width_, width);
+  }
+
+  /// False if that is in vain, or doubles end.
+  bool refine(const Clearance& outer, const Clearance& inner, double too_wide) {
+    constexpr std::size_t much = 200;
+    constexpr int patience = 5;
+    CurvedWorld::Halvings marks = world_.no_halvings();
+    std::size_t count = mark_near(world_, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks) +
+                        mark_near(world_, inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi, marks);
+    // The nearest points are elsewhere, and at another time, as soon as the curves are finer where they were.
+    if (stalled_ > 1) count += mark_at_all_times(inner, marks);
+    if (stalled_ > 1) ++wandered_;
+    const bool in_vain = static_cast<double>(count) * std::sqrt(too_wide) > static_cast<double>(most_);
+    if (wandered_ > 2 && in_vain) return false;
+    // What is near for long becomes more with every halving; what is so for a while only does not.
+    const bool grows = static_cast<double>(count) > 1.3 * static_cast<double>(last_count_);
+    last_count_ = count;
+    if (count > much && grows && in_vain && world_.segments() > most_ / 2) return false;
+    return stalled_ < patience && count > 0 && world_.segments() < 10 * most_ &&
+           refine_marked(world_, std::move(marks), count);
+  }
+
+  std::size_t mark_at_all_times(const Clearance& inner, CurvedWorld::Halvings& marks) const {
+    constexpr int times = 32;
+    std::size_t count = 0;
+    const Scene& scene = world_.scene();
+    for (int k = 0; k <= times; ++k) {
+      const double t = scene.start + (scene.end - scene.start) * (k / static_cast<double>(times));
+      count += mark_near(world_, inner.nearest->pair, t, inner.nearest->hi, marks);
+    }
+    return count;
+  }
+
+  Clearance concluded(const Clearance& outer, Clearance inner) const {
+    inner.nearest->lo = std::min(outer.nearest->lo, inner.nearest->hi);
+    if (!(inner.nearest->hi > 0)) return touching_curves(scene_, options_, std::move(inner));
+    inner.geometry->tolerance = name_edges(world_, *inner.nearest);
+    return inner;
+  }
+
+  const Scene& scene_;
+  const ClearanceOptions& options_;
+  ClearanceClock::time_point began_;
+  CurvedWorld world_;
+  ClearanceOptions own_;
+  std::uint64_t most_ = 0;
+  double size_ = 1;
+  int stalled_ = 0, wandered_ = 0;
+  std::size_t last_count_ = 0;
+  double least_width_ = INFINITY;
+};
+
+Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
+  return ClearanceBracket(scene, options).run();
 }
 
 /// A pair's answer in the terms of the whole scene.
@@ -162,6 +225,15 @@ class MarginBracket {
 
 }  // namespace
 
+double largest_size(const CurvedWorld& world) {
+  double size = 0;
+  for (std::size_t i = 0; i < world.scene().bodies.size(); ++i) {
+    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(i)))
+      size = std::max(size, part.bands()[0].resolution().size);
+  }
+  return size;
+}
+
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options) {
   Clearance answer = least_clearance(scene, options);
   if (!options.all_pairs || !answer.reason.empty()) return answer;
@@ -176,6 +248,7 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
     own.all_pairs = false;
     const Clearance found = has_curves(small) ? least_clearance(small, own) : clearance(small, own);
     if (!found.reason.empty()) answer.reason = found.reason;
+    if (!found.wide.empty()) answer.wide = found.wide;
     if (!found.nearest) continue;
     answer.pairs.push_back(*found.nearest);
     place_in(ids, pair.pair, answer.pairs.back());

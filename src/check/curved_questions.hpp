@@ -12,10 +12,26 @@
 namespace taut {
 
 Answer check_curved(const Scene& scene, const CheckOptions& options);
+
+/// A first contact, and the bands between whose walls it was found: pictures show them.
+struct CurvedContact {
+  Answer answer;
+  CurvedWorld world;
+};
+/// As check_curved(), without `fit` and `all_pairs`.
+CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options);
+
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
+DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
 Separation separate_curves(const Scene& scene, const SeparateOptions& options);
+
+/// The curves of distance_profile() with nothing but their instants: polygons only, valid options.
+DistanceProfile distances_at_instants(const Scene& scene, const ProfileOptions& options);
+
+/// The largest coordinate of any curve.
+double largest_size(const CurvedWorld& world);
 
 /// The scene of two bodies, with all that they are seen from, and with nobody else asked about. `ids` are theirs in the
 /// whole scene.
@@ -27,6 +43,7 @@ class RefinementLimit {
  public:
   explicit RefinementLimit(const CurvedWorld& world) : most_(4 * world.segments() + 30000) {}
   bool reached(const CurvedWorld& world) const { return world.segments() > most_; }
+  std::uint64_t most() const { return most_; }
 
  private:
   std::uint64_t most_;

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -22,7 +23,9 @@ struct Candidate {
 
 class ProfileSearch {
  public:
-  ProfileSearch(const Scene& scene, const ProfileOptions& options) : options_(options), plan_(scene) {
+  /// Of instants only, or of all there is to be known.
+  ProfileSearch(const Scene& scene, const ProfileOptions& options, bool only_instants)
+      : options_(options), only_instants_(only_instants), plan_(scene) {
     double largest = 0;
     for (const WorldBody& body : plan_.bodies()) {
       const Bounds& b = body.rings->bounds();
@@ -73,6 +76,7 @@ class ProfileSearch {
     DistanceCurve curve;
     if (pairs.size() == 1) curve.pair = pairs[0]->pair;
     for (int k = 0; k < options_.instants; ++k) curve.instants.push_back(distance.at(instant(k)));
+    if (only_instants_) return curve;
     for (int k = 0; k + 1 < options_.instants; ++k) {
       if (!(instant(k) < instant(k + 1))) continue;
       curve.stretches.push_back(distance.within(instant(k), instant(k + 1)));
@@ -126,6 +130,7 @@ class ProfileSearch {
   }
 
   const ProfileOptions& options_;
+  bool only_instants_;
   WorldPlan plan_;
   spacetime::ClearanceTolerance tolerance_;
   double absolute_ = 0;
@@ -140,10 +145,7 @@ void validate_profile(const ProfileOptions& options) {
                      "2 to 1000000 can be asked for");
 }
 
-}  // namespace
-
-DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options) {
-  validate_profile(options);
+DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& options, bool only_instants) {
   CheckOptions closed;
   closed.touch = Touch::closed;
   closed.max_seconds = options.max_seconds;
@@ -157,13 +159,25 @@ DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& optio
   }
   const InterruptionScope scope(options.stop, options.max_seconds);
   try {
-    return ProfileSearch(scene, options).run(touching);
+    return ProfileSearch(scene, options, only_instants).run(touching);
   } catch (const Undecidable& limit) {
     answer.reason = not_decided(limit);
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
   return answer;
+}
+
+}  // namespace
+
+DistanceProfile distances_at_instants(const Scene& scene, const ProfileOptions& options) {
+  return profile_of_polygons(scene, options, true);
+}
+
+DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options) {
+  validate_profile(options);
+  if (has_curves(scene)) return distance_profile_of_curves(scene, options);
+  return profile_of_polygons(scene, options, false);
 }
 
 }  // namespace taut

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "geometry/vector.hpp"
 #include "pair/ring_set.hpp"
@@ -18,16 +20,21 @@ struct NearBox {
     hi_x = std::max(hi_x, b.hi_x);
     hi_y = std::max(hi_y, b.hi_y);
   }
-  bool meets(const NearBox& b) const { return lo_x <= b.hi_x && b.lo_x <= hi_x && lo_y <= b.hi_y && b.lo_y <= hi_y; }
+  double distance_to(const NearBox& b) const {
+    const double x = std::max({0.0, lo_x - b.hi_x, b.lo_x - hi_x});
+    const double y = std::max({0.0, lo_y - b.hi_y, b.lo_y - hi_y});
+    return std::sqrt(x * x + y * y);
+  }
 };
 
 /// A cell, or an edge of a polygon, where its body is.
 struct PosedCell {
+  const curve::Piece* piece = nullptr;
   std::vector<Vector> corners;
   double thickness = 0;
   int* mark = nullptr;  ///< of a cell that can become finer
   bool marked = false;
-  NearBox box;
+  NearBox box;  ///< around it, with room for its thickness
 };
 
 double distance_to_edge(Vector p, Vector a, Vector b) {
@@ -58,8 +65,7 @@ double distance_between(const PosedCell& a, const PosedCell& b) {
 /// All cells of a body at an instant, and boxes around runs of them.
 class PosedCells {
  public:
-  PosedCells(const CurvedWorld& world, BodyId body, const BodyPose& pose, double reach, CurvedWorld::Halvings& marks)
-      : pose_(pose), reach_(reach) {
+  PosedCells(const CurvedWorld& world, BodyId body, const BodyPose& pose, CurvedWorld::Halvings& marks) : pose_(pose) {
     const auto id = static_cast<std::size_t>(body);
     for (std::size_t p = 0; p < world.parts(body).size(); ++p) {
       const auto& bands = world.parts(body)[p].bands();
@@ -67,6 +73,7 @@ class PosedCells {
         for (std::size_t k = 0; k < bands[ring].cells().size(); ++k) {
           const curve::Cell& cell = bands[ring].cells()[k];
           add(bands[ring].corners(k), cell.thickness, cell.settled ? nullptr : &marks[id][p][ring][k]);
+          cells_.back().piece = &cell.piece;
         }
       }
     }
@@ -80,11 +87,17 @@ class PosedCells {
     build(1, 0, cells_.size());
   }
 
-  /// Visits pairs of cells whose boxes meet.
+  /// Visits pairs of cells whose boxes are no farther from each other than `reach`.
   template <class Visit>
-  static void meet(PosedCells& a, PosedCells& b, const Visit& visit) {
-    across(a, {1, 0, a.cells_.size()}, b, {1, 0, b.cells_.size()}, visit);
+  static void near(PosedCells& a, PosedCells& b, double reach, const Visit& visit) {
+    across(a, {1, 0, a.cells_.size()}, b, {1, 0, b.cells_.size()}, reach, visit);
   }
+
+  Vector posed(const Point& p) const {
+    return Vector{pose_.origin.x, pose_.origin.y} + Vector{pose_.axis.x, pose_.axis.y} * Vector{p.x, p.y};
+  }
+  std::size_t number_of(const PosedCell& cell) const { return static_cast<std::size_t>(&cell - cells_.data()); }
+  std::size_t size() const { return cells_.size(); }
 
  private:
   struct Run {
@@ -104,11 +117,10 @@ class PosedCells {
     PosedCell cell;
     cell.thickness = thickness;
     cell.mark = mark;
-    const double room = thickness + reach_;
     for (const Point& p : corners) {
-      const Vector at = Vector{pose_.origin.x, pose_.origin.y} + Vector{pose_.axis.x, pose_.axis.y} * Vector{p.x, p.y};
+      const Vector at = posed(p);
       cell.corners.push_back(at);
-      cell.box.add({at.x - room, at.y - room, at.x + room, at.y + room});
+      cell.box.add({at.x - thickness, at.y - thickness, at.x + thickness, at.y + thickness});
     }
     cells_.push_back(std::move(cell));
   }
@@ -122,40 +134,92 @@ class PosedCells {
   }
 
   template <class Visit>
-  static void across(PosedCells& a, const Run& i, PosedCells& b, const Run& k, const Visit& visit) {
-    if (!a.around_[i.node].meets(b.around_[k.node])) return;
+  static void across(PosedCells& a, const Run& i, PosedCells& b, const Run& k, double reach, const Visit& visit) {
+    if (a.around_[i.node].distance_to(b.around_[k.node]) > reach) return;
     if (i.size() == 1 && k.size() == 1) return visit(a.cells_[i.lo], b.cells_[k.lo]);
     for (const bool second : {false, true}) {
       if (i.size() >= k.size()) {
-        across(a, i.half(second), b, k, visit);
+        across(a, i.half(second), b, k, reach, visit);
       } else {
-        across(a, i, b, k.half(second), visit);
+        across(a, i, b, k.half(second), reach, visit);
       }
     }
   }
 
   const BodyPose& pose_;
-  double reach_;
   std::vector<PosedCell> cells_;
   std::vector<NearBox> around_;
 };
 
-}  // namespace
+/// Three points on a curve, its ends and its middle, or on an edge.
+using ThreePoints = std::array<Vector, 3>;
 
-std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, double reach,
-                      CurvedWorld::Halvings& marks) {
-  const std::vector<BodyPose> poses = poses_at(world.scene(), t);
-  const auto pose = [&](int k) { return poses[static_cast<std::size_t>(pair[static_cast<std::size_t>(k)])]; };
-  const BodyPose first_pose = pose(0), second_pose = pose(1);
-  // Room for what doubles round.
+ThreePoints points_on(const PosedCells& cells, const PosedCell& cell) {
+  if (!cell.piece) return {cell.corners[0], (cell.corners[0] + cell.corners[1]) * Vector{0.5, 0}, cell.corners[1]};
+  const curve::Piece& piece = *cell.piece;
+  const Vector first = cells.posed(piece.first().rounded()), last = cells.posed(piece.last().rounded());
+  if (piece.is_line()) return {first, (first + last) * Vector{0.5, 0}, last};
+  return {first, cells.posed(curve::halves(piece)[0].last().rounded()), last};
+}
+
+/// How far p is from the circle through three points, or from their line: for short pieces, from the curve.
+double distance_to_circle(Vector p, const ThreePoints& on) {
+  const Vector u = on[1] - on[0], v = on[2] - on[0], q = p - on[0];
+  const double turn = 2 * (u.x * v.y - u.y * v.x), uu = dot(u, u), vv = dot(v, v);
+  // The power of p with respect to the circle, over |p - centre| + radius; without dividing by what may be zero.
+  const double cx = v.y * uu - u.y * vv, cy = u.x * vv - v.x * uu;
+  const double power = turn * dot(q, q) - 2 * (cx * q.x + cy * q.y);
+  const double to_p = std::hypot(turn * q.x - cx, turn * q.y - cy);
+  return std::fabs(power) / (to_p + std::hypot(cx, cy));
+}
+
+/// Where doubles place the bodies, and room for what they round.
+double room_of(const CurvedWorld& world, const std::array<BodyId, 2>& pair, const std::array<BodyPose, 2>& poses) {
   double size = 0;
-  for (const BodyPose& p : {first_pose, second_pose})
-    size = std::max({size, std::fabs(p.origin.x), std::fabs(p.origin.y)});
+  for (const BodyPose& p : poses) size = std::max({size, std::fabs(p.origin.x), std::fabs(p.origin.y)});
   for (const BodyId body : pair) {
     for (const curve::BandedPart& part : world.parts(body)) size = std::max(size, part.bands()[0].resolution().size);
   }
-  const double room = reach + size * 0x1p-46;
-  PosedCells first(world, pair[0], first_pose, room, marks), second(world, pair[1], second_pose, room, marks);
+  return size * 0x1p-46;
+}
+
+std::array<BodyPose, 2> poses_of_pair(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t) {
+  const std::vector<BodyPose> poses = poses_at(world.scene(), t);
+  return {poses[static_cast<std::size_t>(pair[0])], poses[static_cast<std::size_t>(pair[1])]};
+}
+
+}  // namespace
+
+bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most) {
+  const std::array<BodyPose, 2> poses = poses_of_pair(world, pair, t);
+  CurvedWorld::Halvings marks = world.no_halvings();
+  PosedCells first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
+  const double room = room_of(world, pair, poses);
+  std::vector<double> gaps(first.size(), INFINITY);
+  std::vector<std::optional<ThreePoints>> cache(second.size());
+  double thickest = 0;
+  PosedCells::near(first, second, room, [&](PosedCell& a, PosedCell& b) {
+    if (distance_between(a, b) > a.thickness + b.thickness + room) return;
+    std::optional<ThreePoints>& on = cache[second.number_of(b)];
+    if (!on) on = points_on(second, b);
+    double& gap = gaps[first.number_of(a)];
+    gap = std::min(gap, distance_to_circle(points_on(first, a)[1], *on));
+    thickest = std::max({thickest, a.thickness, b.thickness});
+  });
+  std::erase(gaps, INFINITY);
+  if (gaps.empty()) return false;
+  std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
+  const double gap = gaps[gaps.size() / 2];
+  // Thickness falls with the square of the number of cells.
+  return 2 * static_cast<double>(gaps.size()) * std::sqrt(2 * thickest / std::max(gap, 16 * room)) >
+         static_cast<double>(most);
+}
+
+std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, double reach,
+                      CurvedWorld::Halvings& marks) {
+  const std::array<BodyPose, 2> poses = poses_of_pair(world, pair, t);
+  const double room = reach + room_of(world, pair, poses);
+  PosedCells first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
   std::size_t count = 0;
   const auto mark = [&count](PosedCell& cell) {
     if (!cell.mark || cell.marked) return;
@@ -163,7 +227,7 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
     *cell.mark = 1;
     ++count;
   };
-  PosedCells::meet(first, second, [&](PosedCell& a, PosedCell& b) {
+  PosedCells::near(first, second, room, [&](PosedCell& a, PosedCell& b) {
     // Beside a coarse cell a fine one need not become finer.
     const bool first_matters = a.mark && !a.marked && 4 * a.thickness >= b.thickness;
     const bool second_matters = b.mark && !b.marked && 4 * b.thickness >= a.thickness;

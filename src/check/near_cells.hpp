@@ -11,4 +11,9 @@ namespace taut {
 std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, double reach,
                       CurvedWorld::Halvings& marks);
 
+/// Do the curves of two bodies run along each other at that time, so closely that more than `most` cells would be
+/// needed to tell them apart? Guessed in doubles, by what most of the near cells say: good for nothing but giving up
+/// early.
+bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most);
+
 }  // namespace taut

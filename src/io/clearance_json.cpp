@@ -42,6 +42,7 @@ std::string clearance_json(const Scene& scene, const Clearance& answer) {
     s += "]";
   }
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
+  if (!answer.wide.empty()) s += ",\"wide\":" + io::string_text(answer.wide);
   s += io::geometry_json(answer.geometry);
   return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
          ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + "}}";

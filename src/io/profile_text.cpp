@@ -41,7 +41,7 @@ std::string profile_json(const Scene& scene, const DistanceProfile& answer) {
   std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
   s += "\"profile\":" + json_list(answer.curves, [&](const DistanceCurve& c) { return curve_json(scene, c); });
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
-  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
+  return s + io::geometry_json(answer.geometry) + ",\"coverage\":" + io::coverage_json(answer.coverage) +
          ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + "}}";
 }
 

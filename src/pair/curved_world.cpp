@@ -4,6 +4,7 @@
 
 #include "curve/flat_part.hpp"
 #include "pair/ring_set.hpp"
+#include "pair/validate_world.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -26,6 +27,11 @@ InputError located_on_curve(const InputError& error, std::size_t body, std::size
 
 bool has_curves(const Scene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return !b.curves.empty(); });
+}
+
+void validate_curved_world(const Scene& scene) {
+  if (!has_curves(scene)) return validate_world(scene);
+  validate_world(CurvedWorld(scene).polygons(CurveSide::outer));
 }
 
 CurvedWorld::CurvedWorld(const Scene& scene) : scene_(scene) {

@@ -13,6 +13,9 @@ namespace taut {
 /// Is any body bounded by curves?
 bool has_curves(const Scene& scene);
 
+/// As validate_world(), of bodies with curves as well.
+void validate_curved_world(const Scene& scene);
+
 /// The bands of all curves of a scene, refined where somebody asks for it. Whatever bodies within do, the bodies do,
 /// and whatever the bodies do, those around them do.
 class CurvedWorld {

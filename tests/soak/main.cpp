@@ -14,6 +14,7 @@
 
 #include "check/proof_writer.hpp"
 #include "command_line/command_line.hpp"
+#include "curve_examination.hpp"
 #include "question_examination.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
@@ -67,6 +68,7 @@ struct Limits {
   bool contacts = false;        ///< soak_contact_scene(), not soak_scene()
   bool worlds = false;          ///< large_world()
   bool questions = false;       ///< all questions about small scenes
+  bool curves = false;          ///< curved_soak_scene()
 };
 
 /// Questions are asked about scenes made of contacts, and others by turns, if they are small.
@@ -175,6 +177,16 @@ class Soak {
     report(fmt::format("{}, {}: {}", file, made.family, wrong), file, scene_of(made.world), part);
   }
 
+  void look_at_curves(std::uint64_t number, SoakTotals& part) {
+    const CurvedSoakScene made = curved_soak_scene(number);
+    Tally tally;
+    const std::string wrong = examine_curves(number, made, limits_.seconds, tally);
+    part.by_family[made.family] += tally;
+    if (wrong.empty()) return;
+    const std::string file = fmt::format("{}/curves-{}.json", folder_, number);
+    report(fmt::format("{}, {}: {}", file, made.family, wrong), file, made.scene, part);
+  }
+
   static void report(const std::string& finding, const std::string& file, const Scene& scene, SoakTotals& part) {
     part.findings.push_back(finding);
     fmt::print(stderr, "{}\n", finding);
@@ -183,6 +195,7 @@ class Soak {
 
   void look_at(std::uint64_t number, SoakTotals& part) {
     if (limits_.worlds) return look_at_world(number, part);
+    if (limits_.curves) return look_at_curves(number, part);
     const SoakScene s = scene_for(number, limits_);
     Tally tally;
     const std::string wrong = limits_.questions ? examine_questions(s, number, limits_.seconds, tally)
@@ -207,7 +220,9 @@ class Soak {
 /// One scene a line.
 void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene(limits.worlds ? scene_of(large_world(k).world) : scene_for(k, limits).scene);
+    std::string text = write_scene(limits.worlds   ? scene_of(large_world(k).world)
+                                   : limits.curves ? curved_soak_scene(k).scene
+                                                   : scene_for(k, limits).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     fmt::print("{}\n", text);
   }
@@ -232,6 +247,8 @@ int main(int argc, char** argv) {
   app.add_flag("--worlds", limits.worlds, "Worlds of 2 to 60 bodies, judged by definition, in place of others");
   app.add_flag("--questions", limits.questions,
                "Small scenes, about which all questions are asked, held against each other, in place of others");
+  app.add_flag("--curves", limits.curves,
+               "Two bodies with curves, held against chords 4096 times finer than a picture's, in place of others");
   app.add_option("--seconds", limits.seconds, "Limit for each engine and scene").positive();
   app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
@@ -183,6 +184,97 @@ TEST(CurvedCheck, PathsThatAreNoneAreRefusedWithThePlace) {
   EXPECT_NE(refused("M0 0 H10 V4 Q5 -4 0 4 Z").find("segment 0 meets segment 2 near"), std::string::npos)
       << refused("M0 0 H10 V4 Q5 -4 0 4 Z");
   EXPECT_EQ(refused("M0 -1 H10 V4 Q5 -4 0 4 Z"), "");
+}
+
+/// A disc that passes another one: its distance is known at every instant.
+TEST(CurvedProfile, TwoDiscsAgainstTheFormula) {
+  const Scene scene =
+      scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(5, 4, 2), curve_motion({0, -1}, {}))});
+  const auto distance = [](long double t) { return std::hypot(5 - t, 4.0L) - 3; };
+  ProfileOptions options;
+  options.instants = 11;
+  const DistanceProfile answer = distance_profile(scene, options);
+  ASSERT_EQ(answer.curves.size(), 1u) << answer.reason;
+  const DistanceCurve& curve = answer.curves[0];
+  ASSERT_EQ(curve.instants.size(), 11u);
+  for (const DistanceAt& d : curve.instants) {
+    EXPECT_LE(d.lo, distance(d.t));
+    EXPECT_GE(d.hi, distance(d.t));
+    EXPECT_LE(d.hi - d.lo, 2e-9 * d.hi + 1e-11) << d.t;
+  }
+  for (const DistanceWithin& s : curve.stretches) {
+    // The least is at the end nearer to 5.
+    const long double least = distance(s.from < 5 && s.to > 5 ? 5 : s.to <= 5 ? s.to : s.from);
+    EXPECT_LE(s.lo, least);
+    EXPECT_GE(s.lo, least - 3e-3) << s.from;
+    EXPECT_GE(s.hi, std::max(distance(s.from), distance(s.to)));
+  }
+  EXPECT_LE(curve.largest_lo, distance(0));
+  EXPECT_GE(curve.largest_hi, distance(0));
+  ASSERT_TRUE(answer.geometry);
+  EXPECT_LE(answer.geometry->tolerance, 1e-8);
+}
+
+TEST(CurvedProfile, ZeroWhileTheyOverlapAndEachPair) {
+  ProfileOptions options;
+  options.instants = 6;
+  options.all_pairs = true;
+  options.relative = 1e-6;
+  const DistanceProfile answer = distance_profile(
+      scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(5, 0, 1), curve_motion({0, -1}, {})),
+                curve_body("c", disc(0, 9, 1))}),
+      options);
+  ASSERT_EQ(answer.curves.size(), 3u) << "those at rest are not asked about" << answer.reason;
+  for (const DistanceAt& d : answer.curves[1].instants) {
+    const double own = std::max(0.0, std::fabs(5 - d.t) - 2);
+    EXPECT_LE(d.lo, own + 1e-12);
+    EXPECT_GE(d.hi, own - 1e-12);
+    EXPECT_LE(d.hi - d.lo, 1e-5);
+  }
+  EXPECT_EQ(answer.curves[1].instants[2].hi, 0) << "at 4 they overlap";
+}
+
+std::string bore(double r) { return disc(0, 0, 6) + " " + disc(0, 0, r); }
+
+Body hub_of(double r) {
+  Body body;
+  body.name = "hub";
+  body.curves = parse_path(bore(r), FillRule::evenodd);
+  return body;
+}
+
+MotionPiece turning_beside(double x, double y) {
+  MotionPiece piece = curve_motion({x}, {y});
+  piece.rotation = AngleRotation{{0, 1}};
+  return piece;
+}
+
+/// All of the arcs is equally near: the bracket is honest, and does not take for ever.
+TEST(CurvedClearance, NearlyConcentricArcsEndSoon) {
+  for (const double off : {0.0, 1e-3}) {
+    for (const bool turns : {false, true}) {
+      const MotionPiece piece = turns ? turning_beside(off, 0) : curve_motion({off}, {});
+      const Clearance found = clearance(scene_of({hub_of(5), curve_body("pin", disc(0, 0, 4.9), piece)}, 1));
+      ASSERT_TRUE(found.nearest) << found.reason;
+      EXPECT_LE(found.nearest->lo, 0.1 - off + 1e-12);
+      EXPECT_GE(found.nearest->hi, 0.1 - off - 1e-12);
+      EXPECT_LE(found.nearest->hi - found.nearest->lo, 1e-3);
+      const bool narrow = found.nearest->hi - found.nearest->lo <= 1e-9 * found.nearest->hi + 1e-11;
+      EXPECT_EQ(found.wide.empty(), narrow) << "a bracket that is wide says so";
+      EXPECT_LT(found.geometry->segments, 60000u);
+    }
+  }
+}
+
+/// That radii are equal is foreseen long before the limit of edges.
+TEST(CurvedCheck, EqualRadiiEndSoon) {
+  const Answer answer = check(scene_of({hub_of(5), curve_body("pin", disc(0, 0, 5), turning_beside(0, 0))}, 1));
+  EXPECT_EQ(answer.outcome, Outcome::undecided);
+  ASSERT_TRUE(answer.geometry);
+  EXPECT_LT(answer.geometry->segments, 4000u);
+  // A hundred-thousandth less is told from it.
+  const Body less = curve_body("pin", disc(0, 0, 5 - 1e-5), curve_motion({}, {}));
+  EXPECT_EQ(check(scene_of({hub_of(5), less}, 1)).outcome, Outcome::free);
 }
 
 }  // namespace

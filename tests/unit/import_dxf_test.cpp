@@ -143,5 +143,33 @@ std::vector<testing::BadInput> bad_dxf() {
 
 INSTANTIATE_TEST_SUITE_P(Dxf, BadDxfTest, ::testing::ValuesIn(bad_dxf()), testing::name_of);
 
+/// A rational quadratic spline, a quarter of a circle, cannot be kept: which ones, where, how many and how far is told.
+TEST(ImportDxf, NamesSplinesThatBecomeChordsThoughCurvesAreKept) {
+  const std::string quarter = "0 SPLINE 8 cut 71 2 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0.7071067811865476 41 1 ";
+  const std::string closing = "0 LINE 8 cut 10 0 20 1 11 0 21 0 0 LINE 8 cut 10 0 20 0 11 1 21 0 ";
+  const std::string far = "0 LINE 8 cut 10 8 20 1 11 8 21 0 0 LINE 8 cut 10 8 20 0 11 9 21 0 ";
+  const std::string text = dxf_of(quarter + "10 1 20 0 10 1 20 1 10 0 20 1 " + closing + quarter +
+                                  "10 9 20 0 10 9 20 1 10 8 20 1 " + far + "0 CIRCLE 8 cut 10 4 20 4 40 1");
+  drawing::ImportSettings settings;
+  EXPECT_TRUE(dxf_import(text, settings).files[0].chorded.empty()) << "nothing was to be kept";
+  settings.curves = true;
+  const auto import = dxf_import(text, settings);
+  EXPECT_EQ(import.files[0].kept, 4u);
+  ASSERT_EQ(import.files[0].chorded.size(), 1u);
+  const drawing::Chorded& told = import.files[0].chorded[0];
+  EXPECT_EQ(told.what, "rational SPLINE");
+  EXPECT_EQ(told.layer, "cut");
+  EXPECT_EQ(told.entities, 2u);
+  EXPECT_EQ(told.counts.segments, 2u);
+  EXPECT_GT(told.counts.chords, 4u);
+  EXPECT_GT(told.counts.deviation, 0);
+  EXPECT_LE(told.counts.deviation, settings.tolerance);
+  const std::string report = drawing::report_text(import, settings);
+  EXPECT_NE(report.find("as chords: rational SPLINE at d.dxf:"), std::string::npos) << report;
+  EXPECT_NE(report.find(", and 1 more, layer cut: 2 curves as "), std::string::npos) << report;
+  EXPECT_NE(drawing::report_json(import, settings).find("\"as_chords\":[{\"what\":\"rational SPLINE\""),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut

@@ -108,9 +108,10 @@ export class Painter {
     let least = reach * reach;
     const look = (figure: Figure, body: number, part: number, ring: number): void => {
       const { a, b, c, d, e, f } = this.camera.placing(frame.poses[body]);
-      for (let index = 0; index < figure.size; ++index) {
-        const dx = e + a * figure.x[index] + b * figure.y[index] - x;
-        const dy = f + c * figure.x[index] + d * figure.y[index] - y;
+      for (let index = 0; index < figure.corners; ++index) {
+        const [u, v] = figure.corner(index);
+        const dx = e + a * u + b * v - x;
+        const dy = f + c * u + d * v - y;
         const distance = dx * dx + dy * dy;
         if (distance >= least) continue;
         least = distance;

@@ -8,7 +8,7 @@ import { drawHandles } from "./handlemarks";
 import { Handles, type Edited, type Mode } from "./handles";
 import { keyframesOf, pivotOf, seenFrom, velocityAt, type Keyframe, type Velocity } from "./motions";
 import type { Player } from "./player";
-import { cornerAt, dropVertex, Shape } from "./shapes";
+import { cornerAt, dropVertex, isCurved, Shape } from "./shapes";
 import type { Tool } from "./stage";
 import type { Colours } from "./theme";
 
@@ -18,6 +18,8 @@ export interface EditorHost {
   /** A changed scene: `final` when the pointer was let go. */
   edited(scene: Scene, final: boolean, driven: boolean): void;
   redraw(): void;
+  /** What is to be known, in words. */
+  say(note: string): void;
   /** Bodies that are not to be seen. */
   readonly hidden: ReadonlySet<number>;
 }
@@ -152,6 +154,7 @@ export class Editor implements Tool, Edited {
   /** A new vertex on the edge that is nearest to the pixel, if one is near. */
   addVertex(x: number, y: number): boolean {
     if (this.mode !== "shape") return false;
+    if (isCurved(this.scene.bodies[this.body]) && this.handles.covers(this.body, x, y)) return this.refuseCurves();
     const edge = this.handles.edgeAt(x, y);
     if (edge < 0) return false;
     const [u, v] = local(this.poses()[this.body], ...this.handles.camera.world(x, y));
@@ -162,9 +165,20 @@ export class Editor implements Tool, Edited {
   }
 
   removeVertex(): boolean {
-    if (this.mode !== "shape" || this.vertex < 0) return false;
+    if (this.mode !== "shape") return false;
+    if (isCurved(this.scene.bodies[this.body])) return this.refuseCurves();
+    if (this.vertex < 0) return false;
     if (!dropVertex(this.scene.bodies[this.body], this.vertex)) return false;
     this.reshaped(-1);
+    return true;
+  }
+
+  /** Curves have no vertices to be taken hold of: says where they are changed. */
+  private refuseCurves(): boolean {
+    this.host.say(
+      `${this.scene.bodies[this.body].name} is bounded by curves: change its path in the text below, "Outline" or ` +
+        `"Scene file". Here it can be moved as a whole.`,
+    );
     return true;
   }
 

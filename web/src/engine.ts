@@ -23,7 +23,10 @@ export class TautError extends Error {
 
 export interface Feature {
   body: string;
+  /** Of a vertex or an edge, or of the segment of a path. */
   index: number;
+  /** Where on the segment, from 0 to 1. */
+  at?: number;
   /** Left out where the body is one outline without holes; ring 0 is the outline, k the k-th hole. */
   part?: number;
   ring?: number;
@@ -65,6 +68,8 @@ export interface Answer {
   coverage?: Coverage;
   free_until?: number;
   reason?: string;
+  /** How well curves were known. */
+  geometry?: { tolerance: number; segments: number };
   events: number;
   certificates: { initial: number; max: number };
   scope: { bodies: string[]; time: [number, number]; touch: "open" | "closed" };
@@ -78,7 +83,12 @@ export interface WorldLooks {
   inner: [number, number, number, number][];
   /** Fill, line, and what is written on the fill; they come again after the last. */
   looks: [string, string, string][];
+  /** Of each body, part and ring with curves; polygons have none. */
+  bands?: Band[][][];
 }
+
+/** How wide at most, and the two walls, x and y in turn: the curve lies between them. */
+export type Band = [number, number[], number[]];
 
 export interface Status {
   state: "running" | "finished" | "contact" | "overlap_at_start" | "undecided";
@@ -99,6 +109,11 @@ export interface Part {
   outline: Ring;
   holes?: Ring[];
 }
+/** An outline with curves, as the data of an SVG path that the library has written: an outline, then its holes. */
+export interface PathPart {
+  path: string;
+  "fill-rule"?: "nonzero" | "evenodd";
+}
 
 export interface Motion {
   x?: number[];
@@ -115,7 +130,7 @@ export interface Motion {
 export interface Body {
   name: string;
   polygon?: Ring;
-  parts?: (Ring | Part)[];
+  parts?: (Ring | Part | PathPart)[];
   /** The body from whose frame the motion is seen. */
   relative_to?: string;
   motion?: Motion | Motion[] | null;
@@ -129,10 +144,10 @@ export interface Scene {
   ignore?: [string, string][];
 }
 
-/** As files have it: a polygon with holes is one part here. */
+/** As files have it: a polygon with holes, or a path, is one part here. */
 export function inParts(scene: Scene): Scene {
   for (const body of scene.bodies) {
-    const polygon = body.polygon as Ring | Part | undefined;
+    const polygon = body.polygon as Ring | Part | PathPart | undefined;
     if (!polygon || Array.isArray(polygon)) continue;
     body.parts = [polygon];
     delete body.polygon;

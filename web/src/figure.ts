@@ -1,5 +1,6 @@
 // A body's outline with a measure of how much each of its vertices matters, so that small pictures draw few of them.
 import type { Pose } from "./engine";
+import type { CurvedRing } from "./paths";
 
 export class Figure {
   readonly x: Float64Array;
@@ -9,7 +10,11 @@ export class Figure {
   private readonly importance: Float64Array;
   private readonly levels = new Map<number, Int32Array>();
 
-  constructor(polygon: [number, number][]) {
+  /** Of an outline with curves, `polygon` is a sketch: `curve` is what is drawn. */
+  constructor(
+    polygon: [number, number][],
+    readonly curve: CurvedRing | null = null,
+  ) {
     this.x = Float64Array.from(polygon, (p) => p[0]);
     this.y = Float64Array.from(polygon, (p) => p[1]);
     const [lowX, highX] = range(this.x);
@@ -21,6 +26,15 @@ export class Figure {
 
   get size(): number {
     return this.x.length;
+  }
+
+  /** What features name: vertices of a polygon, ends of segments of a curve. */
+  get corners(): number {
+    return this.curve?.length ?? this.size;
+  }
+
+  corner(i: number): [number, number] {
+    return this.curve?.[i].from ?? [this.x[i], this.y[i]];
   }
 
   /** Vertices of an outline that differs from the true one by at most about `tolerance`. */

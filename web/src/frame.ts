@@ -9,6 +9,8 @@ export interface Layers {
   tiling: boolean;
   corners: boolean;
   vertices: boolean;
+  /** Of curves: what the polygons that decided leave between them. */
+  bands: boolean;
 }
 
 export interface EventMarks {
@@ -20,7 +22,8 @@ export interface EventMarks {
 export interface ContactMarks {
   point: [number, number];
   normal: [number, number];
-  edge: { body: number; part: number; ring: number; index: number };
+  /** What is marked: the edge, or both segments where curves meet. */
+  features: (Culprit & { body: number })[];
   label: string;
 }
 

@@ -1,4 +1,5 @@
 // The handles of each mode, drawn: vertices, ghosts at the keyframes, and the arrow of the motion from now on.
+import { addRing } from "./curvedrawing";
 import { placed } from "./figure";
 import { spinRadius, type Edited, type Handles } from "./handles";
 import type { Keyframe } from "./motions";
@@ -45,9 +46,12 @@ function drawOutlines(c: CanvasRenderingContext2D, frames: Keyframe[], edited: E
     const pose = handles.ghostPose(k);
     for (const figure of edited.shapes()[edited.body].parts.flat()) {
       c.beginPath();
-      for (const i of figure.outline(0.7 / handles.camera.scale))
-        c.lineTo(...handles.camera.pixel(...placed(pose, figure.x[i], figure.y[i])));
-      c.closePath();
+      if (figure.curve) addRing(c, figure, figure.curve, pose, handles.camera);
+      else {
+        for (const i of figure.outline(0.7 / handles.camera.scale))
+          c.lineTo(...handles.camera.pixel(...placed(pose, figure.x[i], figure.y[i])));
+        c.closePath();
+      }
       c.stroke();
     }
   }

@@ -3,7 +3,7 @@ import type { Camera } from "./camera";
 import type { Pose, Ring, Scene } from "./engine";
 import { local, placed } from "./figure";
 import { poseOf, product, type Keyframe, type Velocity } from "./motions";
-import { cornerAt, partsOf, verticesIn, type Shape } from "./shapes";
+import { cornerAt, partsOf, ringsWithVertices, verticesIn, type Shape } from "./shapes";
 
 export type Mode = "look" | "shape" | "keyframes" | "drive";
 
@@ -155,7 +155,7 @@ export class Handles {
     let best = -1;
     let distance = this.reach;
     let first = 0;
-    for (const { length } of partsOf(scene.bodies[body]).flat()) {
+    for (const { length } of ringsWithVertices(scene.bodies[body])) {
       for (let i = 0; i < length; ++i) {
         const ends = [i, (i + 1) % length].map((k) => this.pixel(body, first + k));
         const d = distanceToSegment([x, y], ends[0], ends[1]);

@@ -8,8 +8,8 @@ const keys: [string, string][] = [
   ["Home End", "start, or contact or end"],
   ["+ − 0", "zoom in, zoom out, show everything"],
   ["w a s d", "move the view"],
-  ["z", "zoom to the event or the contact"],
-  ["f e c v", "faces, edges of the tiling, corners, vertices"],
+  ["z", "zoom to the event or the contact; once more, to where curves are bands"],
+  ["f e c v b", "faces, edges of the tiling, corners, vertices, bands around curves"],
   ["t", "light or dark"],
   ["?", "this list"],
 ];

@@ -21,7 +21,12 @@ export class Legend {
       this.layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
       this.layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
     );
-    this.element = h("div", { class: "legend" }, ofTiling, this.layer("vertices", "vertices", "v"));
+    const ofCurves = h(
+      "div",
+      { class: "of-curves" },
+      this.layer("bands", "bands in which curves are known to lie", "b"),
+    );
+    this.element = h("div", { class: "legend" }, ofTiling, ofCurves, this.layer("vertices", "vertices", "v"));
   }
 
   showNames(names: string[]): void {

@@ -1,5 +1,6 @@
 // What is marked in the picture: events, the contact, faults; and what is written into it.
 import type { Camera } from "./camera";
+import { addSegmentOf } from "./curvedrawing";
 import { placed } from "./figure";
 import type { ContactMarks, Culprit, EventMarks, FaultMarks, Frame, NearestMarks } from "./frame";
 import { addSegment } from "./pixels";
@@ -91,12 +92,6 @@ export class Marks {
 
   contact(frame: Frame, contact: ContactMarks, colours: Colours): void {
     const c = this.context;
-    const { body, part, ring, index } = contact.edge;
-    const figure = frame.shapes[body].parts[part][ring];
-    const end = (i: number): [number, number] =>
-      this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i]));
-    const [ax, ay] = end(index);
-    const [bx, by] = end((index + 1) % figure.size);
     const [x, y] = this.camera.pixel(contact.point[0], contact.point[1]);
     const tip: [number, number] = [x + 34 * contact.normal[0], y - 34 * contact.normal[1]];
     for (const [colour, width] of [
@@ -106,7 +101,7 @@ export class Marks {
       c.strokeStyle = colour;
       c.lineWidth = width;
       c.beginPath();
-      addSegment(c, ax, ay, bx, by, this.camera);
+      for (const feature of contact.features) this.edge(frame, feature.body, feature);
       c.moveTo(x + (tip[0] - x) * 0.26, y + (tip[1] - y) * 0.26);
       c.lineTo(tip[0], tip[1]);
       c.moveTo(x + 9, y);
@@ -119,6 +114,17 @@ export class Marks {
     c.fill();
     c.font = "600 13px system-ui, sans-serif";
     this.beside(contact.label, x, y + 18, colours);
+  }
+
+  /** Adds an edge, or a segment of a curve, to the path. */
+  private edge(frame: Frame, body: number, { part, ring, index }: Culprit): void {
+    const c = this.context;
+    const figure = frame.shapes[body].parts[part][ring];
+    const pose = frame.poses[body];
+    if (figure.curve) return addSegmentOf(c, figure, figure.curve[index % figure.corners], pose, this.camera);
+    const [ax, ay] = this.camera.pixel(...placed(pose, ...figure.corner(index)));
+    const [bx, by] = this.camera.pixel(...placed(pose, ...figure.corner((index + 1) % figure.size)));
+    addSegment(c, ax, ay, bx, by, this.camera);
   }
 
   /** The points at which two bodies are closest, and their distance; with rings where they are too close to be told apart. */
@@ -174,18 +180,14 @@ export class Marks {
 
   fault(frame: Frame, fault: FaultMarks, colours: Colours): void {
     const c = this.context;
-    const pixel = ({ part, ring, index }: Culprit, on = 0): [number, number] => {
+    const pixel = ({ part, ring, index }: Culprit): [number, number] => {
       const figure = frame.shapes[fault.body].parts[part][ring];
-      const i = (((index + on) % figure.size) + figure.size) % figure.size;
-      return this.camera.pixel(...placed(frame.poses[fault.body], figure.x[i], figure.y[i]));
+      return this.camera.pixel(...placed(frame.poses[fault.body], ...figure.corner(index % figure.corners)));
     };
     c.strokeStyle = colours.fault;
     c.lineWidth = 4;
     c.beginPath();
-    for (const edge of fault.edges) {
-      c.moveTo(...pixel(edge));
-      c.lineTo(...pixel(edge, 1));
-    }
+    for (const edge of fault.edges) this.edge(frame, fault.body, edge);
     for (const vertex of fault.vertices) {
       const [x, y] = pixel(vertex);
       c.moveTo(x + 10, y);

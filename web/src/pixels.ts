@@ -88,7 +88,7 @@ function clipSegment(
 
 /** Adds what can be seen of a segment to the path; false if that is nothing. */
 export function addSegment(
-  c: CanvasRenderingContext2D,
+  c: CanvasPath,
   ax: number,
   ay: number,
   bx: number,

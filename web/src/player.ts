@@ -219,11 +219,14 @@ export class Player {
   }
 
   private marksOf({ point, normal, vertex, edge }: ContactAnswer): ContactMarks {
-    const { body, part = 0, ring = 0, index } = edge;
-    const [a, b] = [vertex.body, body].map((name) => this.bodyCalled(name)).sort((i, j) => i - j);
+    const features = [edge, ...(vertex.at === undefined ? [] : [vertex])].map((feature) => {
+      const { body, part = 0, ring = 0, index } = feature;
+      return { body: this.bodyCalled(body), part, ring, index };
+    });
+    const [a, b] = [vertex.body, edge.body].map((name) => this.bodyCalled(name)).sort((i, j) => i - j);
     const names = `${this.scene.bodies[a].name} x ${this.scene.bodies[b].name}`;
     const label = this.world ? `contact: ${names}` : "contact";
-    return { point, normal, edge: { body: this.bodyCalled(body), part, ring, index }, label };
+    return { point, normal, features, label };
   }
 
   certificates(): number {

@@ -11,6 +11,7 @@ import { besideOthers, withOutline } from "./importing";
 import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { acceptDrops, headerTools, pageExamples, saveFile, type Example, type OpenAndSaveHost } from "./openandsave";
 import { Player } from "./player";
+import { PathText } from "./pathtext";
 import { SceneText } from "./scenetext";
 import { fromFragment, shareLink } from "./sharing";
 import { Workbench } from "./workbench";
@@ -26,6 +27,7 @@ class Playground {
   private readonly message = new FaultMessage();
   private readonly panel: EditPanel;
   private readonly text: SceneText;
+  private readonly path: PathText;
   private readonly history: History;
   private readonly changes: Changes;
   private readonly worldEditing: WorldEditing;
@@ -43,6 +45,7 @@ class Playground {
       edited: (_, final, driven) => this.changes.schedule(final, driven),
       begun: () => this.changes.hold(),
       redraw: () => this.workbench.redraw(),
+      say: (note) => (this.panel.note = note),
       hidden: this.workbench.stage.hidden,
     });
     this.history = new History({ present: () => this.editor.scene && this.valid, restore: (s) => this.restore(s) });
@@ -51,6 +54,7 @@ class Playground {
       () => this.editor.scene,
       (text) => this.applyText(text),
     );
+    this.path = new PathText((body, paths) => this.applyPaths(body, paths));
     this.worldEditing = new WorldEditing(player, this.editor, this.workbench, {
       change: (scene, note, body) => this.change(scene, note, body),
       say: (note) => (this.panel.note = note),
@@ -116,7 +120,7 @@ class Playground {
     side.insertBefore(this.panel.element, side.children[1]);
     this.workbench.bodiesPart.append(this.worldEditing.panel.element);
     this.workbench.element.classList.add("editable");
-    side.append(this.text.element);
+    side.append(this.path.element, this.text.element);
     stage.element.append(this.message.element);
     acceptDrops(element, host);
   }
@@ -230,6 +234,7 @@ class Playground {
     this.worldEditing.panel.show(this.editor.scene, this.editor.body);
     this.history.showButtons();
     this.text.show();
+    this.path.show(this.editor.scene, this.editor.body);
   }
 
   private setKeyframes(frames: Keyframe[], mode?: Mode): void {
@@ -245,6 +250,19 @@ class Playground {
       this.load(this.player.engine.readScene(text, "scene"), null);
     } catch (error) {
       this.fail(error);
+    }
+  }
+
+  /** The library reads what people write as paths, and gives it back as the page reads it. */
+  private applyPaths(body: number, paths: string[]): void {
+    try {
+      const scene = structuredClone(this.editor.scene);
+      scene.bodies[body].parts = paths.map((path) => ({ path, "fill-rule": "evenodd" }));
+      this.change(this.player.engine.readScene(JSON.stringify(scene), "outline"), "", body);
+    } catch (error) {
+      this.fail(error);
+      // Culprits are in the text, not in the picture.
+      this.editor.faults = [];
     }
   }
 

@@ -109,9 +109,10 @@ export class QuestionPanel {
   }
 
   private clearanceWords(): Node[] {
-    const { clearance, reason } = this.asked.answers.clearance!;
+    const { clearance, reason, wide } = this.asked.answers.clearance!;
     if (reason) return [h("p", {}, reason)];
-    return [clearance ? h("p", {}, this.nearestText(clearance)) : h("p", {}, "No pair is asked about.")];
+    if (!clearance) return [h("p", {}, "No pair is asked about.")];
+    return [h("p", {}, this.nearestText(clearance)), ...(wide ? [h("p", {}, wide)] : [])];
   }
 
   private nearestText(n: Nearest): Node {

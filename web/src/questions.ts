@@ -28,6 +28,8 @@ export interface Nearest {
 export interface ClearanceAnswer {
   clearance: Nearest | null;
   reason?: string;
+  /** Why the bracket is wider than was asked for. */
+  wide?: string;
 }
 
 export interface DistanceCurve {

@@ -1,19 +1,34 @@
 // Bodies as they are drawn: their parts, each an outline and its holes.
-import type { Body, Part, Ring, Scene } from "./engine";
+import type { Body, Part, PathPart, Ring, Scene } from "./engine";
 import { Figure } from "./figure";
+import { ringsOfPath, sketched } from "./paths";
 
-/** Of each part: its outline, then its holes. */
+type AnyPart = Ring | Part | PathPart;
+
+export const isPath = (part: AnyPart): part is PathPart => "path" in part;
+
+/** Is the body bounded by curves? Then its parts are paths. */
+export const isCurved = (body: Body): boolean => (body.parts ?? []).some(isPath);
+
+const listOf = (body: Body): AnyPart[] => (body.polygon ? [body.polygon] : (body.parts ?? []));
+
+/** Of each part: its outline, then its holes; sketches of those that are paths. */
 export function partsOf(body: Body): Ring[][] {
-  if (body.polygon) return [[body.polygon]];
-  return (body.parts ?? []).map((part) => (Array.isArray(part) ? [part] : [part.outline, ...(part.holes ?? [])]));
+  return listOf(body).map((part) => (isPath(part) ? sketched(part.path) : ringsOf(part)));
 }
 
+const ringsOf = (part: Ring | Part): Ring[] => (Array.isArray(part) ? [part] : [part.outline, ...(part.holes ?? [])]);
+
+/** Those that have vertices which can be taken hold of. */
+export const ringsWithVertices = (body: Body): Ring[] =>
+  listOf(body).flatMap((part) => (isPath(part) ? [] : ringsOf(part)));
+
 /** Vertices are counted on from ring to ring. */
-export const verticesIn = (body: Body): number => partsOf(body).reduce((sum, rings) => sum + rings.flat().length, 0);
+export const verticesIn = (body: Body): number => ringsWithVertices(body).reduce((sum, ring) => sum + ring.length, 0);
 
 /** The ring that has the vertex of this number, and where; what is done to the ring is done to the body. */
 export function cornerAt(body: Body, vertex: number): { ring: Ring; index: number } {
-  for (const ring of partsOf(body).flat()) {
+  for (const ring of ringsWithVertices(body)) {
     if (vertex < ring.length) return { ring, index: vertex };
     vertex -= ring.length;
   }
@@ -25,13 +40,14 @@ export function dropVertex(body: Body, vertex: number): boolean {
   const { ring, index } = cornerAt(body, vertex);
   if (ring.length > 3) return ring.splice(index, 1).length > 0;
   const { parts = [] } = body;
-  const k = parts.findIndex((part) => !Array.isArray(part) && part.holes?.includes(ring));
+  const k = parts.findIndex((part) => "outline" in part && part.holes?.includes(ring));
   if (k < 0) return false;
   const part = parts[k] as Part;
   const holes = part.holes!.filter((hole) => hole !== ring);
   parts[k] = holes.length > 0 ? { ...part, holes } : part.outline;
-  if (parts.length === 1 && Array.isArray(parts[0])) {
-    body.polygon = parts[0];
+  const [first] = parts;
+  if (parts.length === 1 && Array.isArray(first)) {
+    body.polygon = first;
     delete body.parts;
   }
   return true;
@@ -41,7 +57,11 @@ export class Shape {
   readonly parts: Figure[][];
 
   constructor(body: Body) {
-    this.parts = partsOf(body).map((rings) => rings.map((ring) => new Figure(ring)));
+    this.parts = listOf(body).map((part) => {
+      if (!isPath(part)) return ringsOf(part).map((ring) => new Figure(ring));
+      const curves = ringsOfPath(part.path);
+      return sketched(part.path).map((ring, k) => new Figure(ring, curves[k]));
+    });
   }
 
   /** The outline of the first part: all there is of a plain body. */

@@ -27,7 +27,7 @@ export class Stage {
   /** The vertex below the pointer. */
   private readonly readout = h("output", { class: "readout", id: "readout" });
   readonly painter: Painter;
-  layers: Layers = { faces: true, tiling: true, corners: true, vertices: false };
+  layers: Layers = { faces: true, tiling: true, corners: true, vertices: false, bands: true };
   theme: ThemeChoice = "auto";
   faults: FaultMarks[] = [];
   /** Where bodies are closest, if that is now. */
@@ -39,6 +39,8 @@ export class Stage {
   onDoubleClick: (x: number, y: number) => boolean = () => false;
   /** The view was moved by hand: leave it. */
   private moved = false;
+  /** The point that is shown large, if one is. */
+  zoomedTo: [number, number] | null = null;
   private readonly pointers = new Map<number, [number, number]>();
   private toolDrags = false;
 
@@ -99,6 +101,7 @@ export class Stage {
   /** Shows everything that the bodies pass over, as far as it is known. */
   fit(): void {
     this.moved = false;
+    this.zoomedTo = null;
     const { clientWidth: width, clientHeight: height } = this.element;
     if (width === 0 || !this.player.scene) return;
     this.camera.resize(width, height);
@@ -123,10 +126,11 @@ export class Stage {
     this.redraw();
   }
 
-  /** Shows these points large. */
-  zoomTo(points: [number, number][]): void {
+  /** Shows these points large, and no less than `least` of the world. */
+  zoomTo(points: [number, number][], least = this.player.figures[0].diameter * 1e-3): void {
     const box = boxOf(points);
-    const size = Math.max(box.highX - box.lowX, box.highY - box.lowY, this.player.figures[0].diameter * 1e-3);
+    this.zoomedTo = points[0];
+    const size = Math.max(box.highX - box.lowX, box.highY - box.lowY, least);
     const room = 0.8 * size;
     this.moved = true;
     this.camera.fit({ lowX: box.lowX - room, lowY: box.lowY - room, highX: box.highX + room, highY: box.highY + room });
@@ -192,9 +196,9 @@ export class Stage {
     let text = "";
     if (found) {
       const figure = frame.shapes[found.body].parts[found.part][found.ring];
-      const [wx, wy] = placed(frame.poses[found.body], figure.x[found.index], figure.y[found.index]);
+      const [wx, wy] = placed(frame.poses[found.body], ...figure.corner(found.index));
       const ring = ringText(found, frame.shapes[found.body].parts.length);
-      text = `vertex ${found.index} of ${ring}${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
+      text = `${figure.curve ? "start of segment" : "vertex"} ${found.index} of ${ring}${frame.names[found.body]} at (${roundText(wx, 9)}, ${roundText(wy, 9)})`;
     }
     if (this.readout.textContent !== text) this.readout.textContent = text;
   }

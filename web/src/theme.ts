@@ -10,6 +10,9 @@ export interface Colours {
   bodyLine: string[];
   /** Around the bodies of a world; empty: a darker shade of each one's own. */
   worldLine: string;
+  /** Around curves: what their polygons leave between them. */
+  band: string;
+  bandLine: string;
   /** Red, green and blue, for faces in many strengths. */
   faceTint: [string, string];
   root: string;
@@ -47,6 +50,8 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
     ["#a9d2fb", "#ffcfa3"],
   ],
   worldLine: ["", "#dfe6ec"],
+  band: ["rgba(255,190,0,0.42)", "rgba(255,205,40,0.42)"],
+  bandLine: ["#16202b", "#e8edf2"],
   faceTint: [
     ["58,134,200", "230,126,34"],
     ["74,150,220", "235,140,60"],

@@ -80,7 +80,9 @@ export function ringText({ part = 0, ring = 0 }: { part?: number; ring?: number 
 
 function featureText(feature: Feature, body: Body, edge: boolean): string {
   const parts = partsOf(body);
-  const { part = 0, ring = 0, index } = feature;
+  const { part = 0, ring = 0, index, at } = feature;
+  if (at !== undefined)
+    return `segment ${index} (at ${roundText(at)}) of ${ringText(feature, parts.length)}${body.name}`;
   const what = edge ? `edge ${index}-${(index + 1) % parts[part][ring].length}` : `vertex ${index}`;
   return `${what} of ${ringText(feature, parts.length)}${body.name}`;
 }
@@ -93,14 +95,21 @@ function coverageText(c: Coverage): string {
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
+/** How well curves were known. */
+function geometryLine({ geometry }: Answer): string {
+  if (!geometry) return "";
+  const { tolerance, segments } = geometry;
+  return `Curves known to ${tolerance.toPrecision(3)}, by ${segments} straight edges.`;
+}
+
 /** What is to be said of a world besides: the pair, those that come with it, and how many were asked about. */
 function worldLines(answer: Answer): string[] {
   const also = (answer.also ?? []).map((pair) => `Also ${pair.bodies.join(" x ")}.`);
-  return [...also, answer.coverage ? coverageText(answer.coverage) : ""];
+  return [...also, geometryLine(answer), answer.coverage ? coverageText(answer.coverage) : ""];
 }
 
 export const noTiling =
-  "There is no tiling in this picture: taut has one for two bodies of one polygon each, without holes and parents. " +
+  "There is no tiling in this picture: taut has one for two bodies of one polygon each, without holes, curves and parents. " +
   "Its other engine has answered.";
 
 export function explanation(answer: Answer, scene: Scene, freeUntil: number, running: boolean): string[] {

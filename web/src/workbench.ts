@@ -211,6 +211,7 @@ export class Workbench {
     const names = scene.bodies.map((b) => b.name);
     const title = this.title ?? (names.length > 3 ? `${names.length} bodies` : names.join(world ? ", " : " and "));
     this.element.classList.toggle("world", world !== null);
+    this.element.classList.toggle("curved", world?.bands !== undefined);
     this.tree.show(scene, world);
     if (this.titleLine.textContent !== title) {
       this.titleLine.textContent = title;
@@ -332,7 +333,10 @@ export class Workbench {
         }),
       );
     } else if (contact) {
-      this.stage.zoomTo([contact.point]);
+      // Curves are known so well near a contact that their bands are seen from much nearer only.
+      const band = 12 * (player.status.answer.geometry?.tolerance ?? 0);
+      if (!(band > 0 && this.stage.zoomedTo === contact.point)) this.stage.zoomTo([contact.point]);
+      else this.stage.zoomTo([contact.point], band);
     }
   }
 
@@ -361,6 +365,7 @@ export class Workbench {
       e: () => this.legend.toggle("tiling"),
       c: () => this.legend.toggle("corners"),
       v: () => this.legend.toggle("vertices"),
+      b: () => this.legend.toggle("bands"),
       t: () => this.toggleTheme(),
       "?": () => this.help.showModal(),
     };

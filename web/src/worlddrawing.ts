@@ -1,14 +1,17 @@
 // Bodies of a world, each in a colour and with a number of its own. Holes are open, and parts that overlap are one.
 import type { Camera } from "./camera";
-import type { WorldLooks } from "./engine";
+import { addRing } from "./curvedrawing";
+import type { Band, Pose, WorldLooks } from "./engine";
 import type { Frame, Layers } from "./frame";
 import type { Marks } from "./marks";
-import { clipPolygon, farAway } from "./pixels";
+import { clipPolygon, farAway, type Pixel } from "./pixels";
 import { placed, type Figure } from "./figure";
 import type { Colours } from "./theme";
 
 /** From so far on, in pixels, a number does not touch the boundary of its body. */
 const roomForNumber = 8;
+/** Bands that are thinner everywhere, in pixels, are not seen. */
+const leastBand = 0.7;
 
 export class WorldPainter {
   constructor(
@@ -39,6 +42,7 @@ export class WorldPainter {
     for (const path of paths) c.stroke(path);
     for (const path of paths) c.fill(path, "evenodd");
     if (parts.length === 1) c.stroke(paths[0]);
+    if (layers.bands && world.bands?.[body]) this.bands(frame, body, world.bands[body], colours);
     if (layers.vertices) this.vertices(frame, body, colours.worldLine || line);
     return parts.reduce((sum, rings) => sum + rings.reduce((n, figure) => n + figure.size, 0), 0);
   }
@@ -46,6 +50,10 @@ export class WorldPainter {
   private partPath(frame: Frame, body: number, rings: Figure[]): Path2D {
     const path = new Path2D();
     for (const figure of rings) {
+      if (figure.curve) {
+        addRing(path, figure, figure.curve, frame.poses[body], this.camera);
+        continue;
+      }
       let points: [number, number][] = [];
       for (const i of figure.outline(0.33 / this.camera.scale)) {
         points.push(this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i])));
@@ -58,12 +66,35 @@ export class WorldPainter {
     return path;
   }
 
+  /** What lies between the walls, where that can be seen. */
+  private bands(frame: Frame, body: number, parts: Band[][], colours: Colours): void {
+    const c = this.context;
+    for (const [width, ...walls] of parts.flat()) {
+      if (width * this.camera.scale < leastBand) continue;
+      const path = new Path2D();
+      for (const wall of walls) this.addWall(path, frame.poses[body], wall);
+      c.fillStyle = colours.band;
+      c.fill(path, "evenodd");
+      c.strokeStyle = colours.bandLine;
+      c.lineWidth = 1;
+      c.stroke(path);
+    }
+  }
+
+  private addWall(path: Path2D, pose: Pose, wall: number[]): void {
+    const points: Pixel[] = [];
+    for (let i = 0; i < wall.length; i += 2) points.push(this.camera.pixel(...placed(pose, wall[i], wall[i + 1])));
+    const seen = clipPolygon(points, this.camera.width, this.camera.height);
+    seen.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+    path.closePath();
+  }
+
   private vertices(frame: Frame, body: number, colour: string): void {
     const c = this.context;
     c.fillStyle = colour;
     for (const figure of frame.shapes[body].parts.flat()) {
-      for (let i = 0; i < figure.size; ++i) {
-        const [x, y] = this.camera.pixel(...placed(frame.poses[body], figure.x[i], figure.y[i]));
+      for (let i = 0; i < figure.corners; ++i) {
+        const [x, y] = this.camera.pixel(...placed(frame.poses[body], ...figure.corner(i)));
         c.fillRect(x - 1.75, y - 1.75, 3.5, 3.5);
       }
     }

@@ -59,8 +59,17 @@ export function withHole(scene: Scene, index: number, [x, y, room, part]: [numbe
   body.parts ??= [body.polygon!];
   delete body.polygon;
   const before = body.parts[part];
+  const hole = regular(8, 0.6 * room, [x, y]);
+  if ("path" in before) {
+    // Its rings are those of an outline and its holes: by this rule one more subpath within is one more hole.
+    body.parts[part] = {
+      path: `${before.path} M ${hole.map((p) => p.join(" ")).join(" L ")} Z`,
+      "fill-rule": "evenodd",
+    };
+    return out;
+  }
   const whole: Part = Array.isArray(before) ? { outline: before } : before;
-  body.parts[part] = { ...whole, holes: [...(whole.holes ?? []), regular(8, 0.6 * room, [x, y])] };
+  body.parts[part] = { ...whole, holes: [...(whole.holes ?? []), hole] };
   return out;
 }
 
