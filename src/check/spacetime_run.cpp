@@ -53,8 +53,7 @@ class SpacetimeQuestion {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(0, plan_, geometry_, touch == Touch::open),
         tree_q_(1, plan_, geometry_, touch == Touch::open),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
-        reached_{0, legs_.front().start} {}
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {

@@ -10,6 +10,12 @@
 #include "pair/placement.hpp"
 
 namespace taut {
+namespace {
+
+/// How many events there are between two looks at the work that was done.
+constexpr std::uint64_t events_of_turn = 16;
+
+}  // namespace
 
 KineticPair::KineticPair(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
     : world_(world),
@@ -76,7 +82,7 @@ KineticCounts KineticPair::counts() const {
   return sum;
 }
 
-bool KineticPair::work(double from, double to, std::uint64_t events) {
+bool KineticPair::work(double from, double to, std::uint64_t effort) {
   if (!open() && result_.free_until <= from) return true;
   try {
     if (!engines_ || (at_ != from && window_ != from)) {
@@ -84,7 +90,11 @@ bool KineticPair::work(double from, double to, std::uint64_t events) {
       if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
     }
     window_ = from;
-    return advance(to, events);
+    const std::uint64_t begun = work_spent();
+    while (!advance(to, events_of_turn)) {
+      if (work_spent() - begun >= effort) return false;
+    }
+    return true;
   } catch (const Undecidable& limit) {
     give_up(not_decided(limit), engines_ ? engines_->reached() : from);
   } catch (const Interrupted& limit) {

@@ -28,8 +28,8 @@ class KineticPair final : public WindowedPair {
 
   void ask_start() override;
   void ask(double from, double to) override { work(from, to, UINT64_MAX); }
-  /// The same, for about so many events; true once it is settled. Else it can be asked again about the same window.
-  bool work(double from, double to, std::uint64_t events);
+  /// The same, for about so much work; true once it is settled. Else it can be asked again about the same window.
+  bool work(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
   bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/turns.hpp"
+
 namespace taut {
 namespace {
 
@@ -34,7 +36,7 @@ class BothPair final : public WindowedPair {
   PairQuestion spacetime_;
 };
 
-/// Both in turn, for longer and longer; most pairs are settled in the first turn of the spacetime engine, and never
+/// Both in turn; most pairs are settled in the first turn of the spacetime engine, and never
 /// get a tiling.
 class EitherPair final : public WindowedPair {
  public:
@@ -44,18 +46,17 @@ class EitherPair final : public WindowedPair {
   void ask_start() override { spacetime_.ask_start(); }
   void ask(double from, double to) override {
     if (!open() && result().free_until <= from) return;
-    if (spacetime_.try_ask(from, to, first_effort * looks_per_event) && decided(spacetime_)) return;
-    if (!kinetic_) {
+    Contestant by_boxes, by_tiling;
+    const auto in_boxes = [&](std::uint64_t effort) {
+      return end_of(spacetime_, spacetime_.try_ask(from, to, effort));
+    };
+    const auto in_tiling = [&](std::uint64_t effort) { return end_of(*kinetic_, kinetic_->work(from, to, effort)); };
+    if (by_boxes.work_until(first_turn, in_boxes) == TurnEnd::decided) return;
+    by_tiling.begin([&] {
       const PairResult& known = spacetime_.result();
-      kinetic_ = std::make_unique<KineticPair>(world_, known.a, known.b, inwards_, budget_);
-    }
-    for (std::uint64_t effort = first_effort;; effort *= 2) {
-      const bool kinetic_done = kinetic_->work(from, to, effort);
-      if (kinetic_done && decided(*kinetic_)) break;
-      const bool spacetime_done = spacetime_.try_ask(from, to, 2 * effort * looks_per_event);
-      if (spacetime_done && decided(spacetime_)) return;
-      if (kinetic_done && spacetime_done) break;
-    }
+      if (!kinetic_) kinetic_ = std::make_unique<KineticPair>(world_, known.a, known.b, inwards_, budget_);
+    });
+    if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return;
     // It is the kinetic engine's, unless limits stopped both and the other one went further.
     by_kinetic_ = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
   }
@@ -69,10 +70,13 @@ class EitherPair final : public WindowedPair {
   KineticCounts counts() const override { return kinetic_ ? kinetic_->counts() : KineticCounts(); }
 
  private:
-  /// As for two polygons: see either_run.cpp.
-  static constexpr std::uint64_t first_effort = 1024, looks_per_event = 8;
+  /// Tilings of all parts take long to build: so much is worth trying before.
+  static constexpr std::uint64_t first_turn = 8192;
 
   static bool decided(const WindowedPair& pair) { return pair.result().outcome != Outcome::undecided; }
+  static TurnEnd end_of(const WindowedPair& pair, bool done) {
+    return !done ? TurnEnd::open : decided(pair) ? TurnEnd::decided : TurnEnd::given_up;
+  }
 
   const WorldPlan& world_;
   bool inwards_;

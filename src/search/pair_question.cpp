@@ -56,7 +56,8 @@ PairResult contact_of(const PairResult& known, const Witness& witness, const Leg
 }
 
 spacetime::SpacetimeResult PairQuestion::found(double from, double to) const {
-  return spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_});
+  return spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_},
+                                  window_ == from ? since_ : spacetime::LegPlace::beginning());
 }
 
 void PairQuestion::ask(double from, double to) {
@@ -69,6 +70,8 @@ bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
   const spacetime::SpacetimeResult result = found(from, to);
   if (turn.exhausted()) {
     precise_ += result.precise;
+    window_ = from;
+    since_ = {result.leg, result.lo};
     return false;
   }
   note(result);

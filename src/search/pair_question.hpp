@@ -74,7 +74,8 @@ class PairQuestion final : public WindowedPair {
 
   void ask_start() override;
   void ask(double from, double to) override;
-  /// The same, unless it takes more than that effort: then nothing is noted, and the result is false.
+  /// The same, unless it takes more than that effort: then nothing is noted, and the result is false; the next one
+  /// about the same window goes on.
   bool try_ask(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override {
@@ -93,6 +94,8 @@ class PairQuestion final : public WindowedPair {
   PairSearch search_;
   bool inwards_;
   double start_, end_;
+  double window_ = 0;          ///< the beginning of the one last tried,
+  spacetime::LegPlace since_;  ///< in which there is no contact before
   PairResult result_;
   std::uint64_t precise_ = 0;
 };

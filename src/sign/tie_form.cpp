@@ -9,6 +9,8 @@ namespace taut {
 namespace {
 
 constexpr double up = 1 + 0x1p-45;
+/// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
+constexpr double much_less = 0x1p-8;
 
 /// The time since `about`, of a sum of doubles.
 FixedBall since(double about, const ShortSum& t) {
@@ -77,7 +79,7 @@ std::optional<PreciseTime> TieForm::root(int sign, int stage, double enough) con
     const double about = v.about(), noise = v.error_of(about), before = error;
     // By the mean value theorem.
     error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * up;
-    if (left == 0 || !(error < before) || error <= enough || !(std::fabs(about) > 4 * noise)) break;
+    if (left == 0 || !(error < before) || error <= much_less * enough || !(std::fabs(about) > 4 * noise)) break;
     h = chosen(h.mid() + Fixed(std::clamp(-about / steep_.signed_about, -reach_, reach_)));
   }
   return around(h.mid(), error, stage);

@@ -181,20 +181,27 @@ SpacetimeResult first_contact_on(const PairGeometry& geometry, const TreePair& t
 }  // namespace
 
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
-  return first_contact_from({0, legs.front().start}, geometry, trees, legs);
+  return first_contact_from(LegPlace::beginning(), geometry, trees, legs);
 }
 
 SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
                                    const std::vector<Leg>& legs) {
   return first_contact_on(geometry, trees, legs, [&](std::size_t i) -> std::optional<TimeInterval> {
     if (i < place.leg) return std::nullopt;
-    return TimeInterval{i == place.leg ? place.parameter : legs[i].start, legs[i].end};
+    const double from = i == place.leg ? std::max(place.parameter, legs[i].start) : legs[i].start;
+    return TimeInterval{from, legs[i].end};
   });
 }
 
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                              const TimeWindow& window) {
-  return first_contact_on(geometry, trees, legs, [&](std::size_t i) { return clipped(legs[i], window); });
+                              const TimeWindow& window, const LegPlace& since) {
+  return first_contact_on(geometry, trees, legs, [&](std::size_t i) -> std::optional<TimeInterval> {
+    if (i < since.leg) return std::nullopt;
+    std::optional<TimeInterval> part = clipped(legs[i], window);
+    if (part && i == since.leg) part->lo = std::max(part->lo, since.parameter);
+    if (part && part->lo > part->hi) return std::nullopt;
+    return part;
+  });
 }
 
 std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,

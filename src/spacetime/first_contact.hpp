@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +41,10 @@ SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& tree
 /// A leg, and a parameter on it.
 struct LegPlace {
   std::size_t leg = 0;
-  double parameter = 0;
+  double parameter = -std::numeric_limits<double>::infinity();
+
+  /// Before all that there is.
+  static LegPlace beginning() { return {}; }
 };
 /// The same from there on, up to which there is no contact.
 SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
@@ -63,9 +67,9 @@ struct TimeWindow {
   double from = 0, to = 0;
   bool first = true;  ///< it begins with the scene, and has its beginning
 };
-/// The same within a window.
+/// The same within a window, from a place on, up to which there is no contact in it.
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                              const TimeWindow& window);
+                              const TimeWindow& window, const LegPlace& since = LegPlace::beginning());
 
 /// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
 struct StartOverlap {

@@ -1,0 +1,91 @@
+// Both engines in turn, beside each engine alone: in work, which is counted, and so the same on every machine. How well
+// the count tells time is what `./dev cliffs` prints.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/interruption.hpp"
+#include "check/run.hpp"
+#include "soak/soak_scene.hpp"
+#include "support/effort.hpp"
+#include "taut/check.hpp"
+#include "taut/error.hpp"
+
+namespace taut::testing {
+namespace {
+
+struct Worked {
+  Answer answer;
+  double work = 0;
+};
+
+Worked work_of(const SoakScene& s, EngineChoice engine) {
+  CheckOptions options;
+  options.engine = engine;
+  options.touch = s.touch;
+  options.tell_touching = false;
+  const std::uint64_t before = work_spent();
+  Worked w;
+  w.answer = check(s.scene, options);
+  w.work = static_cast<double>(work_spent() - before);
+  return w;
+}
+
+void expect_like(const Answer& a, const Answer& b) {
+  ASSERT_EQ(a.outcome, b.outcome);
+  if (!a.contact) return;
+  EXPECT_LE(a.contact->time.lo, b.contact->time.hi);
+  EXPECT_LE(b.contact->time.lo, a.contact->time.hi);
+}
+
+TEST(Either, CostsLittleMoreThanTheBetterEngine) {
+  const std::uint64_t count = effort(1500);
+  std::uint64_t asked = 0, steep = 0;
+  double all = 0, better_all = 0;
+  for (std::uint64_t number = 0; number < count; ++number) {
+    const SoakScene s = number % 2 == 0 ? soak_contact_scene(number) : soak_scene(number);
+    const std::size_t vertices = s.scene.bodies[0].polygon.size() + s.scene.bodies[1].polygon.size();
+    if (vertices > 300) continue;
+    try {
+      const Worked kinetic = work_of(s, EngineChoice::kinetic), spacetime = work_of(s, EngineChoice::spacetime);
+      const Worked both = work_of(s, EngineChoice::either);
+      expect_like(both.answer, kinetic.answer);
+      expect_like(both.answer, spacetime.answer);
+      // What each begins with is spent before there are turns.
+      const double better = std::min(kinetic.work, spacetime.work) + 1000 + 20 * static_cast<double>(vertices);
+      ++asked;
+      all += both.work;
+      better_all += better;
+      steep += both.work > 2.5 * better;
+      EXPECT_LE(both.work, kinetic.work + spacetime.work + 1.5 * better) << "scene " << number;
+    } catch (const InputError&) {
+      // Some injections spoil a scene.
+    }
+  }
+  EXPECT_GT(asked, count / 2);
+  EXPECT_LT(static_cast<double>(steep), 0.05 * static_cast<double>(asked));
+  EXPECT_LT(all, 2 * better_all);
+}
+
+/// A run that is left and taken up again goes on where it was: turns that are too short for a stretch of time get
+/// longer.
+TEST(Either, ShortTurnsComeToTheSameEnd) {
+  for (std::uint64_t number = 1; number < 2 * effort(40); number += 2) {
+    const SoakScene s = soak_scene(number);
+    CheckOptions options;
+    options.touch = s.touch;
+    options.tell_touching = false;
+    try {
+      const std::unique_ptr<taut::Run> run = begin_spacetime(s.scene, options);
+      std::uint64_t turn = 500;
+      int turns = 0;
+      while (!run->work(turn) && ++turns < 200) turn += turn / 4;
+      expect_like(run->answer(), run_spacetime(s.scene, options));
+    } catch (const InputError&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taut::testing
