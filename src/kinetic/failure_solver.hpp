@@ -37,7 +37,10 @@ class FailureSolver {
     pool_free_.reserve(64 + certificates);
   }
   /// For a leg that is not straight.
-  void reserve_cells() { clock_.reserve_cells(); }
+  void reserve_cells() {
+    clock_.reserve_cells();
+    ties_.reserve();
+  }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }

@@ -69,7 +69,7 @@ const TieFrame* TieFrames::around(double lo, double hi) {
 }
 
 TieFrame& TieFrames::slot() {
-  if (kept_.empty()) kept_.reserve(most_kept);
+  if (kept_.empty()) reserve();
   if (kept_.size() < most_kept) return kept_.emplace_back();
   next_ = (next_ + 1) % most_kept;
   return kept_[next_];

@@ -33,6 +33,8 @@ struct TieFrame {
 /// Those of one leg that were asked for last.
 class TieFrames {
  public:
+  /// Makes room, so that nothing is allocated when it is asked for.
+  void reserve() { kept_.reserve(most_kept); }
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg) {
     leg_ = &leg;
