@@ -30,10 +30,10 @@ double extent_of(const curve::BandedPart& part) {
 }
 
 /// Marks the cells that are drawn too wide; how many?
-std::size_t mark_wide(const CurvedWorld& world, CurvedWorld::Halvings& marks) {
+std::size_t mark_wide(const CurvedWorld& curved, CurvedWorld::Halvings& marks) {
   std::size_t count = 0;
-  for (std::size_t b = 0; b < world.scene().bodies.size(); ++b) {
-    const auto& parts = world.parts(static_cast<BodyId>(b));
+  for (std::size_t b = 0; b < curved.scene().bodies.size(); ++b) {
+    const auto& parts = curved.parts(static_cast<BodyId>(b));
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const double wide = extent_of(parts[p]) * widest_band;
       for (std::size_t ring = 0; ring < parts[p].bands().size(); ++ring) {
@@ -50,9 +50,9 @@ std::size_t mark_wide(const CurvedWorld& world, CurvedWorld::Halvings& marks) {
 }
 
 /// Finer cells lie within coarser ones: what was decided with these holds for those.
-void make_drawable(CurvedWorld& world) {
-  for (CurvedWorld::Halvings marks = world.no_halvings(); mark_wide(world, marks) > 0; marks = world.no_halvings()) {
-    if (!world.refine(marks)) return;
+void make_drawable(CurvedWorld& curved) {
+  for (CurvedWorld::Halvings marks = curved.no_halvings(); mark_wide(curved, marks) > 0; marks = curved.no_halvings()) {
+    if (!curved.refine(marks)) return;
   }
 }
 
@@ -68,11 +68,11 @@ std::string band_text(const curve::Band& band) {
   return "[" + io::number_text(width) + "," + wall_text(band.wall(true)) + "," + wall_text(band.wall(false)) + "]";
 }
 
-std::string bands_text(const CurvedWorld& world) {
+std::string bands_text(const CurvedWorld& curved) {
   std::string text;
-  for (std::size_t b = 0; b < world.scene().bodies.size(); ++b) {
+  for (std::size_t b = 0; b < curved.scene().bodies.size(); ++b) {
     std::string parts;
-    for (const curve::BandedPart& part : world.parts(static_cast<BodyId>(b))) {
+    for (const curve::BandedPart& part : curved.parts(static_cast<BodyId>(b))) {
       std::string rings;
       for (const curve::Band& band : part.bands()) rings += (rings.empty() ? "" : ",") + band_text(band);
       parts += (parts.empty() ? "[" : ",[") + rings + "]";
