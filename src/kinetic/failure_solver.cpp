@@ -106,8 +106,8 @@ void FailureSolver::advance_from(Certificate& c, double t) {
 }
 
 void FailureSolver::advance_hard(Certificate& c, double t) {
-  // Doubles may see no value, but a slope.
-  if (fast_.follow_from_zero(c, Instant::exactly(t), false)) return;
+  // Doubles may see no value, but a slope. Exact lines need no more than that.
+  if (!clock_.straight() && fast_.follow_from_zero(c, Instant::exactly(t), false)) return;
   if (!c.function.level1) {
     FastFunction next;
     if (FastFunction::level_one(leg(), geometry_, form_of(c), next)) {

@@ -144,9 +144,11 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
   const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
   if (slope > error) return holds_on(r, now, now.t, 0, lasts(r, now, 0));
   if (-slope > error && !own && isolate(r, now, instant.lo)) {
-    // Reports show this enclosure: it is as short as doubles can make it, or is made so when it matters.
-    if (r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi)) r.kind = RootKind::isolated;
-    return true;
+    // Reports show this enclosure: it is as short as doubles can make it, or is made so when it matters; an exact line
+    // does that at once.
+    const bool short_enough = r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi);
+    if (short_enough) r.kind = RootKind::isolated;
+    return short_enough || !clock_.straight();
   }
   return false;
 }
