@@ -23,7 +23,7 @@ struct Now : Instant {
 /// When certificates fail, on one leg: bounds first, which are moved on when somebody asks, enclosures when a failure
 /// is near. Each question goes through the stages: doubles (FastRoots), where the form is a line in doubles, too
 /// (FastLine); the same on the part that is linear in the displacement, where the rest is zero; then PreciseTriple,
-/// which has exact lines and multi-precision.
+/// which has exact lines, forms about an instant, and multi-precision.
 class FailureSolver {
  public:
   explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}

@@ -229,7 +229,7 @@ class FixedBall {
     return x;
   }
   void check() {
-    if (!(most_ < Fixed::limit)) *this = anything();  // not a number neither
+    if (!(most_ < Fixed::limit)) *this = anything();  // nor may it be no number
   }
 
   Fixed mid_;

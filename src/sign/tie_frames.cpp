@@ -29,28 +29,30 @@ std::array<double, TieFrame::terms + 1> powers_of(double x) {
   return power;
 }
 
-/// So near that the terms make up the functions, up to less than the numbers resolve; not at all, where it is singular.
-double reach_from(const Leg& leg, double about) {
-  const double least = 0x1p-50 * std::max(std::fabs(about), leg.end - leg.start);
-  for (double reach = 0x1p-34 * (leg.end - leg.start); reach > least; reach /= 4) {
-    const auto over = frame_series(leg, Ball<double>(about, reach));
-    double rest = 0;
-    for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i]) + rest_of(over.for_qq[i]);
-    if (rest * powers_of(reach).back() < Fixed::lost_in_product) return reach;
-  }
-  return 0;
+using FrameAround = FrameOf<ModelSeries<double>>;
+
+bool leaves_out_nothing(const FrameAround& over, double last_power) {
+  double rest = 0;
+  for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i]) + rest_of(over.for_qq[i]);
+  return rest * last_power < Fixed::lost_in_product;
 }
 
+/// It reaches so far that the terms make up the functions, up to less than the numbers resolve; nowhere, if the motion
+/// is singular there.
 TieFrame frame_about(const Leg& leg, double about) {
   TieFrame made;
   made.about = about;
-  made.reach = reach_from(leg, about);
-  if (made.reach == 0) return made;
-  made.power = powers_of(made.reach);
-  const auto at = frame_series(leg, Ball<Real320>::exact(about));
-  const auto over = frame_series(leg, Ball<double>(about, made.reach));
-  take(at.for_pp, over.for_pp, made.pp, made.pp_rest);
-  take(at.for_qq, over.for_qq, made.qq, made.qq_rest);
+  const double least = 0x1p-50 * std::max(std::fabs(about), leg.end - leg.start);
+  for (double reach = 0x1p-34 * (leg.end - leg.start); reach > least; reach /= 4) {
+    const FrameAround over = frame_series(leg, Ball<double>(about, reach));
+    made.power = powers_of(reach);
+    if (!leaves_out_nothing(over, made.power.back())) continue;
+    made.reach = reach;
+    const auto at = frame_series(leg, Ball<Real320>::exact(about));
+    take(at.for_pp, over.for_pp, made.pp, made.pp_rest);
+    take(at.for_qq, over.for_qq, made.qq, made.qq_rest);
+    break;
+  }
   return made;
 }
 

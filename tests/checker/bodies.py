@@ -43,21 +43,29 @@ class Piece:
         return b"".join(parts) + b"\0"
 
 
-def pieces_between(motion, start, end):
+def given_pieces(motion):
+    return motion if isinstance(motion, list) else motion.get("pieces", [motion]) if motion else []
+
+
+def made_between(make, given, start, end):
     """Those that matter on [start, end], at least one; the last one lasts for ever."""
-    given = motion if isinstance(motion, list) else motion.get("pieces", [motion]) if motion else []
-    if any(set(piece) - {"x", "y", "until", "rotation", "pivot"} for piece in given):
-        raise NotCovered("a motion that is not given by polynomials")
     out = []
     for k, json in enumerate(given):
         if float(json.get("until", INFINITE)) <= start and k + 1 < len(given):
             continue
-        out.append(Piece(json))
+        out.append(make(json))
         if out[-1].until >= end:
             break
-    out = out or [Piece({})]
+    out = out or [make({})]
     out[-1].until = INFINITE
     return out
+
+
+def pieces_between(motion, start, end):
+    given = given_pieces(motion)
+    if any(set(piece) - {"x", "y", "until", "rotation", "pivot"} for piece in given):
+        raise NotCovered("a motion that is not given by polynomials")
+    return made_between(Piece, given, start, end)
 
 
 def cross(a, b):

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from balls import (ONE, J1, between, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jroot, jsub,
                    jturn)
-from bodies import INFINITE, NotCovered, displaced, is_clockwise, number, trimmed
+from bodies import INFINITE, NotCovered, displaced, given_pieces, is_clockwise, made_between, number, trimmed
 
 MASK = (1 << 64) - 1
 
@@ -86,20 +86,6 @@ class Piece:
             below = jinverse(jadd(J1, square))
             return jmul(jsub(J1, square), below), jmul(jadd(c[0], c[0]), below)
         return c[0], jroot(jsub(J1, square))
-
-
-def pieces_between(motion, start, end):
-    given = motion if isinstance(motion, list) else motion.get("pieces", [motion]) if motion else []
-    out = []
-    for k, json in enumerate(given):
-        if float(json.get("until", INFINITE)) <= start and k + 1 < len(given):
-            continue
-        out.append(Piece(json))
-        if out[-1].until >= end:
-            break
-    out = out or [Piece({})]
-    out[-1].until = INFINITE
-    return out
 
 
 def refuse_cut_cosines(pieces, start, end):
@@ -187,7 +173,7 @@ class Scene:
         self.exponent = -math.frexp(largest)[1]
         for k, rings in enumerate(given):
             self.bodies.append(Body([Ring(r[0], self.exponent, *r[1:]) for r in rings], k))
-            self.own.append(pieces_between(json["bodies"][k].get("motion"), self.start, self.end))
+            self.own.append(made_between(Piece, given_pieces(json["bodies"][k].get("motion")), self.start, self.end))
         self._find_ignored(json)
         self.hashed = self._hashed(json, given)
         self._find_chains()

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/interruption.hpp"
+#include "bench/stopwatch.hpp"
 #include "command_line/command_line.hpp"
 #include "generators/shapes.hpp"
 #include "soak/soak_scene.hpp"
@@ -24,13 +25,6 @@
 
 namespace taut::testing {
 namespace {
-
-/// Of this process, which has one thread.
-double processor_seconds_spent() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 constexpr std::array<EngineChoice, 3> engines{EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::either};
 constexpr std::array<const char*, 3> engine_names{"kinetic", "spacetime", "either"};
@@ -61,11 +55,11 @@ Timed time_of(Scene scene, EngineChoice engine, Touch touch, double limit) {
   Timed timed{std::numeric_limits<double>::infinity()};
   double whole = 0;
   for (int round = 0; round < 3 || (round < 20 && whole < 1e-3); ++round) {
-    const double before = processor_seconds_spent();
+    const bench::Stopwatch watch;
     const std::uint64_t work_before = work_spent();
     timed.outcome = check(scene, options).outcome;
     timed.work = work_spent() - work_before;
-    const double taken = processor_seconds_spent() - before;
+    const double taken = watch.seconds();
     timed.seconds = std::min(timed.seconds, taken);
     whole += taken;
     if (whole > 0.1) break;

@@ -2,31 +2,21 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   check,
-  launch,
+  duringTests,
   openPage,
-  pages,
   pixelsOf,
   root,
   run,
   screenshot,
-  serve,
   settled,
   shownTime,
   viewPage,
 } from "./support.mjs";
 
-let browser, server;
-before(async () => {
-  browser = await launch();
-  server = await serve(pages);
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+const site = duringTests();
 
 const names = ["cam", "slot", "geneva", "hinge"];
 const contact = "#c4161c";
@@ -54,7 +44,7 @@ test("the page of a scene with curves has the command's answer, in words and mar
   for (const name of names) {
     const scene = `examples/curves/${name}.json`;
     const answer = check(scene);
-    const page = await openPage(browser, viewPage(scene, `curve-${name}`));
+    const page = await openPage(site.browser, viewPage(scene, `curve-${name}`));
     assert.equal(await pixelsOf(page, contact), 0, `${name}: nothing is marked before`);
     await screenshot(page, `curve-${name}-start`);
     await toTheEnd(page);
@@ -114,7 +104,7 @@ async function openInPlayground(page, scene) {
 }
 
 test("what is drawn is the curve itself, at every magnification", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await openInPlayground(page, discs);
   await toTheEnd(page);
   await page.keyboard.press("b"); // without bands
@@ -144,7 +134,7 @@ test("what is drawn is the curve itself, at every magnification", async () => {
 });
 
 test("arcs of turned ellipses and Bezier curves lie where SVG has them", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await openInPlayground(page, ellipse);
   // The browser's own reading of the same data, placed by the same pose.
   const differ = await page.evaluate(() => {
@@ -177,7 +167,7 @@ test("arcs of turned ellipses and Bezier curves lie where SVG has them", async (
 });
 
 test("the band is seen from near, and both polygons are its walls", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await openInPlayground(page, discs);
   await toTheEnd(page);
   const bands = await page.evaluate(() => window.taut.player.world.bands);
@@ -223,7 +213,7 @@ test("the band is seen from near, and both polygons are its walls", async () => 
 test("questions have the command's answers on the page", async () => {
   const scene = "examples/curves/cam.json";
   const address = viewPage(scene, "curve-questions", "--intervals", "--clearance", "--profile", "9");
-  const page = await openPage(browser, address);
+  const page = await openPage(site.browser, address);
   await page.waitForFunction(() => Object.keys(window.taut.questions.answers).length === 3, null, { timeout: 120000 });
   const answers = await page.evaluate(() => window.taut.questions.answers);
   const intervals = JSON.parse(run("intervals", "--json", scene));
@@ -240,7 +230,7 @@ test("questions have the command's answers on the page", async () => {
 });
 
 test("in the playground curves are moved as wholes, and changed as text", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await openInPlayground(page, discs);
   assert.match(await page.textContent("#headline"), /^Contact at t = 7\.1715728/);
   await page.click("#mode-shape");
@@ -284,7 +274,7 @@ test("in the playground curves are moved as wholes, and changed as text", async 
 });
 
 test("keyframes move a body with curves, and its SVG has arcs", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await openInPlayground(page, JSON.parse(readFileSync(join(root, "examples/curves/slot.json"), "utf8")));
   await page.click("#mode-keyframes");
   await settled(page);

@@ -2,34 +2,25 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import {
   artefacts,
   check,
-  launch,
+  duringTests,
   openPage,
   pages,
   pixelsOf,
   root,
   run,
   screenshot,
-  serve,
   settled,
   shownTime,
 } from "./support.mjs";
 
-let browser, server;
-before(async () => {
-  browser = await launch();
-  server = await serve(pages);
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+const site = duringTests();
 
-const open = (options) => openPage(browser, server.address, options);
+const open = (options) => openPage(site.browser, site.server.address, options);
 const finished = (page) => page.waitForFunction(() => window.taut.player.finished && !window.playground.pending);
 const sceneOf = (page) => page.evaluate(() => window.playground.state.scene);
 
@@ -320,14 +311,14 @@ test("a link holds the scene and the way of touching", async () => {
   await page.waitForFunction(() => location.hash.startsWith("#s="));
   const link = page.url();
   await page.waitForFunction(() => /link/.test(document.querySelector("#note").textContent));
-  const other = await openPage(browser, link);
+  const other = await openPage(site.browser, link);
   const closed = check("examples/gears_thick_tooth.json", "--touch", "closed");
   assert.deepEqual(await other.evaluate(() => window.taut.player.status.answer), closed);
   assert.deepEqual(await sceneOf(other), await sceneOf(page));
   assert.deepEqual(other.problems, []);
   await other.close();
   // A damaged link is said to be one, and the page works.
-  const damaged = await openPage(browser, server.address + "#s=AAAA");
+  const damaged = await openPage(site.browser, site.server.address + "#s=AAAA");
   assert.match(await damaged.textContent("#message"), /link holds no scene/);
   await damaged.close();
   await page.close();
@@ -392,7 +383,7 @@ test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are sa
 });
 
 test("it works from a file, too, and on a phone", async () => {
-  const page = await openPage(browser, pathToFileURL(join(pages, "index.html")).href, {
+  const page = await openPage(site.browser, pathToFileURL(join(pages, "index.html")).href, {
     viewport: { width: 390, height: 844 },
     isMobile: true,
     hasTouch: true,

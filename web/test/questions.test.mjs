@@ -1,17 +1,9 @@
 // Questions beyond the first contact: what both pages say and draw of them is what the command says.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { launch, openPage, pages, pixelsOf, run, screenshot, serve, settled, shownTime, viewPage } from "./support.mjs";
+import { test } from "node:test";
+import { duringTests, openPage, pixelsOf, run, screenshot, settled, shownTime, viewPage } from "./support.mjs";
 
-let browser, server;
-before(async () => {
-  browser = await launch();
-  server = await serve(pages);
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+const site = duringTests();
 
 /** Without the angles of sweeps, which compiled motions do not tell. */
 const ask = (...args) =>
@@ -33,7 +25,7 @@ function sameDirections(found, expected) {
     }),
   );
 }
-const view = (scene, name, flags, options) => openPage(browser, viewPage(scene, name, ...flags), options);
+const view = (scene, name, flags, options) => openPage(site.browser, viewPage(scene, name, ...flags), options);
 const answered = (page) => page.waitForFunction(() => !window.taut.questions.waiting() && window.taut.player.finished);
 const answers = (page) => page.evaluate(() => window.taut.questions.answers);
 
@@ -153,7 +145,7 @@ test("free directions are a rose for each body, in the dark as well", async () =
 });
 
 test("in the playground questions are chosen, answered anew after a change, and taken back", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await page.selectOption("#example", "lid");
   await answered(page);
   const before = await page.evaluate(() => window.taut.player.end);
@@ -184,7 +176,7 @@ test("in the playground questions are chosen, answered anew after a change, and 
 });
 
 test("a clearance to be kept, and how far bodies can go from the instant shown", async () => {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await page.selectOption("#example", "lid");
   await answered(page);
   await page.evaluate(() => window.taut.player.seek(50));

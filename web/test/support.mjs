@@ -1,4 +1,5 @@
 // A browser, the command to compare with, and the pages.
+import { after, before } from "node:test";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -112,4 +113,18 @@ export async function serve(folder) {
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+/** A browser and a server of the pages, for all tests of a file: they are there while tests run. */
+export function duringTests() {
+  const at = {};
+  before(async () => {
+    at.browser = await launch();
+    at.server = await serve(pages);
+  });
+  after(async () => {
+    await at.browser?.close();
+    at.server?.close();
+  });
+  return at;
 }

@@ -2,36 +2,26 @@
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   artefacts,
   check,
-  launch,
+  duringTests,
   openPage,
-  pages,
   pixelsOf,
   run,
   screenshot,
-  serve,
   settled,
   shownTime,
   viewPage,
 } from "./support.mjs";
 
-let browser, server;
-before(async () => {
-  browser = await launch();
-  server = await serve(pages);
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+const site = duringTests();
 
 /** Of the first bodies of a world. */
 const fills = ["#2a6f9e", "#e59345", "#0f7d74", "#f0d762", "#683b6a", "#7abee4"];
 
-const view = (scene, name, options) => openPage(browser, viewPage(scene, name), options);
+const view = (scene, name, options) => openPage(site.browser, viewPage(scene, name), options);
 
 async function toTheEnd(page) {
   await page.keyboard.press("End");
@@ -150,7 +140,7 @@ async function compare(page, name) {
 }
 
 async function playground(example) {
-  const page = await openPage(browser, server.address);
+  const page = await openPage(site.browser, site.server.address);
   await page.selectOption("#example", example);
   await finished(page);
   await settled(page);
