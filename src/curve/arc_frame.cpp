@@ -1,7 +1,6 @@
 #include "curve/arc_frame.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "numeric/trig.hpp"
@@ -22,8 +21,7 @@ WidePoint direction_of(double degrees) {
     const int k = (static_cast<int>(quarters) + 4) % 4;
     return WidePoint::of({k == 0 ? 1.0 : k == 2 ? -1.0 : 0.0, k == 1 ? 1.0 : k == 3 ? -1.0 : 0.0});
   }
-  const Real320 pi = boost::math::constants::pi<Real320>();
-  const Ball<Real320> half_turn(pi, RealTraits<Real320>::magnitude(pi) * unit_roundoff<Real320>());
+  const Ball<Real320> half_turn(pi<Real320>(), 4 * unit_roundoff<Real320>());
   const auto s = sin_cos(Ball<Real320>::exact(turns) * half_turn / Ball<Real320>::exact(180));
   return {narrowed(s.cos), narrowed(s.sin)};
 }

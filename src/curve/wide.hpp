@@ -7,7 +7,7 @@
 
 namespace taut::curve {
 
-using Wide = BinaryFloat<192>;
+using Wide = WideFloat<192>;
 using WideBall = Ball<Wide>;
 
 /// An index of a container.

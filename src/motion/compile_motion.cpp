@@ -1,7 +1,6 @@
 #include "taut/motions.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -24,7 +23,7 @@ double rounded(const Wide& x) {
                    "choose other units, or times that are farther apart");
 }
 
-Wide radians_per_degree() { return boost::math::constants::pi<Wide>() / 180; }
+Wide radians_per_degree() { return pi<Wide>() / 180; }
 
 void require_finite(std::initializer_list<double> numbers, const std::string& place) {
   if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))

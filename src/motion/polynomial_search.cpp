@@ -39,7 +39,7 @@ class BigPolynomial {
     bool found = false;
     for (const RealMax& x : all) {
       if (x.is_zero()) continue;
-      const int e = static_cast<int>(x.backend().exponent());
+      const int e = x.exponent();
       largest = found ? std::max(largest, e) : e;
       found = true;
     }

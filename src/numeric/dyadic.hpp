@@ -51,12 +51,22 @@ class Dyadic {
   int exponent_ = 0;
 };
 
+/// The first bits of the mantissa: less than a unit in the last place nearer to zero than the number, or it.
+template <class Real>
+Real first_bits(const Dyadic& x) {
+  Dyadic::Integer size = abs(x.mantissa());
+  const int length = static_cast<int>(msb(size)) + 1, dropped = std::max(0, length - RealTraits<Real>::bits);
+  size >>= static_cast<unsigned>(dropped);
+  typename Real::Limbs limbs{};
+  export_bits(size, limbs.begin(), 64, false);
+  return Real::of_limbs(limbs, x.exponent() + dropped, x.sign() < 0);
+}
 /// The number, rounded.
 template <class Real>
 Ball<Real> ball_of(const Dyadic& x) {
-  Ball<Real> b(Real(ldexp(Real(x.mantissa()), x.exponent())), 0.0);
-  b.rad = detail::inflate(2 * detail::rounding(b.mid));
-  return x.is_zero() ? Ball<Real>::exact(0) : b;
+  if (x.is_zero()) return Ball<Real>::exact(0);
+  const Real middle = first_bits<Real>(x);
+  return Ball<Real>(middle, detail::inflate(2 * detail::rounding(middle)));
 }
 
 /// Coefficients, ascending, the last of which is not zero; none for zero.

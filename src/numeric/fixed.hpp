@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <type_traits>
 
 #include "numeric/ball.hpp"
 #include "numeric/real.hpp"
@@ -43,21 +42,18 @@ class Fixed {
   }
   /// The same of a binary number; requires that it is within the range.
   template <unsigned Bits>
-  explicit Fixed(const BinaryFloat<Bits>& x) : limb_{} {
+  explicit Fixed(const WideFloat<Bits>& x) : limb_{} {
     if (x.is_zero()) return;
-    const auto& mantissa = x.backend().bits();
-    using Limb = std::remove_cvref_t<decltype(*mantissa.limbs())>;
-    constexpr int limb_bits = std::numeric_limits<Limb>::digits;
-    int place = static_cast<int>(x.backend().exponent()) - static_cast<int>(Bits) + 1 + fraction_bits;
-    for (unsigned k = 0; k < mantissa.size(); ++k, place += limb_bits) {
-      std::uint64_t digits = mantissa.limbs()[k];
+    int place = x.exponent() - static_cast<int>(Bits) + 1 + fraction_bits;
+    for (const std::uint64_t digits : x.mantissa()) {
       if (place >= 0) {
         put(digits, place);
-      } else if (place > -limb_bits) {
+      } else if (place > -64) {
         put(digits >> -place, 0);
       }
+      place += 64;
     }
-    if (x.backend().sign()) negate();
+    if (x.is_negative()) negate();
   }
 
   bool is_negative() const { return static_cast<std::int64_t>(limb_[limbs - 1]) < 0; }
@@ -171,8 +167,8 @@ class FixedBall {
     return FixedBall(Fixed(x), size >= 0x1p-267 || size == 0 ? 0 : Fixed::unit, size);
   }
   template <unsigned Bits>
-  static FixedBall of(const Ball<BinaryFloat<Bits>>& x) {
-    const double size = RealTraits<BinaryFloat<Bits>>::magnitude(x.mid);
+  static FixedBall of(const Ball<WideFloat<Bits>>& x) {
+    const double size = RealTraits<WideFloat<Bits>>::magnitude(x.mid);
     if (!(size < Fixed::limit)) return anything();
     return FixedBall(Fixed(x.mid), (x.rad + Fixed::unit) * up, size + x.rad + Fixed::unit);
   }

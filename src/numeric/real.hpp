@@ -1,28 +1,22 @@
 // The number types behind the stages of certified evaluation: double, then 320, 640 and 960 bit binary floats.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <tuple>
-#include <type_traits>
+
+#include "numeric/wide_float.hpp"
 
 namespace taut {
-
-template <unsigned Bits>
-using BinaryFloat =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Bits, boost::multiprecision::digit_base_2, void,
-                                                                       std::int32_t, -1000000, 1000000>,
-                                  boost::multiprecision::et_off>;
 
 /// The precisions of the multi-precision stages, in order: one is added here, and nowhere else. Beyond the last one the
 /// answer is `undecided`.
 #define TAUT_FOR_EACH_PRECISION(DO) DO(Real320) DO(Real640) DO(Real960)
-using Real320 = BinaryFloat<320>;
-using Real640 = BinaryFloat<640>;
-using Real960 = BinaryFloat<960>;
+using Real320 = WideFloat<320>;
+using Real640 = WideFloat<640>;
+using Real960 = WideFloat<960>;
 using Precisions = std::tuple<Real320, Real640, Real960>;
 inline constexpr int precise_stages = static_cast<int>(std::tuple_size_v<Precisions>);
 /// The widest type: every number of a narrower stage converts to it exactly.
@@ -64,40 +58,25 @@ struct RealTraits<double> {
 };
 
 template <unsigned Bits>
-struct RealTraits<BinaryFloat<Bits>> {
-  using Real = BinaryFloat<Bits>;
+struct RealTraits<WideFloat<Bits>> {
+  using Real = WideFloat<Bits>;
   static constexpr int bits = static_cast<int>(Bits);
-  /// Twice the true unit roundoff: nothing is lost by being generous.
+  /// Operations err by less than a unit in the last place, most of them by half of it.
   static double unit() { return power_of_two(1 - bits); }
   /// An upper bound of |x|: by its first 32 bits from 2^-990 on, so that products of wide balls do not grow; at most
   /// twice too large from 2^-1020 on; 2^-1018 for what is smaller.
   static double magnitude(const Real& x) {
     if (x.is_zero()) return 0;
-    const auto e = x.backend().exponent();
+    const auto e = x.exponent();
     if (e > 1000) return std::numeric_limits<double>::infinity();
     if (e < -1020) return 0x1p-1018;
-    if (e < -990) return power_of_two(static_cast<int>(e) + 1);
-    return (static_cast<double>(first_bits(x)) + 1) * power_of_two(static_cast<int>(e) - 31);
+    if (e < -990) return power_of_two(e + 1);
+    const auto first_bits = static_cast<std::uint32_t>(x.mantissa().back() >> 32);
+    return (static_cast<double>(first_bits) + 1) * power_of_two(e - 31);
   }
-  /// The 32 highest bits of the mantissa, the first of which is set.
-  static std::uint32_t first_bits(const Real& x) {
-    const auto& mantissa = x.backend().bits();
-    using Limb = std::remove_cvref_t<decltype(*mantissa.limbs())>;
-    constexpr int limb_bits = std::numeric_limits<Limb>::digits;
-    static_assert(bits % limb_bits == 0 && limb_bits >= 32, "the highest limb is full");
-    return static_cast<std::uint32_t>(mantissa.limbs()[mantissa.size() - 1] >> (limb_bits - 32));
-  }
-  /// Exact. Boost's own conversion goes by small steps.
-  static Real from_double(double x) {
-    if (x == 0 || !std::isfinite(x)) return Real(x);
-    int e;
-    const double fraction = std::frexp(x, &e);
-    Real r(static_cast<std::int64_t>(fraction * 0x1p53));
-    r.backend().exponent() += e - 53;
-    return r;
-  }
-  static double to_double(const Real& x) { return x.template convert_to<double>(); }
-  static Real square_root(const Real& x) { return boost::multiprecision::sqrt(x); }
+  static Real from_double(double x) { return x; }
+  static double to_double(const Real& x) { return x.to_double(); }
+  static Real square_root(const Real& x) { return sqrt(x); }
 };
 
 template <class Real>

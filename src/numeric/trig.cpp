@@ -1,9 +1,13 @@
 #include "numeric/trig.hpp"
 
-#include <boost/math/constants/constants.hpp>
-
 namespace taut {
 namespace {
+
+/// The words of pi, the last one rounded.
+constexpr RealMax::Limbs pi_words = {0xc2007cb8a163bf06, 0x49286651ece45b3d, 0xae9f24117c4b1fe6, 0xee386bfb5a899fa5,
+                                     0x0bff5cb6f406b7ed, 0xf44c42e9a637ed6b, 0xe485b576625e7ec6, 0x4fe1356d6d51c245,
+                                     0x302b0a6df25f1437, 0xef9519b3cd3a431b, 0x514a08798e3404dd, 0x020bbea63b139b22,
+                                     0x29024e088a67cc74, 0xc4c6628b80dc1cd1, 0xc90fdaa22168c234};
 
 /// Sine and cosine of |r| <= 0.79 by their Taylor polynomials of degree 17 and 18.
 /// Truncation is below 0.79^19/19! < 2^-62. Horner in r^2 with all |terms| < 1: the rounding of each step is damped by
@@ -58,9 +62,9 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
     // Nothing better is needed: such an angle turns more than once over the ball.
     return {B(Real(0), 1.0), B(Real(0), 1.0)};
   }
-  const Real half_pi = boost::math::constants::half_pi<Real>();
-  const Real k = boost::multiprecision::round(Real(x.mid / half_pi));
-  const B turns(k, 0.0);
+  const Real half_pi = ldexp(pi<Real>(), -1);
+  const std::int64_t k = (x.mid / half_pi).nearest_integer();
+  const B turns(Real::of_integer(k), 0.0);
   const B quarter(half_pi, 4 * unit_roundoff<Real>());
   // Work at the middle; the radius of x is added at the end (both functions have slope at most 1).
   constexpr int halvings = 10;
@@ -96,9 +100,7 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   B c = B::exact(1) - v;
   s.rad = detail::inflate(s.rad + x.rad);
   c.rad = detail::inflate(c.rad + x.rad);
-  const int quadrant =
-      static_cast<int>((k - boost::multiprecision::floor(Real(k / 4)) * 4).template convert_to<long>());
-  return quarter_turns(s, c, quadrant);
+  return quarter_turns(s, c, static_cast<int>(k & 3));
 }
 
 }  // namespace
@@ -130,7 +132,13 @@ template <class Real>
 SinCos<Real> sin_cos(const Ball<Real>& x) {
   return sin_cos_multi(x);
 }
-#define TAUT_INSTANTIATE(Real) template SinCos<Real> sin_cos(const Ball<Real>&);
+template <class Real>
+Real pi() {
+  return Real(RealMax::of_limbs(pi_words, 2 - RealTraits<RealMax>::bits, false));
+}
+#define TAUT_INSTANTIATE(Real) \
+  template Real pi<Real>();    \
+  template SinCos<Real> sin_cos(const Ball<Real>&);
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 

@@ -5,6 +5,10 @@
 
 namespace taut {
 
+/// The number nearest to pi.
+template <class Real>
+Real pi();
+
 template <class Real>
 struct SinCos {
   Ball<Real> sin, cos;

@@ -92,7 +92,7 @@ ExactVectorBall with_offset(const Leg& leg, bool of_p, Vector v) {
 
 /// The most that |x| + |y| can be.
 double size_of(const ExactVectorBall& v) {
-  return std::fabs(v.x.mid.convert_to<double>()) + v.x.rad + std::fabs(v.y.mid.convert_to<double>()) + v.y.rad;
+  return std::fabs(v.x.mid.to_double()) + v.x.rad + std::fabs(v.y.mid.to_double()) + v.y.rad;
 }
 
 /// The law of a Sight for a moving point v and a fixed point a, at one instant.

@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "numeric/real.hpp"
+#include "numeric/trig.hpp"
 #include "support/rng.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
@@ -28,7 +27,7 @@ bool nearest(double x, const Exact& exact) {
   return distance(x) <= distance(std::nextafter(x, INFINITY)) && distance(x) <= distance(std::nextafter(x, -INFINITY));
 }
 
-RealMax exact_radians(double degrees) { return degrees * boost::math::constants::pi<RealMax>() / 180; }
+RealMax exact_radians(double degrees) { return degrees * pi<RealMax>() / 180; }
 
 TEST(Radians, AreTheNearestDouble) {
   Rng rng(1);

@@ -1,6 +1,5 @@
 // The laws of balls in exact rational numbers, which share nothing with them: what is in the operands gives what is in
 // the result, bounds round outwards, and signs are true. Every operation, every precision, numbers of any size.
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,35 +7,11 @@
 
 #include "numeric/ball.hpp"
 #include "support/effort.hpp"
+#include "support/fraction.hpp"
 #include "support/rng.hpp"
 
 namespace taut::testing {
 namespace {
-
-using Fraction = mpq_class;
-
-Fraction power_of_two(long e) {
-  mpz_class power = 1;
-  power <<= static_cast<unsigned long>(std::abs(e));
-  return e < 0 ? Fraction(mpz_class(1), power) : Fraction(power);
-}
-
-/// The number, exactly.
-Fraction rational(double x) { return Fraction(x); }
-template <unsigned Bits>
-Fraction rational(BinaryFloat<Bits> x) {
-  if (x == 0) return 0;
-  int e;
-  x = frexp(x, &e);
-  Fraction sum = 0;
-  for (long scale = e; x != 0; scale -= 53) {
-    x = ldexp(x, 53);
-    const BinaryFloat<Bits> digit = trunc(x);
-    sum += Fraction(static_cast<double>(digit)) * power_of_two(scale - 53);
-    x -= digit;
-  }
-  return sum;
-}
 
 /// Any magnitude: about 1, often; where doubles are denormal, sometimes.
 int any_exponent(Rng& rng) {
@@ -86,7 +61,11 @@ struct Interval {
 
 template <class Real>
 bool is_finite(const Ball<Real>& b) {
-  return std::isfinite(b.rad) && isfinite(b.mid);
+  if constexpr (std::is_same_v<Real, double>) {
+    return std::isfinite(b.rad) && std::isfinite(b.mid);
+  } else {
+    return std::isfinite(b.rad) && b.mid.is_defined();
+  }
 }
 
 /// Both ends, the middle, and some between.

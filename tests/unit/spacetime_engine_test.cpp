@@ -99,7 +99,7 @@ void check_bounds(const Setting& s, const Leg& leg, const Form& m) {
     FrameWindow window(leg, t, leg.end, length);
     length = window.length() * 2;
     const auto encloses = [](const Bounded& bound, const Ball<Real320>& exact) {
-      const double difference = std::fabs(Real320(exact.mid - bound.value).convert_to<double>());
+      const double difference = std::fabs(Real320(exact.mid - bound.value).to_double());
       return difference <= bound.error * (1 + 1e-9) + exact.rad;
     };
     for (int i = 0; i <= 4; ++i) {
@@ -173,8 +173,8 @@ void check_stretches(const Setting& s, const Leg& leg, const Form& m) {
       const Ball<Real320> exact = truth(Ball<Real320>(Real320(at), 0.0)).v;
       const Real320 h = Real320(at) - stretch.middle;
       const Real320 found = f.a + h * (f.b + h * f.c);
-      ASSERT_LE(std::fabs(Real320(exact.mid - found).convert_to<double>()), error + exact.rad) << at;
-      ASSERT_GE(Real320(exact.mid + error).convert_to<double>(), f.least(stretch.r)) << at;
+      ASSERT_LE(std::fabs(Real320(exact.mid - found).to_double()), error + exact.rad) << at;
+      ASSERT_GE(Real320(exact.mid + error).to_double(), f.least(stretch.r)) << at;
     }
   });
 }

@@ -1,0 +1,108 @@
+// Binary floating numbers of several machine words, for the stages behind doubles.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace taut {
+
+/// 0, or +-m 2^e, where m has Bits bits and is from 1 up to 2; or undefined, as what is too large, a quotient by zero
+/// and the root of a negative number are. Sums, differences and products are the numbers nearest to the true ones, and
+/// even where two are as near; quotients and roots, too, unless the true one lies within 2^-50 units of the last place
+/// of the middle between two numbers: they err by less than a unit. What is smaller than 2^-1000000 becomes 0.
+///
+/// The length is known when a program is compiled, and nothing is allocated: for lengths of a few words, bookkeeping
+/// would cost more than the product itself. The functions are compiled once, in wide_float.cpp, for the lengths that
+/// are used.
+template <unsigned Bits>
+class WideFloat {
+  static_assert(Bits % 64 == 0 && Bits >= 128);
+
+ public:
+  static constexpr std::size_t limbs = Bits / 64;
+  using Limbs = std::array<std::uint64_t, limbs>;  ///< the least significant first
+
+  WideFloat() = default;
+  /// Exact. From what is not finite: undefined.
+  template <class Number>
+  requires(std::is_floating_point_v<Number> || (std::is_integral_v<Number> && sizeof(Number) <= 4)) WideFloat(Number x)
+      : WideFloat(of_double(static_cast<double>(x))) {
+    static_assert(sizeof(Number) <= 8, "not exact");
+  }
+  /// The nearest number of this length; the same one if this is not shorter.
+  template <unsigned Other>
+  requires(Other != Bits) explicit WideFloat(const WideFloat<Other>& x);
+  /// The integer of these limbs times 2^exponent.
+  static WideFloat of_limbs(const Limbs& integer, int exponent, bool negative);
+
+  bool is_zero() const { return limb_[limbs - 1] == 0; }
+  bool is_defined() const { return exponent_ != undefined_exponent; }
+  bool is_negative() const { return negative_; }
+  /// The e of +-m 2^e; not of zero. That of undefined numbers is larger than any.
+  std::int32_t exponent() const { return exponent_; }
+  /// m 2^(Bits - 1), an integer; zeros for zero.
+  const Limbs& mantissa() const { return limb_; }
+
+  /// The nearest double, which may be infinite; undefined numbers become NaN.
+  double to_double() const;
+  explicit operator double() const { return to_double(); }
+  /// The nearest integer; requires a magnitude below 2^62.
+  std::int64_t nearest_integer() const;
+  static WideFloat of_integer(std::int64_t x);
+
+  friend WideFloat operator-(WideFloat a) {
+    a.negative_ = !a.negative_ && !a.is_zero();
+    return a;
+  }
+  friend WideFloat operator+(const WideFloat& a, const WideFloat& b) { return sum(a, b, b.negative_); }
+  friend WideFloat operator-(const WideFloat& a, const WideFloat& b) { return sum(a, b, !b.negative_); }
+  friend WideFloat operator*(const WideFloat& a, const WideFloat& b) { return product(a, b); }
+  friend WideFloat operator/(const WideFloat& a, const WideFloat& b) { return quotient(a, b); }
+  WideFloat& operator+=(const WideFloat& b) { return *this = *this + b; }
+  WideFloat& operator-=(const WideFloat& b) { return *this = *this - b; }
+  WideFloat& operator*=(const WideFloat& b) { return *this = *this * b; }
+  friend WideFloat sqrt(const WideFloat& x) { return square_root(x); }
+  friend WideFloat abs(WideFloat x) {
+    x.negative_ = false;
+    return x;
+  }
+  friend WideFloat ldexp(const WideFloat& x, int by) { return scaled(x, by); }
+
+  friend bool operator==(const WideFloat& a, const WideFloat& b) { return order(a, b) == 0; }
+  /// An undefined number is neither less nor equal nor greater.
+  friend std::partial_ordering operator<=>(const WideFloat& a, const WideFloat& b) { return order(a, b); }
+
+ private:
+  template <unsigned Other>
+  friend class WideFloat;
+  static constexpr std::int32_t undefined_exponent = std::numeric_limits<std::int32_t>::max();
+  static constexpr std::int64_t largest_exponent = 1000000;
+
+  static WideFloat undefined();
+  static WideFloat of_double(double x);
+  static WideFloat sum(const WideFloat& a, const WideFloat& b, bool b_negative);
+  static WideFloat sum_of_magnitudes(const WideFloat& large, const WideFloat& small);
+  static WideFloat difference_of_magnitudes(const WideFloat& large, const WideFloat& small);
+  static WideFloat product(const WideFloat& a, const WideFloat& b);
+  static WideFloat quotient(const WideFloat& a, const WideFloat& b);
+  static WideFloat square_root(const WideFloat& x);
+  static WideFloat scaled(const WideFloat& x, int by);
+  static std::partial_ordering order(const WideFloat& a, const WideFloat& b);
+  static std::strong_ordering order_of_magnitudes(const WideFloat& a, const WideFloat& b);
+  /// From a mantissa whose first bit is set: `below` is the word after its last one, and `lost` whether anything is
+  /// behind that.
+  static WideFloat rounded(const std::uint64_t* mantissa, std::uint64_t below, bool lost, std::int64_t exponent,
+                           bool negative);
+  /// Only the first words of the mantissa.
+  WideFloat cut(std::size_t words) const;
+
+  Limbs limb_{};
+  std::int32_t exponent_ = 0;
+  bool negative_ = false;
+};
+
+}  // namespace taut

@@ -1,0 +1,185 @@
+// Wide numbers against exact fractions, which share nothing with them: what operations round, and what they do not.
+#include "numeric/wide_float.hpp"
+
+#include <gtest/gtest.h>
+#include <mpfr.h>
+
+#include <cmath>
+#include <limits>
+
+#include "numeric/trig.hpp"
+#include "support/effort.hpp"
+#include "support/fraction.hpp"
+#include "support/rng.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// Words at random, of zeros, or of ones only: roundings that carry through all of them, sums that cancel, ties.
+template <class Wide>
+Wide any_wide(Rng& rng) {
+  typename Wide::Limbs words{};
+  const int kind = rng.below(4);
+  for (std::uint64_t& word : words) {
+    const int pattern = kind == 0 ? 2 : rng.below(4);
+    word = pattern == 0 ? 0 : pattern == 1 ? ~std::uint64_t{0} : rng.next();
+  }
+  if (kind == 1) words = {};
+  words[words.size() - 1] = rng.chance(0.2) ? std::uint64_t{1} << rng.below(64) : rng.next();
+  const int bits = 64 * static_cast<int>(words.size());
+  const int away = rng.chance(0.7) ? rng.between(-4, 4) : rng.between(-bits - 80, bits + 80);
+  return Wide::of_limbs(words, away - bits, rng.chance(0.5));
+}
+
+/// Another one that is close to it, so that nearly all cancels.
+template <class Wide>
+Wide beside(Rng& rng, const Wide& x) {
+  return x + ldexp(any_wide<Wide>(rng), -rng.below(64 * static_cast<int>(Wide::limbs) + 4));
+}
+
+/// A unit in the last place.
+template <unsigned Bits>
+Fraction unit_of(const WideFloat<Bits>& x) {
+  return fraction_of_two(x.exponent() - static_cast<long>(Bits) + 1);
+}
+
+/// Is it the nearest number, up to a share of a unit?
+template <class Wide>
+void expect_rounded(const Wide& got, const Fraction& exact, const Fraction& share, const char* what) {
+  ASSERT_TRUE(got.is_defined()) << what;
+  const Fraction error = abs(Fraction(rational(got) - exact));
+  if (error == 0) return;
+  ASSERT_FALSE(got.is_zero()) << what;
+  EXPECT_LE(error, unit_of(got) * (Fraction(1, 2) + share)) << what;
+  if (share == 0 && error * 2 == unit_of(got)) {
+    EXPECT_EQ(got.mantissa()[0] & 1, 0u) << what << ": ties go to the even one";
+  }
+}
+
+template <class Wide>
+void expect_operations(std::uint64_t rounds) {
+  Rng rng(Wide::limbs);
+  const Fraction exactly = 0, nearly = fraction_of_two(-50);
+  for (std::uint64_t i = 0; i < effort(rounds); ++i) {
+    const Wide a = any_wide<Wide>(rng), b = rng.chance(0.2) ? -beside(rng, a) : any_wide<Wide>(rng);
+    if (a.is_zero() || b.is_zero()) continue;
+    const Fraction x = rational(a), y = rational(b);
+    expect_rounded(a + b, x + y, exactly, "a sum");
+    expect_rounded(a - b, x - y, exactly, "a difference");
+    expect_rounded(a * b, x * y, nearly, "a product");
+    expect_rounded(a / b, x / y, exactly, "a quotient");
+    EXPECT_EQ(a < b, x < y);
+    EXPECT_EQ(a > b, x > y);
+    EXPECT_EQ(a == b, x == y);
+    // A root is within (1/2 + share) units: squares on both sides tell, with no root taken.
+    const Wide root = sqrt(abs(a));
+    const Fraction r = rational(root), reach = unit_of(root) * (Fraction(1, 2) + nearly), size = abs(x);
+    EXPECT_LE((r - reach) * (r - reach), size);
+    EXPECT_GE((r + reach) * (r + reach), size);
+  }
+}
+
+TEST(WideFloat, RoundsToNearestAt192Bits) { expect_operations<WideFloat<192>>(4000); }
+TEST(WideFloat, RoundsToNearestAt320Bits) { expect_operations<WideFloat<320>>(4000); }
+TEST(WideFloat, RoundsToNearestAt640Bits) { expect_operations<WideFloat<640>>(2000); }
+TEST(WideFloat, RoundsToNearestAt960Bits) { expect_operations<WideFloat<960>>(2000); }
+
+/// What is a number of this length comes out exactly: products, quotients and roots of shorter ones.
+TEST(WideFloat, IsExactWhereItCanBe) {
+  using Half = WideFloat<320>;
+  using Wide = WideFloat<640>;
+  Rng rng(1);
+  for (std::uint64_t i = 0; i < effort(4000); ++i) {
+    const Wide a(any_wide<Half>(rng)), b(any_wide<Half>(rng));
+    if (a.is_zero() || b.is_zero()) continue;
+    const Wide product = a * b;
+    EXPECT_EQ(rational(product), rational(a) * rational(b));
+    EXPECT_EQ(product / b, a);
+    EXPECT_EQ(sqrt(a * a), abs(a));
+  }
+}
+
+/// Doubles, the smallest ones, too; and what is rounded to them.
+TEST(WideFloat, ConvertsDoubles) {
+  Rng rng(2);
+  for (std::uint64_t i = 0; i < effort(20000); ++i) {
+    const double x = rng.sign() * std::ldexp(1 + rng.unit(), rng.between(-1074, 1022));
+    EXPECT_EQ(rational(Real320(x)), Fraction(x));
+    EXPECT_EQ(Real320(x).to_double(), x);
+    // mpfr rounds to the nearest double, among those below the normal ones, too.
+    const Real320 wide = ldexp(any_wide<Real320>(rng), rng.chance(0.5) ? 0 : rng.between(-1090, -1000));
+    mpfr_t exact;
+    mpfr_init2(exact, 320);
+    mpfr_set_q(exact, rational(wide).get_mpq_t(), MPFR_RNDN);
+    EXPECT_EQ(wide.to_double(), mpfr_get_d(exact, MPFR_RNDN));
+    mpfr_clear(exact);
+  }
+  EXPECT_EQ(Real320(0).to_double(), 0);
+  EXPECT_EQ(ldexp(Real320(1), 1024).to_double(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(ldexp(Real320(-1), 900000).to_double(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(ldexp(Real320(1), -900000).to_double(), 0);
+}
+
+TEST(WideFloat, ConvertsLengths) {
+  Rng rng(3);
+  for (std::uint64_t i = 0; i < effort(10000); ++i) {
+    const Real960 wide = any_wide<Real960>(rng);
+    if (wide.is_zero()) continue;
+    expect_rounded(Real320(wide), rational(wide), 0, "320 bits");
+    expect_rounded(Real640(wide), rational(wide), 0, "640 bits");
+    const Real320 narrow(wide);
+    EXPECT_EQ(Real320(Real960(narrow)), narrow);
+    EXPECT_EQ(rational(Real960(narrow)), rational(narrow));
+  }
+}
+
+TEST(WideFloat, KnowsIntegers) {
+  Rng rng(4);
+  for (std::uint64_t i = 0; i < effort(20000); ++i) {
+    const auto k = static_cast<std::int64_t>(rng.next() >> rng.between(2, 63)) * rng.sign();
+    const Real320 whole = Real320::of_integer(k);
+    EXPECT_EQ(rational(whole), Fraction(mpz_class(std::to_string(k))));
+    EXPECT_EQ(whole.nearest_integer(), k);
+    EXPECT_EQ((whole + rng.real(-0.499, 0.499)).nearest_integer(), k);
+  }
+  EXPECT_EQ(Real320(0.75).nearest_integer(), 1);
+  EXPECT_EQ(Real320(-0.25).nearest_integer(), 0);
+  EXPECT_EQ(Real320(0).nearest_integer(), 0);
+}
+
+/// What is not a number says so, and nothing that is made of it hides that.
+TEST(WideFloat, IsUndefinedWhereNothingIs) {
+  const Real320 one(1), zero(0), huge = ldexp(one, 999999);
+  const Real320 infinite(std::numeric_limits<double>::infinity()), none(std::nan(""));
+  for (const Real320& x : {one / zero, zero / zero, sqrt(-one), huge * huge, infinite, none}) {
+    EXPECT_FALSE(x.is_defined());
+    for (const Real320& y : {x + one, one - x, x * zero, one / x, zero / x, sqrt(x), -x, abs(x), ldexp(x, -5)}) {
+      EXPECT_FALSE(y.is_defined());
+    }
+    EXPECT_FALSE(Real640(x).is_defined());
+    EXPECT_FALSE(Real320(Real960(x)).is_defined());
+    EXPECT_FALSE(x < one || x > one || x == one || x == x);
+    EXPECT_TRUE(std::isnan(x.to_double()));
+    EXPECT_EQ(RealTraits<Real320>::magnitude(x), std::numeric_limits<double>::infinity());
+  }
+  EXPECT_TRUE((ldexp(one, -999999) * ldexp(one, -999999)).is_zero());
+}
+
+template <class Wide>
+void expect_pi() {
+  mpfr_t exact;
+  mpfr_init2(exact, static_cast<mpfr_prec_t>(64 * Wide::limbs));
+  mpfr_const_pi(exact, MPFR_RNDN);
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), exact);
+  EXPECT_EQ(rational(pi<Wide>()), value);
+  mpfr_clear(exact);
+}
+TEST(WideFloat, KnowsPi) {
+  expect_pi<Real320>();
+  expect_pi<Real640>();
+  expect_pi<Real960>();
+}
+
+}  // namespace
+}  // namespace taut::testing
