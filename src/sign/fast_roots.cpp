@@ -142,7 +142,12 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
   // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
   const double drift = now.slope_change(width);
   const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
-  if (slope > error) return holds_on(r, now, now.t, 0, lasts(r, now, 0));
+  if (slope > error) {
+    const double h = lasts(r, now, 0);
+    // Where the function has not risen above the error of its value by then, the next step would be as short, and so on.
+    const bool rises = (slope - error) * h > 4 * now.value.error || h > 0x1p-8 * (now.cell.end - now.t);
+    return rises && holds_on(r, now, now.t, 0, h);
+  }
   if (-slope > error && !own && isolate(r, now, instant.lo)) {
     // Reports show this enclosure: it is as short as doubles can make it, or is made so when it matters; an exact line
     // does that at once.
