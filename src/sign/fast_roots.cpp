@@ -144,7 +144,8 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
   const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
   if (slope > error) {
     const double h = lasts(r, now, 0);
-    // Where the function has not risen above the error of its value by then, the next step would be as short, and so on.
+    // Where the function has not risen above the error of its value by then, the next step would be as short, and so
+    // on.
     const bool rises = (slope - error) * h > 4 * now.value.error || h > 0x1p-8 * (now.cell.end - now.t);
     return rises && holds_on(r, now, now.t, 0, h);
   }
