@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "kinetic/failure_solver.hpp"
+#include "numeric/first_told.hpp"
 #include "pair/placement.hpp"
 
 namespace taut {
@@ -45,15 +46,8 @@ bool FailureSolver::fails_by(Certificate& c, double t) {
   if (c.sign * v.value > v.error) return false;
   if (-c.sign * v.value > v.error) return true;
   const PreciseTriple f = precise_of(c);
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    const int s = f.sign_at(PreciseTime::between(t, t), stage);
-    if (s == c.sign) {
-      // Not yet, unless it failed and came back: an enclosure holds one root only, so compare with it.
-      return false;
-    }
-    if (s == -c.sign) return true;
-  }
-  throw Undecidable{"whether an event falls on the end of the interval"};
+  const auto sign = [&](int stage) { return f.sign_at(PreciseTime::between(t, t), stage); };
+  return told("whether an event falls on the end of the interval", sign) != c.sign;
 }
 
 VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {

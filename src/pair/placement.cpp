@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "numeric/first_told.hpp"
 
 namespace taut {
 namespace {
@@ -129,10 +130,8 @@ bool Placement::before(VertexId a, VertexId b) const {
   ++precise_calls_;
   count_work(work_of_precise);
   if (const int s = order_in<FixedBall>(a, b)) return s < 0;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int s = with_stage(stage, [&](auto zero) { return order_in<Ball<decltype(zero)>>(a, b); })) return s < 0;
-  }
-  throw Undecidable{"the order of two vertices along the sweep"};
+  const auto order = [&](auto zero) { return order_in<Ball<decltype(zero)>>(a, b); };
+  return told("the order of two vertices along the sweep", [&](int stage) { return with_stage(stage, order); }) < 0;
 }
 
 template <class N>
@@ -191,11 +190,8 @@ int Placement::precise_orientation(VertexId a, VertexId b, VertexId c) const {
   ++precise_calls_;
   count_work(work_of_precise);
   if (const int s = orientation_in<FixedBall>(a, b, c)) return s;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int s = with_stage(stage, [&](auto zero) { return orientation_in<Ball<decltype(zero)>>(a, b, c); }))
-      return s;
-  }
-  throw Undecidable{"the orientation of three vertices"};
+  const auto sign = [&](auto zero) { return orientation_in<Ball<decltype(zero)>>(a, b, c); };
+  return told("the orientation of three vertices", [&](int stage) { return with_stage(stage, sign); });
 }
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "numeric/first_told.hpp"
 #include "numeric/quadratic_bound.hpp"
 #include "pair/placement.hpp"
 #include "proof/format.hpp"
@@ -130,23 +131,21 @@ bool Lifetimes::holds_in_doubles(const SignedForm& form, const Instant& until, b
 
 bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bool own) {
   const PreciseTriple f = precise(form.form);
-  for (int stage = 0; stage < precise_stages; ++stage) {
+  return *told("whether a corner lasts until an event", [&](int stage) -> std::optional<bool> {
     PreciseTime birth, end;
-    if (!at_stage(form.birth, stage, birth) || !at_stage(until, stage, end)) continue;
+    if (!at_stage(form.birth, stage, birth) || !at_stage(until, stage, end)) return std::nullopt;
     birth.stage = stage;
     if (!form.from_root) {
       const int s = f.sign_at(birth, stage);
       if (s == -form.sign) return false;
-      if (s == 0) continue;
+      if (s == 0) return std::nullopt;
     }
     const std::optional<PreciseTime> root = f.first_failure(form.sign, birth, until.hi);
     if (!root) return !own;
     // The first root since the birth: with its own vertices it must be the very instant, and an enclosure holds one.
-    if (own) return !root->certainly_before(end) && !end.certainly_before(*root);
-    if (end.certainly_before(*root)) return true;
-    if (root->certainly_before(end)) return false;
-  }
-  throw Undecidable{"whether a corner lasts until an event"};
+    const std::optional<bool> before_root = end.is_first(*root);
+    return own ? !before_root : before_root;
+  });
 }
 
 Instant Lifetimes::failure(const Corner& c, double about) {
@@ -161,21 +160,20 @@ Instant Lifetimes::failure(const Corner& c, double about) {
   if (!(about >= leg().start && about <= leg().end)) throw ProofError("an event is not within its leg");
   if (enclose(FastFunction::level_zero(leg(), geometry_, t), c.sign, root) && root.hi <= leg().end) return root;
   const PreciseTriple f = precise(t);
-  PreciseTime birth;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (!at_stage(c.birth, stage, birth)) continue;
+  const double last = std::min(leg().end, about + nearness(leg().start, leg().end));
+  const auto found = told("the instant of an event", [&](int stage) -> std::optional<PreciseTime> {
+    PreciseTime birth;
+    if (!at_stage(c.birth, stage, birth)) return std::nullopt;
     birth.stage = stage;
     // The enclosure of the birth must end before the corner fails.
-    if (!c.birth.concerns(c.u, c.v, c.w) && f.sign_at(birth, stage) != c.sign) continue;
-    const std::optional<PreciseTime> found =
-        f.first_failure(c.sign, birth, std::min(leg().end, about + nearness(leg().start, leg().end)));
-    if (!found) throw ProofError("a corner does not fail where the log says");
-    root.lo = found->floor();
-    root.hi = std::min(found->ceiling(), leg().end);
-    root.known = std::make_shared<const PreciseTime>(*found);
-    return root;
-  }
-  throw Undecidable{"the instant of an event"};
+    if (!c.birth.concerns(c.u, c.v, c.w) && f.sign_at(birth, stage) != c.sign) return std::nullopt;
+    if (auto first = f.first_failure(c.sign, birth, last)) return first;
+    throw ProofError("a corner does not fail where the log says");
+  });
+  root.lo = found->floor();
+  root.hi = std::min(found->ceiling(), leg().end);
+  root.known = std::make_shared<const PreciseTime>(*found);
+  return root;
 }
 
 Instant Lifetimes::tightened(Instant event) const {
@@ -196,13 +194,13 @@ bool Lifetimes::is_near(const Instant& event, double about) const {
 bool Lifetimes::in_order(const Instant& a, const Instant& b) {
   if (a.hi <= b.lo) return true;
   if (b.event && a.concerns(b.u, b.v, b.w)) return b.hi >= a.lo;
-  for (int stage = 0; stage < precise_stages; ++stage) {
+  return *told("the order of two events", [&](int stage) -> std::optional<bool> {
     PreciseTime x, y;
-    if (!at_stage(a, stage, x) || !at_stage(b, stage, y)) continue;
+    if (!at_stage(a, stage, x) || !at_stage(b, stage, y)) return std::nullopt;
     if (x.not_after(y)) return true;
     if (y.certainly_before(x)) return false;
-  }
-  throw Undecidable{"the order of two events"};
+    return std::nullopt;
+  });
 }
 
 int Lifetimes::sign_at(const Form& form, const Instant& now) {

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "numeric/first_told.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut {
@@ -86,9 +87,7 @@ std::array<Ball<Real>, 2> FreeDirections::exact_difference(const VertexDirection
 template <class Quantity>
 int FreeDirections::decided(const Quantity& quantity, const char* what) const {
   if (const int sign = quantity(double{}).sign()) return sign;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int sign = with_stage(stage, [&](auto real) { return quantity(real).sign(); })) return sign;
-  }
+  if (const int sign = told_sign(quantity)) return sign;
   throw Undecidable{what};
 }
 
@@ -145,14 +144,12 @@ int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) co
   const double value = u.x * v.y - u.y * v.x, e = difference_error(a), f = difference_error(b);
   const double error = size(u) * f + size(v) * e + 2 * e * f + 0x1p-50 * size(u) * size(v) + underflow_slack;
   if (std::fabs(value) > error) return value > 0 ? 1 : -1;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    const int sign = with_stage(stage, [&](auto real) {
-      using Real = decltype(real);
-      const auto p = exact_difference<Real>(a), q = exact_difference<Real>(b);
-      return (p[0] * q[1] - p[1] * q[0]).sign();
-    });
-    if (sign != 0) return sign;
-  }
+  const int sign = told_sign([&](auto real) {
+    using Real = decltype(real);
+    const auto p = exact_difference<Real>(a), q = exact_difference<Real>(b);
+    return p[0] * q[1] - p[1] * q[0];
+  });
+  if (sign != 0) return sign;
   throw Undecidable{"the order of two directions"};
 }
 
@@ -160,10 +157,7 @@ int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) co
 int FreeDirections::upper(const VertexDirection& d) const {
   const double y = difference(d).y;
   if (std::fabs(y) > difference_error(d)) return y > 0 ? 1 : -1;
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    const int sign = with_stage(stage, [&](auto real) { return exact_difference<decltype(real)>(d)[1].sign(); });
-    if (sign != 0) return sign;
-  }
+  if (const int sign = told_sign([&](auto real) { return exact_difference<decltype(real)>(d)[1]; })) return sign;
   throw Undecidable{"whether a direction is above the x axis"};
 }
 

@@ -6,9 +6,7 @@
 // of one in the frame of the other, which are forms.
 #pragma once
 
-#include <optional>
-
-#include "numeric/root_isolation.hpp"
+#include "numeric/first_told.hpp"
 #include "sign/precise_function.hpp"
 
 namespace taut {
@@ -66,17 +64,5 @@ class VertexCloseness {
   PreciseFunction<Real> x_, y_;
   Ball<Real> square_;
 };
-
-/// `ask(zero, stage)` at one precision after the other, until one can tell; nothing if none can.
-template <class Ask>
-auto at_some_stage(const Ask& ask) -> std::optional<decltype(ask(double{}, 0))> {
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    try {
-      return with_stage(stage, [&](auto zero) { return ask(zero, stage); });
-    } catch (const PrecisionExhausted&) {
-    }
-  }
-  return std::nullopt;
-}
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/first_told.hpp"
 #include "sign/fast_function.hpp"
 #include "sign/precise_triple.hpp"
 
@@ -57,10 +58,7 @@ class Side {
 
   int operator()(double t) const {
     const PreciseTime now = PreciseTime::between(t, t);
-    for (int stage = 0; stage < precise_stages; ++stage) {
-      if (const int sign = function_.sign_at(now, stage)) return sign;
-    }
-    return 0;
+    return first_told([&](int stage) { return function_.sign_at(now, stage); });
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "numeric/first_told.hpp"
 #include "sign/precise_triple.hpp"
 
 namespace taut {
@@ -43,11 +44,7 @@ struct Instant {
 inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t,
                    TieFrames* ties = nullptr) {
   const PreciseTriple f(leg, g, form, ties);
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (!instant.refine(leg, g, stage, t, ties)) continue;
-    if (const int s = f.sign_at(t, stage)) return s;
-  }
-  return 0;
+  return first_told([&](int stage) { return instant.refine(leg, g, stage, t, ties) ? f.sign_at(t, stage) : 0; });
 }
 
 /// Of three vertices that are on one line, the middle one: sign(form) tells the sign of a form at that instant.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "numeric/first_told.hpp"
 #include "sign/precise_triple.hpp"
 
 namespace taut {
@@ -37,16 +38,16 @@ class ClosingInstant {
 int order_of(const ContactInstant& a, const ContactInstant& b) {
   const bool one_bridge = a.leg == b.leg && a.leg->bridge;
   ClosingInstant x(a), y(b);
-  for (int stage = -1; stage < precise_stages; ++stage) {
-    if (stage >= 0) {
+  const auto order = [&] { return one_bridge ? x.parameter().is_first(y.parameter()) : x.time().is_first(y.time()); };
+  std::optional<bool> a_first = order();
+  if (!a_first) {
+    a_first = first_told([&](int stage) {
       x.refine(stage, 0);
       y.refine(stage, 0);
-    }
-    const PreciseTime s = one_bridge ? x.parameter() : x.time(), t = one_bridge ? y.parameter() : y.time();
-    if (s.certainly_before(t)) return -1;
-    if (t.certainly_before(s)) return 1;
+      return order();
+    });
   }
-  return 0;
+  return !a_first ? 0 : *a_first ? -1 : 1;
 }
 
 namespace {

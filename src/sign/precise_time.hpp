@@ -1,6 +1,8 @@
 // Instants beyond the resolution of doubles.
 #pragma once
 
+#include <optional>
+
 #include "numeric/real.hpp"
 #include "numeric/short_sum.hpp"
 
@@ -41,6 +43,12 @@ class PreciseTime {
   /// Is this instant certainly before `o`?
   bool certainly_before(const PreciseTime& o) const {
     return has_sums_ && o.has_sums_ ? to_.compare(o.from_) < 0 : hi() < o.lo();
+  }
+  /// Which of the two is first, if that is certain: true if it is this one.
+  std::optional<bool> is_first(const PreciseTime& o) const {
+    if (certainly_before(o)) return true;
+    if (o.certainly_before(*this)) return false;
+    return std::nullopt;
   }
   /// The same, or they may be one.
   bool not_after(const PreciseTime& o) const {

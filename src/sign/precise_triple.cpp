@@ -1,8 +1,10 @@
 #include "sign/precise_triple.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "base/errors.hpp"
+#include "numeric/first_told.hpp"
 #include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
 
@@ -243,24 +245,20 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     const PreciseFunction<double> f(leg_, geometry_, form_);
     if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) return *answer;
   }
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (stage < from.stage) continue;
-    try {
-      return with_stage(stage, [&](auto zero) -> std::optional<PreciseTime> {
-        using Real = decltype(zero);
-        const PreciseFunction<Real> f(leg_, geometry_, form_);
-        if (end != 0) {
-          if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
-        }
-        auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to));
-        if (!root) return std::nullopt;
-        refine_root(f, sign, *root, 0);
-        return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
-      });
-    } catch (const PrecisionExhausted&) {
+  const auto search = [&](auto zero, int stage) -> std::optional<PreciseTime> {
+    using Real = decltype(zero);
+    const PreciseFunction<Real> f(leg_, geometry_, form_);
+    if (end != 0) {
+      if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
     }
-  }
-  throw Undecidable{"the failure time of a certificate"};
+    auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to));
+    if (!root) return std::nullopt;
+    refine_root(f, sign, *root, 0);
+    return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
+  };
+  const auto found = at_some_stage(search, std::max(from.stage, 0));
+  if (!found) throw Undecidable{"the failure time of a certificate"};
+  return *found;
 }
 
 bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {

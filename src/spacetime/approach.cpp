@@ -108,15 +108,11 @@ bool PreciseApproaches::close_at(const VertexPeer& pair, double t) const {
 }
 
 int PreciseApproaches::side(const VertexPeer& pair, double t) const {
-  int sign = 0;
-  for (int stage = 0; stage < precise_stages && sign == 0; ++stage) {
-    sign = with_stage(stage, [&](auto zero) {
-      using Real = decltype(zero);
-      const auto sign_of = [&](const auto& f, const auto&) { return f.value(Ball<Real>::exact(t)).sign(); };
-      return with_functions<Real>(leg_, geometry_, pair, margin_, sign_of);
-    });
-  }
-  return sign;
+  return told_sign([&](auto zero) {
+    using Real = decltype(zero);
+    const auto value = [&](const auto& f, const auto&) { return f.value(Ball<Real>::exact(t)); };
+    return with_functions<Real>(leg_, geometry_, pair, margin_, value);
+  });
 }
 
 /// What a stage cannot improve stays as it is.
@@ -137,14 +133,13 @@ void PreciseApproaches::refine(Approach& a, int stage) const {
 }
 
 bool PreciseApproaches::before(Approach& a, Approach& b) const {
-  for (int stage = 0; stage < precise_stages; ++stage) {
+  const auto order = first_told([&](int stage) {
     refine(a, stage);
     refine(b, stage);
-    if (a.precise.certainly_before(b.precise)) return true;
-    if (b.precise.certainly_before(a.precise)) return false;
-  }
-  // Which of them is named makes no difference to the time.
-  return false;
+    return a.precise.is_first(b.precise);
+  });
+  // Where they cannot be told apart, which of them is named makes no difference to the time.
+  return order.value_or(false);
 }
 
 }  // namespace taut::spacetime

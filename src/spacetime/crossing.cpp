@@ -4,16 +4,14 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "numeric/first_told.hpp"
 #include "pair/placement.hpp"
 
 namespace taut::spacetime {
 namespace {
 
 int sign_at(const PreciseTriple& f, const PreciseTime& t) {
-  for (int stage = 0; stage < precise_stages; ++stage) {
-    if (const int sign = f.sign_at(t, stage)) return sign;
-  }
-  throw Undecidable{"whether a vertex crosses an edge"};
+  return told("whether a vertex crosses an edge", [&](int stage) { return f.sign_at(t, stage); });
 }
 
 void store(const PreciseTime& t, Crossing& c) {
@@ -54,27 +52,25 @@ void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
 Beside PreciseCrossings::beside(Crossing& root, int sign) {
   const PreciseTriple from_start(leg_, geometry_, root.pair.from_start(geometry_));
   const PreciseTriple from_end(leg_, geometry_, root.pair.from_end(geometry_));
-  for (int stage = 0; stage < precise_stages; ++stage) {
+  const auto ask = [&](int stage) -> std::optional<Beside> {
     refine(root, sign, stage);
     const int a = from_start.sign_at(root.precise, stage), b = from_end.sign_at(root.precise, stage);
     if (a < 0 || b < 0) return Beside::no;
     if (a > 0 && b > 0) return Beside::yes;
-  }
-  throw Undecidable{"whether a vertex meets an edge or passes its end"};
+    return std::nullopt;
+  };
+  return *told("whether a vertex meets an edge or passes its end", ask);
 }
 
 bool PreciseCrossings::before(Crossing& a, Crossing& b) {
-  for (int stage = -1; stage < precise_stages; ++stage) {
-    if (stage >= 0) {
-      refine(a, -1, stage);
-      refine(b, -1, stage);
-      if (a.precise.certainly_before(b.precise)) return true;
-      if (b.precise.certainly_before(a.precise)) return false;
-    }
-    if (a.hi < b.lo) return true;
-    if (b.hi < a.lo) return false;
-  }
-  throw Undecidable{"the order of two contacts"};
+  if (a.hi < b.lo) return true;
+  if (b.hi < a.lo) return false;
+  const auto order = [&](int stage) {
+    refine(a, -1, stage);
+    refine(b, -1, stage);
+    return a.precise.is_first(b.precise);
+  };
+  return *told("the order of two contacts", order);
 }
 
 void PreciseCrossings::tighten(Crossing& c) {

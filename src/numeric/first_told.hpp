@@ -1,0 +1,51 @@
+// One precision after the other, until one tells.
+//
+// What doubles leave open is asked at 320 bits first, because that nearly always does and costs least; "undecided" is
+// what remains when the last one is silent. That walk is written here alone.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "numeric/real.hpp"
+#include "numeric/root_isolation.hpp"
+
+namespace taut {
+
+/// ask(stage) from the first stage on, until the answer is not empty, or not zero; else that empty answer.
+template <class Ask>
+auto first_told(const Ask& ask) -> decltype(ask(0)) {
+  for (int stage = 0; stage < precise_stages; ++stage) {
+    if (auto answer = ask(stage)) return answer;
+  }
+  return {};
+}
+
+/// The same, where someone has to tell; `what` is the question for the user.
+template <class Ask>
+auto told(const char* what, const Ask& ask) -> decltype(ask(0)) {
+  auto answer = first_told(ask);
+  if (!answer) throw Undecidable{what};
+  return answer;
+}
+
+/// The sign of a ball given as a function of a number of its type; 0 if no stage tells.
+template <class Quantity>
+int told_sign(const Quantity& quantity) {
+  return first_told([&](int stage) { return with_stage(stage, [&](auto zero) { return quantity(zero).sign(); }); });
+}
+
+/// `ask(zero, stage)` where a stage that cannot tell throws PrecisionExhausted; nothing if none can.
+template <class Ask>
+auto at_some_stage(const Ask& ask, int first = 0) -> std::optional<decltype(ask(double{}, 0))> {
+  for (int stage = first; stage < precise_stages; ++stage) {
+    try {
+      return with_stage(stage, [&](auto zero) { return ask(zero, stage); });
+    } catch (const PrecisionExhausted&) {
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut
