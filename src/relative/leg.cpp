@@ -42,11 +42,12 @@ template <class J, class Time>
 void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
   if constexpr (requires { t.direction; }) {
     if (const SingularCosine* cosine = leg.singular_cosine(of_p, t.end)) return cosine_from_end(*cosine, t, x, y);
-  } else if constexpr (requires { t.mid; }) {
+  } else if constexpr (requires { absolute(t).mid; }) {
     // The nearer end of the leg, if the cosine is singular there.
-    const bool first = t.mid - leg.start < leg.end - t.mid;
+    const auto& at = absolute(t);
+    const bool first = at.mid - leg.start < leg.end - at.mid;
     const SingularCosine* cosine = leg.singular_cosine(of_p, first ? leg.start : leg.end);
-    if (cosine) return cosine_near_end(*cosine, t, first ? 1.0 : -1.0, x, y);
+    if (cosine) return cosine_near_end(*cosine, at, first ? 1.0 : -1.0, x, y);
   }
   rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
 }
@@ -56,8 +57,8 @@ void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
 template <class J, class Time>
 void relative_turn(const Leg& leg, const Axes<J>& axes, const Time& t, J& c, J& s) {
   if (!leg.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
-  const J turn = J::polynomial(leg.turn, t);
-  sin_cos(leg.turn_low.empty() ? turn : turn + J::polynomial(leg.turn_low, t), s, c);
+  const J turn = angle_at<J>(leg.turn, t);
+  sin_cos(leg.turn_low.empty() ? turn : turn + angle_at<J>(leg.turn_low, t), s, c);
 }
 
 /// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
@@ -137,6 +138,21 @@ FrameOf<J> composed_frame(const Leg& leg, const Time& t) {
   return f;
 }
 
+/// A coordinate of D less the shift.
+template <class J, class Time>
+J way(const Leg& leg, bool of_x, const Time& t) {
+  if constexpr (requires { t.since; }) {
+    using Real = std::decay_t<decltype(t.since.mid)>;
+    return J::polynomial(leg.way(of_x).template rounded<Real>(), t.since);
+  } else {
+    const Coefficients &q = of_x ? leg.q.x : leg.q.y, &p = of_x ? leg.p.x : leg.p.y;
+    J d = J::polynomial(VaryingPart{q}, t) - J::polynomial(VaryingPart{p}, t);
+    if (!leg.far()) return d;
+    for (const double c : leg.constant_left(of_x)) d = d + J::constant(c);
+    return d;
+  }
+}
+
 /// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
 FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
@@ -144,8 +160,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
   FrameOf<J> f;
   J dx, dy;
   if (offset && (leg.shift_p || leg.shift_q)) {
-    dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
-    dy = J::polynomial(VaryingPart{leg.q.y}, t) - J::polynomial(VaryingPart{leg.p.y}, t);
+    dx = way<J>(leg, true, t);
+    dy = way<J>(leg, false, t);
   } else {
     dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
     dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);
@@ -182,14 +198,18 @@ Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real
   return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
 }
 
+/// Where a body is that follows the piece, or the chain.
+template <class Real>
+Pose<Real> placed(const Leg& leg, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
+  const auto at = [&](const auto& time) { return leg.composed ? pose_of<Jet<Real>>(chain, time) : pose(piece, time); };
+  return leg.far() ? at(LocalTime<Real>(*leg.local(), t)) : at(t);
+}
+
 template <class Real>
 Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const auto placed = [&](const PieceChain& chain, const MotionPiece& piece) {
-    return leg.composed ? pose_of<Jet<Real>>(chain, t) : pose(piece, t);
-  };
-  const Pose<Real> p = interpolate(placed(leg.p_chain, leg.p), placed(leg.p_chain_next, leg.p_next), s);
-  const Pose<Real> q = interpolate(placed(leg.q_chain, leg.q), placed(leg.q_chain_next, leg.q_next), s);
+  const Pose<Real> p = interpolate(placed(leg, leg.p_chain, leg.p, t), placed(leg, leg.p_chain_next, leg.p_next, t), s);
+  const Pose<Real> q = interpolate(placed(leg, leg.q_chain, leg.q, t), placed(leg, leg.q_chain_next, leg.q_next, t), s);
   const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
   Frame<Real> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
@@ -202,14 +222,14 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   return f;
 }
 
-template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
-  return motion_frame<J>(leg, t, true);
+template <class J, class Real>
+FrameOf<J> motion_frame_at(const Leg& leg, const Ball<Real>& t, bool offset = true) {
+  return leg.far() ? motion_frame<J>(leg, LocalTime<Real>(*leg.local(), t), offset) : motion_frame<J>(leg, t, offset);
 }
 
 template <class Real>
 Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<Real>>(leg, t);
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<Real>>(leg, t);
 }
 
 /// Without derivatives: a series of one term.
@@ -225,7 +245,7 @@ FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
   if (leg.bridge) {
     copy(bridge_frame(leg, t), [](const Jet<Real>& j) { return j.v; });
   } else {
-    copy(motion_frame<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
+    copy(motion_frame_at<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
   }
   return values;
 }
@@ -279,6 +299,7 @@ Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start
   leg.q_chain = q;
   leg.start = start;
   leg.end = end;
+  if (is_far(start, end)) leg.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
   return leg;
 }
 
@@ -308,6 +329,7 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
                      leg.shift.y_rest);
     (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
   }
+  if (is_far(start, end)) leg.take_far_offsets();
   for (const bool of_p : {true, false}) {
     const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
     if (!cosine) continue;
@@ -320,10 +342,42 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
   return leg;
 }
 
+/// The shift becomes D about the leg's middle, in two doubles.
+void Leg::take_far_offsets() {
+  far_offset_p = offset_p;
+  far_offset_q = offset_q;
+  const auto local = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  local_ = local;
+  if (!shift_p && !shift_q) return;
+  const auto way = [&](const Coefficients& to, const Coefficients& from, double to_pivot, double from_pivot, double& hi,
+                       double& low) {
+    DyadicPolynomial d = local->exact(to) + -local->exact(from);
+    if (d.empty()) d.emplace_back();
+    d[0] = d[0] + (Dyadic::exact(to_pivot) - Dyadic::exact(from_pivot));
+    for (double* part : {&hi, &low}) {
+      *part = RealTraits<RealMax>::to_double(ball_of<RealMax>(d[0]).mid);
+      d[0] = d[0] - Dyadic::exact(*part);
+    }
+    trim(d);
+    return LocalPolynomials::Known(std::move(d));
+  };
+  const Point a = pivot_of(p), b = pivot_of(q);
+  shift = {};
+  ways_ = std::make_shared<const std::array<LocalPolynomials::Known, 2>>(std::array<LocalPolynomials::Known, 2>{
+      way(q.x, p.x, b.x, a.x, shift.x, shift.x_low), way(q.y, p.y, b.y, a.y, shift.y, shift.y_low)});
+  (shift_p ? offset_p : offset_q) = shift_p ? -shift : shift;
+}
+
+std::array<double, 7> Leg::constant_left(bool of_x) const {
+  const Point a = pivot_of(p), b = pivot_of(q);
+  if (of_x) return {coefficient(q.x, 0), -coefficient(p.x, 0), b.x, -a.x, -shift.x, -shift.x_low, -shift.x_rest};
+  return {coefficient(q.y, 0), -coefficient(p.y, 0), b.y, -a.y, -shift.y, -shift.y_low, -shift.y_rest};
+}
+
 Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
-                  double joint) {
+                  double joint, bool far) {
   if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
-    return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint);
+    return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint, far);
   Leg leg;
   leg.p = p;
   leg.q = q;
@@ -333,11 +387,12 @@ Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece&
   leg.joint = joint;
   leg.start = 0;
   leg.end = 1;
+  if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
   return leg;
 }
 
 Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next, const PieceChain& q_next,
-                         double joint) {
+                         double joint, bool far) {
   Leg leg;
   leg.p = p.back();
   leg.q = q.back();
@@ -352,14 +407,13 @@ Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceCh
   leg.q_chain = q;
   leg.p_chain_next = p_next;
   leg.q_chain_next = q_next;
+  if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
   return leg;
 }
 
 Pose<double> Leg::pose_of_body(bool of_p, double parameter) const {
-  const Ball<double> t = Ball<double>::exact(time(parameter));
-  if (composed)
-    return pose_of<Jet<double>>(bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain), t);
-  return pose(bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), t);
+  return placed(*this, bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain),
+                bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), Ball<double>::exact(time(parameter)));
 }
 
 template <class Real>
@@ -368,7 +422,7 @@ Frame<Real> frame(const Leg& leg, const Ball<Real>& t) {
 }
 template <class Real>
 Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t) {
-  return motion_frame<Jet<Real>>(leg, t);
+  return motion_frame<Jet<Real>>(leg, t, true);
 }
 template <class Real>
 FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
@@ -376,11 +430,11 @@ FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
 }
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t) {
-  return motion_frame<ModelSeries<Real>>(leg, t);
+  return motion_frame_at<ModelSeries<Real>>(leg, t);
 }
 template <class Real>
 FrameOf<SeriesFromEnd<Real>> frame_series(const Leg& leg, const TimeFromEnd<Real>& t) {
-  return motion_frame<SeriesFromEnd<Real>>(leg, t);
+  return motion_frame<SeriesFromEnd<Real>>(leg, t, true);
 }
 #define TAUT_INSTANTIATE(Real)                                                     \
   template Frame<Real> frame(const Leg&, const Ball<Real>&);                       \
@@ -393,13 +447,13 @@ TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<double>>(leg, t, false);
 }
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
-  return motion_frame<ThirdSeries>(leg, t);
+  return motion_frame_at<ThirdSeries>(leg, t);
 }
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
-  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols});
+  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);
 }
 
 const FrameIdentities& Leg::identities() const {
