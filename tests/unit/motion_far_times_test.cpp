@@ -75,7 +75,7 @@ MotionPiece short_piece(Rng& rng) {
 }
 
 template <class Real>
-bool meet(const Ball<Real>& a, const Ball<Real>& b) {
+bool balls_meet(const Ball<Real>& a, const Ball<Real>& b) {
   return a.lower() <= b.upper() && b.lower() <= a.upper();
 }
 
@@ -119,18 +119,18 @@ TEST(FarTimes, FramesAreThoseOfTheMotionAtTimeZeroAndAsNarrow) {
         std::holds_alternative<CosineRotation>(p.rotation) || std::holds_alternative<CosineRotation>(q.rotation);
     for (std::size_t i = 0; i < 5; ++i) {
       for (const auto& [x, y] : {std::pair(a.for_pp[i], b.for_pp[i]), std::pair(a.for_qq[i], b.for_qq[i])}) {
-        EXPECT_TRUE(meet(x.v, y.v) && meet(x.d, y.d) && meet(x.dd, y.dd)) << round << " " << i;
+        EXPECT_TRUE(balls_meet(x.v, y.v) && balls_meet(x.d, y.d) && balls_meet(x.dd, y.dd)) << round << " " << i;
         EXPECT_TRUE(cosine || y.v.rad <= 16 * x.v.rad + 0x1p-44) << round << " " << i;
       }
     }
     if (near.shift_p || near.shift_q) continue;
     const auto c = frame(near, Ball<Real320>::exact(since)), d = frame(far, Ball<Real320>::exact(t));
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(meet(c.for_pp[i].v, d.for_pp[i].v)) << round << " " << i;
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(balls_meet(c.for_pp[i].v, d.for_pp[i].v)) << round << " " << i;
   }
 }
 
 /// Two bodies, Q of which comes down, turns or slides.
-Scene scene_of(const MotionPiece& motion, double end) {
+Scene descending_scene(const MotionPiece& motion, double end) {
   Scene scene;
   scene.start = 0;
   scene.end = end;
@@ -147,7 +147,7 @@ std::vector<Scene> small_scenes() {
     piece.y = std::move(y);
     piece.rotation = rotation;
     piece.pivot = pivot;
-    scenes.push_back(scene_of(piece, 4));
+    scenes.push_back(descending_scene(piece, 4));
   };
   add({}, {5, -1, 0.25}, AngleRotation{{0, 0.75}});           // free
   add({}, {5, -3, 0.25}, AngleRotation{{0, 0.75}});           // contact
