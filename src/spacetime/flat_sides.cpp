@@ -10,6 +10,8 @@ namespace {
 
 /// Boxes that overlap by more than this have vertices that do: coordinates are at most 1, and of boxes padded by 2^-47.
 constexpr double hair = 0x1p-40;
+/// Bodies with fewer vertices have few pairs of edges: those cost less than looking for a direction between them.
+constexpr std::uint32_t worth_it = 48;
 
 double reach_along(Vector n, const Box& box) {
   return std::fabs(dot(n, box.along)) * box.half_length + std::fabs(dot(n, turned(box.along))) * box.half_width;
@@ -19,7 +21,7 @@ double reach_along(Vector n, const Box& box) {
 
 FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg)
     : geometry_(geometry), trees_(trees), leg_(leg) {
-  if (!leg.translation || leg.bridge || leg.degree != 1) return;
+  if (!leg.translation || leg.degree != 1 || geometry.size() < worth_it) return;
   const TwoDoubles x = two_sum(coefficient(leg.q.x, 1), -coefficient(leg.p.x, 1));
   const TwoDoubles y = two_sum(coefficient(leg.q.y, 1), -coefficient(leg.p.y, 1));
   const double length = std::sqrt(x.hi * x.hi + y.hi * y.hi);
