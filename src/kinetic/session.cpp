@@ -102,7 +102,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   if (!same_motion(before, fresh[0])) {
     const MotionPiece& p = piece_at(plan_.pieces[0], now);
     const MotionPiece& q = piece_at(plan_.pieces[1], now);
-    legs.insert(legs.begin(), Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now));
+    legs.insert(legs.begin(), Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
   }
   engine_->replan(std::move(legs));
 }

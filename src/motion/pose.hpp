@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/local_time.hpp"
 #include "motion/rotation_forms.hpp"
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
@@ -45,15 +46,6 @@ struct SingularCosine {
 };
 /// Nothing if the cosine is not about 1 or -1 there, or always is.
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end);
-
-/// Coefficients that are balls, without memory of their own to allocate.
-template <class Real>
-struct BallCoefficients {
-  BallPolynomial<Real> p;
-  std::size_t size() const { return p.size; }
-  bool empty() const { return p.size == 0; }
-  const Ball<Real>& operator[](std::size_t k) const { return p[k]; }
-};
 
 /// Its rest, rounded to a precision.
 template <class Real>
@@ -107,14 +99,15 @@ void cosine_from_end(const SingularCosine& cosine, const TimeFromEnd<Real>& t, J
   cosine_about_end<J, Real>(cosine.extreme, change, rest, side, outside, nullptr, xx, xy);
 }
 
-/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time a ball, TimeFromEnd or SymbolicTime.
+/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time a ball, LocalTime, TimeFromEnd or
+/// SymbolicTime.
 template <class J, class Time>
 void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
   std::visit(Overloaded{[&](const NoRotation&) {
                           xx = J::constant(1.0);
                           xy = J::constant(0.0);
                         },
-                        [&](const AngleRotation& r) { sin_cos(J::polynomial(r.angle, t), xy, xx); },
+                        [&](const AngleRotation& r) { sin_cos(angle_at<J>(r.angle, t), xy, xx); },
                         [&](const DirectionRotation& r) {
                           const J a = J::polynomial(r.a, t), b = J::polynomial(r.b, t);
                           const J length = sqrt(a * a + b * b);
@@ -130,7 +123,7 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
                         [&](const CosineRotation& r) {
                           // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or
                           // ends at 1 or -1.
-                          const J change = J::polynomial(VaryingPart{r.a}, t);
+                          const J change = J::polynomial(VaryingPart{r.a}, absolute(t));
                           const J one = J::constant(1.0), start = J::constant(r.a.empty() ? 0.0 : r.a[0]);
                           xx = start + change;
                           xy = sqrt(((one - start) - change) * ((one + start) + change));
@@ -148,7 +141,7 @@ inline Point pivot_of(const MotionPiece& piece) { return turns(piece) || orbits(
 template <class J, class Time>
 void add_orbit(const MotionPiece& piece, const Time& t, J& x, J& y) {
   J e, s;
-  sin_cos(J::polynomial(piece.orbit.angle, t), s, e);
+  sin_cos(angle_at<J>(piece.orbit.angle, t), s, e);
   const Point c = pivot_of(piece), &m = piece.orbit.centre;
   const J rx = x + (J::constant(c.x) - J::constant(m.x)), ry = y + (J::constant(c.y) - J::constant(m.y));
   x = (e * rx - s * ry) + (J::constant(m.x) - J::constant(c.x));
@@ -176,6 +169,10 @@ template <class Real>
 Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
   return pose_of<Jet<Real>>(piece, t);
 }
+template <class Real>
+Pose<Real> pose(const MotionPiece& piece, const LocalTime<Real>& t) {
+  return pose_of<Jet<Real>>(piece, t);
+}
 
 /// A frame that is seen from another one: the poses as complex numbers are multiplied.
 template <class J>
@@ -201,8 +198,8 @@ PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
 
 /// The same with a point m of the body in place of its origin. The point is taken relative to the pivot before anything
 /// is multiplied: far from the origin the two parts of a turn about a pivot nearly cancel, and ranges of them do not.
-template <class Real>
-Pose<Real> pose_about(const PieceChain& chain, const Point& m, const Ball<Real>& t) {
+template <class Real, class Time = Ball<Real>>
+Pose<Real> pose_about(const PieceChain& chain, const Point& m, const Time& t) {
   using J = Jet<Real>;
   const MotionPiece& last = chain.back();
   Pose<Real> p;
@@ -216,6 +213,21 @@ Pose<Real> pose_about(const PieceChain& chain, const Point& m, const Ball<Real>&
   p.oy = p.oy + J::constant(c.y) + (p.xy * x + p.xx * y);
   for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
   return p;
+}
+
+/// The same at the middle of a window of time and over all of it.
+struct PosesOver {
+  Pose<double> middle, over;
+  double half;  ///< no instant of the window is farther from its middle
+};
+inline PosesOver poses_over(const PieceChain& chain, const Point& m, double from, double to) {
+  const double centre = from + (to - from) / 2, half = std::max(to - centre, centre - from) * (1 + 0x1p-50);
+  const Ball<double> middle = Ball<double>::exact(centre), over = Ball<double>::between(from, to);
+  if (!is_far(from, to, far_window))
+    return {pose_about<double>(chain, m, middle), pose_about<double>(chain, m, over), half};
+  const LocalPolynomials local(centre);
+  const LocalTime<double> at(local, middle), all(local, over);
+  return {pose_about<double>(chain, m, at), pose_about<double>(chain, m, all), half};
 }
 
 }  // namespace taut

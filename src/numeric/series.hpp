@@ -60,6 +60,10 @@ struct Series {
     s.terms = std::clamp(degree + 1, 1, N + 1);
     return s;
   }
+  /// The same, where the time knows the polynomial about an instant nearby.
+  template <class Coefficients, class Time>
+  requires requires(const Time& t, const Coefficients& c) { t.local(c); }
+  static Series polynomial(const Coefficients& c, const Time& t) { return polynomial(t.local(c), t.since); }
   /// The same as a function of s.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {

@@ -30,9 +30,7 @@ class BodyReach {
 
   /// A box that it stays in; with numbers that are none where the motion is singular.
   BoxedBody over(const PieceChain& chain, double from, double to) const {
-    const double half = (to - from) / 2 * (1 + 0x1p-50);
-    const Pose<double> whole = pose_about(chain, middle_, Ball<double>::between(from, to));
-    const Pose<double> at = pose_about(chain, middle_, Ball<double>::exact(from + (to - from) / 2));
+    const auto [at, whole, half] = poses_over(chain, middle_, from, to);
     const Ball<double> x = over_stretch(at.ox, whole.ox, half), y = over_stretch(at.oy, whole.oy, half);
     // The rectangle as it is turned lies in a rectangle along the axes, and in a disc.
     const double cosine = whole.xx.v.magnitude(), sine = whole.xy.v.magnitude(), disc = length(half_wide_, half_high_);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "numeric/exact_sum.hpp"
 #include "relative/frame_identities.hpp"
 
 namespace taut {
@@ -42,11 +41,12 @@ template <class J, class Time>
 void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
   if constexpr (requires { t.direction; }) {
     if (const SingularCosine* cosine = leg.singular_cosine(of_p, t.end)) return cosine_from_end(*cosine, t, x, y);
-  } else if constexpr (requires { t.mid; }) {
+  } else if constexpr (requires { absolute(t).mid; }) {
     // The nearer end of the leg, if the cosine is singular there.
-    const bool first = t.mid - leg.start < leg.end - t.mid;
+    const auto& at = absolute(t);
+    const bool first = at.mid - leg.start < leg.end - at.mid;
     const SingularCosine* cosine = leg.singular_cosine(of_p, first ? leg.start : leg.end);
-    if (cosine) return cosine_near_end(*cosine, t, first ? 1.0 : -1.0, x, y);
+    if (cosine) return cosine_near_end(*cosine, at, first ? 1.0 : -1.0, x, y);
   }
   rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
 }
@@ -56,8 +56,8 @@ void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
 template <class J, class Time>
 void relative_turn(const Leg& leg, const Axes<J>& axes, const Time& t, J& c, J& s) {
   if (!leg.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
-  const J turn = J::polynomial(leg.turn, t);
-  sin_cos(leg.turn_low.empty() ? turn : turn + J::polynomial(leg.turn_low, t), s, c);
+  const J turn = angle_at<J>(leg.turn, t);
+  sin_cos(leg.turn_low.empty() ? turn : turn + angle_at<J>(leg.turn_low, t), s, c);
 }
 
 /// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
@@ -137,6 +137,21 @@ FrameOf<J> composed_frame(const Leg& leg, const Time& t) {
   return f;
 }
 
+/// A coordinate of D less the shift.
+template <class J, class Time>
+J way(const Leg& leg, bool of_x, const Time& t) {
+  if constexpr (requires { t.since; }) {
+    using Real = std::decay_t<decltype(t.since.mid)>;
+    return J::polynomial(leg.way(of_x).template rounded<Real>(), t.since);
+  } else {
+    const Coefficients &q = of_x ? leg.q.x : leg.q.y, &p = of_x ? leg.p.x : leg.p.y;
+    J d = J::polynomial(VaryingPart{q}, t) - J::polynomial(VaryingPart{p}, t);
+    if (!leg.far()) return d;
+    for (const double c : leg.constant_left(of_x)) d = d + J::constant(c);
+    return d;
+  }
+}
+
 /// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
 FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
@@ -144,8 +159,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
   FrameOf<J> f;
   J dx, dy;
   if (offset && (leg.shift_p || leg.shift_q)) {
-    dx = J::polynomial(VaryingPart{leg.q.x}, t) - J::polynomial(VaryingPart{leg.p.x}, t);
-    dy = J::polynomial(VaryingPart{leg.q.y}, t) - J::polynomial(VaryingPart{leg.p.y}, t);
+    dx = way<J>(leg, true, t);
+    dy = way<J>(leg, false, t);
   } else {
     dx = J::polynomial(leg.q.x, t) - J::polynomial(leg.p.x, t);
     dy = J::polynomial(leg.q.y, t) - J::polynomial(leg.p.y, t);
@@ -182,14 +197,18 @@ Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real
   return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
 }
 
+/// Where a body is that follows the piece, or the chain.
+template <class Real>
+Pose<Real> placed(const Leg& leg, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
+  const auto at = [&](const auto& time) { return leg.composed ? pose_of<Jet<Real>>(chain, time) : pose(piece, time); };
+  return leg.far() ? at(LocalTime<Real>(*leg.local(), t)) : at(t);
+}
+
 template <class Real>
 Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const auto placed = [&](const PieceChain& chain, const MotionPiece& piece) {
-    return leg.composed ? pose_of<Jet<Real>>(chain, t) : pose(piece, t);
-  };
-  const Pose<Real> p = interpolate(placed(leg.p_chain, leg.p), placed(leg.p_chain_next, leg.p_next), s);
-  const Pose<Real> q = interpolate(placed(leg.q_chain, leg.q), placed(leg.q_chain_next, leg.q_next), s);
+  const Pose<Real> p = interpolate(placed(leg, leg.p_chain, leg.p, t), placed(leg, leg.p_chain_next, leg.p_next, t), s);
+  const Pose<Real> q = interpolate(placed(leg, leg.q_chain, leg.q, t), placed(leg, leg.q_chain_next, leg.q_next, t), s);
   const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
   Frame<Real> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
@@ -202,14 +221,14 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   return f;
 }
 
-template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t) {
-  return motion_frame<J>(leg, t, true);
+template <class J, class Real>
+FrameOf<J> motion_frame_at(const Leg& leg, const Ball<Real>& t, bool offset = true) {
+  return leg.far() ? motion_frame<J>(leg, LocalTime<Real>(*leg.local(), t), offset) : motion_frame<J>(leg, t, offset);
 }
 
 template <class Real>
 Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<Real>>(leg, t);
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<Real>>(leg, t);
 }
 
 /// Without derivatives: a series of one term.
@@ -225,141 +244,16 @@ FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
   if (leg.bridge) {
     copy(bridge_frame(leg, t), [](const Jet<Real>& j) { return j.v; });
   } else {
-    copy(motion_frame<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
+    copy(motion_frame_at<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
   }
   return values;
 }
 
-/// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
-void exact_difference(const std::array<double, 2>& to, const std::array<double, 2>& from, double& hi, double& low,
-                      double& rest) {
-  if (to[1] == 0 && from[1] == 0) {
-    const TwoDoubles sum = two_sum(to[0], -from[0]);
-    hi = sum.hi;
-    low = sum.lo;
-    return;
-  }
-  ExactSum<4> sum;
-  for (const double x : {to[0], to[1], -from[0], -from[1]}) sum.add(x);
-  const std::size_t n = sum.size();
-  hi = n > 0 ? sum.term(n - 1) : 0;
-  low = n > 1 ? sum.term(n - 2) : 0;
-  rest = n > 2 ? sum.term(n - 3) : 0;
-}
-
-/// The difference of two polynomials, each coefficient as an exact sum of two doubles; without zeros at the end.
-void exact_difference(const Coefficients& q, const Coefficients& p, Coefficients& hi, Coefficients& low) {
-  for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k) {
-    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
-    hi.push_back(d.hi);
-    low.push_back(d.lo);
-  }
-  for (Coefficients* c : {&hi, &low}) {
-    while (!c->empty() && c->back() == 0) c->pop_back();
-  }
-}
-
-int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
-  for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
-    if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
-  }
-  return 0;
-}
-
 }  // namespace
 
-Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end) {
-  const auto plain = [](const PieceChain& chain) { return chain.size() == 1 && !orbits(chain.back()); };
-  if (plain(p) && plain(q)) return motion(p.back(), q.back(), start, end);
-  Leg leg;
-  leg.p = p.back();
-  leg.q = q.back();
-  leg.composed = true;
-  leg.p_chain = p;
-  leg.q_chain = q;
-  leg.start = start;
-  leg.end = end;
-  return leg;
-}
-
-Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
-  if (orbits(p) || orbits(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
-  Leg leg;
-  leg.p = p;
-  leg.q = q;
-  leg.start = start;
-  leg.end = end;
-  leg.translation = !turns(p) && !turns(q);
-  leg.aligned = same_rotation(p.rotation, q.rotation);
-  const auto *p_angle = std::get_if<AngleRotation>(&p.rotation), *q_angle = std::get_if<AngleRotation>(&q.rotation);
-  leg.angles = p_angle && q_angle;
-  if (leg.angles) exact_difference(q_angle->angle, p_angle->angle, leg.turn, leg.turn_low);
-  leg.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
-  leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
-  leg.shift_p = !turns(p);
-  leg.shift_q = turns(p) && !turns(q);
-  const Point a = pivot_of(p), b = pivot_of(q);
-  leg.offset_p = {-a.x, 0, -a.y};
-  leg.offset_q = {-b.x, 0, -b.y};
-  if (leg.shift_p || leg.shift_q) {
-    exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, leg.shift.x, leg.shift.x_low,
-                     leg.shift.x_rest);
-    exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, leg.shift.y, leg.shift.y_low,
-                     leg.shift.y_rest);
-    (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
-  }
-  for (const bool of_p : {true, false}) {
-    const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
-    if (!cosine) continue;
-    for (const bool at_end : {false, true}) {
-      auto singular = taut::singular_at(*cosine, at_end ? end : start);
-      if (!singular) continue;
-      leg.singular_[(of_p ? 0 : 2) + (at_end ? 1 : 0)] = std::make_shared<const SingularCosine>(std::move(*singular));
-    }
-  }
-  return leg;
-}
-
-Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
-                  double joint) {
-  if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
-    return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint);
-  Leg leg;
-  leg.p = p;
-  leg.q = q;
-  leg.p_next = p_next;
-  leg.q_next = q_next;
-  leg.bridge = true;
-  leg.joint = joint;
-  leg.start = 0;
-  leg.end = 1;
-  return leg;
-}
-
-Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next, const PieceChain& q_next,
-                         double joint) {
-  Leg leg;
-  leg.p = p.back();
-  leg.q = q.back();
-  leg.p_next = p_next.back();
-  leg.q_next = q_next.back();
-  leg.bridge = true;
-  leg.joint = joint;
-  leg.start = 0;
-  leg.end = 1;
-  leg.composed = true;
-  leg.p_chain = p;
-  leg.q_chain = q;
-  leg.p_chain_next = p_next;
-  leg.q_chain_next = q_next;
-  return leg;
-}
-
 Pose<double> Leg::pose_of_body(bool of_p, double parameter) const {
-  const Ball<double> t = Ball<double>::exact(time(parameter));
-  if (composed)
-    return pose_of<Jet<double>>(bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain), t);
-  return pose(bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), t);
+  return placed(*this, bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain),
+                bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), Ball<double>::exact(time(parameter)));
 }
 
 template <class Real>
@@ -368,7 +262,7 @@ Frame<Real> frame(const Leg& leg, const Ball<Real>& t) {
 }
 template <class Real>
 Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t) {
-  return motion_frame<Jet<Real>>(leg, t);
+  return motion_frame<Jet<Real>>(leg, t, true);
 }
 template <class Real>
 FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
@@ -376,11 +270,11 @@ FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
 }
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t) {
-  return motion_frame<ModelSeries<Real>>(leg, t);
+  return motion_frame_at<ModelSeries<Real>>(leg, t);
 }
 template <class Real>
 FrameOf<SeriesFromEnd<Real>> frame_series(const Leg& leg, const TimeFromEnd<Real>& t) {
-  return motion_frame<SeriesFromEnd<Real>>(leg, t);
+  return motion_frame<SeriesFromEnd<Real>>(leg, t, true);
 }
 #define TAUT_INSTANTIATE(Real)                                                     \
   template Frame<Real> frame(const Leg&, const Ball<Real>&);                       \
@@ -393,13 +287,13 @@ TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
 Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame<Jet<double>>(leg, t, false);
+  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<double>>(leg, t, false);
 }
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
-  return motion_frame<ThirdSeries>(leg, t);
+  return motion_frame_at<ThirdSeries>(leg, t);
 }
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
-  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols});
+  return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);
 }
 
 const FrameIdentities& Leg::identities() const {

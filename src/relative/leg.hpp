@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "motion/local_time.hpp"
 #include "motion/pose.hpp"
 #include "numeric/series.hpp"
 #include "relative/symbolic.hpp"
@@ -74,13 +75,17 @@ struct Leg {
   /// Added to the coordinates of P and of Q: the shift, or of a body that turns minus its pivot, so that the frame is
   /// about the pivot.
   ExactVector offset_p, offset_q;
+  /// Far from time 0 polynomials are taken about an instant of the leg, and the shift is D there, as nearly as two
+  /// doubles are: a little is left. Then these are the offsets for which D in powers of the absolute time has no
+  /// constant, as `offset_p` and `offset_q` are on other legs.
+  ExactVector far_offset_p, far_offset_q;
 
   static Leg motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
   static Leg motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end);
   static Leg bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
-                      double joint);
+                      double joint, bool far = false);
   static Leg bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
-                             const PieceChain& q_next, double joint);
+                             const PieceChain& q_next, double joint, bool far = false);
   /// Where a body is at a parameter of the leg, rounded; on a bridge after it, which differs by rounding only.
   Pose<double> pose_of_body(bool of_p, double parameter) const;
 
@@ -88,6 +93,16 @@ struct Leg {
   bool singular_at(double t) const;
   const SingularCosine* singular_cosine(bool of_p, double t) const;
   const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
+  const ExactVector& offset_of_powers(bool of_p) const {
+    return far() ? (of_p ? far_offset_p : far_offset_q) : offset(of_p);
+  }
+  bool far() const { return local_ != nullptr; }
+  /// What polynomials are about an instant of a leg that is far from time 0; null on others.
+  const LocalPolynomials* local() const { return local_.get(); }
+  /// On such a leg with a shift, the coordinates of D less the shift.
+  const LocalPolynomials::Known& way(bool of_x) const { return (*ways_)[of_x ? 0 : 1]; }
+  /// In powers of the absolute time, D's constant less the shift: doubles to be added up.
+  std::array<double, 7> constant_left(bool of_x) const;
   /// A bound of what the offsets add to a coordinate's magnitude.
   double offset_size() const {
     return (std::fabs(offset_p.x) + std::fabs(offset_q.x)) + (std::fabs(offset_p.y) + std::fabs(offset_q.y));
@@ -98,6 +113,11 @@ struct Leg {
   const FrameIdentities& identities() const;
 
  private:
+  void take_far_offsets();
+
+  /// Shared by copies: none of the polynomials changes.
+  std::shared_ptr<const LocalPolynomials> local_;
+  std::shared_ptr<const std::array<LocalPolynomials::Known, 2>> ways_;
   /// Of P and of Q, at the leg's start and at its end; none where there is nothing singular.
   std::array<std::shared_ptr<const SingularCosine>, 4> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
@@ -129,8 +149,7 @@ FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
 
 /// Turns a vertex of P or Q into what the leg sees of it, in numbers that can be given exactly.
 template <class B>
-void add_offset(const Leg& leg, bool of_p, B& x, B& y) {
-  const ExactVector& s = leg.offset(of_p);
+void add_offset(const Leg& leg, bool of_p, const ExactVector& s, B& x, B& y) {
   if (of_p ? leg.shift_p : leg.shift_q) {
     x = x + B::exact(s.x) + B::exact(s.x_low);
     y = y + B::exact(s.y) + B::exact(s.y_low);
@@ -143,6 +162,10 @@ void add_offset(const Leg& leg, bool of_p, B& x, B& y) {
     x = x + B::exact(s.x);
     y = y + B::exact(s.y);
   }
+}
+template <class B>
+void add_offset(const Leg& leg, bool of_p, B& x, B& y) {
+  add_offset(leg, of_p, leg.offset(of_p), x, y);
 }
 
 }  // namespace taut

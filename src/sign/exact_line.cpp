@@ -8,7 +8,8 @@ namespace taut {
 ExactLine::ExactLine(const Leg& leg, const PairGeometry& g, const Form& form) {
   // The leg shifts P, so that the motion is zero at time 0.
   const auto zero = ExactNumber();
-  const auto c = translation_coefficients(form.pp, points_of<ExactNumber>(leg, g, form, Shape::displaced), zero);
+  const auto points = points_of<ExactNumber>(leg, g, form, Shape::displaced, Origin::powers);
+  const auto c = translation_coefficients(form.pp, points, zero);
   const auto speed = [](const Coefficients& q, const Coefficients& p) {
     return ExactNumber::exact(coefficient(q, 1)) - ExactNumber::exact(coefficient(p, 1));
   };

@@ -190,11 +190,12 @@ bool FastRoots::narrow(Root& r) {
   const ClockCell& cell = clock_.cell(middle);
   if (!cell.sharp || cell.start > r.lo || cell.end < r.hi) return false;
   const double m = r.function.root_of(cell.model, middle);
-  const double radius = 0x1p-34 * (cell.end - cell.start);
-  if (!(m - radius > r.lo && m + radius < r.hi)) return false;
+  // The interval's ends round; far from time 0 that is not little beside the radius.
+  const double radius = 0x1p-34 * (cell.end - cell.start), rounding = 0x1p-52 * std::fabs(m);
+  if (!(m - radius > r.lo && m + radius < r.hi && radius > rounding)) return false;
   const Course here = course(r.function, m);
-  const double flat = -r.sign * here.slope.value - here.slope.error - here.slope_change(radius);
-  if (!(std::fabs(here.value.value) + here.value.error < flat * radius * (1 - 0x1p-40))) return false;
+  const double flat = -r.sign * here.slope.value - here.slope.error - here.slope_change(radius + rounding);
+  if (!(std::fabs(here.value.value) + here.value.error < flat * (radius - rounding) * (1 - 0x1p-40))) return false;
   r.lo = m - radius;
   r.hi = m + radius;
   return newton_step(r, here);

@@ -81,9 +81,13 @@ struct FormPoints {
   }
 };
 
+/// For the leg's frame functions; or for D as a polynomial in powers of the absolute time, without a constant.
+enum class Origin : unsigned char { frame, powers };
+
 /// The points of a form as the leg sees them, in numbers that doubles are given in exactly (N::exact).
 template <class N>
-FormPoints<N> points_of(const Leg& leg, const PairGeometry& g, const Form& form, Shape shape) {
+FormPoints<N> points_of(const Leg& leg, const PairGeometry& g, const Form& form, Shape shape,
+                        Origin origin = Origin::frame) {
   const DisplacedPoint &a = g.point(form.a), &b = g.point(form.b), &c = g.point(form.c);
   const auto whole = [shape](double x, double dx) {
     return shape == Shape::given ? N::exact(x) : N::exact(x) + N::exact(dx);
@@ -99,8 +103,11 @@ FormPoints<N> points_of(const Leg& leg, const PairGeometry& g, const Form& form,
                   whole(c.x, c.dx),
                   whole(c.y, c.dy)};
   p.measure(form.measure);
-  add_offset(leg, form.pp, p.ax, p.ay);
-  add_offset(leg, !form.pp, p.cx, p.cy);
+  const auto offset = [&](bool of_p) -> const ExactVector& {
+    return origin == Origin::powers ? leg.offset_of_powers(of_p) : leg.offset(of_p);
+  };
+  add_offset(leg, form.pp, offset(form.pp), p.ax, p.ay);
+  add_offset(leg, !form.pp, offset(!form.pp), p.cx, p.cy);
   return p;
 }
 

@@ -22,7 +22,8 @@ class PreciseFunction {
 
  public:
   PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form) : leg_(leg), pp_(form.pp) {
-    const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced);
+    const Origin origin = leg.translation ? Origin::powers : Origin::frame;
+    const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced, origin);
     if (portion_of(leg, g, form) == Portion::displacement) {
       coefficients_ = displacement_part(g, form, p);
     } else {

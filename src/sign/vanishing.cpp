@@ -10,7 +10,8 @@ namespace {
 
 /// Is it the zero polynomial? D's constant part is the shift, which the points have in them.
 bool vanishes_on_translation(const Leg& leg, const PairGeometry& g, const Form& form) {
-  const auto c = translation_coefficients(form.pp, points_of<ExactNumber>(leg, g, form, Shape::given), ExactNumber());
+  const auto points = points_of<ExactNumber>(leg, g, form, Shape::given, Origin::powers);
+  const auto c = translation_coefficients(form.pp, points, ExactNumber());
   const auto is_zero = [](const ExactNumber& x) { return x.is_exact() && x.is_zero(); };
   if (!is_zero(c[0])) return false;
   const auto change = [](const Coefficients& q, const Coefficients& p, std::size_t k) {

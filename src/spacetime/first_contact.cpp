@@ -7,6 +7,7 @@
 
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
+#include "spacetime/flat_sides.hpp"
 #include "spacetime/leaf_test.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
@@ -29,6 +30,7 @@ class LegSearch {
         leaves_(geometry, leg, ways),
         ways_(ways),
         walk_(trees, leg, *this),
+        flat_sides_(geometry, trees, leg),
         proved_(from) {}
 
   /// The first contact on [from, to] of the leg's parameter.
@@ -48,7 +50,7 @@ class LegSearch {
   void count(SpacetimeResult& result) {
     result.pairs += looks_;
     result.roots += leaves_.roots();
-    result.precise += leaves_.precise().calls();
+    result.precise += leaves_.precise().calls() + flat_sides_.by_displacement();
   }
 
   const double shortest;
@@ -61,7 +63,7 @@ class LegSearch {
   Fate look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     ++looks_;
     const Stretch& s = time.bounds;
-    if (apart(s, p.box, q.box)) return Fate::done;
+    if (apart(s, p.box, q.box) || flat_sides_.apart(p, q)) return Fate::done;
     const bool leaf = p.count == 1 && q.count == 1;
     if (time.divisible && (motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius) ||
                            (leaf && apart_around_middle(s, hopeful, p.box, q.box))))
@@ -113,6 +115,7 @@ class LegSearch {
   LeafTest leaves_;
   Ways ways_;
   Walk<LegSearch> walk_;
+  FlatSides flat_sides_;
   std::vector<Crossing> found_;
   std::vector<FrameWindow> leaf_windows_;  ///< of a translation: the leaves of a stretch make their own
   std::optional<Crossing> best_;

@@ -18,8 +18,9 @@ constexpr double first_stride = 0x1p-16, stride_growth = 32;
 
 /// The sign over all of [lo, hi], if certain: first order about the middle, second order beyond.
 int sign_between(const FastFunction& f, FrameWindow& window, double lo, double hi) {
-  const Course c(f, window, lo + (hi - lo) / 2, 1);
-  const double reach = (hi - lo) * (0.5 + 0x1p-40) + 0x1p-1000;
+  const double middle = lo + (hi - lo) / 2;
+  const Course c(f, window, middle, 1);
+  const double reach = std::max(hi - middle, middle - lo) * (1 + 0x1p-40) + 0x1p-1000;
   const double steep = std::fabs(c.slope.value) + c.slope.error;
   const double bent = std::fabs(c.bend.value) + c.bend.error;
   const Bounded wide{c.value.value, (c.value.error + reach * (steep + reach * bent)) * (1 + 0x1p-40)};
@@ -59,7 +60,7 @@ void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, C
     const double width = root.hi - root.lo, m = root.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
     const Course c(line, window, m, sign);
-    const double spread = c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * (width / 2) * (1 + 0x1p-40);
+    const double spread = c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * std::max(root.hi - m, m - root.lo) * (1 + 0x1p-40);
     const double steep = -c.slope.value + spread, flat = -c.slope.value - spread;
     if (!(flat > 0)) return;
     const double least = c.value.lower(), most = c.value.upper();

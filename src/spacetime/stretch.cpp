@@ -9,6 +9,10 @@ double coefficient(const Coefficients& c, int k) {
   return static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0;
 }
 
+double middle_of(const BallCoefficients<double>& c, int k) {
+  return static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)].mid : 0.0;
+}
+
 void set_interval(Stretch& s, double start, double end) {
   s.middle = start + (end - start) / 2;
   s.r = std::max(end - s.middle, s.middle - start) * (1 + 0x1p-50);
@@ -124,18 +128,28 @@ TranslationPolynomial::TranslationPolynomial(const Leg& leg) {
   x[0] = y[0] = magnitude[0] = 0;
   if (!leg.translation) return;
   size = leg.degree + 1;
-  for (int k = 1; k < size; ++k) {
-    x[k] = coefficient(leg.q.x, k) - coefficient(leg.p.x, k);
-    y[k] = coefficient(leg.q.y, k) - coefficient(leg.p.y, k);
-    magnitude[k] = std::fabs(x[k]) + std::fabs(y[k]);
+  if (leg.far()) {
+    about = leg.local()->about();
+    const auto way_x = leg.way(true).rounded<double>(), way_y = leg.way(false).rounded<double>();
+    for (int k = 0; k < size; ++k) {
+      x[k] = middle_of(way_x, k);
+      y[k] = middle_of(way_y, k);
+    }
+  } else {
+    for (int k = 1; k < size; ++k) {
+      x[k] = coefficient(leg.q.x, k) - coefficient(leg.p.x, k);
+      y[k] = coefficient(leg.q.y, k) - coefficient(leg.p.y, k);
+    }
   }
+  for (int k = 0; k < size; ++k) magnitude[k] = std::fabs(x[k]) + std::fabs(y[k]);
 }
 
 Stretch Stretch::of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end) {
   Stretch out;
   set_interval(out, start, end);
-  const Expanded e = expanded(polynomial.x, polynomial.y, 1, polynomial.size, out.middle, out.r);
-  const double farthest = std::fabs(out.middle) + out.r;
+  const double h = out.middle - polynomial.about;
+  const Expanded e = expanded(polynomial.x, polynomial.y, 1, polynomial.size, h, out.r);
+  const double farthest = std::fabs(h) + out.r;
   double terms = 0;
   for (int k = polynomial.size; k-- > 0;) terms = terms * farthest + polynomial.magnitude[k];
   const double error = e.error + expansion_rounding * terms;

@@ -49,10 +49,11 @@ struct Carriage {
   }
 };
 
-/// What a translation's relative motion is, apart from its constant part, in doubles: one for each leg.
+/// What a translation's relative motion is, apart from the leg's shift, in doubles: one for each leg.
 struct TranslationPolynomial {
   explicit TranslationPolynomial(const Leg& leg);
-  int size = 0;  ///< number of coefficients
+  double about = 0;  ///< it is in powers of the time since then
+  int size = 0;      ///< number of coefficients
   double x[max_degree + 1], y[max_degree + 1];
   double magnitude[max_degree + 1];  ///< of each pair of coefficients
 };

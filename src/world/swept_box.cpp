@@ -22,10 +22,8 @@ Ball<double> range_of(const Jet<double>& middle, const Jet<double>& over, double
 
 /// While every motion of the chain follows one piece.
 SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double from, double to) {
-  const double half = (to - from) / 2 * (1 + 0x1p-50);
-  const Ball<double> middle = Ball<double>::exact(from + (to - from) / 2), over = Ball<double>::between(from, to);
   const Point c{(bounds.lo.x + bounds.hi.x) / 2, (bounds.lo.y + bounds.hi.y) / 2};
-  const Pose<double> at = pose_about(chain, c, middle), range = pose_about(chain, c, over);
+  const auto [at, range, half] = poses_over(chain, c, from, to);
   const Ball<double> x = range_of(at.ox, range.ox, half), y = range_of(at.oy, range.oy, half);
   double wide = (bounds.hi.x - bounds.lo.x) / 2, high = (bounds.hi.y - bounds.lo.y) / 2;
   if (turns(chain)) wide = high = length(wide, high);

@@ -1,0 +1,116 @@
+// Motions far from time 0: their polynomials about an instant nearby.
+//
+// Coefficients are in powers of the absolute time. Of 5 - t + 0.3 t^2 moved to t = 1.7e9 the terms are 8.7e17, and
+// their sum is 5: in doubles nothing of it is left, and over an interval of length r the terms vary by 1e9 r each.
+// About an instant T of the leg, p(T + h) = sum c_k h^k has coefficients as small as the motion itself. The c_k are
+// sums of products of doubles, hence dyadic numbers, and are computed as these, without any rounding: the meaning of a
+// scene is what its coefficients say. What is computed with is each c_k rounded once, to the precision of whoever asks.
+// The times of a leg that is far from 0 are within a factor of two of T, so that h = t - T is exact for doubles.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "numeric/dyadic.hpp"
+#include "numeric/jet.hpp"
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// Coefficients that are balls, without memory of their own to allocate.
+template <class Real>
+struct BallCoefficients {
+  BallPolynomial<Real> p;
+  std::size_t size() const { return p.size; }
+  bool empty() const { return p.size == 0; }
+  const Ball<Real>& operator[](std::size_t k) const { return p[k]; }
+};
+
+/// Polynomials about one instant, each made when it is first asked for; not for several threads at once.
+class LocalPolynomials {
+ public:
+  explicit LocalPolynomials(double about) : about_(about) {}
+  double about() const { return about_; }
+  /// By its coefficients in powers of the absolute time. As the angle of a turn it may be less by whole turns.
+  template <class Real>
+  BallCoefficients<Real> of(const Coefficients& given, bool angle = false) const;
+  /// The same polynomial, exactly; the last coefficient is not zero.
+  DyadicPolynomial exact(const Coefficients& given) const;
+  /// In powers of the time since the instant, not looked for again: the caller keeps the place.
+  class Known {
+   public:
+    explicit Known(DyadicPolynomial exact);
+    template <class Real>
+    BallCoefficients<Real> rounded() const;
+    const DyadicPolynomial& exact() const { return exact_; }
+
+   private:
+    friend class LocalPolynomials;
+    void take_off_turns();
+    DyadicPolynomial exact_;
+    BallCoefficients<double> near_;
+    mutable std::vector<Ball<RealMax>> wide_;  ///< none before a precision beyond doubles was asked for
+  };
+
+ private:
+  struct Entry {
+    Coefficients given;
+    bool angle;
+    Known known;
+  };
+  const Known& find(const Coefficients& given, bool angle) const;
+
+  double about_;
+  mutable std::deque<Entry> entries_;
+};
+
+/// How many times its length an interval has to be from time 0: a leg, for which polynomials are made once; and a
+/// window, for each of which they are.
+inline constexpr double far_leg = 32, far_window = 4096;
+/// Is [start, end] so far from 0 that terms in powers of the time cancel for no other reason? Then all its instants are
+/// within a factor of two of each other. An instant has no length; of those, late ones are far.
+inline bool is_far(double start, double end, double lengths = far_leg) {
+  const double length = end > start ? end - start : 1;
+  return std::fabs(start) >= lengths * length && std::fabs(start) <= 0x1p200;
+}
+
+/// A time where polynomials are known about an instant nearby.
+template <class Real>
+struct LocalTime {
+  const LocalPolynomials* polynomials;
+  Ball<Real> t, since;
+
+  LocalTime(const LocalPolynomials& local, const Ball<Real>& time)
+      : polynomials(&local), t(time), since(time - Ball<Real>::exact(local.about())) {}
+  BallCoefficients<Real> local(const Coefficients& c) const { return polynomials->of<Real>(c); }
+  BallCoefficients<Real> local_angle(const Coefficients& c) const { return polynomials->of<Real>(c, true); }
+};
+template <>
+inline LocalTime<double>::LocalTime(const LocalPolynomials& local, const Ball<double>& time)
+    : polynomials(&local), t(time), since(time.mid - local.about(), time.rad) {
+  // Of instants outside of what the polynomials were made for.
+  if (two_sum(time.mid, -local.about()).lo != 0) since = time - Ball<double>::exact(local.about());
+}
+
+/// A polynomial of which whole turns do not count.
+template <class J, class Time>
+J angle_at(const Coefficients& c, const Time& t) {
+  if constexpr (requires { t.local_angle(c); }) {
+    return J::polynomial(t.local_angle(c), t.since);
+  } else {
+    return J::polynomial(c, t);
+  }
+}
+
+/// The time as it is.
+template <class Time>
+const auto& absolute(const Time& t) {
+  if constexpr (requires { t.since; }) {
+    return t.t;
+  } else {
+    return t;
+  }
+}
+
+}  // namespace taut

@@ -1,0 +1,171 @@
+// Legs from the pieces that bodies follow: what of their motion goes into the bodies' coordinates.
+#include <cmath>
+
+#include "numeric/exact_sum.hpp"
+#include "relative/leg.hpp"
+
+namespace taut {
+namespace {
+
+/// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
+void exact_difference(const std::array<double, 2>& to, const std::array<double, 2>& from, double& hi, double& low,
+                      double& rest) {
+  if (to[1] == 0 && from[1] == 0) {
+    const TwoDoubles sum = two_sum(to[0], -from[0]);
+    hi = sum.hi;
+    low = sum.lo;
+    return;
+  }
+  ExactSum<4> sum;
+  for (const double x : {to[0], to[1], -from[0], -from[1]}) sum.add(x);
+  const std::size_t n = sum.size();
+  hi = n > 0 ? sum.term(n - 1) : 0;
+  low = n > 1 ? sum.term(n - 2) : 0;
+  rest = n > 2 ? sum.term(n - 3) : 0;
+}
+
+/// The difference of two polynomials, each coefficient as an exact sum of two doubles; without zeros at the end.
+void exact_difference(const Coefficients& q, const Coefficients& p, Coefficients& hi, Coefficients& low) {
+  for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k) {
+    const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
+    hi.push_back(d.hi);
+    low.push_back(d.lo);
+  }
+  for (Coefficients* c : {&hi, &low}) {
+    while (!c->empty() && c->back() == 0) c->pop_back();
+  }
+}
+
+int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
+  for (std::size_t k = std::max(p.size(), q.size()); k-- > 0;) {
+    if (coefficient(q, k) != coefficient(p, k)) return static_cast<int>(k);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end) {
+  const auto plain = [](const PieceChain& chain) { return chain.size() == 1 && !orbits(chain.back()); };
+  if (plain(p) && plain(q)) return motion(p.back(), q.back(), start, end);
+  Leg leg;
+  leg.p = p.back();
+  leg.q = q.back();
+  leg.composed = true;
+  leg.p_chain = p;
+  leg.q_chain = q;
+  leg.start = start;
+  leg.end = end;
+  if (is_far(start, end)) leg.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  return leg;
+}
+
+Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double end) {
+  if (orbits(p) || orbits(q)) return motion_of_chains(PieceChain{p}, PieceChain{q}, start, end);
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.start = start;
+  leg.end = end;
+  leg.translation = !turns(p) && !turns(q);
+  leg.aligned = same_rotation(p.rotation, q.rotation);
+  const auto *p_angle = std::get_if<AngleRotation>(&p.rotation), *q_angle = std::get_if<AngleRotation>(&q.rotation);
+  leg.angles = p_angle && q_angle;
+  if (leg.angles) exact_difference(q_angle->angle, p_angle->angle, leg.turn, leg.turn_low);
+  leg.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
+  leg.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
+  leg.shift_p = !turns(p);
+  leg.shift_q = turns(p) && !turns(q);
+  const Point a = pivot_of(p), b = pivot_of(q);
+  leg.offset_p = {-a.x, 0, -a.y};
+  leg.offset_q = {-b.x, 0, -b.y};
+  if (leg.shift_p || leg.shift_q) {
+    exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, leg.shift.x, leg.shift.x_low,
+                     leg.shift.x_rest);
+    exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, leg.shift.y, leg.shift.y_low,
+                     leg.shift.y_rest);
+    (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
+  }
+  if (is_far(start, end)) leg.take_far_offsets();
+  for (const bool of_p : {true, false}) {
+    const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
+    if (!cosine) continue;
+    for (const bool at_end : {false, true}) {
+      auto singular = taut::singular_at(*cosine, at_end ? end : start);
+      if (!singular) continue;
+      leg.singular_[(of_p ? 0 : 2) + (at_end ? 1 : 0)] = std::make_shared<const SingularCosine>(std::move(*singular));
+    }
+  }
+  return leg;
+}
+
+/// The shift becomes D about the leg's middle, in two doubles.
+void Leg::take_far_offsets() {
+  far_offset_p = offset_p;
+  far_offset_q = offset_q;
+  const auto local = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  local_ = local;
+  if (!shift_p && !shift_q) return;
+  const auto way = [&](const Coefficients& to, const Coefficients& from, double to_pivot, double from_pivot, double& hi,
+                       double& low) {
+    DyadicPolynomial d = local->exact(to) + -local->exact(from);
+    if (d.empty()) d.emplace_back();
+    d[0] = d[0] + (Dyadic::exact(to_pivot) - Dyadic::exact(from_pivot));
+    for (double* part : {&hi, &low}) {
+      *part = RealTraits<RealMax>::to_double(ball_of<RealMax>(d[0]).mid);
+      d[0] = d[0] - Dyadic::exact(*part);
+    }
+    trim(d);
+    return LocalPolynomials::Known(std::move(d));
+  };
+  const Point a = pivot_of(p), b = pivot_of(q);
+  shift = {};
+  ways_ = std::make_shared<const std::array<LocalPolynomials::Known, 2>>(std::array<LocalPolynomials::Known, 2>{
+      way(q.x, p.x, b.x, a.x, shift.x, shift.x_low), way(q.y, p.y, b.y, a.y, shift.y, shift.y_low)});
+  (shift_p ? offset_p : offset_q) = shift_p ? -shift : shift;
+}
+
+std::array<double, 7> Leg::constant_left(bool of_x) const {
+  const Point a = pivot_of(p), b = pivot_of(q);
+  if (of_x) return {coefficient(q.x, 0), -coefficient(p.x, 0), b.x, -a.x, -shift.x, -shift.x_low, -shift.x_rest};
+  return {coefficient(q.y, 0), -coefficient(p.y, 0), b.y, -a.y, -shift.y, -shift.y_low, -shift.y_rest};
+}
+
+Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next, const MotionPiece& q_next,
+                  double joint, bool far) {
+  if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
+    return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint, far);
+  Leg leg;
+  leg.p = p;
+  leg.q = q;
+  leg.p_next = p_next;
+  leg.q_next = q_next;
+  leg.bridge = true;
+  leg.joint = joint;
+  leg.start = 0;
+  leg.end = 1;
+  if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
+  return leg;
+}
+
+Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next, const PieceChain& q_next,
+                         double joint, bool far) {
+  Leg leg;
+  leg.p = p.back();
+  leg.q = q.back();
+  leg.p_next = p_next.back();
+  leg.q_next = q_next.back();
+  leg.bridge = true;
+  leg.joint = joint;
+  leg.start = 0;
+  leg.end = 1;
+  leg.composed = true;
+  leg.p_chain = p;
+  leg.q_chain = q;
+  leg.p_chain_next = p_next;
+  leg.q_chain_next = q_next;
+  if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
+  return leg;
+}
+
+}  // namespace taut

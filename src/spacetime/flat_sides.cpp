@@ -1,0 +1,99 @@
+#include "spacetime/flat_sides.hpp"
+
+#include <cmath>
+
+#include "base/interruption.hpp"
+#include "numeric/exact_number.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+/// Boxes that overlap by more than this have vertices that do: coordinates are at most 1, and of boxes padded by 2^-47.
+constexpr double hair = 0x1p-40;
+/// Bodies with fewer vertices have few pairs of edges: those cost less than looking for a direction between them.
+constexpr std::uint32_t worth_it = 48;
+
+double reach_along(Vector n, const Box& box) {
+  return std::fabs(dot(n, box.along)) * box.half_length + std::fabs(dot(n, turned(box.along))) * box.half_width;
+}
+
+}  // namespace
+
+FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg)
+    : geometry_(geometry), trees_(trees), leg_(leg) {
+  if (!leg.translation || leg.degree != 1 || geometry.size() < worth_it) return;
+  const TwoDoubles x = two_sum(coefficient(leg.q.x, 1), -coefficient(leg.p.x, 1));
+  const TwoDoubles y = two_sum(coefficient(leg.q.y, 1), -coefficient(leg.p.y, 1));
+  const double length = std::sqrt(x.hi * x.hi + y.hi * y.hi);
+  if (x.lo != 0 || y.lo != 0 || !(length > 0x1p-300 && length < 0x1p300)) return;
+  usable_ = true;
+  n_ = {-y.hi, x.hi};
+  unit_ = {n_.x / length, n_.y / length};
+  const ExactVector &p = leg.offset_of_powers(true), &q = leg.offset_of_powers(false);
+  offset_ = {q.x - p.x, q.y - p.y};
+}
+
+bool FlatSides::apart(const BoxNode& p, const BoxNode& q) {
+  if (!usable_) return false;
+  const double way = dot(unit_, q.box.centre - p.box.centre + offset_);
+  if (std::fabs(way) + hair * (1 + size(offset_)) < reach_along(unit_, p.box) + reach_along(unit_, q.box)) return false;
+  const Extremes of_p = extremes(true, static_cast<std::uint32_t>(&p - &trees_.p.node(0)));
+  const Extremes of_q = extremes(false, static_cast<std::uint32_t>(&q - &trees_.q.node(0)));
+  if (!exact_) return usable_ = false;
+  return way > 0 ? clear(of_q.low, of_p.high) : clear(of_p.low, of_q.high);
+}
+
+/// Along n, of vertices of one body.
+bool FlatSides::above(VertexId a, VertexId b) {
+  const DisplacedPoint &v = geometry_.point(a), &w = geometry_.point(b);
+  const double difference = n_.x * (v.x - w.x) + n_.y * (v.y - w.y);
+  const double room = (std::fabs(n_.x) + std::fabs(n_.y)) * (0x1p-48 + displacement_room);
+  if (std::fabs(difference) > room) return difference > 0;
+  ExactSum<16> sum;
+  bool exact = true;
+  for (const auto& [n, to, from] : {std::array{n_.x, v.x, w.x}, std::array{n_.y, v.y, w.y},
+                                    std::array{n_.x, v.dx, w.dx}, std::array{n_.y, v.dy, w.dy}})
+    exact = add_exact_product(sum, n, to) && add_exact_product(sum, -n, from) && exact;
+  if (!exact) exact_ = false;
+  return sum.sign() > 0;
+}
+
+/// Of a box from those of its halves, so that each vertex is looked at once for each edge.
+const FlatSides::Extremes& FlatSides::extremes(bool of_p, std::uint32_t node) {
+  const Hierarchy& tree = of_p ? trees_.p : trees_.q;
+  std::vector<Extremes>& all = of_p ? of_p_ : of_q_;
+  if (all.empty()) all.resize(tree.size());
+  if (all[node].known) return all[node];
+  interruption_point();
+  const BoxNode& box = tree.node(node);
+  Extremes a, b;
+  if (box.count == 1) {
+    a.low = a.high = VertexId(box.first + (of_p ? 0 : geometry_.np));
+    b.low = b.high = geometry_.next(a.low);
+  } else {
+    a = extremes(of_p, box.left);
+    b = extremes(of_p, box.right);
+  }
+  return all[node] = {above(a.low, b.low) ? b.low : a.low, above(b.high, a.high) ? b.high : a.high, true};
+}
+
+/// Is `low`, of one body, above `high`, of the other one?
+bool FlatSides::clear(VertexId low, VertexId high) {
+  using N = ExactNumber;
+  const auto seen = [this](VertexId v, N& x, N& y) {
+    const DisplacedPoint& point = geometry_.point(v);
+    x = N::exact(point.x) + N::exact(point.dx);
+    y = N::exact(point.y) + N::exact(point.dy);
+    const bool of_p = geometry_.in_p(v);
+    add_offset(leg_, of_p, leg_.offset_of_powers(of_p), x, y);
+  };
+  N ax, ay, bx, by;
+  seen(low, ax, ay);
+  seen(high, bx, by);
+  const N gap = dot(N::exact(n_.x), N::exact(n_.y), ax - bx, ay - by);
+  if (!gap.is_exact() || gap.sum().sign() <= 0) return false;
+  if (gap.sum().approximate() < displacement_room * size(n_)) ++by_displacement_;
+  return true;
+}
+
+}  // namespace taut::spacetime

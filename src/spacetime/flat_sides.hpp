@@ -1,0 +1,46 @@
+// Bodies that slide along each other, told apart by exact signs.
+//
+// Faces that slide on faces, or so near to them that doubles cannot tell, are apart by less than a box's padding: every
+// edge of one body comes before every edge of the other, and each such pair would be settled by an exact line. But on a
+// leg on which one body moves straight along v, nothing moves across v: how far two vertices are from each other along
+// n, v turned by 90 degrees, stays what it is. So if the highest vertex of one box is below the lowest one of the other
+// in that direction, all that is in them is apart throughout the leg. As displaced: the displacement decides, as
+// always.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spacetime/walk.hpp"
+
+namespace taut::spacetime {
+
+class FlatSides {
+ public:
+  FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg);
+  /// Are the contents of the two boxes certainly apart, at all times of the leg? Asked of boxes that other tests leave.
+  bool apart(const BoxNode& p, const BoxNode& q);
+  /// How often only the displacement told: such bodies touch, or are nearer than it.
+  std::uint64_t by_displacement() const { return by_displacement_; }
+
+ private:
+  /// The vertices of a box that are lowest and highest along n.
+  struct Extremes {
+    VertexId low, high;
+    bool known = false;
+  };
+  const Extremes& extremes(bool of_p, std::uint32_t node);
+  bool above(VertexId a, VertexId b);
+  bool clear(VertexId low, VertexId high);
+
+  const PairGeometry& geometry_;
+  TreePair trees_;
+  const Leg& leg_;
+  bool usable_ = false;
+  bool exact_ = true;  ///< has every order of vertices been, so far?
+  Vector n_{}, unit_{}, offset_{};
+  std::uint64_t by_displacement_ = 0;
+  std::vector<Extremes> of_p_, of_q_;  ///< none before one is asked for
+};
+
+}  // namespace taut::spacetime
