@@ -16,7 +16,8 @@ struct Tally {
   std::uint64_t judged = 0, assumed = 0, beyond = 0;
   /// Of worlds: those with ten bodies or more, and what was asked and compared, of which some only of a share of
   /// worlds.
-  std::uint64_t large = 0, simulated = 0, intervals = 0, ranges = 0, clearances = 0, profiles = 0, laws = 0, maps = 0;
+  std::uint64_t large = 0, unproved = 0, simulated = 0, intervals = 0, ranges = 0, clearances = 0, profiles = 0,
+                laws = 0, maps = 0;
 
   Tally& operator+=(const Tally& o);
 };
