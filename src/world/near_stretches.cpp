@@ -12,7 +12,7 @@ namespace {
 /// Each stretch has a beginning of its own, which costs as much as some time on the way.
 constexpr int halvings_of_coarse_windows = 6;
 
-std::uint64_t key_of(int a, int b) {
+std::uint64_t pair_key(int a, int b) {
   return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
 }
 
@@ -25,7 +25,7 @@ NearStretches::NearStretches(const WorldPlan& plan) : plan_(plan) {
 }
 
 const std::vector<TimeInterval>* NearStretches::of(int a, int b) const {
-  const auto found = stretches_.find(key_of(a, b));
+  const auto found = stretches_.find(pair_key(a, b));
   return found == stretches_.end() ? nullptr : &found->second;
 }
 
@@ -34,7 +34,7 @@ void NearStretches::cover(const std::vector<int>& bodies, double from, double to
   const bool divisible = from < middle && middle < to && depth < halvings_of_coarse_windows;
   std::unordered_set<int> again;
   MeetingBoxes(plan_, bodies, from, to).each([&](int a, int b, bool longer) {
-    std::vector<TimeInterval>& own = stretches_[key_of(a, b)];
+    std::vector<TimeInterval>& own = stretches_[pair_key(a, b)];
     // The window around this one was short enough for them.
     if (!own.empty() && own.back().hi >= to) return;
     if (divisible && longer) {
