@@ -259,9 +259,8 @@ EMSCRIPTEN_KEEPALIVE const double* taut_poses(double t) {
 /// Of a world, the tilings of the pairs that are near at t: {"lines": five numbers for each, its ends in the world, and
 /// 1 if it joins two bodies}.
 EMSCRIPTEN_KEEPALIVE const char* taut_tilings(double t) {
-  return answered([&](Scene&) {
-    return "{\"lines\":" + io::array_text(world ? world->tilings(t) : std::vector<double>()) + "}";
-  });
+  return answered(
+      [&](Scene&) { return "{\"lines\":" + io::array_text(world ? world->tilings(t) : std::vector<double>()) + "}"; });
 }
 
 /// The simulation's own view of a time, to compare a replay with: {"svg": ...}.
