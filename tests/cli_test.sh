@@ -578,7 +578,7 @@ expect 0 '>ignored \(1\): a x every other body<' '' draw world.json
 expect 0 '>contact: b x d<' 'b x d touch at t = 0\.1666.*; drawing that instant' draw world.json --at 0.9
 expect 0 '>contact at t = 0\.16666[67]<' '' draw world.json --animate
 expect 2 '' '--at: 3 is outside' draw world.json --at 3
-expect 2 '' '--level: there is no tiling.*of a world' draw world.json --level 1
+expect 2 '' '--level: there are no geodesic cycles of a world' draw world.json --level 1
 world '{"name":"b","polygon":[[0.5,0],[9,0],[9,9]]},{"name":"c","polygon":[[20,4],[21,4],[21,5]],"motion":{"velocity":[6,0]},"relative_to":"b"}'
 expect 0 '<title>a, b, c, t = 1</title>' '' draw world.json
 sed -i 's/"name":"b"/&,"motion":{"velocity":[1,0]}/' world.json

@@ -141,6 +141,18 @@ std::string status_text(const World& w) {
          ",\"world\":" + shapes_text(w.scene(), w.curves()) + "}";
 }
 
+std::string ring_text(const Polygon& ring) {
+  std::string s;
+  for (const Point& p : ring) s += (s.empty() ? "" : ",") + io::point_text(p);
+  return "[" + s + "]";
+}
+
+std::string part_text(const Part& part) {
+  std::string holes;
+  for (const Polygon& hole : part.holes) holes += (holes.empty() ? "" : ",") + ring_text(hole);
+  return "{\"outline\":" + ring_text(part.outline) + ",\"holes\":[" + holes + "]}";
+}
+
 /// The tiling at t, from a simulation of its own.
 std::string picture(const Scene& scene, Touch touch, double t) {
   Simulation simulation(scene, touch);
@@ -171,16 +183,16 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_scene(const char* text, const char* n
   });
 }
 
-/// {"polygon": [[x, y], ...]} from WKT or GeoJSON.
+/// {"parts": [{"outline": [[x, y], ...], "holes": [[[x, y], ...], ...]}, ...]} from WKT or GeoJSON.
 EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char* name) {
   return answered([&](Scene&) {
     const std::string outline = text;
     const std::size_t first = outline.find_first_not_of(" \t\r\n");
     const bool json = first != std::string::npos && outline[first] == '{';
     std::string s;
-    for (const Point& p : json ? parse_geojson(outline, name) : parse_wkt(outline, name))
-      s += (s.empty() ? "" : ",") + io::point_text(p);
-    return "{\"polygon\":[" + s + "]}";
+    for (const Part& part : json ? parse_geojson_parts(outline, name) : parse_wkt_parts(outline, name))
+      s += (s.empty() ? "" : ",") + part_text(part);
+    return "{\"parts\":[" + s + "]}";
   });
 }
 
@@ -242,6 +254,13 @@ EMSCRIPTEN_KEEPALIVE const double* taut_poses(double t) {
   static std::vector<double> poses;
   if (recording || world) poses = poses_of(world ? world->scene() : recording->scene(), t);
   return poses.data();
+}
+
+/// Of a world, the tilings of the pairs that are near at t: {"lines": five numbers for each, its ends in the world, and
+/// 1 if it joins two bodies}.
+EMSCRIPTEN_KEEPALIVE const char* taut_tilings(double t) {
+  return answered(
+      [&](Scene&) { return "{\"lines\":" + io::array_text(world ? world->tilings(t) : std::vector<double>()) + "}"; });
 }
 
 /// The simulation's own view of a time, to compare a replay with: {"svg": ...}.

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "io/json_text.hpp"
 #include "io/world_shapes.hpp"
+#include "io/world_tilings.hpp"
 #include "taut/io.hpp"
 #include "taut/pose.hpp"
 
@@ -16,6 +18,8 @@ namespace {
 
 /// Bands are drawn no wider than this share of their body: what is coarse because it is far away would look it.
 constexpr double widest_band = 1.0 / 2048;
+/// A frame waits for its tilings.
+constexpr double seconds_for_tilings = 0.25;
 
 double extent_of(const curve::BandedPart& part) {
   Point lo{INFINITY, INFINITY}, hi{-INFINITY, -INFINITY};
@@ -106,7 +110,25 @@ double World::end() const {
 
 std::string World::picture(double t) const {
   const double shown = std::min(t, end());
-  return draw_world_svg(scene_, shown, shown == end() ? marked(answer_) : WorldDrawOptions{});
+  WorldDrawOptions options = shown == end() ? marked(answer_) : WorldDrawOptions{};
+  if (!curves_) options.tilings = tilings_of_near_pairs(scene_, shown, touch_);
+  return draw_world_svg(scene_, shown, options);
+}
+
+std::vector<double> World::tilings(double t) const {
+  std::vector<double> numbers;
+  if (curves_) return numbers;
+  const double shown = std::clamp(t, scene_.start, end());
+  try {
+    const InterruptionScope scope(nullptr, seconds_for_tilings);
+    if (!shapes_) shapes_.emplace(scene_);
+    for (const io::TilingLine& line :
+         io::tiling_lines(*shapes_, poses_at(scene_, shown), tilings_of_near_pairs(scene_, shown, touch_)))
+      numbers.insert(numbers.end(), {line.from.x, line.from.y, line.to.x, line.to.y, line.pq ? 1.0 : 0.0});
+  } catch (const Interrupted&) {
+    numbers.clear();
+  }
+  return numbers;
 }
 
 std::string shapes_text(const Scene& scene, const CurvedWorld* curves) {

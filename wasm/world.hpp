@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/world_shapes.hpp"
 #include "pair/curved_world.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
@@ -26,12 +27,16 @@ class World {
   const CurvedWorld* curves() const { return curves_ ? &*curves_ : nullptr; }
   /// The picture of an instant, marked if it is the last one.
   std::string picture(double t) const;
+  /// The tilings of the pairs that are near at t, up to the end: five numbers for each line, its ends in the world, and
+  /// 1 if it joins two bodies. None where making them takes too long for a page that is drawn, and of curves.
+  std::vector<double> tilings(double t) const;
 
  private:
   Scene scene_;
   Touch touch_;
   std::optional<CurvedWorld> curves_;
   Answer answer_;
+  mutable std::optional<io::WorldShapes> shapes_;  ///< made when they are first asked for
 };
 
 /// For pictures on the page: {"order": bodies in the order of painting, "inner": for each body [x, y, room, part] of a

@@ -50,7 +50,7 @@ std::string animation(const Scene& scene, Touch touch, AnimateOptions options) {
     CheckOptions asked;
     asked.touch = touch;
     asked.tell_touching = false;
-    return world_animation(scene, check(scene, asked), {.draw = {.width = options.width}});
+    return world_animation(scene, check(scene, asked), {options.edges, touch}, {.draw = {.width = options.width}});
   }
   const std::optional<Contact> contact = first_contact(scene, touch);
   options.contact = contact ? &*contact : nullptr;

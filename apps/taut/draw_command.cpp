@@ -35,10 +35,10 @@ double instant(const DrawArguments& arguments, const Scene& scene) {
                    "choose an instant within");
 }
 
-/// Of more than two polygons there is no tiling, but all bodies.
+/// Of more than two polygons: all bodies, and between those that are near the edges of their tilings.
 int draw_world(const DrawArguments& arguments, const Scene& scene) {
   if (arguments.level)
-    throw InputError("--level", "there is no tiling, and so no geodesic cycle, of a world",
+    throw InputError("--level", "there are no geodesic cycles of a world",
                      "only of two bodies of one polygon each, without holes and parents");
   std::optional<double> at;
   if (arguments.at) at = instant(arguments, scene);
@@ -50,8 +50,9 @@ int draw_world(const DrawArguments& arguments, const Scene& scene) {
   if (!note.empty()) fmt::print(stderr, "taut: {}\n", io::line_for_terminal(note));
   WorldDrawOptions drawn;
   drawn.width = arguments.options.width;
-  write_output(arguments.output, arguments.animate ? world_animation(scene, answer, {.draw = drawn})
-                                                   : world_picture(scene, answer, at, drawn));
+  const DrawnTilings how{!arguments.plain, arguments.touch};
+  write_output(arguments.output, arguments.animate ? world_animation(scene, answer, how, {.draw = drawn})
+                                                   : world_picture(scene, answer, at, how, drawn));
   return exit_free;
 }
 
@@ -119,7 +120,8 @@ void add_draw(const Command& app, Action& action) {
       "  taut draw scene.json --animate -o moving.svg\n"
       "\n"
       "If the bodies touch before T, the instant of the contact is drawn instead, and the contact is marked.\n"
-      "Of a world, every body is drawn in a colour of its own, with its number in the legend; there is no tiling.\n");
+      "Of a world, every body is drawn in a colour of its own, with its number in the legend, and the tilings of the\n"
+      "pairs that are near are drawn as lines; --plain leaves them out.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_draw(*arguments); }; });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pair/curved_world.hpp"
 #include "report.hpp"
 #include "taut/motions.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 /// Larger files are slow to load where pages show them as images.
 constexpr std::size_t largest_moving_world = 200000;
 constexpr int fewest_world_frames = 30;
+constexpr std::size_t most_bodies_with_moving_tilings = 100;
 
 /// The last instant of which something is known.
 double end_of(const Scene& scene, const Answer& answer) {
@@ -51,19 +53,27 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
 
 }  // namespace
 
-std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at,
+std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at, const DrawnTilings& how,
                           WorldDrawOptions options) {
   const double end = end_of(scene, answer), t = std::min(at.value_or(end), end);
+  if (how.wanted && !has_curves(scene)) options.tilings = tilings_of_near_pairs(scene, t, how.touch);
   return draw_world_svg(scene, t, t == end ? marked(answer, options) : options);
 }
 
-std::string world_animation(const Scene& scene, const Answer& answer, WorldAnimateOptions options) {
+std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
+                            WorldAnimateOptions options) {
+  if (how.wanted && !has_curves(scene) && scene.bodies.size() <= most_bodies_with_moving_tilings)
+    options.tilings = [&](double t) { return tilings_of_near_pairs(scene, t, how.touch); };
   options.draw = marked(answer, options.draw);
   options.ending = ending_of(scene, answer);
   std::string svg;
   for (;; options.frames /= 2) {
     svg = animate_world_svg(scene, end_of(scene, answer), options);
-    if (svg.size() <= largest_moving_world || options.frames / 2 < fewest_world_frames) return svg;
+    if (svg.size() <= largest_moving_world) return svg;
+    if (options.frames / 2 >= fewest_world_frames) continue;
+    if (!options.tilings) return svg;
+    options.tilings = {};
+    options.frames = 2 * WorldAnimateOptions().frames;
   }
 }
 

@@ -9,11 +9,19 @@
 
 namespace taut::cli {
 
-/// The bodies at `at`, or where the answer ends; not after that. Contacts and overlaps at that instant are marked.
-std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at, WorldDrawOptions options);
+/// Are the tilings of near pairs drawn, and of bodies displaced which way?
+struct DrawnTilings {
+  bool wanted = true;
+  Touch touch = Touch::open;
+};
 
-/// From the start to where the answer ends; with fewer frames where the file would get large.
-std::string world_animation(const Scene& scene, const Answer& answer, WorldAnimateOptions options);
+/// The bodies at `at`, or where the answer ends; not after that. Contacts and overlaps at that instant are marked.
+std::string world_picture(const Scene& scene, const Answer& answer, std::optional<double> at, const DrawnTilings& how,
+                          WorldDrawOptions options);
+
+/// From the start to where the answer ends; where the file would get large, with fewer frames, or without tilings.
+std::string world_animation(const Scene& scene, const Answer& answer, const DrawnTilings& how,
+                            WorldAnimateOptions options);
 
 /// What the picture does not show of the time that was asked for, for standard error; empty if it shows all.
 std::string world_note(const Scene& scene, const Answer& answer, std::optional<double> at);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -161,12 +162,15 @@ struct WorldDrawOptions {
   std::vector<std::array<BodyId, 2>> overlaps = {};
   std::vector<DrawnDistance> distances = {};
   std::vector<DrawnRose> roses = {};
+  /// Tilings to draw, as tilings_of_near_pairs() gives them: of rings that are no farther from each other than the
+  /// smaller one is large, and of rings in holes.
+  std::vector<NearTiling> tilings = {};
 };
 /// The same options with the contacts and overlaps of an answer, those at the same time included.
 WorldDrawOptions marked(const Answer& answer, WorldDrawOptions options = {});
 /// An SVG picture of all bodies of a scene at time t, parents composed: each in a colour of its own and, where there is
-/// room, with its number in the legend, which shows parents by indentation and lists the pairs that are ignored. There
-/// is no tiling in it. The scene must be valid, and t within its time.
+/// room, with its number in the legend, which shows parents by indentation and lists the pairs that are ignored. The
+/// scene must be valid, and t within its time.
 std::string draw_world_svg(const Scene& scene, double t, const WorldDrawOptions& options = {});
 
 /// What animate_world_svg() shows, and how.
@@ -176,6 +180,8 @@ struct WorldAnimateOptions {
   double pause = 2;            ///< seconds on the last frame, before it begins anew
   int frames = 120;            ///< between which bodies move straight and turn evenly; at least 2
   std::string ending = {};     ///< shown with the last frame: how it ends, in words
+  /// The tilings to draw at an instant; asked for each frame. None are drawn without it.
+  std::function<std::vector<NearTiling>(double)> tilings = {};
 };
 /// The same as a picture that moves, without script, from the scene's start to `end` at an even pace, then from the
 /// beginning. Who prefers reduced motion sees the last frame.

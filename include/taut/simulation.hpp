@@ -57,6 +57,25 @@ struct Tiling {
   std::vector<TilingFace> faces;
 };
 
+/// An edge of a tiling between two rings of a world.
+struct NearEdge {
+  VertexRef from, to;
+  bool pq = false;  ///< joins the two bodies
+};
+
+/// The tiling of the free space between a ring of one body and a ring of another one, without the rings' own edges.
+struct NearTiling {
+  std::array<BodyId, 2> bodies{};
+  bool contained = false;  ///< one of the rings is a hole, and the other one is in it
+  std::vector<NearEdge> edges;
+};
+
+/// The tilings at time t, built from scratch, of the pairs of a world that are near: whose boxes meet before a
+/// sixteenth of the scene's time has passed. Where bodies overlap or touch at t, those of a moment before. For drawing
+/// and study. The scene must be valid, without curves, and t within its time; limits are those of check(): parts that
+/// have no tiling, as they overlap, are left out.
+std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touch touch = Touch::open);
+
 /// One half-edge of the planar map, the form in which the map can be followed through its events. Half-edges 2k and
 /// 2k + 1 are the two directions of one edge; the first ones are the edges of the bodies.
 struct TilingHalfedge {

@@ -10,34 +10,20 @@
 #include "pair/validate_world.hpp"
 #include "search/overlap_intervals.hpp"
 #include "taut/error.hpp"
-#include "world/swept_box.hpp"
+#include "world/near_stretches.hpp"
 
 namespace taut {
 namespace {
-
-/// May the two bodies meet at any time, as far as boxes tell?
-class BoxTest {
- public:
-  explicit BoxTest(const WorldPlan& plan) : boxes_(boxes_over_windows(plan)) {}
-  bool may_meet(int a, int b) const {
-    const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
-    for (std::size_t k = 0; k < first.size(); ++k) {
-      if (first[k].meets(second[k])) return true;
-    }
-    return false;
-  }
-
- private:
-  std::vector<std::vector<SweptBox>> boxes_;
-};
 
 PairAnswer undecided(int a, int b, double from, const std::string& reason) {
   return {{a, b}, Outcome::undecided, {}, from, reason};
 }
 
-void search_pair(const WorldPlan& plan, int a, int b, bool inwards, Intervals& answer) {
+void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards, bool plain,
+                 Intervals& answer) {
   try {
-    for (OverlapInterval& found : overlap_intervals(plan, a, b, inwards)) answer.intervals.push_back(std::move(found));
+    for (OverlapInterval& found : overlap_intervals(plan, a, b, near, inwards, plain))
+      answer.intervals.push_back(std::move(found));
   } catch (const Undecidable& limit) {
     answer.undecided.push_back(undecided(a, b, plan.start(), not_decided(limit)));
   } catch (const Interrupted& limit) {
@@ -52,7 +38,10 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   // Limits begin with the first pair: what they end is then said pair by pair.
   validate_world(scene);
   const WorldPlan plan(scene);
-  const BoxTest boxes(plan);
+  const NearStretches near(plan);
+  // Of two plain polygons it is all of the time that is looked at, in one walk.
+  const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
+  const bool plain = !is_world(scene);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Intervals answer;
   answer.coverage = plan.coverage();
@@ -60,12 +49,13 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   for (int a = 0; a < n; ++a) {
     for (int b = a + 1; b < n; ++b) {
       if (!plan.asked(a, b)) continue;
-      if (!boxes.may_meet(a, b)) {
+      const std::vector<TimeInterval>* const stretches = near.of(a, b);
+      if (!stretches) {
         ++answer.coverage.apart;
         continue;
       }
       ++answer.coverage.checked;
-      search_pair(plan, a, b, options.touch == Touch::open, answer);
+      search_pair(plan, a, b, plain ? throughout : *stretches, options.touch == Touch::open, plain, answer);
     }
   }
   return answer;

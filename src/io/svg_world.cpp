@@ -3,6 +3,7 @@
 
 #include "io/svg_world_legend.hpp"
 #include "io/world_marks.hpp"
+#include "io/world_tilings.hpp"
 #include "taut/io.hpp"
 
 namespace taut {
@@ -24,6 +25,8 @@ class WorldPicture {
     const std::string title =
         options_.title.empty() ? fmt::format("{}, t = {:.10g}", io::world_title(scene_), t_) : options_.title;
     std::string out = io::world_head(canvas_, title);
+    // Below the bodies: lines lie between those of their pair.
+    out += io::tiling_paths(io::tiling_lines(shapes_, poses_, options_.tilings), canvas_);
     for (const std::size_t body : shapes_.painting_order()) out += draw_body(body);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body);
     out += io::world_marks(scene_, shapes_, poses_, canvas_, options_);

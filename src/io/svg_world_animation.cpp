@@ -13,6 +13,7 @@
 #include "io/svg_track.hpp"
 #include "io/svg_world_legend.hpp"
 #include "io/world_marks.hpp"
+#include "io/world_tilings.hpp"
 #include "taut/io.hpp"
 
 namespace taut {
@@ -85,7 +86,7 @@ class WorldAnimation {
 
   /// Moving, or the last frame alone.
   std::string layers(bool moving) const {
-    std::string out;
+    std::string out = draw_tilings(moving);
     for (const std::size_t body : shapes_.painting_order()) out += draw_body(body, moving);
     for (const std::size_t body : shapes_.painting_order()) out += draw_number(body, moving);
     const std::string marks = io::world_marks(scene_, shapes_, frames_.back().poses, canvas_, options_.draw);
@@ -96,6 +97,34 @@ class WorldAnimation {
   /// The moment of the loop, 0 to 1, at which a frame is shown.
   double moment(std::size_t frame) const {
     return options_.seconds / loop_ * static_cast<double>(frame) / static_cast<double>(frames_.size() - 1);
+  }
+
+  /// Each frame's own, from its moment to the next one's; below the bodies.
+  std::string draw_tilings(bool moving) const {
+    std::string out;
+    const std::size_t last = frames_.size() - 1;
+    for (std::size_t k = moving ? 0 : last; options_.tilings && k <= last; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(last);
+      const double t = k == last ? end_ : scene_.start + (end_ - scene_.start) * share;
+      const auto lines = io::tiling_lines(shapes_, frames_[k].poses, options_.tilings(t));
+      out += "<g>" + (moving ? shown_from_to(k, last) : "") + io::tiling_paths(lines, canvas_) + "</g>\n";
+    }
+    return out;
+  }
+
+  /// During a frame; during the last one to the end of the loop.
+  std::string shown_from_to(std::size_t k, std::size_t last) const {
+    std::string times = k == 0 ? "" : "0;", values = k == 0 ? "" : "0;";
+    times += fmt::format("{:.5g}", moment(k));
+    values += "1";
+    if (k < last) {
+      times += fmt::format(";{:.5g}", moment(k + 1));
+      values += ";0";
+    }
+    return fmt::format(
+        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
+        "keyTimes=\"{}\" values=\"{}\"/>",
+        loop_, times, values);
   }
 
   Point pixel(const Frame& frame, std::size_t body, const Point& p) const {

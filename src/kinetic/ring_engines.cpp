@@ -95,16 +95,22 @@ std::optional<std::pair<double, double>> RingEngines::next_event(double t) {
   return first;
 }
 
-/// From a vertex of two rings, or the edge from it, to that of the two bodies. Their slit's walls are no features, and
-/// can only be met where a vertex was displaced into the mouth.
-VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
+/// From a vertex of two rings, or the edge from it, to that of the two bodies.
+std::optional<VertexId> RingEngines::named(const Run& run, VertexId v, bool edge) const {
   const PairGeometry& two = run.engine->geometry();
   const bool plays_p = two.in_p(v);
   const LoneRing& ring = ring_of(run, plays_p);
   const VertexId own(plays_p ? v.value : v.value - two.np);
   const std::optional<std::uint32_t> k = edge ? ring.edge(own) : ring.vertex(own);
-  if (!k) throw Undecidable{"what a vertex in the slit of a hole meets"};
+  if (!k) return std::nullopt;
   return VertexId(plays_p != run.exchanged ? *k : geometry_.np + *k);
+}
+
+/// The slit's walls are no features, and can only be met where a vertex was displaced into the mouth.
+VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
+  const std::optional<VertexId> k = named(run, v, edge);
+  if (!k) throw Undecidable{"what a vertex in the slit of a hole meets"};
+  return *k;
 }
 
 void RingEngines::note_contact(const Run& run) {

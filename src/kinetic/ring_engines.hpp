@@ -59,6 +59,9 @@ class RingEngines {
   std::size_t size() const { return runs_.size(); }
   Engine& engine(std::size_t k) { return *runs_[k].engine; }
   RingMeeting meeting(std::size_t k) const { return runs_[k].rings; }
+  /// The vertex of the pair's geometry that a vertex of that engine's is; nothing for the box and the slit around a
+  /// hole.
+  std::optional<VertexId> named_vertex(std::size_t k, VertexId v) const { return named(runs_[k], v, false); }
   /// Does a hole take part in it?
   bool is_contained(std::size_t k) const;
 
@@ -70,6 +73,7 @@ class RingEngines {
   };
   const LoneRing& ring_of(const Run& run, bool plays_p) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
+  std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
   VertexId in_pair(const Run& run, VertexId v, bool edge) const;
   void note_contact(const Run& run);
   bool comes_before(const Found& a, const Found& b) const;

@@ -120,6 +120,23 @@ bool KineticPair::advance(double to, std::uint64_t events) {
   return true;
 }
 
+std::vector<NearTiling> KineticPair::tilings() const {
+  std::vector<NearTiling> all;
+  for (std::size_t k = 0; engines_ && k < engines_->size(); ++k) {
+    const PlanarMap& map = engines_->engine(k).map();
+    NearTiling tiling{{result_.a, result_.b}, engines_->is_contained(k), {}};
+    for (std::uint32_t i = 0; i < map.halfedge_count(); i += 2) {
+      const HalfedgeId h(i);
+      if (!map.alive(h) || map.is_polygon_edge(h)) continue;
+      const auto from = engines_->named_vertex(k, map.origin(h)), to = engines_->named_vertex(k, map.target(h));
+      if (!from || !to) continue;
+      tiling.edges.push_back({witness().vertex(*from), witness().vertex(*to), !geometry_.same_body(*from, *to)});
+    }
+    all.push_back(std::move(tiling));
+  }
+  return all;
+}
+
 void KineticPair::note_contact() {
   const RingEngines::Found& found = *engines_->contact();
   // Legs from a later time on are the last ones of all.

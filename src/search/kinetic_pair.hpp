@@ -6,6 +6,7 @@
 #include "kinetic/ring_engines.hpp"
 #include "search/pair_question.hpp"
 #include "sign/witness.hpp"
+#include "taut/simulation.hpp"
 #include "world/world_plan.hpp"
 
 namespace taut {
@@ -38,6 +39,8 @@ class KineticPair final : public WindowedPair {
   double at() const { return at_; }
   /// The present tilings; null before the first window, and where the bodies overlap.
   RingEngines* engines() { return engines_.get(); }
+  /// In the user's terms.
+  std::vector<NearTiling> tilings() const;
 
  private:
   void settle_start();

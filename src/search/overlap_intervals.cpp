@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/interruption.hpp"
 #include "search/pair_search.hpp"
@@ -13,26 +14,32 @@ namespace {
 
 using spacetime::LegCrossing;
 
+/// Enclosures as wide as this share of an instant say as much as doubles can.
+constexpr double rounding_of_doubles = 0x1p-55;
+
 /// Crossings that enclosures do not tell apart.
 struct Cluster {
   double lo, hi;  ///< in the world's time
   LegCrossing first, last;
+  bool alone = true;  ///< first and last are one crossing, which may be enclosed roughly
 };
 
 class IntervalSearch {
  public:
-  IntervalSearch(const WorldPlan& plan, int a, int b, bool inwards)
-      : plan_(plan), pair_(plan, a, b, inwards), inwards_(inwards), bodies_{a, b} {}
+  IntervalSearch(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards,
+                 bool precisely)
+      : plan_(plan), near_(near), precisely_(precisely), pair_(plan, a, b, inwards), inwards_(inwards), bodies_{a, b} {}
 
   std::vector<OverlapInterval> run() {
     find_clusters();
-    bool inside = overlapping_at(plan_.start());
+    bool inside = near_.front().lo == plan_.start() && overlapping_at(plan_.start());
     if (inside) begin({plan_.start(), plan_.start()}, std::nullopt);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
       interruption_point();
-      const Cluster& c = clusters_[i];
+      Cluster& c = clusters_[i];
       const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : plan_.end();
       const bool after = c.hi < next ? overlapping_at(c.hi + (next - c.hi) / 2) : inside_at_end(c, inside);
+      if (!inside || !after) tighten_ends(c);
       // Free on both sides, with a crossing: an overlap shorter than doubles tell.
       if (!inside) begin({c.lo, c.hi}, contact_of(c.first));
       if (!after) end({c.lo, c.hi}, contact_of(c.last));
@@ -43,24 +50,66 @@ class IntervalSearch {
   }
 
  private:
-  void find_clusters() {
-    std::vector<LegCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.legs());
-    const auto time = [this](const LegCrossing& c, double parameter) {
-      return std::clamp(pair_.legs()[c.leg].time(parameter), plan_.start(), plan_.end());
-    };
-    std::sort(all.begin(), all.end(), [](const LegCrossing& a, const LegCrossing& b) {
+  std::vector<spacetime::TimeWindow> windows() const {
+    std::vector<spacetime::TimeWindow> windows;
+    for (const TimeInterval& s : near_) windows.push_back({s.lo, s.hi, s.lo == plan_.start()});
+    return windows;
+  }
+  double time(const LegCrossing& c, double parameter) const {
+    return std::clamp(pair_.legs()[c.leg].time(parameter), plan_.start(), plan_.end());
+  }
+  /// Some double must lie strictly between, at which the overlap can be asked for.
+  bool apart(double before, double after) const { return std::nextafter(before, plan_.end()) < after; }
+  static void sort(std::span<LegCrossing> some) {
+    std::sort(some.begin(), some.end(), [](const LegCrossing& a, const LegCrossing& b) {
       return std::pair(a.leg, a.lo) < std::pair(b.leg, b.lo);
     });
-    for (const LegCrossing& c : all) {
+  }
+  void find_clusters() {
+    std::vector<LegCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.legs(), windows());
+    if (precisely_) {
+      tighten_all(all);
+    } else {
+      sort(all);
+    }
+    for (std::size_t i = 0, k = 0; i < all.size(); i = k) {
+      double hi = time(all[i], all[i].hi);
+      for (k = i + 1; k < all.size() && !apart(hi, time(all[k], all[k].lo)); ++k)
+        hi = std::max(hi, time(all[k], all[k].hi));
+      // Most crossings are alone, and between others, within an overlap: precise instants are dear.
+      if (k > i + 1 || !(hi < plan_.end())) tighten_all({all.data() + i, k - i});
+      add({all.data() + i, k - i});
+    }
+  }
+  void tighten_all(std::span<LegCrossing> some) const {
+    for (LegCrossing& c : some) {
+      interruption_point();
+      tighten(pair_.geometry, pair_.legs(), c, precisely_ ? 0 : rounding_of_doubles);
+    }
+    sort(some);
+  }
+  /// Crossings in order, as clusters.
+  void add(std::span<const LegCrossing> some) {
+    bool first = true;
+    for (const LegCrossing& c : some) {
       const double lo = time(c, c.lo), hi = time(c, c.hi);
-      // Some double must lie strictly between, at which the overlap can be asked for.
-      if (!clusters_.empty() && !(std::nextafter(clusters_.back().hi, plan_.end()) < lo)) {
+      if (!first && !apart(clusters_.back().hi, lo)) {
         clusters_.back().hi = std::max(clusters_.back().hi, hi);
         clusters_.back().last = c;
+        clusters_.back().alone = false;
       } else {
-        clusters_.push_back({lo, hi, c, c});
+        clusters_.push_back({lo, hi, c, c, true});
       }
+      first = false;
     }
+  }
+  /// As an interval's end says it.
+  void tighten_ends(Cluster& c) const {
+    if (!c.alone) return;
+    tighten(pair_.geometry, pair_.legs(), c.first, precisely_ ? 0 : rounding_of_doubles);
+    c.last = c.first;
+    c.lo = time(c.first, c.first.lo);
+    c.hi = time(c.first, c.first.hi);
   }
   /// At an instant that no crossing is at.
   bool overlapping_at(double t) const {
@@ -87,6 +136,8 @@ class IntervalSearch {
   }
 
   const WorldPlan& plan_;
+  const std::vector<TimeInterval>& near_;
+  bool precisely_;
   PairSearch pair_;
   bool inwards_;
   std::array<BodyId, 2> bodies_;
@@ -96,8 +147,10 @@ class IntervalSearch {
 
 }  // namespace
 
-std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b, bool inwards) {
-  return IntervalSearch(plan, a, b, inwards).run();
+std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
+                                               const std::vector<TimeInterval>& near, bool inwards, bool precisely) {
+  if (near.empty()) return {};
+  return IntervalSearch(plan, a, b, near, inwards, precisely).run();
 }
 
 }  // namespace taut

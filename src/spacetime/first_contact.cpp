@@ -42,7 +42,6 @@ class LegSearch {
   /// All crossings instead, each once.
   std::vector<Crossing> run_through(double from, double to) {
     run(from, to);
-    for (Crossing& c : found_) leaves_.precise().tighten(c);
     return std::move(found_);
   }
   /// Up to when there is certainly no contact.
@@ -208,14 +207,34 @@ SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& tree
 }
 
 std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
-                                       const std::vector<Leg>& legs) {
+                                       const std::vector<Leg>& legs, const std::vector<TimeWindow>& windows) {
   std::vector<LegCrossing> all;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    LegSearch search(geometry, trees, legs[i], legs[i].start, Ways::both);
-    for (const Crossing& c : search.run_through(legs[i].start, legs[i].end))
-      all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi});
+  std::size_t before = 0;
+  for (const TimeWindow& window : windows) {
+    while (before < legs.size() && (legs[before].bridge ? legs[before].joint : legs[before].end) < window.from)
+      ++before;
+    for (std::size_t i = before; i < legs.size(); ++i) {
+      const Leg& leg = legs[i];
+      if ((leg.bridge ? leg.joint : leg.start) > window.to) break;
+      const std::optional<TimeInterval> part = clipped(leg, window);
+      if (!part) continue;
+      LegSearch search(geometry, trees, leg, part->lo, Ways::both);
+      for (const Crossing& c : search.run_through(part->lo, part->hi))
+        all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi, c.precise});
+    }
   }
   return all;
+}
+
+void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share) {
+  if (crossing.hi - crossing.lo <= 0x1p-51 * std::fabs(crossing.hi) || crossing.precise.stage >= 0) return;
+  const VertexEdge pair{crossing.vertex, crossing.edge};
+  PreciseTime t = PreciseTime::between(crossing.lo, crossing.hi);
+  const PreciseTriple line(legs[crossing.leg], geometry, pair.line(geometry));
+  if (!line.refine(crossing.out ? 1 : -1, t, 0, share * std::fabs(crossing.hi))) return;
+  crossing.precise = t;
+  crossing.lo = t.floor();
+  crossing.hi = t.ceiling();
 }
 
 }  // namespace taut::spacetime

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
+#include "sign/precise_time.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut::spacetime {
@@ -56,12 +57,8 @@ struct LegCrossing {
   bool out = false;  ///< from inside to outside
   std::size_t leg = 0;
   double lo = 0, hi = 0;  ///< encloses the leg's parameter
+  PreciseTime precise;    ///< within [lo, hi]; once a stage has looked at it
 };
-/// All crossings of edges of one body by vertices of the other, on all legs, each leg's in no particular order: between
-/// two of them that follow each other in time, the same edges cross. Throws Undecidable.
-std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
-                                       const std::vector<Leg>& legs);
-
 /// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
 struct TimeWindow {
   double from = 0, to = 0;
@@ -70,6 +67,17 @@ struct TimeWindow {
 /// The same within a window, from a place on, up to which there is no contact in it.
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
                               const TimeWindow& window, const LegPlace& since = LegPlace::beginning());
+
+/// All crossings of edges of one body by vertices of the other within the windows, which are in order and apart, each
+/// leg's in no particular order: between two of them that follow each other in time, the same edges cross, if the
+/// bodies are apart outside of the windows. They are enclosed as far as telling them apart from others of the same two
+/// features took. Throws Undecidable.
+std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
+                                       const std::vector<Leg>& legs, const std::vector<TimeWindow>& windows);
+
+/// Encloses a crossing within a few ulps. Its instant is computed to such a share of itself, 0 being as well as numbers
+/// of the first precise stage tell, which takes several times as long.
+void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share);
 
 /// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
 struct StartOverlap {

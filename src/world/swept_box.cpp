@@ -57,15 +57,17 @@ SweptBox swept_box(const WorldBody& body, double from, double to) {
   return whole;
 }
 
-std::vector<std::vector<SweptBox>> boxes_over_windows(const WorldPlan& plan) {
+double coarse_boundary(const WorldPlan& plan, int k) {
   const double length = plan.end() - plan.start();
-  const auto boundary = [&](int k) {
-    return k == coarse_windows ? plan.end() : std::min(plan.end(), plan.start() + length * k / coarse_windows);
-  };
+  return k == coarse_windows ? plan.end() : std::min(plan.end(), plan.start() + length * k / coarse_windows);
+}
+
+std::vector<std::vector<SweptBox>> boxes_over_windows(const WorldPlan& plan) {
   std::vector<std::vector<SweptBox>> boxes;
   for (const WorldBody& body : plan.bodies()) {
     boxes.emplace_back();
-    for (int k = 0; k < coarse_windows; ++k) boxes.back().push_back(swept_box(body, boundary(k), boundary(k + 1)));
+    for (int k = 0; k < coarse_windows; ++k)
+      boxes.back().push_back(swept_box(body, coarse_boundary(plan, k), coarse_boundary(plan, k + 1)));
   }
   return boxes;
 }

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 
 #include "support/effort.hpp"
-#include "support/large_world.hpp"
+#include "support/small_world.hpp"
 #include "support/world_changes.hpp"
 #include "support/world_judge.hpp"
 #include "taut/check.hpp"
@@ -119,6 +122,38 @@ TEST(LargeWorlds, AreVaried) {
   EXPECT_EQ(deepest, 6);
   EXPECT_GT(cut, 500);
   EXPECT_GT(seen, 50);
+}
+
+TEST(SmallWorlds, AreVaried) {
+  std::size_t bodies = 0, holes = 0, parts = 0, parents = 0, ignored = 0;
+  std::map<std::string, int> families, ties;
+  for (std::uint64_t number = 0; number < 400; ++number) {
+    const LargeWorld made = small_world(number);
+    ++families[made.family];
+    EXPECT_GE(made.world.bodies.size(), 2u);
+    EXPECT_LE(made.world.bodies.size(), 8u);
+    bodies += made.world.bodies.size();
+    ignored += made.world.ignore.size();
+    for (const MadeBody& body : made.world.bodies) {
+      holes += body.parts[0].holes.size();
+      parts += body.parts.size() > 1;
+      parents += body.parent >= 0;
+    }
+    CheckOptions options;
+    options.all_pairs = true;
+    const Answer answer = check(scene_of(made.world), options);
+    std::set<double> times;
+    for (const PairAnswer& pair : *answer.pairs) {
+      if (pair.contact) ties[made.family] += !times.insert(std::round(0x1p40 * pair.contact->time.lo)).second;
+    }
+  }
+  EXPECT_EQ(families.size(), 7u);
+  EXPECT_LT(bodies, 2000u);
+  EXPECT_GT(holes, 100u);
+  EXPECT_GT(parts, 100u);
+  EXPECT_GT(parents, 200u);
+  EXPECT_GT(ignored, 200u);
+  EXPECT_GT(ties["tied"], 10);
 }
 
 }  // namespace

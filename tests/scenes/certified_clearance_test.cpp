@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
+#include "taut/proof.hpp"
 
 namespace taut {
 namespace {
@@ -75,6 +77,10 @@ TEST(Corpus, WorldsAndTheirClearances) {
       if (answer.contact) {
         EXPECT_NEAR(answer.contact->time.lo, expected["t"].get<double>(), 1e-9);
       }
+      std::ostringstream log;
+      const Answer proved = prove(scene, log, options);
+      const bool finished = proved.reason.find("its proof was not finished") == std::string::npos;
+      EXPECT_EQ(finished, !expected.contains("proof")) << proved.reason;
     }
     ClearanceOptions limited;
     limited.max_seconds = 20;

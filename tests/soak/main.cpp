@@ -1,6 +1,6 @@
 // Random scenes without end: the kinetic engine, the spacetime engine and the verified proof must agree on each, and
-// with the oracle by definition if the scene is small; none may be undecided. With --worlds, scenes of many bodies, and
-// all that is asked about them. `./dev soak --minutes N` builds and runs it.
+// with the oracle by definition if the scene is small; none may be undecided. With --worlds, scenes of several bodies,
+// and all that is asked about them. `./dev soak --minutes N` builds and runs it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct Limits {
   double seconds = 1e300;       ///< for each engine and scene
   std::size_t oracle_size = 0;  ///< vertices of the scenes that the oracle judges
   bool contacts = false;        ///< soak_contact_scene(), not soak_scene()
-  bool worlds = false;          ///< large_world()
+  bool worlds = false;          ///< soak_world()
   bool questions = false;       ///< all questions about small scenes
   bool curves = false;          ///< curved_soak_scene()
 };
@@ -168,7 +168,7 @@ class Soak {
   }
 
   void look_at_world(std::uint64_t number, SoakTotals& part) {
-    const LargeWorld made = large_world(number);
+    const LargeWorld made = soak_world(number);
     Tally tally;
     const std::string wrong = examine_world(number, made, limits_.seconds, tally);
     part.by_family["worlds, " + made.family] += tally;
@@ -220,7 +220,7 @@ class Soak {
 /// One scene a line.
 void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits) {
   for (std::uint64_t k = first; k < first + count; ++k) {
-    std::string text = write_scene(limits.worlds   ? scene_of(large_world(k).world)
+    std::string text = write_scene(limits.worlds   ? scene_of(soak_world(k).world)
                                    : limits.curves ? curved_soak_scene(k).scene
                                                    : scene_for(k, limits).scene);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
@@ -244,7 +244,8 @@ int main(int argc, char** argv) {
   app.add_option("--oracle", limits.oracle_size, "Judge scenes of up to so many vertices by definition").or_alone("24");
   app.add_flag("--contacts", limits.contacts,
                "Small scenes made of contacts, judged by definition, in place of others");
-  app.add_flag("--worlds", limits.worlds, "Worlds of 2 to 60 bodies, judged by definition, in place of others");
+  app.add_flag("--worlds", limits.worlds,
+               "Worlds of 2 to 60 bodies, mostly few, judged by definition, in place of others");
   app.add_flag("--questions", limits.questions,
                "Small scenes, about which all questions are asked, held against each other, in place of others");
   app.add_flag("--curves", limits.curves,

@@ -17,6 +17,7 @@ struct Column {
   const char* key;
   const char* title;
   std::uint64_t Tally::*value;
+  bool of_worlds = false;
 };
 
 constexpr Column columns[] = {{"scenes", "scenes", &Tally::scenes},
@@ -28,23 +29,37 @@ constexpr Column columns[] = {{"scenes", "scenes", &Tally::scenes},
                               {"judged", "judged by definition", &Tally::judged},
                               {"assumed", "on an assumption", &Tally::assumed},
                               {"beyond", "beyond the oracle", &Tally::beyond},
-                              {"events", "events", &Tally::events}};
+                              {"events", "events", &Tally::events},
+                              {"large", "of 10 bodies or more", &Tally::large, true},
+                              {"unproved", "proofs not finished", &Tally::unproved, true},
+                              {"simulated", "simulations", &Tally::simulated, true},
+                              {"intervals", "intervals of worlds", &Tally::intervals, true},
+                              {"ranges", "ranges", &Tally::ranges, true},
+                              {"maps", "maps", &Tally::maps, true},
+                              {"laws", "laws", &Tally::laws, true},
+                              {"clearances", "clearances", &Tally::clearances, true},
+                              {"profiles", "profiles", &Tally::profiles, true}};
 
-std::string row(const std::string& name, const Tally& tally) {
+bool shown(const Column& c, const Tally& all) { return !c.of_worlds || all.intervals > 0; }
+
+std::string row(const std::string& name, const Tally& tally, const Tally& all) {
   std::string line = "| " + name + " |";
-  for (const Column& c : columns) line += fmt::format(" {} |", tally.*c.value);
+  for (const Column& c : columns) {
+    if (shown(c, all)) line += fmt::format(" {} |", tally.*c.value);
+  }
   return line + '\n';
 }
 
 std::string table(const char* what, const std::map<std::string, Tally>& rows, const Tally& all) {
   std::string text = fmt::format("| {} |", what), rule = "|---|";
   for (const Column& c : columns) {
+    if (!shown(c, all)) continue;
     text += fmt::format(" {} |", c.title);
     rule += "---:|";
   }
   text += '\n' + rule + '\n';
-  for (const auto& [name, tally] : rows) text += row(name, tally);
-  return text + row("all", all) + '\n';
+  for (const auto& [name, tally] : rows) text += row(name, tally, all);
+  return text + row("all", all, all) + '\n';
 }
 
 Json to_json(const std::map<std::string, Tally>& rows) {

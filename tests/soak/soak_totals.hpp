@@ -14,6 +14,10 @@ struct Tally {
   std::uint64_t scenes = 0, free = 0, contact = 0, at_start = 0, invalid = 0, events = 0, proofs = 0;
   /// By the oracle by definition: answers compared, some of them on an assumption, and scenes beyond it.
   std::uint64_t judged = 0, assumed = 0, beyond = 0;
+  /// Of worlds: those with ten bodies or more, and what was asked and compared, of which some only of a share of
+  /// worlds.
+  std::uint64_t large = 0, unproved = 0, simulated = 0, intervals = 0, ranges = 0, clearances = 0, profiles = 0,
+                laws = 0, maps = 0;
 
   Tally& operator+=(const Tally& o);
 };
@@ -26,7 +30,7 @@ struct SoakTotals {
 
   SoakTotals& operator+=(const SoakTotals& o);
   Tally all() const;
-  /// Tables and totals, as docs/evidence.md has them.
+  /// Tables and totals; columns about worlds only if there are any, as docs/evidence.md has them.
   std::string report() const;
 };
 

@@ -32,6 +32,10 @@ std::string answer_difference(const Answer& a, const Answer& b) {
   return {};
 }
 
+/// What costs far more than everything else is asked about so large a share of worlds.
+constexpr double share_of_ranges = 0.25, share_of_clearances = 0.25, share_of_profiles = 0.25;
+constexpr std::size_t large_count = 10;
+
 /// Asks all there is to ask about one world, in one touch mode, and remembers the answers for the next question.
 class WorldExamination {
  public:
@@ -43,6 +47,7 @@ class WorldExamination {
   }
 
   std::string run() {
+    tally_.large += scene_.bodies.size() >= large_count;
     for (const Touch touch : {Touch::open, Touch::closed}) {
       options_.touch = touch;
       for (const auto ask : {&WorldExamination::pairs, &WorldExamination::engines, &WorldExamination::simulated,
@@ -53,8 +58,9 @@ class WorldExamination {
       }
     }
     if (const std::string wrong = touching_no_later(); !wrong.empty()) return wrong;
+    if (!rng_.chance(share_of_clearances)) return {};
     if (const std::string wrong = clearances(); !wrong.empty()) return wrong;
-    return profile();
+    return rng_.chance(share_of_profiles) ? profile() : std::string();
   }
 
  private:
@@ -109,6 +115,7 @@ class WorldExamination {
 
   std::string simulated() {
     if (!is_world(scene_)) return {};
+    ++tally_.simulated;
     Simulation simulation(scene_, options_.touch);
     simulation.advance_to(scene_.end);
     Answer reached;
@@ -124,6 +131,11 @@ class WorldExamination {
   std::string proof() {
     std::ostringstream out;
     const Answer proved = prove(scene_, out, options_);
+    // A known limit of the format, see docs/separation-logs.md: counted, and nothing that is wrong.
+    if (proved.reason.find("but its proof was not finished") != std::string::npos) {
+      ++tally_.unproved;
+      return {};
+    }
     if (const std::string wrong = answer_difference(headline_, proved); !wrong.empty())
       return "prove: " + wrong + (proved.reason.empty() ? "" : ", " + proved.reason);
     if (proved.outcome == Outcome::overlap_at_start) return {};
@@ -138,6 +150,7 @@ class WorldExamination {
   /// Intervals begin at the first contacts, and hold what the definition says.
   std::string overlaps() {
     intervals_ = intervals(scene_, options_);
+    ++tally_.intervals;
     if (!intervals_.undecided.empty()) return "intervals: undecided: " + intervals_.undecided[0].reason;
     auto next = intervals_.intervals.begin();
     for (const PairAnswer& pair : *all_.pairs) {
@@ -157,6 +170,8 @@ class WorldExamination {
 
   /// The stretch around an instant is what the intervals leave.
   std::string ranges() {
+    if (!rng_.chance(share_of_ranges)) return {};
+    ++tally_.ranges;
     const double t = rng_.real(scene_.start, scene_.end);
     TimeInterval before{-INFINITY, -INFINITY}, after{INFINITY, INFINITY};
     bool inside = false;
@@ -186,6 +201,7 @@ class WorldExamination {
       if (!world_.bodies[i].keyframes.empty()) movers.push_back(static_cast<int>(i));
     }
     if (movers.empty()) return {};
+    ++tally_.maps;
     MadeWorld alone = with_one_mover(world_, rng_.pick(movers));
     const auto moves = [](const MadeBody& body) { return !body.keyframes.empty(); };
     std::rotate(std::find_if(alone.bodies.begin(), alone.bodies.end(), moves),
@@ -244,6 +260,7 @@ class WorldExamination {
     if (which == 3) other = in_another_order(rng_, world_);
     if (which == 4 && !two) other = seen_from_a_moving_frame(rng_, world_);
     if (!other) return {};
+    ++tally_.laws;
     const std::string wrong = answer_difference(headline_, answer_to(scene_of(*other)));
     return wrong.empty() ? wrong : std::string(laws[which]) + ": " + wrong;
   }
@@ -260,6 +277,7 @@ class WorldExamination {
 
   /// Asked last: `all_` is of closed touching.
   std::string clearances() {
+    ++tally_.clearances;
     ClearanceOptions options;
     options.all_pairs = true;
     options.relative = 1e-6;
@@ -283,6 +301,7 @@ class WorldExamination {
   /// Of some pair, at some instants and between.
   std::string profile() {
     if (clearance_.pairs.empty()) return {};
+    ++tally_.profiles;
     const NearestPoints& n = rng_.pick(clearance_.pairs);
     Scene two = scene_;
     for (const PairAnswer& pair : *all_.pairs) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "soak_totals.hpp"
-#include "support/large_world.hpp"
+#include "support/small_world.hpp"
 
 namespace taut::testing {
 

@@ -197,17 +197,26 @@ MadeWorld arms(Rng& rng, int n) {
 
 }  // namespace
 
-LargeWorld large_world(std::uint64_t number) {
-  Rng rng(number * 0x9e3779b97f4a7c15u + 71);
+LargeWorld world_of_family(int family, Rng& rng, int bodies) {
   struct Maker {
     const char* family;
     MadeWorld (*make)(Rng&, int);
   };
   const Maker makers[] = {{"cells", cells}, {"grid", grid}, {"mirrored", mirrored}, {"nested", nested}, {"arms", arms}};
-  const Maker& maker = makers[rng.below(5)];
-  LargeWorld made{maker.make(rng, body_count(rng)), maker.family};
-  name_bodies(made.world);
-  ignore_some(rng, made.world);
+  const Maker& maker = makers[family];
+  return {maker.make(rng, bodies), maker.family};
+}
+
+void finish_world(Rng& rng, MadeWorld& world) {
+  name_bodies(world);
+  ignore_some(rng, world);
+}
+
+LargeWorld large_world(std::uint64_t number) {
+  Rng rng(number * 0x9e3779b97f4a7c15u + 71);
+  const int family = rng.below(world_families);
+  LargeWorld made = world_of_family(family, rng, body_count(rng));
+  finish_world(rng, made.world);
   return made;
 }
 

@@ -10,7 +10,7 @@ namespace taut::testing {
 
 struct LargeWorld {
   MadeWorld world;
-  std::string family;  ///< cells, grid, mirrored, nested or arms
+  std::string family;  ///< cells, grid, mirrored, nested or arms; of small ones also rooms or tied
 };
 
 /// World `number`; the same everywhere.
@@ -20,6 +20,12 @@ struct LargeWorld {
 /// whose pairs meet at the same instants. nested: rings in rings, up to four deep. arms: chains of links that turn
 /// about their joints among bodies at rest, neighbours ignored.
 LargeWorld large_world(std::uint64_t number);
+
+/// A world of so many bodies of one of these families, by number below `world_families`.
+constexpr int world_families = 5;
+LargeWorld world_of_family(int family, Rng& rng, int bodies);
+/// Names for bodies that have none, and now and then some pairs that are not asked about.
+void finish_world(Rng& rng, MadeWorld& world);
 
 /// All but that body rest in the world's frame.
 MadeWorld with_one_mover(MadeWorld world, int mover);

@@ -202,6 +202,7 @@ export class Editor implements Tool, Edited {
       world: player.world,
       hidden: this.host.hidden,
       replay: valid && !player.world ? player.replay : null,
+      tilings: null,
       event: null,
       contacts: [],
       overlaps: [],

@@ -177,6 +177,7 @@ interface Module {
   _taut_advance(until: number, milliseconds: number): number;
   _taut_change_plan(text: number, body: number): number;
   _taut_poses(t: number): number;
+  _taut_tilings(t: number): number;
   _taut_svg(t: number): number;
   _taut_array(which: number): number;
   _taut_array_size(which: number): number;
@@ -206,9 +207,8 @@ export class Engine {
     return this.call<{ shapes: WorldLooks }>([scene], (t) => this.module._taut_shapes(t)).shapes;
   }
 
-  readOutline(text: string, name: string): [number, number][] {
-    return this.call<{ polygon: [number, number][] }>([text, name], (t, n) => this.module._taut_read_outline(t, n))
-      .polygon;
+  readOutline(text: string, name: string): Part[] {
+    return this.call<{ parts: Part[] }>([text, name], (t, n) => this.module._taut_read_outline(t, n)).parts;
   }
 
   open(scene: Scene, name: string, closed: boolean): Status {
@@ -232,6 +232,11 @@ export class Engine {
 
   changePlan(scene: string, body: number): Status {
     return this.call([scene], (t) => this.module._taut_change_plan(t, body));
+  }
+
+  /** Of a world, the tilings of the pairs that are near: of each line its ends, and 1 if it joins two bodies. */
+  tilings(t: number): number[] {
+    return this.call<{ lines: number[] }>([], () => this.module._taut_tilings(t)).lines;
   }
 
   svg(t: number): string {

@@ -57,6 +57,8 @@ export interface Frame {
   hidden: ReadonlySet<number>;
   /** Null where there is no map: bodies that overlap, or a scene that is being edited. */
   replay: Replay | null;
+  /** Of a world, the tilings of the pairs that are near, five numbers a line; asked for where they are drawn. */
+  tilings: (() => number[]) | null;
   event: EventMarks | null;
   contacts: ContactMarks[];
   /** Bodies that overlap. */

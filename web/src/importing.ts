@@ -1,5 +1,5 @@
 // Outlines from elsewhere become bodies of the scene.
-import type { Pose, Scene } from "./engine";
+import type { Part, Pose, Ring, Scene } from "./engine";
 import { Figure, placed } from "./figure";
 import { motionOf, moved } from "./motions";
 import { partsOf } from "./shapes";
@@ -13,13 +13,19 @@ export function freshName(scene: Scene, wanted: string, index = -1): string {
   return `${wanted} ${n}`;
 }
 
-/** Body `index` gets this outline, at rest where the file has it. It turns about the outline's middle. */
-export function withOutline(scene: Scene, index: number, polygon: [number, number][], name: string): Scene {
+/**
+ * Body `index` gets these parts, with their holes, at rest where the file has them. It turns about the middle of the
+ * first one's outline.
+ */
+export function withOutline(scene: Scene, index: number, parts: Part[], name: string): Scene {
   const out = structuredClone(scene);
-  const [x, y] = new Figure(polygon).centre;
+  const [x, y] = new Figure(parts[0].outline).centre;
+  const about = (ring: Ring): Ring => ring.map(([u, v]) => [u - x, v - y]);
+  const placedParts = parts.map(({ outline, holes }) => ({ outline: about(outline), holes: (holes ?? []).map(about) }));
+  const plain = parts.length === 1 && placedParts[0].holes.length === 0;
   out.bodies[index] = {
     name: freshName(out, name, index),
-    polygon: polygon.map(([u, v]) => [u - x, v - y]),
+    ...(plain ? { polygon: placedParts[0].outline } : { parts: placedParts }),
     motion: motionOf([{ t: out.time[0], x, y, angle: 0 }]),
   };
   renamed(out, scene.bodies[index].name, out.bodies[index].name);

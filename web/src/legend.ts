@@ -14,12 +14,20 @@ export class Legend {
     const ofTiling = h(
       "div",
       { class: "of-tiling" },
-      h("p", {}, swatch("body0"), " ", this.names[0]),
-      h("p", {}, swatch("body1"), " ", this.names[1]),
+      h("p", { class: "of-pair" }, swatch("body0"), " ", this.names[0]),
+      h("p", { class: "of-pair" }, swatch("body1"), " ", this.names[1]),
       h("p", {}, swatch("pq", "line"), " edges between the bodies"),
-      this.layer("faces", "faces, strong near the root", "f", swatch("face0"), swatch("face1")),
+      this.ofPair(this.layer("faces", "faces, strong near the root", "f", swatch("face0"), swatch("face1"))),
       this.layer("tiling", "edges of the tiling", "e", swatch("tiling", "line")),
-      this.layer("corners", "active corners: convex, reflex", "c", swatch("convex", "line"), swatch("reflex", "line")),
+      this.ofPair(
+        this.layer(
+          "corners",
+          "active corners: convex, reflex",
+          "c",
+          swatch("convex", "line"),
+          swatch("reflex", "line"),
+        ),
+      ),
     );
     const ofCurves = h(
       "div",
@@ -38,6 +46,12 @@ export class Legend {
 
   toggle(name: keyof Layers): void {
     this.boxes[name]?.click();
+  }
+
+  /** Of worlds, only the edges of tilings are drawn. */
+  private ofPair(element: HTMLElement): HTMLElement {
+    element.classList.add("of-pair");
+    return element;
   }
 
   private layer(name: keyof Layers, label: string, key: string, ...marks: Node[]): HTMLElement {

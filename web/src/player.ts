@@ -9,6 +9,8 @@ import { Shape } from "./shapes";
 const markFor = 450;
 /** The scene's whole time takes so many seconds at speed 1. */
 const secondsAtSpeedOne = 10;
+/** Tilings of a world that take longer to make are not drawn while it plays, in milliseconds. */
+const mostForTilings = 12;
 
 export class Player {
   readonly replay = new Replay();
@@ -19,6 +21,7 @@ export class Player {
   /** The instant shown. */
   t = 0;
   playing = false;
+  private slowTilings = false;
   /** Grows with every scene that is opened and every plan that is changed. */
   opened = 0;
   speed = 1;
@@ -104,6 +107,15 @@ export class Player {
 
   get atContact(): boolean {
     return this.status.state === "contact" && (this.beyond ? this.t === this.known : this.t >= this.known);
+  }
+
+  /** The tilings of a world at the time shown; while it plays, only if they are made in a moment. */
+  tilings(): number[] {
+    if (this.playing && this.slowTilings) return [];
+    const begun = performance.now();
+    const lines = this.engine.tilings(this.t);
+    this.slowTilings = performance.now() - begun > mostForTilings;
+    return lines;
   }
 
   /** Behind the contact there is no tiling. */

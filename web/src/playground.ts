@@ -3,7 +3,7 @@ import { Changes, type Base } from "./changes";
 import { h } from "./dom";
 import { Editor } from "./editing";
 import { EditPanel, modeOfKey } from "./editpanel";
-import { Engine, type Pose, type Scene } from "./engine";
+import { Engine, type Part, type Pose, type Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
@@ -286,9 +286,9 @@ class Playground {
     }
   }
 
-  private adoptOutline(polygon: [number, number][], name: string, index: number): void {
+  private adoptOutline(parts: Part[], name: string, index: number): void {
     this.history.remember();
-    const scene = withOutline(this.editor.scene, index, polygon, name);
+    const scene = withOutline(this.editor.scene, index, parts, name);
     this.editor.adopt(scene);
     this.workbench.title = null;
     this.panel.note = "";

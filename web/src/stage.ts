@@ -79,6 +79,7 @@ export class Stage {
         world: player.world,
         hidden: this.hidden,
         replay: player.behind || player.world ? null : player.replay,
+        tilings: player.world && !player.behind ? () => player.tilings() : null,
         event: player.marks(),
         contacts: player.contactMarks(),
         overlaps: player.overlaps(),

@@ -108,9 +108,11 @@ function worldLines(answer: Answer): string[] {
   return [...also, geometryLine(answer), answer.coverage ? coverageText(answer.coverage) : ""];
 }
 
-export const noTiling =
-  "There is no tiling in this picture: taut has one for two bodies of one polygon each, without holes, curves and parents. " +
-  "Its other engine has answered.";
+/** What the picture of a world shows of tilings. */
+export const aboutTilings = (curved: boolean): string =>
+  curved
+    ? "There is no tiling in this picture: taut has none of curves. Its other engine has answered."
+    : "The lines are the tilings of the pairs that are near at this instant.";
 
 export function explanation(answer: Answer, scene: Scene, freeUntil: number, running: boolean): string[] {
   const [start, end] = scene.time;

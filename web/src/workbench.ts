@@ -14,7 +14,7 @@ import { Lanes } from "./lanes";
 import { QuestionPanel } from "./questionpanel";
 import { Questions } from "./questions";
 import { isDark } from "./theme";
-import { clockText, explanation, headline, noTiling, roundText } from "./words";
+import { clockText, explanation, headline, aboutTilings, roundText } from "./words";
 
 export class Workbench {
   readonly stage: Stage;
@@ -228,7 +228,7 @@ export class Workbench {
     if (this.answerChip.textContent !== text) this.answerChip.textContent = text;
     this.answerChip.dataset.outcome = this.invalid ? "invalid" : running ? "running" : answer.outcome;
     let lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
-    if (player.world && !player.failure) lines = [...lines, noTiling];
+    if (player.world && !player.failure) lines = [...lines, aboutTilings(player.world.bands !== undefined)];
     if (this.invalid) lines = ["The scene has to be mended before there is an answer."];
     setLines(this.answerText, lines);
     const names = player.scene.bodies.map((b) => b.name);

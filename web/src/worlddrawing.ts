@@ -24,10 +24,27 @@ export class WorldPainter {
   draw(frame: Frame, world: WorldLooks, layers: Layers, colours: Colours): number {
     const shown = world.order.filter((b) => !frame.hidden.has(b) && b < frame.shapes.length);
     let vertices = 0;
+    if (layers.tiling && frame.tilings && frame.hidden.size === 0) this.tilings(frame.tilings(), colours);
     for (const b of shown) vertices += this.body(frame, b, world, layers, colours);
     for (const b of shown) this.number(frame, b, world);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);
     return vertices;
+  }
+
+  /** Below the bodies: each line lies between those of its pair. */
+  private tilings(lines: number[], colours: Colours): void {
+    const c = this.context;
+    c.lineWidth = 1;
+    for (const joins of [0, 1]) {
+      c.strokeStyle = joins ? colours.pq : colours.tiling;
+      c.beginPath();
+      for (let i = 0; i < lines.length; i += 5) {
+        if (lines[i + 4] !== joins) continue;
+        c.moveTo(...this.camera.pixel(lines[i], lines[i + 1]));
+        c.lineTo(...this.camera.pixel(lines[i + 2], lines[i + 3]));
+      }
+      c.stroke();
+    }
   }
 
   private body(frame: Frame, body: number, world: WorldLooks, layers: Layers, colours: Colours): number {

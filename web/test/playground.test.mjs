@@ -363,6 +363,20 @@ test("scenes, WKT and GeoJSON are opened and dropped; scenes and pictures are sa
   await page.dispatchEvent(".app", "drop", { dataTransfer: data });
   await page.waitForFunction(() => window.playground.state.scene.bodies[1].name === "box");
   assert.equal((await sceneOf(page)).bodies[1].polygon.length, 4);
+  // With holes, they are parts of the body.
+  const plate = join(artefacts, "plate.wkt");
+  writeFileSync(plate, "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4), (1 1, 2 1, 2 2, 1 2)), ((5 0, 6 0, 6 1)))");
+  await page.setInputFiles("#file", plate);
+  await page.waitForFunction(() => window.playground.state.scene.bodies[1].name === "plate");
+  const { parts, polygon } = (await sceneOf(page)).bodies[1];
+  assert.equal(polygon, undefined);
+  assert.deepEqual(
+    parts.map((part) => [part.outline.length, part.holes?.length ?? 0]),
+    [
+      [4, 1],
+      [3, 0],
+    ],
+  );
   // What is not a scene is refused with its place.
   const bad = join(artefacts, "bad.json");
   writeFileSync(bad, '{"format":"taut-scene/1","tiem":[0,1]}');

@@ -49,11 +49,24 @@ test("every body is drawn, and the pair that meets is named and marked", async (
     const words = `ertex ${vertex.index} of ${part(vertex)}${vertex.body} meets edge ${edge.index}-`;
     assert.ok(text.includes(words), `${words}: ${text}`);
     assert.ok(text.includes(`${answer.coverage.pairs} pairs: ${answer.coverage.checked} checked`), text);
-    assert.match(text, /no tiling/);
+    assert.match(text, /tilings of the pairs that are near/);
     await screenshot(page, `world-${name}`);
     assert.deepEqual(page.problems, []);
     await page.close();
   }
+});
+
+test("the tilings of the pairs that are near are drawn, and can be left out", async () => {
+  const page = await view("examples/worlds/planetary.json", "world-tilings");
+  const drawn = await pixelsOf(page, "#b8106f");
+  assert.ok(drawn > 100, `${drawn} pixels join bodies`);
+  await screenshot(page, "world-tilings");
+  await page.keyboard.press("e");
+  await settled(page);
+  assert.equal(await pixelsOf(page, "#b8106f"), 0);
+  assert.ok(await page.isHidden("#layer-faces"));
+  assert.deepEqual(page.problems, []);
+  await page.close();
 });
 
 test("bodies stand below their parents, can be hidden, and ignored pairs are listed", async () => {
@@ -257,7 +270,7 @@ test("removing a parent leaves its children, and two plain bodies have a tiling 
   await finished(hello);
   await settled(hello);
   assert.ok(await hello.$eval(".app", (e) => e.classList.contains("world")));
-  assert.match(await hello.textContent("#answer"), /no tiling/);
+  assert.match(await hello.textContent("#answer"), /tilings of the pairs that are near/);
   await hello.click("#remove-body");
   await finished(hello);
   await settled(hello);
