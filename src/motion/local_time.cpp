@@ -1,7 +1,8 @@
 #include "motion/local_time.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
+
+#include "numeric/trig.hpp"
 
 namespace taut {
 namespace {
@@ -44,8 +45,8 @@ BallCoefficients<Real> LocalPolynomials::Known::rounded() const {
 void LocalPolynomials::Known::take_off_turns() {
   if (near_.empty() || !(near_[0].magnitude() > small_angle && near_[0].magnitude() < 0x1p300)) return;
   const Ball<RealMax> angle = ball_of<RealMax>(exact_[0]);
-  const RealMax turn = boost::math::constants::two_pi<RealMax>();
-  const Ball<RealMax> turns(boost::multiprecision::round(RealMax(angle.mid / turn)), 0.0);
+  const RealMax turn = 2 * pi<RealMax>();
+  const Ball<RealMax> turns(round(angle.mid / turn), 0.0);
   near_.p[0] = narrowed<double>(angle - turns * Ball<RealMax>(turn, 8 * unit_roundoff<RealMax>()));
 }
 

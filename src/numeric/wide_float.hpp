@@ -71,6 +71,12 @@ class WideFloat {
     return x;
   }
   friend WideFloat ldexp(const WideFloat& x, int by) { return scaled(x, by); }
+  /// The nearest integer; requires a magnitude below 2^(Bits - 3). Beside so large a number, the last place is that
+  /// of 1.
+  friend WideFloat round(const WideFloat& x) {
+    const WideFloat large = scaled(1.5, static_cast<int>(Bits) - 1);
+    return (x + large) - large;
+  }
 
   friend bool operator==(const WideFloat& a, const WideFloat& b) { return order(a, b) == 0; }
   /// An undefined number is neither less nor equal nor greater.

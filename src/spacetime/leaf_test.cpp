@@ -60,7 +60,8 @@ void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, C
     const double width = root.hi - root.lo, m = root.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
     const Course c(line, window, m, sign);
-    const double spread = c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * std::max(root.hi - m, m - root.lo) * (1 + 0x1p-40);
+    const double spread =
+        c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * std::max(root.hi - m, m - root.lo) * (1 + 0x1p-40);
     const double steep = -c.slope.value + spread, flat = -c.slope.value - spread;
     if (!(flat > 0)) return;
     const double least = c.value.lower(), most = c.value.upper();

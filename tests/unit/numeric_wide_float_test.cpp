@@ -140,7 +140,11 @@ TEST(WideFloat, KnowsIntegers) {
     const Real320 whole = Real320::of_integer(k);
     EXPECT_EQ(rational(whole), Fraction(mpz_class(std::to_string(k))));
     EXPECT_EQ(whole.nearest_integer(), k);
-    EXPECT_EQ((whole + rng.real(-0.499, 0.499)).nearest_integer(), k);
+    const Real320 beside = whole + rng.real(-0.499, 0.499);
+    EXPECT_EQ(beside.nearest_integer(), k);
+    EXPECT_EQ(round(beside), whole);
+    const Real320 large = ldexp(whole, 200);
+    EXPECT_EQ(round(large + 0.25), large);
   }
   EXPECT_EQ(Real320(0.75).nearest_integer(), 1);
   EXPECT_EQ(Real320(-0.25).nearest_integer(), 0);
