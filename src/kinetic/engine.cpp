@@ -220,6 +220,7 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
     if (!leg().bridge && leg().end > t) return std::nullopt;
     if (last) return std::nullopt;
     settled_.note_motion(leg(), leg().end);
+    leg().forget();
     ++current_;
     enter_leg();
   }

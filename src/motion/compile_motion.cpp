@@ -126,6 +126,7 @@ Motion from_keyframes(const std::vector<Keyframe>& given, const Point& pivot) {
   std::vector<Keyframe> keyframes = given;
   for (std::size_t i = 1; i < keyframes.size(); ++i) take_the_way(keyframes[i - 1], keyframes[i], pivot);
   Motion motion;
+  motion.pieces.reserve(keyframes.size() + 1);
   motion.pieces.push_back(rest_at(keyframes.front(), pivot));
   for (std::size_t i = 0; i + 1 < keyframes.size(); ++i) {
     if (i == 0) motion.pieces[0].until = keyframes[0].t;

@@ -65,7 +65,7 @@ const LocalPolynomials::Known& LocalPolynomials::find(const Coefficients& given,
   const auto same = [&](const Entry& e) { return e.angle == angle && e.given == given; };
   const auto found = std::find_if(entries_.begin(), entries_.end(), same);
   if (found != entries_.end()) return found->known;
-  Entry& made = entries_.emplace_back(Entry{given, angle, Known(exact(given))});
+  Entry& made = entries_.emplace_front(Entry{given, angle, Known(exact(given))});
   if (angle) made.known.take_off_turns();
   return made.known;
 }

@@ -8,7 +8,7 @@
 // The times of a leg that is far from 0 are within a factor of two of T, so that h = t - T is exact for doubles.
 #pragma once
 
-#include <deque>
+#include <forward_list>
 #include <optional>
 #include <vector>
 
@@ -35,6 +35,8 @@ class LocalPolynomials {
   /// By its coefficients in powers of the absolute time. As the angle of a turn it may be less by whole turns.
   template <class Real>
   BallCoefficients<Real> of(const Coefficients& given, bool angle = false) const;
+  /// Drops them all.
+  void forget() const { entries_.clear(); }
   /// The same polynomial, exactly; the last coefficient is not zero.
   DyadicPolynomial exact(const Coefficients& given) const;
   /// In powers of the time since the instant, not looked for again: the caller keeps the place.
@@ -62,7 +64,7 @@ class LocalPolynomials {
   const Known& find(const Coefficients& given, bool angle) const;
 
   double about_;
-  mutable std::deque<Entry> entries_;
+  mutable std::forward_list<Entry> entries_;
 };
 
 /// How many times its length an interval has to be from time 0: a leg, for which polynomials are made once; and a

@@ -111,6 +111,11 @@ struct Leg {
   double time(double parameter) const { return bridge ? joint : parameter; }
   /// Made when first asked for, by one thread at a time.
   const FrameIdentities& identities() const;
+  /// Drops what was made when it was first asked for. Of many legs only the present one is asked much.
+  void forget() const {
+    identities_.reset();
+    if (local_) local_->forget();
+  }
 
  private:
   void take_far_offsets();

@@ -8,6 +8,7 @@ namespace taut {
 std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
                            double end) {
   std::vector<Leg> legs;
+  legs.reserve(2 * (p.size() + q.size()));
   std::size_t i = 0, j = 0;
   double t = start;
   // After a change of one body's plan, the other one may be in a later piece already.

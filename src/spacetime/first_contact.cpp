@@ -162,7 +162,10 @@ SpacetimeResult first_contact_on(const PairGeometry& geometry, const TreePair& t
     try {
       const std::optional<Crossing> found = search.run(part->lo, part->hi);
       search.count(result);
-      if (!found) continue;
+      if (!found) {
+        if (part->hi >= legs[i].end) legs[i].forget();
+        continue;
+      }
       note(*found, i, legs[i].end, result);
       return result;
     } catch (const Undecidable& limit) {

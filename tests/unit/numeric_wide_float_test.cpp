@@ -1,4 +1,4 @@
-// Wide numbers against exact fractions, which share nothing with them: what operations round, and what they do not.
+// Number numbers against exact fractions, which share nothing with them: what operations round, and what they do not.
 #include "numeric/wide_float.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace taut::testing {
 namespace {
 
 /// Words at random, of zeros, or of ones only: roundings that carry through all of them, sums that cancel, ties.
-template <class Wide>
-Wide any_wide(Rng& rng) {
-  typename Wide::Limbs words{};
+template <class Number>
+Number any_wide(Rng& rng) {
+  typename Number::Limbs words{};
   const int kind = rng.below(4);
   for (std::uint64_t& word : words) {
     const int pattern = kind == 0 ? 2 : rng.below(4);
@@ -28,13 +28,13 @@ Wide any_wide(Rng& rng) {
   words[words.size() - 1] = rng.chance(0.2) ? std::uint64_t{1} << rng.below(64) : rng.next();
   const int bits = 64 * static_cast<int>(words.size());
   const int away = rng.chance(0.7) ? rng.between(-4, 4) : rng.between(-bits - 80, bits + 80);
-  return Wide::of_limbs(words, away - bits, rng.chance(0.5));
+  return Number::of_limbs(words, away - bits, rng.chance(0.5));
 }
 
 /// Another one that is close to it, so that nearly all cancels.
-template <class Wide>
-Wide beside(Rng& rng, const Wide& x) {
-  return x + ldexp(any_wide<Wide>(rng), -rng.below(64 * static_cast<int>(Wide::limbs) + 4));
+template <class Number>
+Number beside(Rng& rng, const Number& x) {
+  return x + ldexp(any_wide<Number>(rng), -rng.below(64 * static_cast<int>(Number::limbs) + 4));
 }
 
 /// A unit in the last place.
@@ -44,8 +44,8 @@ Fraction unit_of(const WideFloat<Bits>& x) {
 }
 
 /// Is it the nearest number, up to a share of a unit?
-template <class Wide>
-void expect_rounded(const Wide& got, const Fraction& exact, const Fraction& share, const char* what) {
+template <class Number>
+void expect_rounded(const Number& got, const Fraction& exact, const Fraction& share, const char* what) {
   ASSERT_TRUE(got.is_defined()) << what;
   const Fraction error = abs(Fraction(rational(got) - exact));
   if (error == 0) return;
@@ -56,12 +56,12 @@ void expect_rounded(const Wide& got, const Fraction& exact, const Fraction& shar
   }
 }
 
-template <class Wide>
+template <class Number>
 void expect_operations(std::uint64_t rounds) {
-  Rng rng(Wide::limbs);
+  Rng rng(Number::limbs);
   const Fraction exactly = 0, nearly = fraction_of_two(-50);
   for (std::uint64_t i = 0; i < effort(rounds); ++i) {
-    const Wide a = any_wide<Wide>(rng), b = rng.chance(0.2) ? -beside(rng, a) : any_wide<Wide>(rng);
+    const Number a = any_wide<Number>(rng), b = rng.chance(0.2) ? -beside(rng, a) : any_wide<Number>(rng);
     if (a.is_zero() || b.is_zero()) continue;
     const Fraction x = rational(a), y = rational(b);
     expect_rounded(a + b, x + y, exactly, "a sum");
@@ -72,7 +72,7 @@ void expect_operations(std::uint64_t rounds) {
     EXPECT_EQ(a > b, x > y);
     EXPECT_EQ(a == b, x == y);
     // A root is within (1/2 + share) units: squares on both sides tell, with no root taken.
-    const Wide root = sqrt(abs(a));
+    const Number root = sqrt(abs(a));
     const Fraction r = rational(root), reach = unit_of(root) * (Fraction(1, 2) + nearly), size = abs(x);
     EXPECT_LE((r - reach) * (r - reach), size);
     EXPECT_GE((r + reach) * (r + reach), size);
@@ -87,12 +87,12 @@ TEST(WideFloat, RoundsToNearestAt960Bits) { expect_operations<WideFloat<960>>(20
 /// What is a number of this length comes out exactly: products, quotients and roots of shorter ones.
 TEST(WideFloat, IsExactWhereItCanBe) {
   using Half = WideFloat<320>;
-  using Wide = WideFloat<640>;
+  using Number = WideFloat<640>;
   Rng rng(1);
   for (std::uint64_t i = 0; i < effort(4000); ++i) {
-    const Wide a(any_wide<Half>(rng)), b(any_wide<Half>(rng));
+    const Number a(any_wide<Half>(rng)), b(any_wide<Half>(rng));
     if (a.is_zero() || b.is_zero()) continue;
-    const Wide product = a * b;
+    const Number product = a * b;
     EXPECT_EQ(rational(product), rational(a) * rational(b));
     EXPECT_EQ(product / b, a);
     EXPECT_EQ(sqrt(a * a), abs(a));
@@ -169,14 +169,14 @@ TEST(WideFloat, IsUndefinedWhereNothingIs) {
   EXPECT_TRUE((ldexp(one, -999999) * ldexp(one, -999999)).is_zero());
 }
 
-template <class Wide>
+template <class Number>
 void expect_pi() {
   mpfr_t exact;
-  mpfr_init2(exact, static_cast<mpfr_prec_t>(64 * Wide::limbs));
+  mpfr_init2(exact, static_cast<mpfr_prec_t>(64 * Number::limbs));
   mpfr_const_pi(exact, MPFR_RNDN);
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), exact);
-  EXPECT_EQ(rational(pi<Wide>()), value);
+  EXPECT_EQ(rational(pi<Number>()), value);
   mpfr_clear(exact);
 }
 TEST(WideFloat, KnowsPi) {
