@@ -17,10 +17,10 @@ inline Fraction fraction_of_two(long e) {
   return e < 0 ? Fraction(mpz_class(1), power) : Fraction(power);
 }
 
-inline Fraction rational(double x) { return Fraction(x); }
+inline Fraction exact_fraction(double x) { return Fraction(x); }
 /// Requires that it is defined.
 template <unsigned Bits>
-Fraction rational(const WideFloat<Bits>& x) {
+Fraction exact_fraction(const WideFloat<Bits>& x) {
   if (x.is_zero()) return 0;
   mpz_class mantissa;
   mpz_import(mantissa.get_mpz_t(), x.mantissa().size(), -1, sizeof(std::uint64_t), 0, 0, x.mantissa().data());

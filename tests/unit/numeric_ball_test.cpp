@@ -53,7 +53,7 @@ struct Interval {
   Fraction lo, hi;
   template <class Real>
   static Interval of(const Ball<Real>& b) {
-    const Fraction mid = rational(b.mid), rad(b.rad);
+    const Fraction mid = exact_fraction(b.mid), rad(b.rad);
     return {mid - rad, mid + rad};
   }
   bool has(const Fraction& x) const { return lo <= x && x <= hi; }
@@ -100,13 +100,13 @@ class BallLaws {
       for (const Fraction& end : {x.lo, x.hi, y.lo, y.hi}) EXPECT_TRUE(Interval::of(both).has(end));
     }
     const Ball<Real> between = Ball<Real>::between(std::min(a.mid, b.mid), std::max(a.mid, b.mid));
-    EXPECT_TRUE(Interval::of(between).has(rational(a.mid)) && Interval::of(between).has(rational(b.mid)));
+    EXPECT_TRUE(Interval::of(between).has(exact_fraction(a.mid)) && Interval::of(between).has(exact_fraction(b.mid)));
   }
 
  private:
   void bounds(const Ball<Real>& a, const Interval& x) {
-    EXPECT_LE(rational(a.lower()), x.lo);
-    EXPECT_GE(rational(a.upper()), x.hi);
+    EXPECT_LE(exact_fraction(a.lower()), x.lo);
+    EXPECT_GE(exact_fraction(a.upper()), x.hi);
     if (a.rad == 0) {
       EXPECT_EQ(a.lower(), a.mid);
       EXPECT_EQ(a.upper(), a.mid);
@@ -115,7 +115,7 @@ class BallLaws {
     EXPECT_GE(Fraction(a.magnitude()), abs(x.hi));
     const int sign = a.sign();
     EXPECT_TRUE(sign == 0 || (sign > 0 ? x.lo > 0 : x.hi < 0));
-    const Fraction mid = rational(a.mid);
+    const Fraction mid = exact_fraction(a.mid);
     EXPECT_LT(Fraction(double_below(a.mid)), mid);
     EXPECT_GT(Fraction(double_above(a.mid)), mid);
     const double floor = double_floor(a.mid);

@@ -47,7 +47,7 @@ Fraction unit_of(const WideFloat<Bits>& x) {
 template <class Number>
 void expect_rounded(const Number& got, const Fraction& exact, const Fraction& share, const char* what) {
   ASSERT_TRUE(got.is_defined()) << what;
-  const Fraction error = abs(Fraction(rational(got) - exact));
+  const Fraction error = abs(Fraction(exact_fraction(got) - exact));
   if (error == 0) return;
   ASSERT_FALSE(got.is_zero()) << what;
   EXPECT_LE(error, unit_of(got) * (Fraction(1, 2) + share)) << what;
@@ -63,7 +63,7 @@ void expect_operations(std::uint64_t rounds) {
   for (std::uint64_t i = 0; i < effort(rounds); ++i) {
     const Number a = any_wide<Number>(rng), b = rng.chance(0.2) ? -beside(rng, a) : any_wide<Number>(rng);
     if (a.is_zero() || b.is_zero()) continue;
-    const Fraction x = rational(a), y = rational(b);
+    const Fraction x = exact_fraction(a), y = exact_fraction(b);
     expect_rounded(a + b, x + y, exactly, "a sum");
     expect_rounded(a - b, x - y, exactly, "a difference");
     expect_rounded(a * b, x * y, nearly, "a product");
@@ -73,7 +73,7 @@ void expect_operations(std::uint64_t rounds) {
     EXPECT_EQ(a == b, x == y);
     // A root is within (1/2 + share) units: squares on both sides tell, with no root taken.
     const Number root = sqrt(abs(a));
-    const Fraction r = rational(root), reach = unit_of(root) * (Fraction(1, 2) + nearly), size = abs(x);
+    const Fraction r = exact_fraction(root), reach = unit_of(root) * (Fraction(1, 2) + nearly), size = abs(x);
     EXPECT_LE((r - reach) * (r - reach), size);
     EXPECT_GE((r + reach) * (r + reach), size);
   }
@@ -93,7 +93,7 @@ TEST(WideFloat, IsExactWhereItCanBe) {
     const Number a(any_wide<Half>(rng)), b(any_wide<Half>(rng));
     if (a.is_zero() || b.is_zero()) continue;
     const Number product = a * b;
-    EXPECT_EQ(rational(product), rational(a) * rational(b));
+    EXPECT_EQ(exact_fraction(product), exact_fraction(a) * exact_fraction(b));
     EXPECT_EQ(product / b, a);
     EXPECT_EQ(sqrt(a * a), abs(a));
   }
@@ -104,13 +104,13 @@ TEST(WideFloat, ConvertsDoubles) {
   Rng rng(2);
   for (std::uint64_t i = 0; i < effort(20000); ++i) {
     const double x = rng.sign() * std::ldexp(1 + rng.unit(), rng.between(-1074, 1022));
-    EXPECT_EQ(rational(Real320(x)), Fraction(x));
+    EXPECT_EQ(exact_fraction(Real320(x)), Fraction(x));
     EXPECT_EQ(Real320(x).to_double(), x);
     // mpfr rounds to the nearest double, among those below the normal ones, too.
     const Real320 wide = ldexp(any_wide<Real320>(rng), rng.chance(0.5) ? 0 : rng.between(-1090, -1000));
     mpfr_t exact;
     mpfr_init2(exact, 320);
-    mpfr_set_q(exact, rational(wide).get_mpq_t(), MPFR_RNDN);
+    mpfr_set_q(exact, exact_fraction(wide).get_mpq_t(), MPFR_RNDN);
     EXPECT_EQ(wide.to_double(), mpfr_get_d(exact, MPFR_RNDN));
     mpfr_clear(exact);
   }
@@ -125,11 +125,11 @@ TEST(WideFloat, ConvertsLengths) {
   for (std::uint64_t i = 0; i < effort(10000); ++i) {
     const Real960 wide = any_wide<Real960>(rng);
     if (wide.is_zero()) continue;
-    expect_rounded(Real320(wide), rational(wide), 0, "320 bits");
-    expect_rounded(Real640(wide), rational(wide), 0, "640 bits");
+    expect_rounded(Real320(wide), exact_fraction(wide), 0, "320 bits");
+    expect_rounded(Real640(wide), exact_fraction(wide), 0, "640 bits");
     const Real320 narrow(wide);
     EXPECT_EQ(Real320(Real960(narrow)), narrow);
-    EXPECT_EQ(rational(Real960(narrow)), rational(narrow));
+    EXPECT_EQ(exact_fraction(Real960(narrow)), exact_fraction(narrow));
   }
 }
 
@@ -138,7 +138,7 @@ TEST(WideFloat, KnowsIntegers) {
   for (std::uint64_t i = 0; i < effort(20000); ++i) {
     const auto k = static_cast<std::int64_t>(rng.next() >> rng.between(2, 63)) * rng.sign();
     const Real320 whole = Real320::of_integer(k);
-    EXPECT_EQ(rational(whole), Fraction(mpz_class(std::to_string(k))));
+    EXPECT_EQ(exact_fraction(whole), Fraction(mpz_class(std::to_string(k))));
     EXPECT_EQ(whole.nearest_integer(), k);
     const Real320 beside = whole + rng.real(-0.499, 0.499);
     EXPECT_EQ(beside.nearest_integer(), k);
@@ -176,7 +176,7 @@ void expect_pi() {
   mpfr_const_pi(exact, MPFR_RNDN);
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), exact);
-  EXPECT_EQ(rational(pi<Number>()), value);
+  EXPECT_EQ(exact_fraction(pi<Number>()), value);
   mpfr_clear(exact);
 }
 TEST(WideFloat, KnowsPi) {
