@@ -62,8 +62,8 @@ struct Series {
   }
   /// The same, where the time knows the polynomial about an instant nearby.
   template <class Coefficients, class Time>
-  requires requires(const Time& t, const Coefficients& c) { t.local(c); }
-  static Series polynomial(const Coefficients& c, const Time& t) { return polynomial(t.local(c), t.since); }
+  requires requires(const Time& t, const Coefficients& given) { t.local(given); }
+  static Series polynomial(const Coefficients& given, const Time& t) { return polynomial(t.local(given), t.since); }
   /// The same as a function of s.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {

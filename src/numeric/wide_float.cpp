@@ -147,7 +147,7 @@ requires(Other != Bits) WideFloat<Bits>::WideFloat(const WideFloat<Other>& x) {
       *this = undefined();
       return;
     }
-    constexpr std::size_t dropped = x.limbs - limbs;
+    constexpr std::size_t dropped = WideFloat<Other>::limbs - limbs;
     bool lost = false;
     for (std::size_t i = 0; i + 1 < dropped; ++i) lost = lost || x.limb_[i] != 0;
     *this = rounded(x.limb_.data() + dropped, x.limb_[dropped - 1], lost, x.exponent_, x.negative_);
