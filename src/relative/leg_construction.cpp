@@ -1,6 +1,7 @@
 // Legs from the pieces that bodies follow: what of their motion goes into the bodies' coordinates.
 #include <cmath>
 
+#include "motion/far_pieces.hpp"
 #include "numeric/exact_sum.hpp"
 #include "relative/leg.hpp"
 
@@ -56,7 +57,8 @@ Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start
   leg.q_chain = q;
   leg.start = start;
   leg.end = end;
-  if (is_far(start, end)) leg.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end))
+    leg.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
   return leg;
 }
 
@@ -86,7 +88,7 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
                      leg.shift.y_rest);
     (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
   }
-  if (is_far(start, end)) leg.take_far_offsets();
+  if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end)) leg.take_far_offsets();
   for (const bool of_p : {true, false}) {
     const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
     if (!cosine) continue;

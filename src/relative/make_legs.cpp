@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "motion/far_pieces.hpp"
+
 namespace taut {
 
 std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
@@ -23,7 +25,8 @@ std::vector<Leg> make_legs(const std::vector<MotionPiece>& p, const std::vector<
     while (p[i].until <= t) ++i;
     while (q[j].until <= t) ++j;
     if (!same_motion(p[old_i], p[i]) || !same_motion(q[old_j], q[j])) {
-      const bool far = legs.back().far() || is_far(t, std::min({p[i].until, q[j].until, end}));
+      const bool far = legs.back().far() || is_far_for(std::max(highest_power(p[i]), highest_power(q[j])), t,
+                                                       std::min({p[i].until, q[j].until, end}));
       legs.push_back(Leg::bridging(p[old_i], q[old_j], p[i], q[j], t, far));
     }
   }
@@ -79,7 +82,8 @@ std::vector<Leg> make_legs(const MotionChain& p, const MotionChain& q, double st
     at_q.advance(t);
     const PieceChain new_p = at_p.pieces(), new_q = at_q.pieces();
     if (!same_motions(old_p, new_p) || !same_motions(old_q, new_q)) {
-      const bool far = legs.back().far() || is_far(t, std::min({at_p.until(), at_q.until(), end}));
+      const bool far = legs.back().far() || is_far_for(std::max(highest_power(new_p), highest_power(new_q)), t,
+                                                       std::min({at_p.until(), at_q.until(), end}));
       legs.push_back(Leg::bridging_chains(old_p, old_q, new_p, new_q, t, far));
     }
   }
