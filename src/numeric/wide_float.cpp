@@ -56,8 +56,7 @@ std::uint64_t divide_once(std::uint64_t* rest, const std::uint64_t* divisor, std
   const std::uint64_t top = divisor[length - 1];
   const TwoWords head = TwoWords{rest[length]} << 64 | rest[length - 1];
   // By the first words it is at most two too large.
-  TwoWords guess = rest[length] >= top ? ~std::uint64_t{0} : head / top;
-  std::uint64_t digit = low_word(guess);
+  std::uint64_t digit = rest[length] >= top ? ~std::uint64_t{0} : low_word(head / top);
   if (digit == 0) return 0;
   std::uint64_t carry = 0;
   bool borrow = false;

@@ -11,9 +11,10 @@
 namespace taut {
 
 /// 0, or +-m 2^e, where m has Bits bits and is from 1 up to 2; or undefined, as what is too large, a quotient by zero
-/// and the root of a negative number are. Sums, differences and products are the numbers nearest to the true ones, and
-/// even where two are as near; quotients and roots, too, unless the true one lies within 2^-50 units of the last place
-/// of the middle between two numbers: they err by less than a unit. What is smaller than 2^-1000000 becomes 0.
+/// and the root of a negative number are. Sums, differences and quotients are the numbers nearest to the true ones, and
+/// even where two are as near; products and roots, too, unless the true one lies within 2^-50 units of the last place
+/// of the middle between two numbers: they err by less than a unit. What is a number of this length comes out exactly.
+/// What is smaller than 2^-1000000 becomes 0.
 ///
 /// The length is known when a program is compiled, and nothing is allocated: for lengths of a few words, bookkeeping
 /// would cost more than the product itself. The functions are compiled once, in wide_float.cpp, for the lengths that
@@ -63,8 +64,6 @@ class WideFloat {
   friend WideFloat operator*(const WideFloat& a, const WideFloat& b) { return product(a, b); }
   friend WideFloat operator/(const WideFloat& a, const WideFloat& b) { return quotient(a, b); }
   WideFloat& operator+=(const WideFloat& b) { return *this = *this + b; }
-  WideFloat& operator-=(const WideFloat& b) { return *this = *this - b; }
-  WideFloat& operator*=(const WideFloat& b) { return *this = *this * b; }
   friend WideFloat sqrt(const WideFloat& x) { return square_root(x); }
   friend WideFloat abs(WideFloat x) {
     x.negative_ = false;

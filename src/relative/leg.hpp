@@ -120,7 +120,7 @@ struct Leg {
  private:
   void take_far_offsets();
 
-  /// Shared by copies: none of the polynomials changes.
+  /// Shared by copies: what is dropped is made again, the same.
   std::shared_ptr<const LocalPolynomials> local_;
   std::shared_ptr<const std::array<LocalPolynomials::Known, 2>> ways_;
   /// Of P and of Q, at the leg's start and at its end; none where there is nothing singular.

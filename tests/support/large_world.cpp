@@ -96,20 +96,9 @@ MadeWorld grid(Rng& rng, int n) {
   return world;
 }
 
-void mirror(Point& p) { p.x = -p.x; }
-
-MadeBody mirrored_body(MadeBody body, int shift) {
-  mirror(body.pivot);
-  for (Part& part : body.parts) {
-    std::for_each(part.outline.begin(), part.outline.end(), mirror);
-    for (Polygon& hole : part.holes) std::for_each(hole.begin(), hole.end(), mirror);
-  }
-  for (Keyframe& k : body.keyframes) {
-    mirror(k.centre);
-    k.x = -k.x;
-    k.angle_deg = -k.angle_deg;
-    k.by_deg = -k.by_deg;
-  }
+MadeBody mirrored_body(const MadeBody& of, int shift) {
+  const auto mirror = [](const Point& p) { return Point{-p.x, p.y}; };
+  MadeBody body = transformed(of, mirror, true);
   if (body.parent >= 0) body.parent += shift;
   return body;
 }

@@ -4,6 +4,30 @@
 
 namespace taut::testing {
 
+MadeBody transformed(MadeBody body, Transform change, bool mirrors, const Point& by) {
+  const auto place = [&](Point& p) {
+    p = change(p);
+    p.x += by.x;
+    p.y += by.y;
+  };
+  place(body.pivot);
+  for (Part& part : body.parts) {
+    std::for_each(part.outline.begin(), part.outline.end(), place);
+    for (Polygon& hole : part.holes) std::for_each(hole.begin(), hole.end(), place);
+  }
+  for (Keyframe& k : body.keyframes) {
+    place(k.centre);
+    const Point way = change({k.x, k.y});
+    k.x = way.x;
+    k.y = way.y;
+    if (mirrors) {
+      k.angle_deg = -k.angle_deg;
+      k.by_deg = -k.by_deg;
+    }
+  }
+  return body;
+}
+
 Scene scene_of(const MadeWorld& world) {
   Scene scene;
   scene.end = world.end;

@@ -25,6 +25,10 @@ struct MadeBody {
   int parent = -1;
 };
 
+using Transform = Point (*)(const Point&);
+/// What is done to points and to ways alike, and moved; `mirrors` turns angles round.
+MadeBody transformed(MadeBody body, Transform change, bool mirrors, const Point& by = {});
+
 struct MadeWorld {
   double end = 4;
   std::vector<MadeBody> bodies;

@@ -55,33 +55,6 @@ MadeWorld rooms(Rng& rng, int n) {
   return world;
 }
 
-using Transform = Point (*)(const Point&);
-
-/// What is done to points and to ways alike; `mirrors` turns angles round.
-MadeBody transformed(MadeBody body, Transform change, bool mirrors, const Point& by) {
-  const auto place = [&](Point& p) {
-    p = change(p);
-    p.x += by.x;
-    p.y += by.y;
-  };
-  place(body.pivot);
-  for (Part& part : body.parts) {
-    std::for_each(part.outline.begin(), part.outline.end(), place);
-    for (Polygon& hole : part.holes) std::for_each(hole.begin(), hole.end(), place);
-  }
-  for (Keyframe& k : body.keyframes) {
-    place(k.centre);
-    const Point way = change({k.x, k.y});
-    k.x = way.x;
-    k.y = way.y;
-    if (mirrors) {
-      k.angle_deg = -k.angle_deg;
-      k.by_deg = -k.by_deg;
-    }
-  }
-  return body;
-}
-
 /// Two bodies to the right of x = 1 and above y = 1, which often meet.
 MadeWorld two_to_be_tied(Rng& rng) {
   if (rng.chance(0.4)) return world_of_family(1, rng, 2).world;
