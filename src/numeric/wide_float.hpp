@@ -64,6 +64,7 @@ class WideFloat {
   friend WideFloat operator*(const WideFloat& a, const WideFloat& b) { return product(a, b); }
   friend WideFloat operator/(const WideFloat& a, const WideFloat& b) { return quotient(a, b); }
   WideFloat& operator+=(const WideFloat& b) { return *this = *this + b; }
+  WideFloat& operator-=(const WideFloat& b) { return *this = *this - b; }
   friend WideFloat sqrt(const WideFloat& x) { return square_root(x); }
   friend WideFloat abs(WideFloat x) {
     x.negative_ = false;
