@@ -187,30 +187,36 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
   return f;
 }
 
-/// The straight line from one pose to the other, s in [0, 1].
-template <class Real>
-Pose<Real> interpolate(const Pose<Real>& a, const Pose<Real>& b, const Ball<Real>& s) {
-  const auto line = [&s](const Jet<Real>& from, const Jet<Real>& to) {
-    const Ball<Real> slope = to.v - from.v;
-    return Jet<Real>{from.v + slope * s, slope, Ball<Real>::exact(0)};
+/// Where a body is that follows the piece, or the chain.
+template <class J, class Real>
+PoseOf<J> placed(const Leg& leg, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
+  const auto at = [&](const auto& time) { return leg.composed ? pose_of<J>(chain, time) : pose_of<J>(piece, time); };
+  return leg.far() ? at(LocalTime<Real>(*leg.local(), t)) : at(t);
+}
+
+/// Straight from one pose to the other, s in [0, 1].
+template <class J, class Real>
+PoseOf<J> interpolate(const PoseOf<Series<Real, 0>>& a, const PoseOf<Series<Real, 0>>& b, const Ball<Real>& s) {
+  const auto line = [&s](const Series<Real, 0>& from, const Series<Real, 0>& to) {
+    BallCoefficients<Real> c;
+    c.p.push_back(from.c[0]);
+    c.p.push_back(to.c[0] - from.c[0]);
+    return J::polynomial(c, s);
   };
   return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
 }
 
-/// Where a body is that follows the piece, or the chain.
-template <class Real>
-Pose<Real> placed(const Leg& leg, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
-  const auto at = [&](const auto& time) { return leg.composed ? pose_of<Jet<Real>>(chain, time) : pose(piece, time); };
-  return leg.far() ? at(LocalTime<Real>(*leg.local(), t)) : at(t);
-}
-
-template <class Real>
-Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
+/// Polynomials of the second degree in s.
+template <class J, class Real>
+FrameOf<J> bridge_frame(const Leg& leg, const Ball<Real>& s) {
   const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const Pose<Real> p = interpolate(placed(leg, leg.p_chain, leg.p, t), placed(leg, leg.p_chain_next, leg.p_next, t), s);
-  const Pose<Real> q = interpolate(placed(leg, leg.q_chain, leg.q, t), placed(leg, leg.q_chain_next, leg.q_next, t), s);
-  const Jet<Real> dx = q.ox - p.ox, dy = q.oy - p.oy;
-  Frame<Real> f;
+  const auto at_joint = [&](const PieceChain& chain, const MotionPiece& piece) {
+    return placed<Series<Real, 0>>(leg, chain, piece, t);
+  };
+  const PoseOf<J> p = interpolate<J>(at_joint(leg.p_chain, leg.p), at_joint(leg.p_chain_next, leg.p_next), s);
+  const PoseOf<J> q = interpolate<J>(at_joint(leg.q_chain, leg.q), at_joint(leg.q_chain_next, leg.q_next), s);
+  const J dx = q.ox - p.ox, dy = q.oy - p.oy;
+  FrameOf<J> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
   f.for_qq[0] = q.xx * q.xx + q.xy * q.xy;
   conjugate_product(p.xx, p.xy, dx, dy, f.for_pp[1], f.for_pp[2]);
@@ -222,43 +228,21 @@ Frame<Real> bridge_frame(const Leg& leg, const Ball<Real>& s) {
 }
 
 template <class J, class Real>
-FrameOf<J> motion_frame_at(const Leg& leg, const Ball<Real>& t, bool offset = true) {
+FrameOf<J> frame_at(const Leg& leg, const Ball<Real>& t, bool offset = true) {
+  if (leg.bridge) return bridge_frame<J>(leg, t);
   return leg.far() ? motion_frame<J>(leg, LocalTime<Real>(*leg.local(), t), offset) : motion_frame<J>(leg, t, offset);
-}
-
-template <class Real>
-Frame<Real> any_frame(const Leg& leg, const Ball<Real>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<Real>>(leg, t);
-}
-
-/// Without derivatives: a series of one term.
-template <class Real>
-FrameValues<Real> any_values(const Leg& leg, const Ball<Real>& t) {
-  FrameValues<Real> values;
-  const auto copy = [&values](const auto& f, const auto& value) {
-    for (std::size_t i = 0; i < 5; ++i) {
-      values.for_pp[i] = value(f.for_pp[i]);
-      values.for_qq[i] = value(f.for_qq[i]);
-    }
-  };
-  if (leg.bridge) {
-    copy(bridge_frame(leg, t), [](const Jet<Real>& j) { return j.v; });
-  } else {
-    copy(motion_frame_at<Series<Real, 0>>(leg, t), [](const Series<Real, 0>& s) { return s.c[0]; });
-  }
-  return values;
 }
 
 }  // namespace
 
 Pose<double> Leg::pose_of_body(bool of_p, double parameter) const {
-  return placed(*this, bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain),
-                bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), Ball<double>::exact(time(parameter)));
+  return placed<Jet<double>>(*this, bridge ? (of_p ? p_chain_next : q_chain_next) : (of_p ? p_chain : q_chain),
+                             bridge ? (of_p ? p_next : q_next) : (of_p ? p : q), Ball<double>::exact(time(parameter)));
 }
 
 template <class Real>
 Frame<Real> frame(const Leg& leg, const Ball<Real>& t) {
-  return any_frame(leg, t);
+  return frame_at<Jet<Real>>(leg, t);
 }
 template <class Real>
 Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t) {
@@ -266,11 +250,17 @@ Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t) {
 }
 template <class Real>
 FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t) {
-  return any_values(leg, t);
+  const FrameOf<Series<Real, 0>> f = frame_at<Series<Real, 0>>(leg, t);
+  FrameValues<Real> values;
+  for (std::size_t i = 0; i < 5; ++i) {
+    values.for_pp[i] = f.for_pp[i].c[0];
+    values.for_qq[i] = f.for_qq[i].c[0];
+  }
+  return values;
 }
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t) {
-  return motion_frame_at<ModelSeries<Real>>(leg, t);
+  return frame_at<ModelSeries<Real>>(leg, t);
 }
 template <class Real>
 FrameOf<SeriesFromEnd<Real>> frame_series(const Leg& leg, const TimeFromEnd<Real>& t) {
@@ -286,11 +276,9 @@ TAUT_INSTANTIATE(double)
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
-Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) {
-  return leg.bridge ? bridge_frame(leg, t) : motion_frame_at<Jet<double>>(leg, t, false);
-}
+Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) { return frame_at<Jet<double>>(leg, t, false); }
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
-  return motion_frame_at<ThirdSeries>(leg, t);
+  return frame_at<ThirdSeries>(leg, t);
 }
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
   return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);

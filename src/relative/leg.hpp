@@ -137,7 +137,7 @@ Frame<Real> frame(const Leg& leg, const TimeFromEnd<Real>& t);
 /// Without derivatives.
 template <class Real>
 FrameValues<Real> frame_values(const Leg& leg, const Ball<Real>& t);
-/// Its Taylor series about the ball t (not of a bridge),
+/// Its Taylor series about the ball t,
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const Leg& leg, const Ball<Real>& t);
 /// and in s about a place near a singular end.

@@ -44,6 +44,20 @@ int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
   return 0;
 }
 
+/// The piece, for this instant alone: a cosine that is 1 or -1 there tells the sine exactly, which as a root of what is
+/// nearly zero would be known to half the digits.
+MotionPiece at_joint(MotionPiece piece, double joint) {
+  const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
+  if (!cosine) return piece;
+  const auto singular = singular_at(*cosine, joint);
+  if (singular && singular->order > 0) piece.rotation = DirectionRotation{{singular->extreme}, {0.0}};
+  return piece;
+}
+PieceChain at_joint(PieceChain chain, double joint) {
+  for (MotionPiece& piece : chain) piece = at_joint(std::move(piece), joint);
+  return chain;
+}
+
 }  // namespace
 
 Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end) {
@@ -138,10 +152,10 @@ Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece&
   if (orbits(p) || orbits(q) || orbits(p_next) || orbits(q_next))
     return bridging_chains(PieceChain{p}, PieceChain{q}, PieceChain{p_next}, PieceChain{q_next}, joint, far);
   Leg leg;
-  leg.p = p;
-  leg.q = q;
-  leg.p_next = p_next;
-  leg.q_next = q_next;
+  leg.p = at_joint(p, joint);
+  leg.q = at_joint(q, joint);
+  leg.p_next = at_joint(p_next, joint);
+  leg.q_next = at_joint(q_next, joint);
   leg.bridge = true;
   leg.joint = joint;
   leg.start = 0;
@@ -162,10 +176,10 @@ Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceCh
   leg.start = 0;
   leg.end = 1;
   leg.composed = true;
-  leg.p_chain = p;
-  leg.q_chain = q;
-  leg.p_chain_next = p_next;
-  leg.q_chain_next = q_next;
+  leg.p_chain = at_joint(p, joint);
+  leg.q_chain = at_joint(q, joint);
+  leg.p_chain_next = at_joint(p_next, joint);
+  leg.q_chain_next = at_joint(q_next, joint);
   if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
   return leg;
 }

@@ -16,8 +16,8 @@ class PreciseFunction {
   /// In units of interruption_point(): a turn needs a sine and a cosine.
   static std::uint64_t work_of_value(const Leg& leg) {
     constexpr std::uint64_t bits = RealTraits<Real>::bits;
-    if (std::is_same_v<Real, double>) return leg.translation ? 2 : 10;
-    return leg.translation ? bits / 8 : bits * bits / 256;
+    if (std::is_same_v<Real, double>) return leg.translation || leg.bridge ? 2 : 10;
+    return leg.translation || leg.bridge ? bits / 8 : bits * bits / 256;
   }
 
  public:
@@ -30,15 +30,16 @@ class PreciseFunction {
       coefficients_ = coefficients_on(leg, form.pp, p, Ball<Real>::exact(0));
     }
     if (leg.translation) expand();
+    if (leg.bridge) expand_bridge();
   }
 
   /// Value and derivatives over the ball t of the leg's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const {
     count_work(2 * work_of_value(leg_));
-    if (leg_.translation) return polynomial_range(polynomial_, t);
+    if (is_polynomial()) return polynomial_range(polynomial_, t);
     const Frame<Real> f = frame(leg_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
-    if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0 || leg_.bridge) return range;
+    if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0) return range;
     return range_of_model(t, range);
   }
   /// The same as a function of the distance's root from a singular end.
@@ -67,7 +68,7 @@ class PreciseFunction {
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
     count_work(work_of_value(leg_));
-    if (leg_.translation) return polynomial_value(polynomial_, t);
+    if (is_polynomial()) return polynomial_value(polynomial_, t);
     const FrameValues<Real> f = frame_values(leg_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
     Ball<Real> sum = v[0] * coefficients_[0];
@@ -124,6 +125,11 @@ class PreciseFunction {
       polynomial_.push_back(coefficients_[1] * dx + coefficients_[2] * dy);
     }
   }
+  void expand_bridge() {
+    const FrameOf<ModelSeries<Real>> f = frame_series(leg_, Ball<Real>::exact(0));
+    for (std::size_t k = 0; k <= 2; ++k) polynomial_.push_back(coefficient_of(f, k));
+  }
+  bool is_polynomial() const { return leg_.translation || leg_.bridge; }
   /// Of a function that is zero at all times before the displacement: the rest, with nothing to cancel. What is linear
   /// in the edge e0 + e1 and in the points r0 + r1, without e0 r0, is e0 r1 + e1 (r0 + r1).
   std::array<Ball<Real>, 5> displacement_part(const PairGeometry& g, const Form& form,
@@ -156,7 +162,7 @@ class PreciseFunction {
   const Leg& leg_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
-  BallPolynomial<Real> polynomial_;  ///< of a translation
+  BallPolynomial<Real> polynomial_;  ///< of a translation, or a bridge
   struct Model {
     Real lo, hi, middle;
     double reach;
