@@ -143,7 +143,7 @@ bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
   if (c.function.level1 || from.floor() < leg().start || from.ceiling() > leg().end) return false;
   const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
   if (!place) return false;
-  const TieFrame* const frame = ties_.around(place->at, place->at);
+  const TieFrame* const frame = memory_.ties.around(place->at, place->at);
   if (!frame) return false;
   const TieForm tie(*frame, leg(), geometry_, form_of(c));
   const auto turn = tie.turn();
@@ -186,7 +186,7 @@ int FailureSolver::sign_now(const Form& form, Now& now) {
 
 int FailureSolver::precise_sign(const Form& form, Now& now) {
   ++counts_.precise;
-  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now), &ties_)) return s;
+  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now), &memory_)) return s;
   throw Undecidable{"two events at the same instant"};
 }
 

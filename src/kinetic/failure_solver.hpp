@@ -39,14 +39,14 @@ class FailureSolver {
   /// For a leg that is not straight.
   void reserve_cells() {
     clock_.reserve_cells();
-    ties_.reserve();
+    memory_.ties.reserve();
   }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }
   void enter(const Leg& leg) {
     clock_.reset(leg);
-    ties_.reset(leg);
+    memory_.reset(leg);
   }
   const Leg& leg() const { return clock_.leg(); }
   const StageCounts& counts() const { return counts_; }
@@ -84,7 +84,7 @@ class FailureSolver {
 
  private:
   Form form_of(const Certificate& c) const { return Form::of(geometry_, c.u, c.v, c.w); }
-  PreciseTriple precise_of(const Certificate& c) { return {leg(), geometry_, form_of(c), &ties_}; }
+  PreciseTriple precise_of(const Certificate& c) { return {leg(), geometry_, form_of(c), &memory_}; }
   void advance_from(Certificate& c, double t);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
@@ -104,7 +104,7 @@ class FailureSolver {
 
   const PairGeometry& geometry_;
   LegClock clock_;
-  TieFrames ties_;
+  FrameMemory memory_;
   StageCounts counts_;
   FastRoots fast_{clock_, counts_};
   std::vector<PreciseTime> pool_;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "base/interruption.hpp"
 #include "motion/pieces.hpp"
@@ -20,8 +21,9 @@ std::string number(double x) {
 
 class PieceCheck {
  public:
-  PieceCheck(const MotionPiece& piece, std::string place, double start, double end)
-      : piece_(piece), place_(std::move(place)), start_(start), end_(end) {}
+  /// Without times of a piece that is past: what a rotation is then does not matter.
+  PieceCheck(const MotionPiece& piece, std::string place, std::optional<std::pair<double, double>> times = {})
+      : piece_(piece), place_(std::move(place)), times_(times) {}
 
   void run() const {
     coefficients("x", piece_.x);
@@ -55,7 +57,8 @@ class PieceCheck {
   void direction(const DirectionRotation& r) const {
     coefficients("rotation.direction.a", r.a);
     coefficients("rotation.direction.b", r.b);
-    if (const auto t = searched([&] { return common_zero(r.a, r.b, start_, end_); })) {
+    if (!times_) return;
+    if (const auto t = searched([&] { return common_zero(r.a, r.b, times_->first, times_->second); })) {
       throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
                        "a direction must have a length at all times of its piece");
     }
@@ -63,7 +66,8 @@ class PieceCheck {
 
   void cosine(const CosineRotation& r) const {
     coefficients("rotation.cosine", r.a);
-    if (const auto t = searched([&] { return beyond_one(r.a, start_, end_); })) {
+    if (!times_) return;
+    if (const auto t = searched([&] { return beyond_one(r.a, times_->first, times_->second); })) {
       throw InputError(place_,
                        "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
                            number(Jet<double>::polynomial(r.a, Ball<double>::exact(*t)).v.mid),
@@ -84,7 +88,7 @@ class PieceCheck {
 
   const MotionPiece& piece_;
   std::string place_;
-  double start_, end_;
+  std::optional<std::pair<double, double>> times_;
 };
 
 }  // namespace
@@ -111,12 +115,12 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
                        "the motion ends at " + number(piece.until) + ", before the scene does, at " + number(end),
                        "leave out `until` in the last piece, or add a piece");
     if (piece.until <= start && !last) {
-      PieceCheck(piece, place(i), from, from).run();
+      PieceCheck(piece, place(i)).run();
       continue;
     }
     if (from > end) break;
     const double to = std::min(piece.until, end);
-    PieceCheck(piece, place(i), from, to).run();
+    PieceCheck(piece, place(i), std::pair{from, to}).run();
     if (!last && piece.until < end) {
       const double gap = joint_gap(piece, motion.pieces[i + 1], polygon, piece.until);
       const double room = joint_room(piece, motion.pieces[i + 1], polygon, piece.until, extent);

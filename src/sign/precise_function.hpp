@@ -6,6 +6,7 @@
 
 #include "base/interruption.hpp"
 #include "sign/form.hpp"
+#include "sign/taylor_frames.hpp"
 #include "sign/vanishing.hpp"
 
 namespace taut {
@@ -20,8 +21,12 @@ class PreciseFunction {
     return leg.translation || leg.bridge ? bits / 8 : bits * bits / 256;
   }
 
+  static constexpr std::uint64_t work_of_model = 100;
+
  public:
-  PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form) : leg_(leg), pp_(form.pp) {
+  /// `models` are those of the leg, and must outlive it; without, the function has its own.
+  PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, TaylorFrames* models = nullptr)
+      : leg_(leg), pp_(form.pp), shared_(models) {
     const Origin origin = leg.translation ? Origin::powers : Origin::frame;
     const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced, origin);
     if (portion_of(leg, g, form) == Portion::displacement) {
@@ -35,12 +40,22 @@ class PreciseFunction {
 
   /// Value and derivatives over the ball t of the leg's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const {
+    if (is_polynomial()) {
+      count_work(2 * work_of_value(leg_));
+      return polynomial_range(polynomial_, t);
+    }
+    if constexpr (!std::is_same_v<Real, double>) {
+      // Where a range was not enough, that of a part of it hardly ever is.
+      if (const TaylorFrame<Real>* const known = models().known(t)) {
+        const Jet<Real> range = range_of(*known, t);
+        if (range.v.sign() != 0 || t.rad != 0) return range;
+      }
+    }
     count_work(2 * work_of_value(leg_));
-    if (is_polynomial()) return polynomial_range(polynomial_, t);
     const Frame<Real> f = frame(leg_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0) return range;
-    return range_of_model(t, range);
+    return range_by_model(t, range);
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
@@ -77,14 +92,6 @@ class PreciseFunction {
   }
 
  private:
-  /// Taylor's formula, with the last term from all over the range.
-  BallPolynomial<Real> taylor_polynomial(const FrameOf<ModelSeries<Real>>& middle,
-                                         const FrameOf<ModelSeries<Real>>& over) const {
-    BallPolynomial<Real> sum;
-    for (std::size_t k = 0; k < model_degree; ++k) sum.push_back(coefficient_of(middle, k));
-    sum.push_back(coefficient_of(over, model_degree));
-    return sum;
-  }
   template <int N>
   Ball<Real> coefficient_of(const FrameOf<Series<Real, N>>& frame, std::size_t k) const {
     const std::array<Series<Real, N>, 5>& f = pp_ ? frame.for_pp : frame.for_qq;
@@ -92,25 +99,26 @@ class PreciseFunction {
     for (std::size_t i = 1; i < 5; ++i) c = c + f[i].c[k] * coefficients_[i];
     return c;
   }
-  /// The range by a polynomial of high degree. Near a root of order m ranges have to shrink like h^m, but those of the
-  /// five terms, which cancel there, shrink like h; the coefficients of the polynomial have cancelled already. A search
-  /// asks for many intervals close to each other: the polynomial serves them until they are far smaller than what it
-  /// was made for. In doubles, `range`, which is known already, has to do.
-  Jet<Real> range_of_model(const Ball<Real>& t, const Jet<Real>& range) const {
+  /// By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
+  Jet<Real> range_by_model(const Ball<Real>& t, const Jet<Real>& range) const {
     if constexpr (std::is_same_v<Real, double>) {
       return range;
     } else {
-      if (!model_ || t.lower() < model_->lo || t.upper() > model_->hi || t.rad < 0x1p-8 * model_->reach) make_model(t);
-      return polynomial_range(model_->about_middle, t - Ball<Real>(model_->middle, 0.0));
+      return range_of(models().around(leg_, t), t);
     }
   }
-  void make_model(const Ball<Real>& t) const {
-    const Real lo = std::min<Real>(t.lower(), std::max<Real>(t.mid - 4 * t.rad, Real(leg_.start)));
-    const Real hi = std::max<Real>(t.upper(), std::min<Real>(t.mid + 4 * t.rad, Real(leg_.end)));
-    const Ball<Real> over = Ball<Real>::between(lo, hi), middle(over.mid, 0.0);
-    count_work(5 * work_of_value(leg_));
-    model_ = Model{lo, hi, over.mid, over.rad, taylor_polynomial(frame_series(leg_, middle), frame_series(leg_, over))};
+  Jet<Real> range_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
+    count_work(work_of_model);
+    if (combined_ != model.number) {
+      combined_ = model.number;
+      about_middle_.size = 0;
+      for (std::size_t k = 0; k <= model_degree; ++k) {
+        about_middle_.push_back(coefficient_of(model.about_middle, k));
+      }
+    }
+    return polynomial_range(about_middle_, t - Ball<Real>(model.middle, 0.0));
   }
+  TaylorFrames& models() const { return shared_ ? *shared_ : own_; }
 
   /// On a translation the function is a polynomial: its own coefficients show roots that those of x and y hide.
   void expand() {
@@ -163,12 +171,10 @@ class PreciseFunction {
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
   BallPolynomial<Real> polynomial_;  ///< of a translation, or a bridge
-  struct Model {
-    Real lo, hi, middle;
-    double reach;
-    BallPolynomial<Real> about_middle;
-  };
-  mutable std::optional<Model> model_;  ///< the last one that was made
+  TaylorFrames* shared_;
+  mutable TaylorFrames own_;
+  mutable std::uint64_t combined_ = 0;  ///< the model of which this was made:
+  mutable BallPolynomial<Real> about_middle_;
 };
 
 }  // namespace taut

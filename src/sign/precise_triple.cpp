@@ -60,7 +60,8 @@ class SearchFromEnd {
     const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
     // What the search found within the rounding of `to` may be beyond.
     if (hi.upper() > RealMax(to)) throw PrecisionExhausted{};
-    return PreciseTime{lo.lower(), hi.upper(), stage};
+    // The rounding of what is near the start must not reach beyond it, where the function is another one.
+    return PreciseTime{std::max<RealMax>(lo.lower(), from), hi.upper(), stage};
   }
 
  private:
@@ -185,8 +186,8 @@ const ExactLine* PreciseTriple::line() const {
 
 /// The function about an instant given by sums of doubles, if it is of use there.
 std::optional<TieForm> PreciseTriple::near(const PreciseTime& t) const {
-  if (!ties_ || !t.has_sums()) return std::nullopt;
-  const TieFrame* const frame = ties_->around(t.floor(), t.ceiling());
+  if (!memory_ || !t.has_sums()) return std::nullopt;
+  const TieFrame* const frame = memory_->ties.around(t.floor(), t.ceiling());
   if (!frame) return std::nullopt;
   return TieForm(*frame, leg_, geometry_, form_);
 }
@@ -213,7 +214,7 @@ int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
-    return PreciseFunction<Real>(leg_, geometry_, form_).value(as_ball<Real>(t)).sign();
+    return function<Real>().value(as_ball<Real>(t)).sign();
   });
 }
 
@@ -247,7 +248,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   }
   const auto search = [&](auto zero, int stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
-    const PreciseFunction<Real> f(leg_, geometry_, form_);
+    const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
       if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
     }
@@ -277,7 +278,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
   }
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
-    const PreciseFunction<Real> f(leg_, geometry_, form_);
+    const PreciseFunction<Real> f = function<Real>();
     RootEnclosure<Real> root = enclosure<Real>(t);
     try {
       refine_root(f, sign, root, enough);

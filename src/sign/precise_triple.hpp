@@ -15,9 +15,9 @@ namespace taut {
 /// A form on a leg, at any precision.
 class PreciseTriple {
  public:
-  /// `ties` is of the same leg, if there is one, and must outlive it.
-  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form, TieFrames* ties = nullptr)
-      : leg_(leg), geometry_(geometry), form_(form), ties_(ties) {}
+  /// `memory` is of the same leg, if there is one, and must outlive it.
+  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form, FrameMemory* memory = nullptr)
+      : leg_(leg), geometry_(geometry), form_(form), memory_(memory) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
   int sign_at(const PreciseTime& t, int stage) const;
@@ -37,12 +37,16 @@ class PreciseTriple {
   const ExactLine* line() const;
   std::optional<TieForm> near(const PreciseTime& t) const;
   template <class Real>
+  PreciseFunction<Real> function() const {
+    return {leg_, geometry_, form_, memory_ ? &memory_->models : nullptr};
+  }
+  template <class Real>
   void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
 
   const Leg& leg_;
   const PairGeometry& geometry_;
   Form form_;
-  TieFrames* ties_;
+  FrameMemory* memory_;
   mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };
 

@@ -25,7 +25,7 @@ void store(const PreciseTime& t, Crossing& c) {
 /// Goes from root to root of the line's function until one is a contact.
 std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double from, double to) {
   ++calls_;
-  const PreciseTriple line(leg_, geometry_, pair.line(geometry_));
+  const PreciseTriple line = triple(pair.line(geometry_));
   PreciseTime at = PreciseTime::between(from, from);
   for (int sign = sign_at(line, at);; sign = -sign) {
     const std::optional<PreciseTime> root = line.first_failure(sign, at, to);
@@ -45,13 +45,13 @@ void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
   PreciseTime t = c.precise.stage < 0 ? PreciseTime::between(c.lo, c.hi) : c.precise;
   if (t.stage >= stage) return;
   ++calls_;
-  if (!PreciseTriple(leg_, geometry_, c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
+  if (!triple(c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
   store(t, c);
 }
 
 Beside PreciseCrossings::beside(Crossing& root, int sign) {
-  const PreciseTriple from_start(leg_, geometry_, root.pair.from_start(geometry_));
-  const PreciseTriple from_end(leg_, geometry_, root.pair.from_end(geometry_));
+  const PreciseTriple from_start = triple(root.pair.from_start(geometry_));
+  const PreciseTriple from_end = triple(root.pair.from_end(geometry_));
   const auto ask = [&](int stage) -> std::optional<Beside> {
     refine(root, sign, stage);
     const int a = from_start.sign_at(root.precise, stage), b = from_end.sign_at(root.precise, stage);

@@ -37,7 +37,9 @@ enum class Beside : unsigned char { yes, no, unknown };
 class PreciseCrossings {
  public:
   PreciseCrossings(const PairGeometry& geometry, const Leg& leg, Ways ways)
-      : geometry_(geometry), leg_(leg), ways_(ways) {}
+      : geometry_(geometry), leg_(leg), ways_(ways) {
+    memory_.reset(leg);
+  }
 
   /// The first crossing in (from, to].
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
@@ -52,10 +54,12 @@ class PreciseCrossings {
 
  private:
   void refine(Crossing& c, int sign, int stage);
+  PreciseTriple triple(const Form& form) { return {leg_, geometry_, form, &memory_}; }
 
   const PairGeometry& geometry_;
   const Leg& leg_;
   Ways ways_;
+  FrameMemory memory_;
   std::uint64_t calls_ = 0;
 };
 

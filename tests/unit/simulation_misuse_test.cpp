@@ -105,5 +105,17 @@ TEST(SimulationMisuse, RefusedMotionsChangeNothing) {
   EXPECT_EQ(simulation.advance_to(10), SimulationState::contact);
 }
 
+/// A cosine that would be beyond 1 by now, had its piece not ended.
+TEST(SimulationMisuse, PiecesThatArePastNeedNotBeDefinedNow) {
+  Scene scene = meeting();
+  Body& b = scene.bodies[1];
+  b.motion.pieces = {{{30}, {}, CosineRotation{{1, -1}}}, {{30}, {}, CosineRotation{{0}}}};
+  b.motion.pieces[0].until = 1;
+  Simulation simulation(scene);
+  simulation.advance_to(5);
+  EXPECT_NO_THROW(simulation.set_motion(1, b.motion));
+  EXPECT_EQ(simulation.advance_to(10), SimulationState::finished);
+}
+
 }  // namespace
 }  // namespace taut

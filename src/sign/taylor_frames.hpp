@@ -1,0 +1,86 @@
+// A leg's frame functions as Taylor polynomials over ranges of its parameter, at high precision.
+//
+// Near a root of order m the range of a form has to shrink like h^m, but those of its five terms, which cancel there,
+// shrink like h. So a search there goes by a polynomial, whose coefficients have cancelled already. To make one costs
+// far more than to combine it of the frame's own polynomials; and where bodies graze, or meet at a joint, many forms
+// are searched about one instant. So the frame's polynomials are kept, about places on a grid that is as fine as the
+// intervals that are asked for: searches that come near an instant meet there.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "relative/leg.hpp"
+#include "sign/tie_frames.hpp"
+
+namespace taut {
+
+/// Good for all of [lo, hi]: the last terms are ranges, the others are exact about the middle but for rounding.
+template <class Real>
+struct TaylorFrame {
+  Real lo, hi, middle;
+  double reach;
+  std::uint64_t number;  ///< of no other model in the same memory
+  FrameOf<ModelSeries<Real>> about_middle;
+
+  /// Does it serve for the ball? One far shorter than the model would see the last term alone.
+  bool serves(const Ball<Real>& t) const {
+    return (t.rad == 0 || t.rad >= 0x1p-8 * reach) && t.lower() >= lo && t.upper() <= hi;
+  }
+};
+
+/// Those of one leg that were asked for last, at each precision.
+class TaylorFrames {
+ public:
+  /// For another leg, which is no bridge.
+  void clear();
+  /// The one that reaches least far of those that serve, or null; valid until the next call of around().
+  template <class Real>
+  const TaylorFrame<Real>* known(const Ball<Real>& t) const {
+    const TaylorFrame<Real>* best = nullptr;
+    for (const TaylorFrame<Real>& m : kept<Real>().models) {
+      if (m.serves(t) && (!best || m.reach < best->reach)) best = &m;
+    }
+    return best;
+  }
+  /// One that serves, made if need be; t.rad > 0.
+  template <class Real>
+  const TaylorFrame<Real>& around(const Leg& leg, const Ball<Real>& t);
+
+ private:
+  static constexpr std::size_t most_kept = 24;
+
+  template <class Real>
+  struct Kept {
+    std::vector<TaylorFrame<Real>> models;
+    std::size_t next = 0;  ///< which is replaced next
+  };
+  template <class Real>
+  const Kept<Real>& kept() const {
+    return std::get<Kept<Real>>(kept_);
+  }
+
+  template <class>
+  struct KeptOf;
+  template <class... Reals>
+  struct KeptOf<std::tuple<Reals...>> {
+    using Type = std::tuple<Kept<Reals>...>;
+  };
+
+  KeptOf<Precisions>::Type kept_;
+  std::uint64_t made_ = 0;
+};
+
+/// What is remembered of one leg's frame functions.
+struct FrameMemory {
+  TieFrames ties;
+  TaylorFrames models;
+
+  void reset(const Leg& leg) {
+    ties.reset(leg);
+    models.clear();
+  }
+};
+
+}  // namespace taut
