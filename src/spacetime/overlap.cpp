@@ -1,5 +1,6 @@
 // Do the bodies overlap in one placement? Boxes first, then exact signs.
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -76,7 +77,8 @@ std::vector<std::uint32_t> outlines(const DisplacedPolygon& body) {
 
 Stretch at_instant(const Leg& leg, double t) {
   if (leg.translation) return Stretch::of_translation(leg, TranslationPolynomial(leg), t, t);
-  FrameWindow window(leg, t, leg.end, leg.end - t);
+  // As short a window as there is: about a singular start, longer ones would be halved down to it.
+  FrameWindow window(leg, t, leg.end, std::nextafter(t, std::numeric_limits<double>::infinity()) - t);
   return window.smooth() ? Stretch::of_window(leg, window, t, t) : Stretch::of_range(leg, window);
 }
 
