@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "pair/placement.hpp"
+#include "tiling/bridge.hpp"
 
 namespace taut {
 
@@ -134,7 +135,7 @@ class RootBuilder {
     return on_q(u) && on_q(v) && wrapped(position_in_q(v) + 1, q_.size()) == position_in_q(u);
   }
 
-  /// RCH(P) leaves the contact at index exit_ (vertex z_b); a_ runs from there to z_a, b_ clockwise around Q.
+  /// RCH(P) leaves the contact at index exit_ (vertex z_b), where both chains begin.
   void find_contact() {
     std::size_t exits = 0;
     for (std::size_t i = 0; i < p_.size(); ++i) {
@@ -203,68 +204,16 @@ class RootBuilder {
     return true;
   }
 
-  /// Does a hull cross the open segment from y to x?
-  bool crossed(VertexId y, VertexId x) const {
-    const auto crosses = [&](const std::vector<VertexId>& cycle) {
-      VertexId v = cycle.back();
-      int side_v = turn(y, x, v);
-      for (const VertexId w : cycle) {
-        interruption_point();
-        const int side_w = turn(y, x, w);
-        if (side_v * side_w < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
-        v = w;
-        side_v = side_w;
-      }
-      return false;
-    };
-    return crosses(p_) || crosses(q_);
-  }
-  bool on_right(VertexId y, VertexId x, VertexId v) const { return v == x || turn(y, x, v) < 0; }
-
-  // The tangency conditions: i indexes y in A; the other end is b_[j] before z_a, z_a itself, or a_[l].
-  bool supports_b(std::size_t i, std::size_t j) const {
-    const VertexId y = a_[i], q = b_[j];
-    return turn(a_[i + 1], y, q) < 0 && on_right(y, q, a_[i - 1]) && on_right(y, q, b_[j + 1]) &&
-           (b_[j - 1] == y || on_right(y, q, b_[j - 1]));
-  }
-  bool supports_end(std::size_t i) const {
-    const VertexId y = a_[i], z = a_.back();
-    return a_[i + 1] != z && turn(a_[i + 1], y, z) < 0 && on_right(y, z, a_[i - 1]) &&
-           on_right(y, z, b_[b_.size() - 2]) && turn(y, z, a_[a_.size() - 2]) > 0;
-  }
-  bool supports_mouth(std::size_t i, std::size_t l) const {
-    if (l <= i + 1) return false;
-    const VertexId y = a_[i], x = a_[l];
-    return turn(a_[i + 1], y, x) < 0 && on_right(y, x, a_[i - 1]) && turn(y, x, a_[l + 1]) > 0 &&
-           turn(y, x, a_[l - 1]) > 0;
-  }
-
   RootState bridge() {
-    std::size_t i = 1, j = 1;
-    const std::size_t last_a = a_.size() - 1, last_b = b_.size() - 1;
-    if (last_a < 2) throw StructureError("the hull of P has no free vertex");
-    // Roll the lid of the notch at z_b outwards until it supports both chains.
-    for (bool moved = true; moved;) {
-      interruption_point();
-      moved = false;
-      while (i + 1 < last_a && turn(a_[i], b_[j], a_[i + 1]) > 0) ++i, moved = true;
-      while (j < last_b && turn(a_[i], b_[j], b_[j + 1]) > 0) ++j, moved = true;
+    const Bridge e = find_bridge(place_, chains_);
+    switch (e.end) {
+      case BridgeEnd::on_b:
+        return close_bridge_b(e.from, e.to);
+      case BridgeEnd::at_z_a:
+        return close_bridge_end(e.from);
+      default:
+        return close_mouth(e.from, e.to);
     }
-    if (j < last_b && supports_b(i, j) && !crossed(a_[i], b_[j])) return close_bridge_b(i, j);
-    if (j == last_b && supports_end(i) && !crossed(a_[i], a_.back())) return close_bridge_end(i);
-    // The far lip is in the way, or the chains wind around each other: look everywhere.
-    for (i = 1; i < last_a; ++i) {
-      for (std::size_t l = i + 2; l < last_a; ++l) {
-        interruption_point();
-        if (supports_mouth(i, l) && !crossed(a_[i], a_[l])) return close_mouth(i, l);
-      }
-      for (j = 1; j < last_b; ++j) {
-        interruption_point();
-        if (supports_b(i, j) && !crossed(a_[i], b_[j])) return close_bridge_b(i, j);
-      }
-      if (supports_end(i) && !crossed(a_[i], a_.back())) return close_bridge_end(i);
-    }
-    throw StructureError("no bridge between the two relative hulls");
   }
 
   RootState close_bridge_b(std::size_t i, std::size_t j) {
@@ -365,7 +314,8 @@ class RootBuilder {
   BlockArray<std::uint32_t> place_in_q_;  ///< by vertex: its position in q_ plus 1, or 0
   bool outside_known_ = false;
   std::size_t exit_ = 0, exit_q_ = 0;
-  std::vector<VertexId> a_, b_;
+  FreeChains chains_;
+  std::vector<VertexId>&a_ = chains_.a, &b_ = chains_.b;
   NodeId label_;
   HalfedgeId first_, last_;
   HalfedgeId next_of_last_;  ///< as the map has it

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <iostream>
 
+#include "generators/generators.hpp"
 #include "support/audit.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/error.hpp"
+#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut::testing {
@@ -67,6 +69,49 @@ TEST(PlanChange, MapsStayRight) {
   std::cout << changes << " changes, " << counts.compared << " maps compared\n";
   EXPECT_GT(changes, static_cast<int>(enough(1000)));
   EXPECT_GT(counts.compared, enough(2000));
+}
+
+/// Moves the second body of prepared shapes by steps of x, y and an angle, to and fro, one in each unit of time.
+void compare_moved_on(Scene scene, Point slide, double turn, double from_angle, AuditCounts& counts) {
+  for (Body& body : scene.bodies) {
+    body.prepared = prepare(body.polygon, body.name);
+    body.polygon.clear();
+  }
+  const auto plan = [](double x, double y, double angle, Point velocity, double spin, double t) {
+    MotionPiece piece;
+    piece.x = {x - velocity.x * t, velocity.x};
+    piece.y = {y - velocity.y * t, velocity.y};
+    piece.rotation = AngleRotation{{angle - spin * t, spin}};
+    return Motion{{piece}};
+  };
+  scene.start = 0;
+  scene.end = 8;
+  double x = 0, y = 0, angle = from_angle;
+  scene.bodies[1].motion = plan(x, y, angle, {}, 0, 0);
+  Session session(scene, Touch::open, nullptr);
+  for (int k = 0; k < 8; ++k) {
+    const double sign = k % 4 < 2 ? 1 : -1;
+    session.set_motion(1, plan(x, y, angle, {sign * slide.x, sign * slide.y}, sign * turn, k));
+    while (session.step(k + 1)) {
+    }
+    ASSERT_FALSE(session.contact()) << "on the way to pose " << k + 1;
+    x += sign * slide.x, y += sign * slide.y, angle += sign * turn;
+    if (k < 7) {
+      ASSERT_EQ(compare_with_static(session, counts), "") << "at pose " << k + 1;
+    }
+  }
+}
+
+/// Questions from starts that have moved a little: going on is the same as beginning anew.
+TEST(PlanChange, GoesOnToThePosesOfLargePreparedShapes) {
+  AuditCounts counts;
+  gen::CombOptions combs;
+  combs.teeth = static_cast<int>(effort(1024));
+  for (const double share : {0.01, 0.3}) compare_moved_on(gen::make_combs(combs), {0.1 * share, 0.03}, 0, 0, counts);
+  gen::SpiralOptions spiral;
+  spiral.side_points = static_cast<int>(effort(2048));
+  for (const double turn : {0.001, 0.1}) compare_moved_on(gen::make_spiral(spiral), {}, turn, 1.7, counts);
+  EXPECT_GT(counts.compared, 20u);
 }
 
 Scene two_squares() {

@@ -85,7 +85,7 @@ Scene many_pieces() {
 }
 
 /// Both sides of the way into a cavity are long convex chains, of n edges, and the other body stands beside the way:
-/// the bridge at the start has to be looked for among pairs of vertices.
+/// the bridge at the start goes from lip to lip.
 Scene cavity_of(int n) {
   const double gap = 1.616, deep = 12.43, shift = 4.03;
   Polygon p;
@@ -107,11 +107,12 @@ Scene cavity_of(int n) {
 }
 Scene cavity() { return cavity_of(100000); }
 
-/// The rest of the work passes some ten thousand points.
-TEST(InterruptionOfTheBridge, IsPossibleWhileItIsLookedFor) {
+/// The start and the question pass some ten thousand points: the bridge is looked for along the chains, not among
+/// pairs of their vertices, of which there are 16 million.
+TEST(InterruptionOfTheBridge, IsNotNeededWithinALittleWork) {
   const Scene scene = cavity_of(4000);
   const InterruptionScope scope(std::uint64_t{200000});
-  EXPECT_THROW(Session(scene, Touch::open, nullptr), Interrupted);
+  EXPECT_NO_THROW(Session(scene, Touch::open, nullptr));
 }
 
 struct Hostile {
