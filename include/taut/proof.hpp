@@ -42,6 +42,7 @@ enum class ContactAt : std::uint8_t {
 enum class ProofKind : std::uint8_t {
   tiling,       ///< the way of a tiling around two bodies: docs/proof-format.md
   separations,  ///< what is between the bodies, and when: docs/separation-logs.md
+  curves,       ///< polygons around bodies with curves, and within, and what is proved about these, by either kind
 };
 
 /// Two features that come closer than a clearance: not before the beginning of `time`, and certainly at its end.
@@ -67,6 +68,8 @@ struct Verified {
   std::optional<ProvedCloseness> closer;
   /// Of a log of a tiling, its events; of a log of separations, how many it has.
   std::uint64_t events = 0, separations = 0;
+  /// Of a log about curves: how many edges the polygons around and within them have.
+  std::uint64_t segments = 0;
   /// Identifies what was proved about: see scene_fingerprint().
   Fingerprint fingerprint{};
 };
