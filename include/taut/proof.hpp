@@ -17,12 +17,10 @@ namespace taut {
 /// By the kinetic engine (EngineChoice::kinetic and EngineChoice::both, for two bodies of one polygon each), the log is
 /// of a tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime
 /// engine, and for any other scene, it is of separations, written when it is complete; where none was found, the answer
-/// is `undecided`, and says so: docs/separation-logs.md. Of a scene with curves it is polygons around the bodies, and, for
-/// a contact, within them, and such logs about these; where they were not shown to lie there, the answer is `undecided`,
-/// too. EngineChoice::either takes the engine that answers first. Of
-/// worlds, the first contact is proved, whatever CheckOptions::all_pairs says. Throws InputError, and
-/// EngineDisagreement with
-/// EngineChoice::both.
+/// is `undecided`, and says so: docs/separation-logs.md. Of a scene with curves it is polygons around the bodies, and,
+/// for a contact, within them, and such logs about these; where they were not shown to lie there, the answer is
+/// `undecided`, too. EngineChoice::either takes the engine that answers first. Of worlds, the first contact is proved,
+/// whatever CheckOptions::all_pairs says. Throws InputError, and EngineDisagreement with EngineChoice::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// Answers as check_clearance() does, and writes a log of separations for `free` and `contact`, and for what an
@@ -80,9 +78,10 @@ struct Verified {
 /// that every corner of it keeps its sign until an event changes the corner, and that each event turns one such tiling
 /// into the next. Of separations: that what it names separates all pairs of edges of all pairs of bodies that are asked
 /// about. Of curves: that polygons lie around the bodies, and within, and what logs say of these; the features of a
-/// contact are then the segments near to it, which is not proved. Throws ProofError if the proof fails, InputError if the scene is not valid. A Verified result is a proof, as
-/// far as this function, the validation of scenes, and the arithmetic and the description of motion below src/sign and
-/// src/world can be trusted; src/curve (but for holes of a path that is read), src/tiling, src/kinetic, src/spacetime and src/search are not used.
+/// contact are then the segments near to it, which is not proved. Throws ProofError if the proof fails, InputError if
+/// the scene is not valid. A Verified result is a proof, as far as this function, the validation of scenes, and the
+/// arithmetic and the description of motion below src/sign and src/world can be trusted; src/curve (but for holes of a
+/// path that is read), src/tiling, src/kinetic, src/spacetime and src/search are not used.
 Verified verify(const Scene& scene, std::istream& log);
 
 /// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.
