@@ -694,7 +694,14 @@ expect 0 'A[0-9.]*,[0-9.]* 0 0 0 ' '' draw discs.json
 expect 0 '"polygon":\[\[1,0\]' '' flatten --outer --tolerance 0.1 discs.json
 expect 2 '' 'the side of the curves is missing' flatten --tolerance 0.1 discs.json
 expect 2 '' 'doubles do not allow a tolerance' flatten --inner --tolerance 1e-30 discs.json
-for command in "prove -o x.proof" trace separator "cells --resolution 1"; do
+prove discs.json 1
+expect 0 'contact within \[7\.17157287.*segment 0 .* meets segment 1 ' '' verify discs.json a.proof --expect contact
+expect 0 '"separations":[0-9]*,"segments":[0-9]' '' verify --json discs.json a.proof
+sed 's/A1 1 0 0 1 -1 0/A1 1 0 0 0 -1 0/' discs.json >other.json
+expect 1 'NOT VALID' '' verify other.json a.proof
+expect 1 'closer than 0\.5' '' prove discs.json --clearance 0.5 -o a.proof
+expect 0 'all keep 0\.5 on \[0, 6\.64589803' '' verify discs.json a.proof --clearance 0.5 --expect contact
+for command in trace separator "cells --resolution 1"; do
   # shellcheck disable=SC2086
   expect 2 '' 'bounded by curves.*|taut flatten' $command discs.json
 done

@@ -84,7 +84,8 @@ void add_prove(const Command& app, Action& action) {
       "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
       "\n"
       "The proof of two bodies is the way of a tiling by default. --engine spacetime, and scenes of more bodies, give\n"
-      "one of separations; --engine either the one of the engine that answers first.\n"
+      "one of separations; --engine either the one of the engine that answers first. That of bodies with curves is\n"
+      "polygons around and within them, and such proofs about these.\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
   command.on_chosen([&action, arguments] {

@@ -64,9 +64,13 @@ const char* name_of(ContactAt at) {
 
 /// How long the proof is.
 std::string length_text(const Verified& v) {
-  const bool steps = v.kind == ProofKind::separations;
-  const std::uint64_t n = steps ? v.separations : v.events;
-  return fmt::format("{} {}{}", n, steps ? "separation" : "event", n == 1 ? "" : "s");
+  const auto counted = [](std::uint64_t n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  if (v.kind == ProofKind::separations) return counted(v.separations, "separation");
+  if (v.kind == ProofKind::tiling) return counted(v.events, "event");
+  return counted(v.segments, "straight edge") + ", " +
+         (v.separations > 0 ? counted(v.separations, "separation") : counted(v.events, "event"));
 }
 
 std::string pair_text(const Scene& scene) { return subject_text(scene, std::nullopt); }
@@ -85,7 +89,8 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
     s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
   if (v.clearance > 0) s += io::proved_clearance_json(scene, v);
   s += fmt::format(",\"touch\":\"{}\",\"events\":{}", to_string(v.touch), v.events);
-  if (v.kind == ProofKind::separations) s += fmt::format(",\"separations\":{}", v.separations);
+  if (v.kind != ProofKind::tiling) s += fmt::format(",\"separations\":{}", v.separations);
+  if (v.kind == ProofKind::curves) s += fmt::format(",\"segments\":{}", v.segments);
   s += fmt::format(",\"scene_sha256\":\"{}\"", to_hex(v.fingerprint));
   if (expected.any())
     s += fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met);

@@ -17,10 +17,10 @@ namespace taut {
 /// By the kinetic engine (EngineChoice::kinetic and EngineChoice::both, for two bodies of one polygon each), the log is
 /// of a tiling, written event by event, so that memory does not grow with it: docs/proof-format.md. By the spacetime
 /// engine, and for any other scene, it is of separations, written when it is complete; where none was found, the answer
-/// is `undecided`, and says so: docs/separation-logs.md. EngineChoice::either takes the engine that answers first. Of
-/// worlds, the first contact is proved, whatever CheckOptions::all_pairs says. Throws InputError, and
-/// EngineDisagreement with
-/// EngineChoice::both.
+/// is `undecided`, and says so: docs/separation-logs.md. Of a scene with curves it is polygons around the bodies, and,
+/// for a contact, within them, and such logs about these; where they were not shown to lie there, the answer is
+/// `undecided`, too. EngineChoice::either takes the engine that answers first. Of worlds, the first contact is proved,
+/// whatever CheckOptions::all_pairs says. Throws InputError, and EngineDisagreement with EngineChoice::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// Answers as check_clearance() does, and writes a log of separations for `free` and `contact`, and for what an
@@ -42,6 +42,7 @@ enum class ContactAt : std::uint8_t {
 enum class ProofKind : std::uint8_t {
   tiling,       ///< the way of a tiling around two bodies: docs/proof-format.md
   separations,  ///< what is between the bodies, and when: docs/separation-logs.md
+  curves,       ///< polygons around bodies with curves, and within, and what is proved about these, by either kind
 };
 
 /// Two features that come closer than a clearance: not before the beginning of `time`, and certainly at its end.
@@ -67,6 +68,8 @@ struct Verified {
   std::optional<ProvedCloseness> closer;
   /// Of a log of a tiling, its events; of a log of separations, how many it has.
   std::uint64_t events = 0, separations = 0;
+  /// Of a log about curves: how many edges the polygons around and within them have.
+  std::uint64_t segments = 0;
   /// Identifies what was proved about: see scene_fingerprint().
   Fingerprint fingerprint{};
 };
@@ -74,9 +77,11 @@ struct Verified {
 /// Checks a log, of either kind, whoever made it. Of a tiling: that it is one of pseudo-triangles around both bodies,
 /// that every corner of it keeps its sign until an event changes the corner, and that each event turns one such tiling
 /// into the next. Of separations: that what it names separates all pairs of edges of all pairs of bodies that are asked
-/// about. Throws ProofError if the proof fails, InputError if the scene is not valid. A Verified result is a proof, as
-/// far as this function, the validation of scenes, and the arithmetic and the description of motion below src/sign and
-/// src/world can be trusted; src/tiling, src/kinetic, src/spacetime and src/search are not used.
+/// about. Of curves: that polygons lie around the bodies, and within, and what logs say of these; the features of a
+/// contact are then the segments near to it, which is not proved. Throws ProofError if the proof fails, InputError if
+/// the scene is not valid. A Verified result is a proof, as far as this function, the validation of scenes, and the
+/// arithmetic and the description of motion below src/sign and src/world can be trusted; src/curve (but for holes of a
+/// path that is read), src/tiling, src/kinetic, src/spacetime and src/search are not used.
 Verified verify(const Scene& scene, std::istream& log);
 
 /// The SHA-256 digest of what a proof is about: the touch mode, and the exact numbers of time, polygons and motions.

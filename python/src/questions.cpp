@@ -70,7 +70,8 @@ std::string verified_json(const taut::Scene& scene, const taut::Verified& v) {
   if (v.contact) s += taut::io::contact_json(scene, *v.contact) + ",\"contact_at\":\"" + name_of(v.contact_at) + "\"";
   if (v.clearance > 0) s += taut::io::proved_clearance_json(scene, v);
   return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"events\":" + std::to_string(v.events) +
-         (v.kind == taut::ProofKind::separations ? ",\"separations\":" + std::to_string(v.separations) : "") +
+         (v.kind != taut::ProofKind::tiling ? ",\"separations\":" + std::to_string(v.separations) : "") +
+         (v.kind == taut::ProofKind::curves ? ",\"segments\":" + std::to_string(v.segments) : "") +
          ",\"scene_sha256\":\"" + taut::to_hex(v.fingerprint) + "\"}";
 }
 

@@ -184,7 +184,8 @@ def prove(scene: Scene, *, touch: str = "open", engine: str = "usual", max_secon
 
     ``engine``: of two plain bodies, "kinetic", which is "usual" for them, gives the way of a tiling, about 13 bytes an event, "spacetime" what
     separates the bodies, "either" the proof of the engine that answers first, "both" that of the kinetic one, compared
-    with the other. Of worlds it is what separates the bodies. Other options and errors are those of check(). An
+    with the other. Of worlds it is what separates the bodies. Of bodies with curves it is polygons around and within them,
+    and proofs about these. Other options and errors are those of check(). An
     undecided run proves what it has done.
     """
     options = run_options(touch, engine, "first", max_seconds, max_events)

@@ -197,6 +197,7 @@ class Verified:
     ``outcome``: "free": on the whole interval. "contact": ``contact`` is the first one. "undecided": free before
     ``free_until``, no more.
     ``events``, ``separations``: how long the proof is; the second one for logs of separations only.
+    ``segments``: of a scene with curves, how many edges the polygons around and within the bodies have; else None.
     ``clearance``: None, or the distance that the proof is about: "free" means then that it is kept, and "contact" that
     it is not, as ``closer`` says.
     ``contact_at``: "start", "motion", or "joint": in the jump between two pieces of a motion that rounding leaves.
@@ -214,6 +215,7 @@ class Verified:
     scene_sha256: Optional[str] = None
     clearance: Optional[float] = None
     closer: Optional[ProvedCloseness] = None
+    segments: Optional[int] = None
 
     def __bool__(self) -> bool:
         return self.valid is True
@@ -292,7 +294,7 @@ def verified_from_json(text: str) -> Verified:
     return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
                     _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
                     object.get("separations"), object.get("scene_sha256"), _float(object.get("clearance")),
-                    _closeness(object.get("closer")))
+                    _closeness(object.get("closer")), object.get("segments"))
 
 
 def _closeness(value: Any) -> Optional[ProvedCloseness]:

@@ -85,6 +85,18 @@ def test_proofs_of_worlds():
         assert taut2d.verify(plain, taut2d.prove(plain, engine=engine)).outcome == "contact"
 
 
+def test_proofs_of_curves():
+    wheel = taut2d.Body("wheel", taut2d.Path("M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"))
+    roller = taut2d.Body("roller", taut2d.Path("M12 1 A2 2 0 0 1 8 1 A2 2 0 0 1 12 1 Z"), taut2d.Velocity((-1, 0)))
+    discs = taut2d.Scene([wheel, roller], (0, 10))
+    proof = taut2d.prove(discs)
+    proved = taut2d.verify(discs, proof)
+    assert proved and proved.outcome == "contact" and proved.segments > 100
+    assert proved.contact.t[0] <= 10 - 8 ** 0.5 <= proved.contact.t[1]
+    other = taut2d.Scene([wheel, roller], (0, 11))
+    assert taut2d.verify(other, proof).valid is False
+
+
 def test_margins(taut, tmp_path):
     kept = taut2d.check_clearance(scene(), 0.25)
     assert kept.outcome == "contact" and kept.first.bodies == ("rests", "moves") and kept.t == kept.first.t

@@ -186,6 +186,8 @@ class MarginBracket {
     }
   }
 
+  CurvedWorld take_world() { return std::move(world_); }
+
  private:
   MarginAnswer ask(CurveSide side) {
     MarginAnswer answer = check_clearance(world_.polygons(side), clearance_, options_);
@@ -256,8 +258,14 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
   return answer;
 }
 
+CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
+  MarginBracket bracket(scene, clearance, options);
+  MarginAnswer answer = bracket.run();
+  return {std::move(answer), bracket.take_world()};
+}
+
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options) {
-  MarginAnswer answer = MarginBracket(scene, clearance, options).run();
+  MarginAnswer answer = margin_of_curves(scene, clearance, options).answer;
   if (!options.all_pairs) return answer;
   CheckOptions all = options;
   const MarginAnswer pairs = check_clearance(CurvedWorld(scene).polygons(CurveSide::outer), clearance, all);

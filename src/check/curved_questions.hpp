@@ -21,6 +21,14 @@ struct CurvedContact {
 /// As check_curved(), without `fit` and `all_pairs`.
 CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options);
 
+/// Whether bodies keep a clearance, and the bands between whose walls that was found.
+struct CurvedMargin {
+  MarginAnswer answer;
+  CurvedWorld world;
+};
+/// As check_clearance_of_curves(), without `all_pairs`.
+CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
+
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
 DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);

@@ -1,6 +1,8 @@
 #include "base/errors.hpp"
 #include "check/proof_writer.hpp"
+#include "check/prove_curves.hpp"
 #include "check/separations_writer.hpp"
+#include "pair/curved_world.hpp"
 #include "pair/validate_world.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
@@ -11,6 +13,7 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
   if (options.fit != 0)
     throw InputError("fit", "a proof is about bodies as they are given",
                      "prove it without, or shrink the bodies yourself");
+  if (has_curves(scene)) return prove_curves(scene, log, options);
   if (is_world(scene)) return prove_by_separations(scene, log, options);
   switch (options.engine) {
     case EngineChoice::usual:

@@ -9,9 +9,11 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "check/apart_writer.hpp"
+#include "check/prove_curves.hpp"
 #include "check/window_writer.hpp"
 #include "check/world_run.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/curved_world.hpp"
 #include "proof/header.hpp"
 #include "proof/kept_margin.hpp"
 #include "proof/proved_world.hpp"
@@ -291,6 +293,7 @@ std::optional<std::pair<Claim, std::string>> body_about_clearance(const Scene& s
 }  // namespace
 
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
+  if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;
   const MarginAnswer answer = check_clearance(scene, clearance, options);

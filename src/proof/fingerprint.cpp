@@ -7,6 +7,7 @@
 #include "pair/ring_set.hpp"
 #include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
+#include "proof/curved_scene.hpp"
 #include "proof/sha256.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
@@ -88,6 +89,51 @@ void add_ring(Hasher& hash, const Polygon& ring) {
   for (const Point& v : ring) hash.point(v);
 }
 
+/// One overload for each kind of segment.
+struct SegmentHasher {
+  Hasher& hash;
+
+  void operator()(const LineTo& s) const { end(0, s.to); }
+  void operator()(const ArcTo& s) const {
+    end(1, s.to);
+    for (const double x : {s.rx, s.ry, s.rotation_deg}) hash.number(x);
+    hash.byte((s.large ? 1 : 0) + (s.sweep ? 2 : 0));
+  }
+  void operator()(const QuadraticTo& s) const {
+    end(2, s.to);
+    hash.point(s.control);
+  }
+  void operator()(const CubicTo& s) const {
+    end(3, s.to);
+    hash.point(s.first);
+    hash.point(s.second);
+  }
+
+ private:
+  void end(std::size_t kind, const Point& to) const {
+    hash.byte(kind);
+    hash.point(to);
+  }
+};
+
+void add_outline(Hasher& hash, const Outline& outline) {
+  hash.point(outline.start);
+  hash.count(outline.segments.size());
+  for (const CurveSegment& segment : outline.segments) std::visit(SegmentHasher{hash}, segment);
+}
+
+/// Of a scene with curves: which bodies have some, and those.
+void add_curves(Hasher& hash, const Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    hash.count(body.curves.size());
+    for (const CurvedPart& part : body.curves) {
+      hash.count(1 + part.holes.size());
+      add_outline(hash, part.outline);
+      for (const Outline& hole : part.holes) add_outline(hash, hole);
+    }
+  }
+}
+
 void add_motion(Hasher& hash, const Body& body, const Scene& scene) {
   const std::vector<MotionPiece> pieces = given_pieces_between(body.motion, scene.start, scene.end);
   hash.count(pieces.size());
@@ -106,7 +152,7 @@ void add_world(Hasher& hash, const Scene& scene) {
   hash.count(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
-    const std::vector<Part> parts = parts_of(body);
+    const std::vector<Part> parts = body.curves.empty() ? parts_of(body) : std::vector<Part>{};
     hash.count(parts.size());
     for (const Part& part : parts) {
       hash.count(1 + part.holes.size());
@@ -127,13 +173,14 @@ void add_world(Hasher& hash, const Scene& scene) {
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
-  const bool world = is_world(scene);
-  Hasher hash(world ? "taut world 1" : "taut scene 2");
+  const bool curved = proof::any_curves(scene), world = curved || is_world(scene);
+  Hasher hash(curved ? "taut curve 1" : world ? "taut world 1" : "taut scene 2");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);
   hash.number(scene.end);
   if (world) {
     add_world(hash, scene);
+    if (curved) add_curves(hash, scene);
   } else {
     for (const Body& body : scene.bodies) add_body(hash, body, scene);
   }

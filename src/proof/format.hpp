@@ -9,7 +9,8 @@ namespace taut::proof {
 inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
 /// Follows the magic number: what the log is made of. Version 1 had a checksum of 64 bits for the scene; in version 3
 /// the pairs of a window followed from boxes that were not in the log.
-inline constexpr char of_tilings = '2', of_separations = '4';
+/// A log about curves has polygons around them, and within, and logs about these.
+inline constexpr char of_tilings = '2', of_separations = '4', of_curves = '5';
 
 /// The second byte after the fingerprint: which polygons the tiling surrounds.
 enum class Shapes : std::uint8_t { inwards, outwards };

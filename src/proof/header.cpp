@@ -1,6 +1,7 @@
 #include "proof/header.hpp"
 
 #include "pair/validate_world.hpp"
+#include "proof/curved_scene.hpp"
 
 namespace taut::proof {
 
@@ -16,9 +17,12 @@ Header read_header(ByteReader& in, const Scene& scene) {
   }
   Header header;
   header.version = static_cast<char>(in.u8());
-  if (header.version != of_tilings && header.version != of_separations)
+  if (header.version != of_tilings && header.version != of_separations && header.version != of_curves)
     throw ProofError("the log is of version " + std::string(1, shown(header.version)) +
-                     " of the format, and this program checks versions 2 and 4: prove again");
+                     " of the format, and this program checks versions 2, 4 and 5: prove again");
+  if ((header.version == of_curves) != any_curves(scene))
+    throw ProofError(header.version == of_curves ? "the log is about curves, and the scene has none"
+                                                 : "the log is about polygons, and the scene has curves");
   if (header.version == of_tilings && is_world(scene))
     throw ProofError("the log is of a tiling around two bodies, and the scene is another one");
   for (std::uint8_t& byte : header.fingerprint) byte = in.u8();

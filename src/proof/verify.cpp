@@ -8,10 +8,12 @@
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
+#include "proof/curved_scene.hpp"
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
 #include "proof/stretch_of_legs.hpp"
+#include "proof/verify_curves.hpp"
 #include "proof/verify_separations.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
@@ -266,12 +268,16 @@ class Verifier {
 }  // namespace proof
 
 Verified verify(const Scene& scene, std::istream& log) {
-  if (is_world(scene)) {
+  const bool curved = proof::any_curves(scene);
+  if (curved) {
+    // Their polygons are in the log.
+  } else if (is_world(scene)) {
     validate_world(scene);
   } else {
     validate(scene);
   }
   try {
+    if (curved) return proof::verify_curves(scene, log);
     proof::ByteReader in(log);
     const proof::Header header = proof::read_header(in, scene);
     if (header.version == proof::of_separations) return proof::verify_separations(scene, in, header);

@@ -1,0 +1,18 @@
+// Proofs about scenes with curves: polygons around the bodies, and within, and proofs about these.
+#pragma once
+
+#include <iosfwd>
+
+#include "taut/check.hpp"
+#include "taut/clearance.hpp"
+
+namespace taut {
+
+/// As prove(), of scenes with curves. Throws InputError.
+Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& options);
+
+/// As prove_clearance(), of scenes with curves. Throws InputError.
+MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std::ostream& log,
+                                       const CheckOptions& options);
+
+}  // namespace taut
