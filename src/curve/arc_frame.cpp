@@ -55,10 +55,13 @@ bool on_ellipse(const Point& p, const Point& centre, double rx, double ry) {
   return x * x + y * y == r * r;
 }
 
+/// Zero, if it may be that: what is left of it by rounding is no coordinate that anybody has drawn.
+double nearest_double(const WideBall& x) { return x.sign() == 0 ? 0 : RealTraits<Wide>::to_double(x.mid); }
+
 /// The frame in doubles, if it is that exactly. Of the two centres of ellipses through both ends, mirror images, it is
 /// the one that was computed, up to its error.
 void settle_exactly(const Point& from, const ArcTo& arc, double rx, double ry, CentredArc& found) {
-  const Point centre = found.frame.centre.rounded();
+  const Point centre{nearest_double(found.frame.centre.x), nearest_double(found.frame.centre.y)};
   if (!on_ellipse(from, centre, rx, ry) || !on_ellipse(arc.to, centre, rx, ry)) return;
   const auto is_near = [](const WideBall& x, double value) {
     return !(abs(Wide(x.mid - RealTraits<Wide>::from_double(value))) > x.rad);

@@ -91,6 +91,10 @@ TEST(CurvedCheck, WhatFitsExactlyAlongAxesIsFree) {
   EXPECT_EQ(check(scene_of({slot, pin})).outcome, Outcome::free);
   const Body stopped = curve_body("pin", disc(10, 2, 1), curve_motion({0, -1}, {}));
   expect_contact_at(check(scene_of({slot, stopped})), 8, 1e-8);
+  // Also on an axis, where what is left of the centre by rounding is no zero.
+  for (Point& p : slot.polygon) p.y -= 2;
+  const Body about_origin = curve_body("pin", disc(2, 0, 1), curve_motion({0, 1}, {}));
+  EXPECT_EQ(check(scene_of({slot, about_origin})).outcome, Outcome::free);
 }
 
 TEST(CurvedCheck, EqualRadiiAreUndecidedWithARemedy) {
@@ -109,8 +113,9 @@ TEST(CurvedCheck, EqualRadiiAreUndecidedWithARemedy) {
 }
 
 TEST(CurvedCheck, GrazingIsUndecidedAndBracketed) {
-  const Answer answer =
-      check(scene_of({curve_body("a", disc(0, 0, 1)), curve_body("b", disc(3, 2, 1), curve_motion({0, -1}, {}))}));
+  // They are 5 apart at t = 3, at (3, 4): not where tangents lie along the axes.
+  const Answer answer = check(
+      scene_of({curve_body("a", disc(0, 0, 2.5)), curve_body("b", disc(15, -5, 2.5), curve_motion({0, -4}, {0, 3}))}));
   EXPECT_EQ(answer.outcome, Outcome::undecided);
   EXPECT_LE(answer.free_until, 3);
   EXPECT_GT(answer.free_until, 2.999);
