@@ -121,6 +121,8 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
     if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
   }
   for (int why = static_cast<int>(Aside::beyond_line_before); why < proof::reasons; ++why) {
+    // The last one costs most, and says least: it is for stretches that cannot be halved.
+    if (static_cast<Aside>(why) == Aside::behind_when_on_line && time.divisible()) continue;
     if (stays_aside(incidence, static_cast<Aside>(why), time, end)) return static_cast<Aside>(why);
   }
   return std::nullopt;

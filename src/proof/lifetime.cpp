@@ -148,6 +148,26 @@ bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bo
   });
 }
 
+bool Lifetimes::behind_at_roots(const Form& line, double from, double to) const {
+  const PreciseTriple f = precise(line), along = precise(line.along()), back = precise(line.back());
+  const auto is_behind = [&](PreciseTime root, int sign) {
+    return *told("whether a vertex is behind the end of an edge", [&](int stage) -> std::optional<bool> {
+      f.refine(sign, root, stage);
+      const int a = along.sign_at(root, stage), b = back.sign_at(root, stage);
+      if (a < 0 || b < 0) return true;
+      return a > 0 && b > 0 ? std::optional(false) : std::nullopt;
+    });
+  };
+  PreciseTime at = PreciseTime::between(from, from);
+  int sign = told("on which side of a line a vertex is", [&](int stage) { return f.sign_at(at, stage); });
+  while (const std::optional<PreciseTime> root = f.first_failure(sign, at, to)) {
+    if (!is_behind(*root, sign)) return false;
+    at = *root;
+    sign = -sign;
+  }
+  return true;
+}
+
 Instant Lifetimes::failure(const Corner& c, double about) {
   Instant root;
   root.event = true;

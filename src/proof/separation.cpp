@@ -117,18 +117,24 @@ KeptForms kept_forms(const PairGeometry& g, const Incidence& i, Aside why) {
       return beside_line(g, g.previous(i.vertex), i.edge, 1);
     case Aside::left_of_leaving:
       return beside_line(g, i.vertex, i.edge, 1);
+    case Aside::behind_when_on_line:  // keeps none
+      break;
   }
   return {};
 }
 
 bool stays_aside(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
                  const Instant& until) {
+  if (why == Aside::behind_when_on_line) {
+    return !is_own(i.line(g), until) && lifetimes.behind_at_roots(i.line(g), from, until.hi);
+  }
   return all_kept(kept_forms(g, i, why), from,
                   [&](const SignedForm& form) { return lifetimes.holds(form, until, is_own(form.form, until)); });
 }
 
 bool stays_aside_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
                             const Instant& until) {
+  if (why == Aside::behind_when_on_line) return false;
   return all_kept(kept_forms(g, i, why), from, [&](const SignedForm& form) {
     return lifetimes.holds_in_doubles(form, until, is_own(form.form, until));
   });

@@ -25,7 +25,8 @@ inline constexpr std::uint8_t along_p = 8, along_q = 12, direction = 64, directi
 /// Why a vertex does not meet an edge. The first four are of the edge itself: on which side of its line the vertex
 /// stays, or that it is behind one of its ends. Where a vertex comes to a vertex, all of these may change at once, and
 /// a line next to them tells more: that of the edge before or after, which has the edge on its one side and the vertex
-/// on the other; or that of an edge at the vertex, which has all of the edge on one side.
+/// on the other; or that of an edge at the vertex, which has all of the edge on one side. The last one is for corners
+/// that pass each other between two doubles.
 enum class Aside : std::uint8_t {
   left,
   right,
@@ -37,8 +38,9 @@ enum class Aside : std::uint8_t {
   right_of_leaving,
   left_of_arriving,
   left_of_leaving,
+  behind_when_on_line,  ///< it crosses the line, and is behind one of the edge's ends whenever it does
 };
-inline constexpr int reasons = 10;
+inline constexpr int reasons = 11;
 
 /// A form that keeps its sign.
 struct KeptForm {

@@ -107,7 +107,7 @@ class Separations:
         """Does the vertex stay off the edge that begins at `edge`?"""
         pair, leg = self.pair, self.leg
         end, more = pair.next(edge), 0
-        require(why < 10 and (not self.margin or why < 4), "an unknown reason")
+        require(why < 11 and (not self.margin or why < 4), "an unknown reason")
         if self.margin and why == 1:
             e = [y - x for x, y in zip(pair.points[edge], pair.points[end])]
             room = mul((self.margin, 0), root(add(product(e[0], e[0]), product(e[1], e[1]))))
@@ -121,8 +121,28 @@ class Separations:
             line = pair.previous(edge) if why == 4 else end
             side = pair.rigid(line, pair.next(line), end if why == 4 else edge)
             return side != 0 and self.keeps((line, pair.next(line), vertex), -side, a, b)
+        if why == 10:
+            own = self.until and self.until.three == frozenset((edge, end, vertex))
+            return not own and self.behind_when_on_line(vertex, edge, end, a, self.last(b))
         line = pair.previous(vertex) if why in (6, 8) else vertex
         return all(self.keeps((line, pair.next(line), x), -1 if why < 8 else 1, a, b) for x in (edge, end))
+
+    def behind_when_on_line(self, vertex, edge, end, a, b, depth=300):
+        """On one side of the line, or behind one end, in each part of the stretch, however short these have to be."""
+        pair, leg = self.pair, self.leg
+        line = pair.orientation(leg, edge, end, vertex)
+        ends = [pair.projection(leg, x, y, vertex) for x, y in ((edge, end), (end, edge))]
+        for form, wanted in ((line, 1), (line, -1), (ends[0], -1), (ends[1], -1)):
+            try:
+                if pair.stays(leg, form, wanted, a, b):
+                    return True
+            except Undecided:
+                pass
+        m = (a + b) >> 1
+        if depth == 0 or not a < m < b:
+            raise Undecided("whether a vertex is behind an edge's end when it is on its line")
+        return (self.behind_when_on_line(vertex, edge, end, a, m, depth - 1)
+                and self.behind_when_on_line(vertex, edge, end, m, b, depth - 1))
 
     def last(self, b):
         return min(b, self.until.hi) if self.until else b

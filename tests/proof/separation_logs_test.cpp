@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -288,7 +289,53 @@ TEST_F(DamagedSeparations, OtherScenes) {
   }
 }
 
-/// The list of ignored pairs is part of what is proved.
+/// A corner that crosses an edge's line twice, as its body turns about it: at t = 1/4 and 3/4.
+TEST(SeparationLogs, BehindAnEndWheneverOnTheLine) {
+  Rng rng(78);
+  std::array<int, 2> seen{};
+  for (std::uint64_t n = effort(300); n > 0; --n) {
+    const double from = rng.real(-1.5, 2.5), along = rng.real(-2, 2);
+    Scene scene;
+    scene.end = 1;
+    scene.bodies = {{"edge", {{0, 0}, {0, -1}, {1, -1}, {1, 0}}, {}}, {"corner", {{0, 0}, {3, 4}, {-3, 4}}, {}}};
+    MotionPiece piece;
+    piece.x = {from, along};
+    piece.y = {0.75, -4, 4};
+    piece.rotation = AngleRotation{{rng.real(-0.2, 0.2), rng.real(-0.3, 0.3)}};
+    scene.bodies[1].motion.pieces = {piece};
+    const proof::ProvedScene plan(scene);
+    proof::ProvedWorld world(plan, rng.chance(0.5));
+    const proof::ProvedPair& pair = world.pair(0, 1);
+    const PairGeometry& g = pair.geometry;
+    proof::Lifetimes lifetimes(g);
+    lifetimes.enter(pair.legs[0]);
+    // Which of the two bodies is P depends on their size, and rings begin at their smallest vertices.
+    const double scale = std::ldexp(1.0, -3);
+    const auto vertex_at = [&](double x, double y, bool of_p) {
+      for (std::uint32_t v = of_p ? 0 : g.np; v < (of_p ? g.np : g.np + g.nq); ++v) {
+        if (g.point(VertexId(v)).x == x * scale && g.point(VertexId(v)).y == y * scale) return VertexId(v);
+      }
+      throw std::logic_error("no such vertex");
+    };
+    const proof::Incidence incidence{vertex_at(0, 0, true), vertex_at(1, 0, false)};
+    const auto behind = [&](double t) { return from + along * t < 0 || from + along * t > 1; };
+    const bool expected = behind(0.25) && behind(0.75);
+    EXPECT_EQ(proof::stays_aside(g, lifetimes, incidence, proof::Aside::behind_when_on_line, 0, Instant::exactly(1)),
+              expected)
+        << from << ' ' << along;
+    ++seen[expected];
+  }
+  EXPECT_GT(std::min(seen[0], seen[1]), static_cast<int>(effort(300) / 10));
+}
+
+/// Corners at whole numbers pass each other between two doubles.
+TEST(SeparationLogs, OfCornersThatPassWhileTurning) {
+  const Scene scene = read_scene("tests/corpus/worlds/corners_pass_while_turning.json");
+  std::stringstream log;
+  ASSERT_EQ(prove(scene, log, by_spacetime(Touch::open)).outcome, Outcome::free);
+  EXPECT_EQ(verify(scene, log).outcome, Outcome::free);
+}
+
 /// Two bars in the shape of a plus: no vertex is on an edge, or inside the other body, and still they overlap. A log of
 /// all that separations can say of them is not a proof.
 std::string log_without_incidences(const Scene& scene, Touch touch) {
@@ -335,6 +382,7 @@ TEST(SeparationLogs, OfBodiesThatCrossAtTheStart) {
   }
 }
 
+/// The list of ignored pairs is part of what is proved.
 TEST(SeparationLogs, IgnoredPairsArePartOfTheScene) {
   Scene scene = scene_of(random_world(40003));
   const Fingerprint all = scene_fingerprint(scene, Touch::open);
