@@ -110,7 +110,7 @@ class SearchFromEnd {
   };
 
   /// In doubles it succeeds soon, or terms that cancel are all that it sees.
-  static constexpr int few = 100;
+  static constexpr int few = 6;
   std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
     if constexpr (!std::is_same_v<Real, double>) {
       return first_sign_change<Real>(Expanded(*this, direction_ > 0 ? b : a), sign, a, b, Magnitudes{});
