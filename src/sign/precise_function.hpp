@@ -18,10 +18,10 @@ class PreciseFunction {
   static std::uint64_t work_of_value(const Leg& leg) {
     constexpr std::uint64_t bits = RealTraits<Real>::bits;
     if (std::is_same_v<Real, double>) return leg.translation || leg.bridge ? 2 : 10;
-    return leg.translation || leg.bridge ? bits / 8 : bits * (bits + 640) / 1024;
+    return leg.translation || leg.bridge ? bits / 8 : bits * bits / 256;
   }
 
-  static constexpr std::uint64_t work_of_model = 150;
+  static constexpr std::uint64_t work_of_model = 100;
 
  public:
   /// `models` are those of the leg, and must outlive it; without, the function has its own.
@@ -65,16 +65,20 @@ class PreciseFunction {
   }
   /// Taylor's formula in s about a singular end: the terms, but for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
-    count_work(work_of_model);
-    const auto& f = models().template from_end<Real>(leg_, end, direction, std::nullopt);
+    const auto f = frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
     BallPolynomial<Real> sum;
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
     return sum;
   }
-  /// and the last one, which makes it right for all s from the end as far as 2^reach.
-  Ball<Real> last_term_from_end(double end, double direction, int reach) const {
-    count_work(work_of_model);
-    return coefficient_of(models().template from_end<Real>(leg_, end, direction, reach), last_from_end);
+  /// and the last one, which makes it right for all s from the end to `farthest`.
+  Ball<Real> last_term_from_end(double end, double direction, const Ball<Real>& farthest) const {
+    const Ball<Real> over = hull(Ball<Real>::exact(0), farthest);
+    return coefficient_of(frame_series(leg_, TimeFromEnd<Real>{end, direction, over}), last_from_end);
+  }
+  BallPolynomial<Real> from_end(double end, double direction, const Ball<Real>& farthest) const {
+    BallPolynomial<Real> p = terms_from_end(end, direction);
+    p.push_back(last_term_from_end(end, direction, farthest));
+    return p;
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/errors.hpp"
 #include "numeric/first_told.hpp"
@@ -72,7 +71,7 @@ class SearchFromEnd {
   class Expanded {
    public:
     Expanded(const SearchFromEnd& whole, const Real& farthest)
-        : whole_(whole), farthest_(power_above(RealTraits<Real>::magnitude(farthest))) {}
+        : whole_(whole), farthest_(whole.direction_ > 0 ? farthest : Real(-farthest)) {}
 
     Jet<Real> operator()(const Ball<Real>& s) const {
       const Jet<Real> near_end = polynomial_range(about_end(s), s);
@@ -86,31 +85,35 @@ class SearchFromEnd {
     }
 
    private:
-    static int power_above(double x) { return std::ilogb(x * (1 + 0x1p-50)) + 1; }
-    /// The next power of two that searches from this end have polynomials for: the same for all of them.
-    static int nearer(int reach) { return ((reach - 1) & ~3); }
     BallPolynomial<Real> about_end(const Ball<Real>& s) const {
-      const double far = s.magnitude();
+      const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
       std::size_t level = 0;
-      int reach = farthest_;
-      for (; level + 1 < levels && far < std::ldexp(1.0, nearer(reach)); ++level) reach = nearer(reach);
+      Real farthest = farthest_;
+      while (level + 1 < levels && reach < farthest * step) {
+        farthest = farthest * step;
+        ++level;
+      }
       if (!terms_) terms_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
-      if (!last_[level]) last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, reach);
+      if (!last_[level]) {
+        const Ball<Real> to(whole_.direction_ > 0 ? farthest : Real(-farthest), 0.0);
+        last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, to);
+      }
       BallPolynomial<Real> p = *terms_;
       p.push_back(*last_[level]);
       return p;
     }
 
     static constexpr std::size_t levels = 24;  ///< beyond them the last one does
+    static constexpr double step = 0x1p-4;
 
     const SearchFromEnd& whole_;
-    int farthest_;  ///< from the end: a power of two
+    Real farthest_;  ///< from the end
     mutable std::optional<BallPolynomial<Real>> terms_;
     mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ
   };
 
   /// In doubles it succeeds soon, or terms that cancel are all that it sees.
-  static constexpr int few = 6;
+  static constexpr int few = 100;
   std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
     if constexpr (!std::is_same_v<Real, double>) {
       return first_sign_change<Real>(Expanded(*this, direction_ > 0 ? b : a), sign, a, b, Magnitudes{});

@@ -36,45 +36,21 @@ TaylorFrame<Real> model_around(const Leg& leg, const Ball<Real>& t, std::uint64_
 }  // namespace
 
 void TaylorFrames::clear() {
-  std::apply([](auto&... kept) { ((kept.models.clear(), kept.from_ends.clear()), ...); }, kept_);
-}
-
-/// A place for one more; where all are taken, that of the oldest.
-template <class Entry>
-Entry& TaylorFrames::place(std::vector<Entry>& kept, std::size_t& next) {
-  if (kept.size() < most_kept) {
-    kept.reserve(most_kept);
-    return kept.emplace_back();
-  }
-  next = (next + 1) % most_kept;
-  return kept[next];
+  std::apply([](auto&... kept) { (kept.models.clear(), ...); }, kept_);
 }
 
 template <class Real>
 const TaylorFrame<Real>& TaylorFrames::around(const Leg& leg, const Ball<Real>& t) {
   if (const TaylorFrame<Real>* const found = known(t)) return *found;
-  Kept<Real>& kept = std::get<Kept<Real>>(kept_);
-  return place(kept.models, kept.next) = model_around(leg, t, ++made_);
-}
-
-template <class Real>
-const FrameOf<SeriesFromEnd<Real>>& TaylorFrames::from_end(const Leg& leg, double end, double direction,
-                                                           std::optional<int> reach) {
-  using B = Ball<Real>;
-  Kept<Real>& kept = std::get<Kept<Real>>(kept_);
-  for (const FromEnd<Real>& known : kept.from_ends) {
-    if (known.end == end && known.reach == reach) return known.terms;
+  auto& [models, next] = std::get<Kept<Real>>(kept_);
+  if (models.size() < most_kept) {
+    models.reserve(most_kept);
+    return models.emplace_back(model_around(leg, t, ++made_));
   }
-  const B zero = B::exact(0);
-  const B over = reach ? hull(zero, B(ldexp(Real(direction), *reach), 0.0)) : zero;
-  return (place(kept.from_ends, kept.next_from_end) =
-              FromEnd<Real>{end, reach, frame_series(leg, TimeFromEnd<Real>{end, direction, over})})
-      .terms;
+  next = (next + 1) % most_kept;
+  return models[next] = model_around(leg, t, ++made_);
 }
-#define TAUT_INSTANTIATE(Real)                                                                          \
-  template const TaylorFrame<Real>& TaylorFrames::around(const Leg&, const Ball<Real>&);                \
-  template const FrameOf<SeriesFromEnd<Real>>& TaylorFrames::from_end<Real>(const Leg&, double, double, \
-                                                                            std::optional<int>);
+#define TAUT_INSTANTIATE(Real) template const TaylorFrame<Real>& TaylorFrames::around(const Leg&, const Ball<Real>&);
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -48,29 +47,15 @@ class TaylorFrames {
   /// One that serves, made if need be; t.rad > 0.
   template <class Real>
   const TaylorFrame<Real>& around(const Leg& leg, const Ball<Real>& t);
-  /// The terms in s about a singular end (see TimeFromEnd): at the end itself, or, for what they leave out, over all s
-  /// from there as far as 2^reach. Valid until the next call.
-  template <class Real>
-  const FrameOf<SeriesFromEnd<Real>>& from_end(const Leg& leg, double end, double direction, std::optional<int> reach);
 
  private:
   static constexpr std::size_t most_kept = 24;
 
   template <class Real>
-  struct FromEnd {
-    double end;
-    std::optional<int> reach;
-    FrameOf<SeriesFromEnd<Real>> terms;
-  };
-
-  template <class Real>
   struct Kept {
     std::vector<TaylorFrame<Real>> models;
-    std::vector<FromEnd<Real>> from_ends;
-    std::size_t next = 0, next_from_end = 0;  ///< which are replaced next
+    std::size_t next = 0;  ///< which is replaced next
   };
-  template <class Entry>
-  static Entry& place(std::vector<Entry>& kept, std::size_t& next);
   template <class Real>
   const Kept<Real>& kept() const {
     return std::get<Kept<Real>>(kept_);

@@ -152,8 +152,7 @@ TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
     // The polynomial about the end holds the function everywhere up to there.
     const double near = direction * 0.05;
-    BallPolynomial<Real320> polynomial = f.terms_from_end(end, direction);
-    polynomial.push_back(f.last_term_from_end(end, direction, -4));
+    const BallPolynomial<Real320> polynomial = f.from_end(end, direction, Ball<Real320>::exact(near));
     for (const double share : {0.0, 0.01, 0.5, 1.0}) {
       const Ball<Real320> at = Ball<Real320>::exact(near * share);
       const Jet<Real320> expanded = polynomial_range(polynomial, at);

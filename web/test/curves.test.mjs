@@ -246,7 +246,7 @@ test("in the playground curves are moved as wholes, and changed as text", async 
   await page.mouse.up();
   await page.waitForFunction(() => !window.playground.pending);
   await settled(page);
-  assert.match(await page.textContent("#headline"), /^Contact at t = \[6\.99999/);
+  assert.match(await page.textContent("#headline"), /^Contact at t = \[7, 7\.0000/);
   // A vertex is not to be had of a curve, and the page says where it is changed.
   await page.mouse.dblclick(box.x + from[0], box.y + from[1] + scale);
   assert.match(await page.textContent("#note"), /roller is bounded by curves: change its path/);
