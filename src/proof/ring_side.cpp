@@ -1,5 +1,6 @@
 #include "proof/ring_side.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 

@@ -104,7 +104,7 @@ class PreciseFunction {
     if constexpr (std::is_same_v<Real, double>) {
       return range;
     } else {
-      return range_of(models().around(leg_, t), t);
+      return range_of(models().make(leg_, t), t);
     }
   }
   Jet<Real> range_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {

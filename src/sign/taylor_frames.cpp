@@ -40,17 +40,13 @@ void TaylorFrames::clear() {
 }
 
 template <class Real>
-const TaylorFrame<Real>& TaylorFrames::around(const Leg& leg, const Ball<Real>& t) {
-  if (const TaylorFrame<Real>* const found = known(t)) return *found;
+const TaylorFrame<Real>& TaylorFrames::make(const Leg& leg, const Ball<Real>& t) {
   auto& [models, next] = std::get<Kept<Real>>(kept_);
-  if (models.size() < most_kept) {
-    models.reserve(most_kept);
-    return models.emplace_back(model_around(leg, t, ++made_));
-  }
+  if (models.size() < most_kept) return models.emplace_back(model_around(leg, t, ++made_));
   next = (next + 1) % most_kept;
   return models[next] = model_around(leg, t, ++made_);
 }
-#define TAUT_INSTANTIATE(Real) template const TaylorFrame<Real>& TaylorFrames::around(const Leg&, const Ball<Real>&);
+#define TAUT_INSTANTIATE(Real) template const TaylorFrame<Real>& TaylorFrames::make(const Leg&, const Ball<Real>&);
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 

@@ -35,7 +35,7 @@ class TaylorFrames {
  public:
   /// For another leg, which is no bridge.
   void clear();
-  /// The one that reaches least far of those that serve, or null; valid until the next call of around().
+  /// The one that reaches least far of those that serve, or null; valid until the next call of make().
   template <class Real>
   const TaylorFrame<Real>* known(const Ball<Real>& t) const {
     const TaylorFrame<Real>* best = nullptr;
@@ -44,9 +44,9 @@ class TaylorFrames {
     }
     return best;
   }
-  /// One that serves, made if need be; t.rad > 0.
+  /// A new one that serves; t.rad > 0.
   template <class Real>
-  const TaylorFrame<Real>& around(const Leg& leg, const Ball<Real>& t);
+  const TaylorFrame<Real>& make(const Leg& leg, const Ball<Real>& t);
 
  private:
   static constexpr std::size_t most_kept = 24;
