@@ -11,11 +11,6 @@ namespace {
 /// What the kinetic engine needs for each vertex before anything moves.
 constexpr std::uint64_t building = 10;
 
-TurnEnd turn(Run& run, std::uint64_t effort) {
-  if (!run.work(effort)) return TurnEnd::open;
-  return run.answer().outcome == Outcome::undecided ? TurnEnd::given_up : TurnEnd::decided;
-}
-
 std::uint64_t work_to_build(const Scene& scene) {
   std::uint64_t vertices = 0;
   for (const Body& body : scene.bodies) {
@@ -24,22 +19,70 @@ std::uint64_t work_to_build(const Scene& scene) {
   return building * vertices;
 }
 
+/// One of the engines, and what it has done.
+class Entrant {
+ public:
+  Entrant(EngineName engine, const Scene& scene, const CheckOptions& options)
+      : engine_(engine), scene_(scene), options_(options) {}
+
+  void begin() {
+    effort_.begin([&] {
+      run_ = engine_ == EngineName::kinetic ? begin_kinetic(scene_, options_) : begin_spacetime(scene_, options_);
+    });
+  }
+  TurnEnd work(std::uint64_t effort) {
+    if (!run_->work(effort)) return TurnEnd::open;
+    return run_->answer().outcome == Outcome::undecided ? TurnEnd::given_up : TurnEnd::decided;
+  }
+  bool decides_by(std::uint64_t total) {
+    return effort_.work_until(total, [this](std::uint64_t effort) { return work(effort); }) == TurnEnd::decided;
+  }
+  EngineName engine() const { return engine_; }
+  const Run& run() const { return *run_; }
+  Contestant& effort() { return effort_; }
+
+ private:
+  EngineName engine_;
+  const Scene& scene_;
+  const CheckOptions& options_;
+  std::unique_ptr<Run> run_;
+  Contestant effort_;
+};
+
+/// The engine that begins, and how much more it may do before the other one does.
+struct Lead {
+  EngineName engine;
+  std::uint64_t work;
+};
+
+Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Lead& lead) {
+  const bool kinetic_first = lead.engine == EngineName::kinetic;
+  Entrant first(lead.engine, scene, options);
+  Entrant second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
+  // Touching asks the same once more, for which the same engine is the better one, as a rule.
+  const auto finished = [&](Entrant& winner) {
+    const Lead next{winner.engine(), winner.effort().spent() + winner.effort().spent() / 2};
+    const auto again = [&next](const Scene& s, const CheckOptions& o) { return answer_in_turns(s, o, next); };
+    return with_touching(winner.run(), scene, options, again);
+  };
+  first.begin();
+  if (first.decides_by(first.effort().spent() + lead.work)) return finished(first);
+  second.begin();
+  const auto by_first = [&](std::uint64_t effort) { return first.work(effort); };
+  const auto by_second = [&](std::uint64_t effort) { return second.work(effort); };
+  const int decided = take_turns(second.effort(), by_second, first.effort(), by_first);
+  if (decided != 0) return finished(decided == 1 ? second : first);
+  // Limits stopped both: what the one has proved free that went further.
+  const Answer &a = first.run().answer(), &b = second.run().answer();
+  if (a.free_until == b.free_until) return kinetic_first ? a : b;
+  return a.free_until > b.free_until ? a : b;
+}
+
 }  // namespace
 
 Answer run_either(const Scene& scene, const CheckOptions& options) {
-  const auto finished = [&](const Run& run) { return with_touching(run, scene, options, run_either); };
-  std::unique_ptr<Run> spacetime, kinetic;
-  Contestant by_boxes, by_tiling;
-  const auto in_boxes = [&](std::uint64_t effort) { return turn(*spacetime, effort); };
-  const auto in_tiling = [&](std::uint64_t effort) { return turn(*kinetic, effort); };
-  by_boxes.begin([&] { spacetime = begin_spacetime(scene, options); });
-  const std::uint64_t first = by_boxes.spent() + std::max(Contestant::first_turn, work_to_build(scene));
-  if (by_boxes.work_until(first, in_boxes) == TurnEnd::decided) return finished(*spacetime);
-  by_tiling.begin([&] { kinetic = begin_kinetic(scene, options); });
-  const int decided = take_turns(by_tiling, in_tiling, by_boxes, in_boxes);
-  if (decided != 0) return finished(decided == 1 ? *kinetic : *spacetime);
-  // Limits stopped both: what the one has proved free that went further.
-  return kinetic->answer().free_until >= spacetime->answer().free_until ? kinetic->answer() : spacetime->answer();
+  const std::uint64_t work = std::max(Contestant::first_turn, work_to_build(scene));
+  return answer_in_turns(scene, options, {EngineName::spacetime, work});
 }
 
 }  // namespace taut

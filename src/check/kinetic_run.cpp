@@ -33,31 +33,42 @@ void conclude(const Session& session, Answer& answer) {
   }
 }
 
+/// Adds the time that it lives.
+class Timer {
+ public:
+  explicit Timer(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~Timer() { seconds_ += seconds_since(start_); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& seconds_;
+  Clock::time_point start_;
+};
+
+/// A turn that ends in the middle of something long leaves it there: the engine keeps what is done, and makes the one
+/// search that it was at anew. So turns have to grow, or nothing long is ever done.
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
-      : options_(options), watcher_(watcher), scope_(options.stop, options.max_seconds) {
+      : scene_(scene), options_(options), watcher_(watcher), scope_(options.stop, options.max_seconds) {
     answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
-    const Clock::time_point start = Clock::now();
-    try {
-      session_ = std::make_unique<Session>(scene, options.touch, options.tracer, watcher);
-    } catch (const Undecidable& limit) {
-      answer_.reason = not_decided(limit);
-      return;
-    } catch (const Interrupted& limit) {
-      answer_.reason = limit.reason;
-      return;
-    }
-    answer_.build_seconds = seconds_since(start);
-    if (watcher_) watcher_->started(*session_);
   }
 
   bool work(std::uint64_t effort) override {
-    if (!session_ || done_) return true;
-    const Clock::time_point start = Clock::now();
-    done_ = run(effort);
-    answer_.run_seconds += seconds_since(start);
+    if (done_) return true;
+    const InterruptionScope turn(effort < UINT64_MAX / overtime ? effort * overtime : UINT64_MAX);
+    const std::uint64_t until = effort < UINT64_MAX - work_spent() ? work_spent() + effort : UINT64_MAX;
+    try {
+      if (!session_) build();
+      done_ = run(until);
+    } catch (const Interrupted& limit) {
+      if (!turn.exhausted()) give_up(limit.reason, reached());
+    } catch (const Undecidable& limit) {
+      give_up(not_decided(limit), reached());
+    }
+    if (!session_) return done_;
     conclude(*session_, answer_);
     if (done_ && watcher_) watcher_->ended(*session_, answer_);
     return done_;
@@ -66,24 +77,29 @@ class KineticRun final : public Run {
   bool doubles_sufficed() const override { return session_ && session_->engine().doubles_sufficed(); }
 
  private:
-  /// To the end, a contact, or a limit, of which the answer tells; or until the effort is spent.
-  bool run(std::uint64_t effort) {
-    const Engine& engine = session_->engine();
-    const std::uint64_t begun = work_spent();
-    try {
-      while (!session_->finished()) {
-        if (const std::string limit = limit_reached(); !limit.empty()) return give_up(limit, engine.proved_until());
-        if (work_spent() - begun >= effort) return false;
-        session_->step(session_->end());
+  /// What is left has to be begun again: a search may take so many turns' work before it is.
+  static constexpr std::uint64_t overtime = 4;
+
+  void build() {
+    const Timer timer(answer_.build_seconds);
+    session_ = std::make_unique<Session>(scene_, options_.touch, options_.tracer, watcher_);
+    if (watcher_) watcher_->started(*session_);
+  }
+  /// To the end, a contact, or a limit, of which the answer tells; or until so much work is spent.
+  bool run(std::uint64_t until) {
+    const Timer timer(answer_.run_seconds);
+    while (!session_->finished()) {
+      if (const std::string limit = limit_reached(); !limit.empty()) {
+        give_up(limit, session_->engine().proved_until());
+        return true;
       }
-    } catch (const Interrupted& limit) {
-      // In the middle of an event: what it left unfinished is not looked at.
-      return give_up(limit.reason, engine.reached());
-    } catch (const Undecidable& limit) {
-      return give_up(not_decided(limit), engine.reached());
+      if (work_spent() >= until) return false;
+      session_->step(session_->end());
     }
     return true;
   }
+  /// Everything up to there is proved, also in the middle of an event.
+  double reached() const { return session_ ? session_->engine().reached() : scene_.start; }
   /// Between two events: what stops the run, or nothing.
   std::string limit_reached() const {
     const std::uint64_t events = session_->engine().events();
@@ -97,12 +113,13 @@ class KineticRun final : public Run {
     }
     return {};
   }
-  bool give_up(const std::string& reason, double free_until) {
+  void give_up(const std::string& reason, double free_until) {
     answer_.reason = reason;
     answer_.free_until = free_until;
-    return true;
+    done_ = true;
   }
 
+  const Scene& scene_;
   const CheckOptions& options_;
   RunWatcher* watcher_;
   InterruptionScope scope_;
@@ -122,7 +139,7 @@ namespace {
 Answer run(const Scene& scene, const CheckOptions& options, RunWatcher* watcher) {
   KineticRun run(scene, options, watcher);
   run.work(UINT64_MAX);
-  return with_touching(run, scene, options, run_kinetic);
+  return with_touching(run, scene, options, [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); });
 }
 
 }  // namespace

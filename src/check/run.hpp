@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "taut/check.hpp"
@@ -43,8 +44,8 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 
 /// The answer of a run that is done, for open touching. Where it is `free` by the displacement, `again` is asked with
 /// closed touching: see Answer::touching.
-using Question = Answer(const Scene&, const CheckOptions&);
-Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, Question& again);
+using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
 
 /// Of a scene that is not two bodies of one polygon each. Throws InputError.
 Answer run_world(const Scene& scene, const CheckOptions& options);

@@ -53,11 +53,13 @@ class SpacetimeQuestion {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(0, plan_, geometry_, touch == Touch::open),
         tree_q_(1, plan_, geometry_, touch == Touch::open),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
+        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        search_(geometry_, trees(), legs_) {}
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {
-    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &precise_);
+    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &precise_at_start_);
+    precise_ = precise_at_start_;
     if (!overlap) return true;
     if (touch_ == Touch::closed && overlap->crossing) {
       const PairGeometry inner = displaced_pair(plan_, true);
@@ -74,8 +76,8 @@ class SpacetimeQuestion {
 
   /// From where the last run was interrupted.
   void run(Answer& answer) {
-    const SpacetimeResult found = spacetime::first_contact_from(reached_, geometry_, trees(), legs_);
-    precise_ += found.precise;
+    const SpacetimeResult found = search_.go_on();
+    precise_ = precise_at_start_ + found.precise;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       answer.outcome = Outcome::free;
@@ -87,7 +89,6 @@ class SpacetimeQuestion {
       answer.free_until = answer.contact->time.lo;
     } else {
       answer.reason = found.reason;
-      reached_ = {found.leg, found.lo};
     }
   }
 
@@ -103,11 +104,10 @@ class SpacetimeQuestion {
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
-  spacetime::LegPlace reached_;  ///< no contact before
-  std::uint64_t precise_ = 0;    ///< questions to multi-precision
+  spacetime::ContactSearch search_;
+  std::uint64_t precise_at_start_ = 0, precise_ = 0;  ///< questions to multi-precision
 };
 
-/// Of a stretch of time that proves too much for a turn, what was found out is not kept: the next turn begins with it.
 class SpacetimeRun final : public Run {
  public:
   SpacetimeRun(const Scene& scene, const CheckOptions& options) : scope_(options.stop, options.max_seconds) {

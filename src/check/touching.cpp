@@ -4,7 +4,7 @@
 
 namespace taut {
 
-Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, Question& again) {
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again) {
   Answer answer = run.answer();
   if (answer.outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return answer;
   // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.

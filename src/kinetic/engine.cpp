@@ -136,27 +136,40 @@ void Engine::drop_corner(HalfedgeId h) {
   --active_;
 }
 
-void Engine::update_corner(HalfedgeId h, Now& now) {
+/// Sees which certificate the corner has now; invalid if it has none, or one that goes on as it is.
+CertificateId Engine::certificate_to_start(HalfedgeId h, const Now& now) {
   const Corner at = corner(h);
   if (!is_mixed(at)) {
     drop_corner(h);
-    return;
+    return {};
   }
-  CertificateId id = certificate_of_.get(h.value);
-  if (id.valid()) {
-    Certificate& c = certificates_[id.value];
-    // The corners of a vanished triangle live on in the face across: same half-edge, same vertices, other sign.
-    if (c.u == at.u && c.v == at.v && c.w == at.w && !now.concerns(at.u, at.v, at.w)) return;
-    c.u = at.u;
-    c.v = at.v;
-    c.w = at.w;
-  } else {
-    id = add_certificate(h, at);
-  }
-  solver_.start_at(certificates_[id.value], now);
-  settled_.unsettle(id);
-  queue_.update(id);
+  const CertificateId id = certificate_of_.get(h.value);
+  if (!id.valid()) return add_certificate(h, at);
+  Certificate& c = certificates_[id.value];
+  // The corners of a vanished triangle live on in the face across: same half-edge, same vertices, other sign.
+  if (c.u == at.u && c.v == at.v && c.w == at.w && !now.concerns(at.u, at.v, at.w)) return {};
+  c.u = at.u;
+  c.v = at.v;
+  c.w = at.w;
+  return id;
 }
+
+namespace {
+
+/// Puts a certificate where its bound belongs, also if a search for that is left in the middle.
+class Requeue {
+ public:
+  Requeue(EventQueue& queue, CertificateId id) : queue_(queue), id_(id) {}
+  ~Requeue() { queue_.update(id_); }
+  Requeue(const Requeue&) = delete;
+  Requeue& operator=(const Requeue&) = delete;
+
+ private:
+  EventQueue& queue_;
+  CertificateId id_;
+};
+
+}  // namespace
 
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
@@ -166,8 +179,8 @@ bool Engine::find_next(double limit) {
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;
     if (c.kind != RootKind::isolated) {
+      const Requeue requeue(queue_, top);
       solver_.advance(c);
-      queue_.update(top);
       continue;
     }
     if (!certainly_first(top)) continue;
@@ -195,17 +208,18 @@ bool Engine::certainly_first(CertificateId head) {
   });
   if (!rival.valid()) return true;
   Certificate& c = certificates_[rival.value];
+  const Requeue requeue(queue_, rival);
   if (c.kind != RootKind::isolated) {
     solver_.advance(c);
   } else {
+    const Requeue requeue_head(queue_, head);
     solver_.separate(first, c);
-    queue_.update(head);
   }
-  queue_.update(rival);
   return false;
 }
 
 std::optional<std::pair<double, double>> Engine::next_event(double t) {
+  make_whole();
   while (state_ == EngineState::running) {
     const bool last = current_ + 1 == legs_.size();
     const double limit = leg().bridge ? leg().end : std::min(t, leg().end);
@@ -229,6 +243,10 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
 
 bool Engine::step(double t) {
   if (state_ != EngineState::running) return false;
+  if (repaired_.open) {
+    finish_event();
+    return true;
+  }
   if (next_event(t)) {
     interruption_point(work_of_event);
     process(next_, leg().bridge ? leg().end : std::min(t, leg().end));
@@ -242,6 +260,7 @@ bool Engine::step(double t) {
 
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
+  if (!is_whole()) return reached();
   const double settled = std::min(settled_.until(), leg().end);
   const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
   return leg().time(std::max(first, reached_));
@@ -267,26 +286,29 @@ void Engine::enter_leg() {
 /// Sees to it that every certificate is settled or scheduled from t on. `all_due`: none is scheduled yet; otherwise
 /// those that were not settled are.
 void Engine::look_at_settled(double t, bool all_due) {
-  const Settled::Due due = settled_.look(leg(), t, active_, all_due);
-  if (due == Settled::Due::nothing) return;
-  if (due == Settled::Due::those_open) {
-    for (const CertificateId id : settled_.open()) {
-      if (certificates_[id.value].corner.valid()) schedule(id, t);
-    }
-    return;
-  }
-  for (std::size_t i = 0; i < certificates_.size(); ++i) {
-    Certificate& c = certificates_[i];
+  sweep_ = {settled_.look(leg(), t, active_, all_due), all_due, t, 0};
+  finish_sweep();
+}
+
+void Engine::finish_sweep() {
+  const std::vector<CertificateId>& open = settled_.open();
+  const bool those_open = sweep_.due == Settled::Due::those_open;
+  const std::size_t count = those_open ? open.size() : sweep_.due == Settled::Due::as_marked ? certificates_.size() : 0;
+  for (std::size_t& i = sweep_.next; i < count; ++i) {
+    const CertificateId id = those_open ? open[i] : CertificateId(i);
+    Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
-    const CertificateId id(i);
     interruption_point(work_of_look);
-    if (settled_.is_settled(id)) {
+    if (those_open) {
+      schedule(id, sweep_.t);
+    } else if (settled_.is_settled(id)) {
       queue_.remove(id);
       solver_.rest(c);
-    } else if (all_due || settled_.was_settled(id)) {
-      schedule(id, t);
+    } else if (sweep_.all_due || settled_.was_settled(id)) {
+      schedule(id, sweep_.t);
     }
   }
+  sweep_.due = Settled::Due::nothing;
 }
 
 void Engine::schedule(CertificateId id, double t) {
@@ -305,50 +327,62 @@ HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& midd
   return n;
 }
 
+/// Nothing is changed before everything is known that the repair hangs on.
 void Engine::process(CertificateId id, double limit) {
   Certificate& c = certificates_[id.value];
-  Now now = solver_.event(c);
+  repaired_.now = solver_.event(c);
+  Now& now = repaired_.now;
+  EngineEvent& event = repaired_.event;
+  event = {now.lo, now.hi, &leg(), current_, c.u, c.v, c.w, c.corner, {}, false, map_.node(c.corner)};
   reached_ = now.lo;
-  ++events_;
-  EngineEvent event;
-  event.leg = &leg();
-  event.leg_index = current_;
-  event.u = c.u;
-  event.v = c.v;
-  event.w = c.w;
-  event.face = map_.node(c.corner);
   if (c.sign > 0) {
     VertexId middle;
-    const HalfedgeId h = closing_corner(c, now, middle, event.three_corners);
-    event.corner = h;
-    event.report = repair_convex(map_, h, middle);
+    event.corner = closing_corner(c, now, middle, event.three_corners);
+    event.report = repair_convex(map_, event.corner, middle);
   } else {
-    event.corner = c.corner;
     event.report = repair_reflex(map_, c.corner);
   }
+  const RepairReport& report = event.report;
+  const bool collides = report.repair == Repair::collision;
+  if (collides) solver_.tighten(c);
+  ++events_;
   // Enclosures of events that nearly coincide overlap: time does not go back. Nor does it pass the limit, by which the
   // failure is known to come, though its enclosure may reach further.
-  const double entered = parameter_;
-  parameter_ = std::max(parameter_, std::min(now.hi, limit));
-  const RepairReport& report = event.report;
-  if (report.repair == Repair::collision) {
-    solver_.tighten(c);
+  parameter_ = std::max(parameter_, collides ? c.lo : std::min(now.hi, limit));
+  if (collides) {
     contact_ = EngineContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
-    parameter_ = std::max(entered, c.lo);
     state_ = EngineState::contact;
-  } else {
-    if (report.removed.valid()) {
-      drop_corner(report.removed);
-      drop_corner(PlanarMap::twin(report.removed));
-    }
-    for (std::uint32_t i = 0; i < report.corner_count; ++i) update_corner(report.corners[i], now);
-    max_active_ = std::max(max_active_, active_);
+    if (observer_) observer_->on_event(event);
+    return;
   }
-  if (observer_) {
-    event.lo = now.lo;
-    event.hi = now.hi;
-    observer_->on_event(event);
+  take_up(report);
+  finish_event();
+}
+
+/// The corners that a repair may have changed.
+void Engine::take_up(const RepairReport& report) {
+  if (report.removed.valid()) {
+    drop_corner(report.removed);
+    drop_corner(PlanarMap::twin(report.removed));
   }
+  repaired_.count = repaired_.next = 0;
+  for (std::uint32_t i = 0; i < report.corner_count; ++i) {
+    const CertificateId id = certificate_to_start(report.corners[i], repaired_.now);
+    if (id.valid()) repaired_.fresh[repaired_.count++] = id;
+  }
+  repaired_.open = true;
+}
+
+void Engine::finish_event() {
+  for (; repaired_.next < repaired_.count; ++repaired_.next) {
+    const CertificateId id = repaired_.fresh[repaired_.next];
+    solver_.start_at(certificates_[id.value], repaired_.now);
+    settled_.unsettle(id);
+    queue_.update(id);
+  }
+  repaired_.open = false;
+  max_active_ = std::max(max_active_, active_);
+  if (observer_) observer_->on_event(repaired_.event);
 }
 
 std::size_t Engine::bytes() const {

@@ -1,6 +1,7 @@
 // The kinetic simulation: certificates of the active set, events in certified order, repairs.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct KnownTilings {
 };
 
 /// Follows a sequence of legs. Allocates nothing per event once its buffers have grown.
+///
+/// It may be left in the middle of an event, by an exception of a long search's interruption point, and be taken up
+/// again: what is done by then is kept, and only the search is made anew.
 class Engine {
  public:
   /// Builds the tiling at the start of the first leg (not a bridge).
@@ -107,7 +111,9 @@ class Engine {
   bool certainly_first(CertificateId head);
   void process(CertificateId id, double limit);
   HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
-  void update_corner(HalfedgeId h, Now& now);
+  void take_up(const RepairReport& report);
+  CertificateId certificate_to_start(HalfedgeId h, const Now& now);
+  void finish_event();
   void drop_corner(HalfedgeId h);
   /// The vertices of the corner that h enters.
   struct Corner {
@@ -119,7 +125,14 @@ class Engine {
   void reserve_for_legs();
   void enter_leg();
   void look_at_settled(double t, bool all_due);
+  void finish_sweep();
   void schedule(CertificateId id, double t);
+  /// Is nothing half done? Otherwise the queue does not know all that is due.
+  bool is_whole() const { return !repaired_.open && sweep_.due == Settled::Due::nothing; }
+  void make_whole() {
+    if (sweep_.due != Settled::Due::nothing) finish_sweep();
+    if (repaired_.open) finish_event();
+  }
 
   PairGeometry geometry_;
   std::vector<Leg> legs_;
@@ -132,6 +145,23 @@ class Engine {
   BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
   Settled settled_;
+  /// Certificates that are due at t: those from number `next` on are not scheduled yet.
+  struct Sweep {
+    Settled::Due due = Settled::Due::nothing;
+    bool all_due = false;
+    double t = 0;
+    std::size_t next = 0;
+  };
+  Sweep sweep_;
+  /// The last event, while certificates of its corners are still to be started.
+  struct Repaired {
+    bool open = false;
+    EngineEvent event;
+    Now now;
+    std::array<CertificateId, 6> fresh;
+    std::size_t count = 0, next = 0;
+  };
+  Repaired repaired_;
   CertificateId next_;
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time

@@ -123,12 +123,10 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   if (!store_->holds(slot, key)) {
     interruption_point();
     if (&cell == last_) last_ = nullptr;
-    store_->keys[slot] = key;
-    cell.level = level;
-    cell.index = index;
-    cell.start = boundary(level, index);
-    cell.end = boundary(level, index + 1);
+    store_->keys[slot] = 0;
+    place(cell, level, index);
     make(cell);
+    store_->keys[slot] = key;
   }
   return cell;
 }
@@ -179,25 +177,27 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
   if (key >= own || store_->keys[slot] == key) return &at_level(level, index);
   ClockCell& wide = store_->cells[slot];
   if (!store_->outlook_known[slot]) {
-    store_->outlook_known[slot] = true;
     place(wide, level, index);
     wide.leaf = wide.sharp = wide.widest = false;
     const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
     wide.pp_third = third_of(over.for_pp);
     wide.qq_third = third_of(over.for_qq);
+    store_->outlook_known[slot] = true;
   }
   return &wide;
 }
 
 void LegClock::evaluate(double t, Side& side) {
-  side.t = t;
-  side.known = true;
+  // Known once it is: looking for the cell can be interrupted.
+  side.known = false;
   const ClockCell& here = cell(t);
   if (here.sharp) {
     taut::evaluate(here.model, t, side.first, side.functions);
   } else {
     side.functions = evaluate_exactly(*leg_, t, side.first);
   }
+  side.t = t;
+  side.known = true;
 }
 
 const FrameSample& LegClock::shortly_before(double t, bool pp, double& at) {

@@ -55,25 +55,22 @@ PairResult contact_of(const PairResult& known, const Witness& witness, const Leg
   return result;
 }
 
-spacetime::SpacetimeResult PairQuestion::found(double from, double to) const {
-  return spacetime::first_contact(search_.geometry, search_.trees(), search_.legs(), {from, to, from == start_},
-                                  window_ == from ? since_ : spacetime::LegPlace::beginning());
+spacetime::ContactSearch PairQuestion::search(double from, double to) const {
+  return {search_.geometry, search_.trees(), search_.legs(), spacetime::TimeWindow{from, to, from == start_}};
 }
 
 void PairQuestion::ask(double from, double to) {
-  if (!settled_before(from)) note(found(from, to));
+  if (!settled_before(from)) note(search(from, to).go_on());
 }
 
 bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
   if (settled_before(from)) return true;
   const InterruptionScope turn(effort);
-  const spacetime::SpacetimeResult result = found(from, to);
-  if (turn.exhausted()) {
-    precise_ += result.precise;
-    window_ = from;
-    since_ = {result.leg, result.lo};
-    return false;
-  }
+  if (!left_ || window_ != from) left_.emplace(search(from, to));
+  window_ = from;
+  const spacetime::SpacetimeResult result = left_->go_on();
+  if (turn.exhausted()) return false;
+  left_.reset();
   note(result);
   return true;
 }

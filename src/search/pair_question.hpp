@@ -87,15 +87,15 @@ class PairQuestion final : public WindowedPair {
 
  private:
   void settle_start();
-  spacetime::SpacetimeResult found(double from, double to) const;
+  spacetime::ContactSearch search(double from, double to) const;
   void note(const spacetime::SpacetimeResult& found);
   bool settled_before(double t) const { return !open() && result_.free_until <= t; }
 
   PairSearch search_;
   bool inwards_;
   double start_, end_;
-  double window_ = 0;          ///< the beginning of the one last tried,
-  spacetime::LegPlace since_;  ///< in which there is no contact before
+  std::optional<spacetime::ContactSearch> left_;  ///< in the middle of a window
+  double window_ = 0;                             ///< which begins there
   PairResult result_;
   std::uint64_t precise_ = 0;
 };

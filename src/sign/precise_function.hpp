@@ -14,19 +14,23 @@ namespace taut {
 /// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
 template <class Real>
 class PreciseFunction {
-  /// In units of interruption_point(): a turn needs a sine and a cosine.
-  static std::uint64_t work_of_value(const Leg& leg) {
-    constexpr std::uint64_t bits = RealTraits<Real>::bits;
-    if (std::is_same_v<Real, double>) return leg.translation || leg.bridge ? 2 : 10;
-    return leg.translation || leg.bridge ? bits / 8 : bits * bits / 256;
+  /// What it costs in units of interruption_point(), as measured, within a factor of three either way: a turn needs a
+  /// sine and a cosine, or a root and a quotient, which longer numbers make little dearer; of polynomials a range needs
+  /// them about another place.
+  static constexpr std::uint64_t bits = RealTraits<Real>::bits;
+  static constexpr std::uint64_t work_of_form = 20, work_of_range = 80 + bits / 10, work_of_combination = bits / 8;
+  std::uint64_t work_of_value() const {
+    if (std::is_same_v<Real, double>) return is_polynomial() ? 1 : 5;
+    return is_polynomial() ? 1 + (1 + bits / 320) * static_cast<std::uint64_t>(leg_.degree) : 50 + bits / 8;
   }
-
-  static constexpr std::uint64_t work_of_model = 100;
+  std::uint64_t work_of_jet() const { return (is_polynomial() ? 6 : 3) * work_of_value(); }
+  std::uint64_t work_of_series() const { return 12 * work_of_value(); }
 
  public:
   /// `models` are those of the leg, and must outlive it; without, the function has its own.
   PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, TaylorFrames* models = nullptr)
       : leg_(leg), pp_(form.pp), shared_(models) {
+    if (!std::is_same_v<Real, double>) count_work(work_of_form);
     const Origin origin = leg.translation ? Origin::powers : Origin::frame;
     const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced, origin);
     if (portion_of(leg, g, form) == Portion::displacement) {
@@ -41,7 +45,7 @@ class PreciseFunction {
   /// Value and derivatives over the ball t of the leg's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const {
     if (is_polynomial()) {
-      count_work(2 * work_of_value(leg_));
+      count_work(work_of_jet());
       return polynomial_range(polynomial_, t);
     }
     if constexpr (!std::is_same_v<Real, double>) {
@@ -51,7 +55,7 @@ class PreciseFunction {
         if (range.v.sign() != 0 || t.rad != 0) return range;
       }
     }
-    count_work(2 * work_of_value(leg_));
+    count_work(work_of_jet());
     const Frame<Real> f = frame(leg_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0) return range;
@@ -59,12 +63,13 @@ class PreciseFunction {
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
-    count_work(2 * work_of_value(leg_));
+    count_work(work_of_jet());
     const Frame<Real> f = frame(leg_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
   /// Taylor's formula in s about a singular end: the terms, but for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
+    count_work(work_of_series());
     const auto f = frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
     BallPolynomial<Real> sum;
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
@@ -72,6 +77,7 @@ class PreciseFunction {
   }
   /// and the last one, which makes it right for all s from the end to `farthest`.
   Ball<Real> last_term_from_end(double end, double direction, const Ball<Real>& farthest) const {
+    count_work(work_of_series());
     const Ball<Real> over = hull(Ball<Real>::exact(0), farthest);
     return coefficient_of(frame_series(leg_, TimeFromEnd<Real>{end, direction, over}), last_from_end);
   }
@@ -82,7 +88,7 @@ class PreciseFunction {
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
-    count_work(work_of_value(leg_));
+    count_work(work_of_value());
     if (is_polynomial()) return polynomial_value(polynomial_, t);
     const FrameValues<Real> f = frame_values(leg_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
@@ -104,12 +110,14 @@ class PreciseFunction {
     if constexpr (std::is_same_v<Real, double>) {
       return range;
     } else {
+      count_work(work_of_series());
       return range_of(models().make(leg_, t), t);
     }
   }
   Jet<Real> range_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
-    count_work(work_of_model);
+    count_work(work_of_range);
     if (combined_ != model.number) {
+      count_work(work_of_combination);
       combined_ = model.number;
       about_middle_.size = 0;
       for (std::size_t k = 0; k <= model_degree; ++k) {

@@ -64,7 +64,7 @@ const TieFrame* TieFrames::around(double lo, double hi) {
     if (frame.reach == 0 && lo <= frame.about && frame.about <= hi) return nullptr;
     if (lo >= frame.about - frame.reach && hi <= frame.about + frame.reach) return &frame;
   }
-  count_work(leg_->translation ? 200 : 1000);
+  count_work(leg_->translation ? 120 : 700);
   TieFrame& made = slot();
   made = frame_about(*leg_, lo + (hi - lo) / 2);
   return hi - made.about <= made.reach && made.about - lo <= made.reach ? &made : nullptr;

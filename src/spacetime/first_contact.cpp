@@ -36,12 +36,16 @@ class LegSearch {
   /// The first contact on [from, to] of the leg's parameter.
   std::optional<Crossing> run(double from, double to) {
     walk_.through(from, to);
-    if (best_) leaves_.precise().tighten(*best_);
-    return best_;
+    return finished();
+  }
+  /// The same after an interruption.
+  std::optional<Crossing> go_on() {
+    walk_.go_on();
+    return finished();
   }
   /// All crossings instead, each once.
   std::vector<Crossing> run_through(double from, double to) {
-    run(from, to);
+    walk_.through(from, to);
     return std::move(found_);
   }
   /// Up to when there is certainly no contact.
@@ -76,6 +80,10 @@ class LegSearch {
   }
 
  private:
+  std::optional<Crossing> finished() {
+    if (best_) leaves_.precise().tighten(*best_);
+    return best_;
+  }
   /// The window around t for the leaves of the stretch that ends at `end`.
   FrameWindow& window_at(double t, double end) {
     if (!leg_.translation) return walk_.window();
@@ -104,7 +112,10 @@ class LegSearch {
         found_.push_back(std::move(*found));
         continue;
       }
-      if (!best_ || leaves_.precise().before(*found, *best_)) best_ = std::move(found);
+      // Stretches come in their order: the pair's own crossing, found before, or found again after an interruption, is
+      // not later.
+      const bool own = best_ && best_->pair.vertex == pair.vertex && best_->pair.edge == pair.edge;
+      if (!own && (!best_ || leaves_.precise().before(*found, *best_))) best_ = std::move(found);
       return;
     }
   }
@@ -148,65 +159,74 @@ std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
 
 }  // namespace
 
-namespace {
+/// The leg at hand, and what the ones before it have come to.
+struct ContactSearch::State {
+  const PairGeometry& geometry;
+  TreePair trees;
+  const std::vector<Leg>& legs;
+  std::optional<TimeWindow> window;
+  std::size_t leg = 0;
+  std::optional<LegSearch> search;  ///< on it, once it has begun
+  SpacetimeResult counts;           ///< of those before
 
-/// The first contact on the parts of legs that part(leg's number) gives.
-template <class Part>
-SpacetimeResult first_contact_on(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                                 const Part& part_of) {
-  SpacetimeResult result;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const std::optional<TimeInterval> part = part_of(i);
-    if (!part) continue;
-    LegSearch search(geometry, trees, legs[i], part->lo);
-    try {
-      const std::optional<Crossing> found = search.run(part->lo, part->hi);
-      search.count(result);
-      if (!found) {
-        if (part->hi >= legs[i].end) legs[i].forget();
-        continue;
-      }
-      note(*found, i, legs[i].end, result);
-      return result;
-    } catch (const Undecidable& limit) {
-      result.reason = not_decided(limit);
-    } catch (const Interrupted& limit) {
-      result.reason = limit.reason;
-    }
-    search.count(result);
-    result.outcome = SpacetimeResult::undecided;
-    result.leg = i;
-    result.lo = search.proved();
-    return result;
+  std::optional<TimeInterval> part() const {
+    return window ? clipped(legs[leg], *window) : TimeInterval{legs[leg].start, legs[leg].end};
   }
-  result.outcome = SpacetimeResult::free;
-  return result;
-}
+  std::optional<Crossing> search_leg(const TimeInterval& interval) {
+    if (search) return search->go_on();
+    search.emplace(geometry, trees, legs[leg], interval.lo);
+    return search->run(interval.lo, interval.hi);
+  }
+  SpacetimeResult result() {
+    SpacetimeResult all = counts;
+    if (search) search->count(all);
+    return all;
+  }
+  SpacetimeResult stopped(const std::string& reason) {
+    SpacetimeResult all = result();
+    all.reason = reason;
+    all.leg = leg;
+    all.lo = search->proved();
+    return all;
+  }
+  void leave_leg(const TimeInterval& interval) {
+    counts = result();
+    search.reset();
+    if (interval.hi >= legs[leg].end) legs[leg].forget();
+  }
+  SpacetimeResult go_on() {
+    for (; leg < legs.size(); ++leg) {
+      const std::optional<TimeInterval> interval = part();
+      if (!interval) continue;
+      try {
+        if (const std::optional<Crossing> found = search_leg(*interval)) {
+          SpacetimeResult all = result();
+          note(*found, leg, legs[leg].end, all);
+          return all;
+        }
+      } catch (const Undecidable& limit) {
+        return stopped(not_decided(limit));
+      } catch (const Interrupted& limit) {
+        return stopped(limit.reason);
+      }
+      leave_leg(*interval);
+    }
+    SpacetimeResult all = result();
+    all.outcome = SpacetimeResult::free;
+    return all;
+  }
+};
 
-}  // namespace
+ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                             const std::optional<TimeWindow>& window)
+    : state_(std::make_unique<State>(State{geometry, trees, legs, window, 0, std::nullopt, {}})) {}
+ContactSearch::~ContactSearch() = default;
+ContactSearch::ContactSearch(ContactSearch&&) noexcept = default;
+
+SpacetimeResult ContactSearch::go_on() { return state_->go_on(); }
 
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
-  return first_contact_from(LegPlace::beginning(), geometry, trees, legs);
-}
-
-SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
-                                   const std::vector<Leg>& legs) {
-  return first_contact_on(geometry, trees, legs, [&](std::size_t i) -> std::optional<TimeInterval> {
-    if (i < place.leg) return std::nullopt;
-    const double from = i == place.leg ? std::max(place.parameter, legs[i].start) : legs[i].start;
-    return TimeInterval{from, legs[i].end};
-  });
-}
-
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                              const TimeWindow& window, const LegPlace& since) {
-  return first_contact_on(geometry, trees, legs, [&](std::size_t i) -> std::optional<TimeInterval> {
-    if (i < since.leg) return std::nullopt;
-    std::optional<TimeInterval> part = clipped(legs[i], window);
-    if (part && i == since.leg) part->lo = std::max(part->lo, since.parameter);
-    if (part && part->lo > part->hi) return std::nullopt;
-    return part;
-  });
+  return ContactSearch(geometry, trees, legs).go_on();
 }
 
 std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,22 +34,33 @@ struct SpacetimeResult {
   std::uint64_t pairs = 0, roots = 0, precise = 0;
 };
 
-/// The first contact of the two displaced polygons along the legs (as made by make_legs), given that they are disjoint
-/// at the start of the first (see overlapping(); if they are not, the answer means nothing).
-/// `free` and `contact` are proofs: every sign and every order of two instants behind them is certified.
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
-
-/// A leg, and a parameter on it.
-struct LegPlace {
-  std::size_t leg = 0;
-  double parameter = -std::numeric_limits<double>::infinity();
-
-  /// Before all that there is.
-  static LegPlace beginning() { return {}; }
+/// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
+struct TimeWindow {
+  double from = 0, to = 0;
+  bool first = true;  ///< it begins with the scene, and has its beginning
 };
-/// The same from there on, up to which there is no contact.
-SpacetimeResult first_contact_from(const LegPlace& place, const PairGeometry& geometry, const TreePair& trees,
-                                   const std::vector<Leg>& legs);
+
+/// The search for the first contact of the two displaced polygons along the legs (as made by make_legs), or on what of
+/// them lies in a window, given that they are disjoint at the start of the first (see overlapping(); if they are not,
+/// the answer means nothing). `free` and `contact` are proofs: every sign and every order of two instants behind them
+/// is certified.
+class ContactSearch {
+ public:
+  /// All of it must outlive the search.
+  ContactSearch(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+                const std::optional<TimeWindow>& window = std::nullopt);
+  ~ContactSearch();
+  ContactSearch(ContactSearch&&) noexcept;
+  /// What an interruption point ends in the middle is `undecided`; the next call goes on there. What came of the search
+  /// is counted from its beginning.
+  SpacetimeResult go_on();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+/// The same in one go.
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
 
 /// A crossing of an edge by a vertex, on a leg.
 struct LegCrossing {
@@ -59,15 +70,6 @@ struct LegCrossing {
   double lo = 0, hi = 0;  ///< encloses the leg's parameter
   PreciseTime precise;    ///< within [lo, hi]; once a stage has looked at it
 };
-/// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
-struct TimeWindow {
-  double from = 0, to = 0;
-  bool first = true;  ///< it begins with the scene, and has its beginning
-};
-/// The same within a window, from a place on, up to which there is no contact in it.
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                              const TimeWindow& window, const LegPlace& since = LegPlace::beginning());
-
 /// All crossings of edges of one body by vertices of the other within the windows, which are in order and apart, each
 /// leg's in no particular order: between two of them that follow each other in time, the same edges cross, if the
 /// bodies are apart outside of the windows. They are enclosed as far as telling them apart from others of the same two

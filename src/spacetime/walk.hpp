@@ -42,6 +42,9 @@ constexpr int windows_before_growing = 8;
 ///   Fate look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
 ///   double shortest                                      of the stretches' lengths, that are halved
 /// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
+///
+/// What an interruption point ends in the middle can be gone on with: stretches that are still to be looked at are
+/// kept, and a pair of boxes leaves the list when it has been looked at.
 template <class Question>
 class Walk {
  public:
@@ -50,23 +53,30 @@ class Walk {
 
   /// From the root of both trees, throughout [from, to] of the leg's parameter.
   void through(double from, double to) {
-    if (leg_.translation) return from_root(from, to);
-    for (double t = from; t < to && question_.begins(t); t = window_->end()) {
-      next_window(t, from, to);
-      from_root(t, window_->end());
-    }
+    from_ = reached_ = from;
+    to_ = to;
+    begun_ = false;
+    levels_.clear();
+    go_on();
+  }
+  /// After an interruption: the rest of it.
+  void go_on() {
+    do {
+      work_off();
+    } while (begin_next());
   }
   /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the leg. Where the
   /// motion is singular, it moves the less the shorter the window is.
   void at(double t) {
-    if (leg_.translation) return from_root(t, t);
+    if (leg_.translation) return through(t, t);
     const double whole = leg_.end - leg_.start;
     for (double some = whole * length_of_instant;; some *= 0x1p-10) {
       window_.emplace(leg_, std::max(leg_.start, std::min(t, leg_.end - some)), leg_.end, some);
       while (window_->end() < t) window_.emplace(leg_, window_->end(), leg_.end, some);
       if (window_->smooth() || some < whole * shortest_instant) break;
     }
-    from_root(t, t);
+    begin_at_root(t, t);
+    work_off();
   }
   /// The window around the stretch at hand, unless the leg is a translation.
   FrameWindow& window() { return *window_; }
@@ -81,38 +91,79 @@ class Walk {
     window_.emplace(leg_, start, to, wanted);
     resting_ = window_->length() < 0.75 * wanted ? windows_before_growing : std::max(0, resting_ - 1);
   }
-  void from_root(double from, double to) {
+  /// The next part of the whole that is looked at with one window, of a translation all of it; false if there is none.
+  bool begin_next() {
+    if (leg_.translation) {
+      if (begun_) return false;
+      begun_ = true;
+      begin_at_root(from_, to_);
+      return true;
+    }
+    if (!(reached_ < to_) || !question_.begins(reached_)) return false;
+    next_window(reached_, from_, to_);
+    begin_at_root(reached_, window_->end());
+    reached_ = window_->end();
+    return true;
+  }
+  void begin_at_root(double from, double to) {
     pairs_.assign(1, {0, 0});
-    cover(0, from, to);
+    levels_.assign(1, {from, to, 0, 1});
+    stretch_.reset();
   }
   Stretch stretch(double from, double to) {
     if (leg_.translation) return Stretch::of_translation(leg_, polynomial_, from, to);
     return window_->smooth() ? Stretch::of_window(leg_, *window_, from, to) : Stretch::of_range(leg_, *window_);
   }
-  /// All of [start, end], for the pairs from `first` on. Those before belong to longer stretches.
-  void cover(std::size_t first, double start, double end) {
-    if (!question_.begins(start)) return;
-    const Stretch s = stretch(start, end);
-    const double middle = start + (end - start) / 2;
-    const StretchOfTime time{s, start, end, s.r > question_.shortest && start < middle && middle < end};
-    const std::size_t last = pairs_.size();
-    for (std::size_t i = first; i < last; ++i) {
-      todo_.assign(1, pairs_[i]);
-      while (!todo_.empty()) {
-        interruption_point();
-        const BoxPair pair = todo_.back();
-        todo_.pop_back();
-        const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
-        const Fate fate = question_.look(time, p, q);
-        if (fate == Fate::deferred) pairs_.push_back(pair);
-        if (fate == Fate::divided) divide(pair, p, q, s);
+  /// A stretch that is to be looked at, and its pairs. Those before them belong to longer stretches, those after them
+  /// to shorter ones, which are done by then.
+  struct Level {
+    double start, end;
+    std::size_t first, last;
+    double middle() const { return start + (end - start) / 2; }
+  };
+
+  /// All that there is on levels_, the last one first.
+  void work_off() {
+    while (!levels_.empty()) {
+      const Level level = levels_.back();
+      if (!stretch_ && !begin(level)) {
+        levels_.pop_back();
+        continue;
       }
+      look(level);
+      stretch_.reset();
+      levels_.pop_back();
+      if (pairs_.size() == level.last) continue;
+      levels_.push_back({level.middle(), level.end, level.last, pairs_.size()});
+      levels_.push_back({level.start, level.middle(), level.last, pairs_.size()});
     }
-    if (pairs_.size() > last) {
-      cover(last, start, middle);
-      cover(last, middle, end);
+  }
+  bool begin(const Level& level) {
+    pairs_.resize(level.last);
+    todo_.clear();
+    next_ = level.first;
+    if (!question_.begins(level.start)) return false;
+    stretch_.emplace(stretch(level.start, level.end));
+    return true;
+  }
+  /// At all pairs of a stretch.
+  void look(const Level& level) {
+    const bool divisible =
+        stretch_->r > question_.shortest && level.start < level.middle() && level.middle() < level.end;
+    const StretchOfTime time{*stretch_, level.start, level.end, divisible};
+    for (;;) {
+      if (todo_.empty()) {
+        if (next_ == level.last) return;
+        todo_.push_back(pairs_[next_++]);
+      }
+      interruption_point();
+      const BoxPair pair = todo_.back();
+      const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
+      const Fate fate = question_.look(time, p, q);
+      todo_.pop_back();
+      if (fate == Fate::deferred) pairs_.push_back(pair);
+      if (fate == Fate::divided) divide(pair, p, q, *stretch_);
     }
-    pairs_.resize(last);
   }
   /// The larger one, with what comes first on top.
   void divide(const BoxPair& pair, const BoxNode& p, const BoxNode& q, const Stretch& s) {
@@ -137,6 +188,11 @@ class Walk {
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
   int resting_ = 0;
+  double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a leg that turns, windows begin there
+  bool begun_ = false;                      ///< the only part of a translation
+  std::vector<Level> levels_;
+  std::optional<Stretch> stretch_;  ///< of the last level, if it has begun
+  std::size_t next_ = 0;            ///< of its pairs
   std::vector<BoxPair> pairs_, todo_;
 };
 

@@ -172,6 +172,11 @@ class Search {
       for (std::size_t i = 0; i < engines.size(); ++i) note(s, number, contacts, i, own[i]);
     } catch (const InputError&) {
       // Some injections spoil a scene.
+    } catch (const InternalError&) {
+      const std::string file = fmt::format("{}/defect-{}.json", options_.folder, number);
+      write_file(file, write_scene(s.scene));
+      fmt::print(stderr, "scene {}, touch {}, or its twin:\n", file, s.touch == Touch::open ? "open" : "closed");
+      throw;
     }
   }
 
