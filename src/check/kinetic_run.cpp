@@ -63,7 +63,7 @@ class KineticRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return session_ && session_->engine().doubles_sufficed(); }
+  StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
   /// To the end, a contact, or a limit, of which the answer tells; or until the effort is spent.

@@ -57,7 +57,7 @@ class SpacetimeQuestion {
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {
-    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &precise_);
+    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &stages_);
     if (!overlap) return true;
     if (touch_ == Touch::closed && overlap->crossing) {
       const PairGeometry inner = displaced_pair(plan_, true);
@@ -75,7 +75,7 @@ class SpacetimeQuestion {
   /// From where the last run was interrupted.
   void run(Answer& answer) {
     const SpacetimeResult found = spacetime::first_contact_from(reached_, geometry_, trees(), legs_);
-    precise_ += found.precise;
+    stages_ += found.stages;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       answer.outcome = Outcome::free;
@@ -91,7 +91,7 @@ class SpacetimeQuestion {
     }
   }
 
-  bool doubles_sufficed() const { return precise_ == 0; }
+  const StageCounts& stages() const { return stages_; }
 
  private:
   spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
@@ -104,7 +104,7 @@ class SpacetimeQuestion {
   Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
   spacetime::LegPlace reached_;  ///< no contact before
-  std::uint64_t precise_ = 0;    ///< questions to multi-precision
+  StageCounts stages_;
 };
 
 /// Of a stretch of time that proves too much for a turn, what was found out is not kept: the next turn begins with it.
@@ -143,7 +143,7 @@ class SpacetimeRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return question_ && question_->doubles_sufficed(); }
+  StageCounts stages() const override { return question_ ? question_->stages() : StageCounts(); }
 
  private:
   void give_up(const std::string& reason) {

@@ -16,20 +16,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "numeric/stages.hpp"
 #include "taut/geometry.hpp"
 
 namespace taut {
-
-/// Which computation decided a sign.
-enum class SignStage : std::uint8_t {
-  filtered,  ///< doubles, with the error bound below
-  exact,     ///< an exact sum of products
-};
-
-struct StagedSign {
-  int sign = 0;
-  SignStage stage = SignStage::filtered;
-};
 
 /// Magnitudes between which the coordinates of the contract lie.
 inline constexpr double min_coordinate = 0x1p-400;
@@ -71,9 +61,8 @@ inline bool filtered_sign(double left, double right, int& sign) {
 /// The sign of (a - c) x (b - c) and which stage decided it.
 inline StagedSign orientation_staged(const Point& a, const Point& b, const Point& c) {
   int sign = 0;
-  if (detail::filtered_sign((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x), sign))
-    return {sign, SignStage::filtered};
-  return {orientation_exact(a, b, c), SignStage::exact};
+  if (detail::filtered_sign((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x), sign)) return {sign, Stage::doubles};
+  return {orientation_exact(a, b, c), Stage::exact};
 }
 
 /// +1 if a, b, c turn counterclockwise, -1 if clockwise, 0 if and only if they are collinear.

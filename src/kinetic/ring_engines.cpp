@@ -16,7 +16,7 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
   const Leg& first = legs_[0].front();
   const Placement placement(geometry, first, first.start, Positions::on_demand);
   const RingMeetings meetings = ring_meetings(plan, placement);
-  start_in_doubles_ = placement.precise_calls() == 0;
+  at_start_ = placement.stages();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
   for (const RingMeeting& rings : meetings.pairs) {
@@ -153,9 +153,10 @@ std::uint64_t RingEngines::max_certificates() const {
   return sum;
 }
 
-bool RingEngines::doubles_sufficed() const {
-  return start_in_doubles_ &&
-         std::all_of(runs_.begin(), runs_.end(), [](const Run& r) { return r.engine->doubles_sufficed(); });
+StageCounts RingEngines::stages() const {
+  StageCounts sum = at_start_;
+  for (const Run& run : runs_) sum += run.engine->stages();
+  return sum;
 }
 
 }  // namespace taut

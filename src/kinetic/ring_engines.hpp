@@ -53,7 +53,7 @@ class RingEngines {
   std::uint64_t certificates() const;
   std::uint64_t initial_certificates() const;
   std::uint64_t max_certificates() const;
-  bool doubles_sufficed() const;
+  StageCounts stages() const;
   const std::vector<Leg>& legs() const { return legs_[0]; }
 
   std::size_t size() const { return runs_.size(); }
@@ -85,7 +85,7 @@ class RingEngines {
   std::vector<Run> runs_;
   bool overlap_ = false;
   std::optional<VertexId> inside_;
-  bool start_in_doubles_ = true;
+  StageCounts at_start_;
   std::optional<Found> contact_;
 };
 

@@ -72,13 +72,19 @@ void KineticPair::begin(double from) {
 
 void KineticPair::leave() {
   before_ = counts();
-  doubles_ = doubles_sufficed();
+  stages_ = stages();
   engines_.reset();
 }
 
 KineticCounts KineticPair::counts() const {
   KineticCounts sum = before_;
   if (engines_) sum += {engines_->events(), engines_->initial_certificates(), engines_->max_certificates()};
+  return sum;
+}
+
+StageCounts KineticPair::stages() const {
+  StageCounts sum = stages_;
+  if (engines_) sum += engines_->stages();
   return sum;
 }
 

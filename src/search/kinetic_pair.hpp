@@ -33,7 +33,7 @@ class KineticPair final : public WindowedPair {
   bool work(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
-  bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }
+  StageCounts stages() const override;
   KineticCounts counts() const override;
   /// Up to where the present tilings have come.
   double at() const { return at_; }
@@ -62,7 +62,7 @@ class KineticPair final : public WindowedPair {
   double at_ = 0;         ///< up to where the present engines have come
   double window_ = 0;     ///< where the window begins that they are in
   KineticCounts before_;  ///< of engines that have been left
-  bool doubles_ = true;   ///< they sufficed for these
+  StageCounts stages_;    ///< of these
   PairResult result_;
 };
 

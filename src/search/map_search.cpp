@@ -99,9 +99,9 @@ std::vector<PairResult> MapSearch::results() const {
   return results;
 }
 
-std::uint64_t MapSearch::precise() const {
-  std::uint64_t sum = 0;
-  for (const auto& [body, pair] : pairs_) sum += pair->precise();
+StageCounts MapSearch::stages() const {
+  StageCounts sum;
+  for (const auto& [body, pair] : pairs_) sum += pair->stages();
   return sum;
 }
 

@@ -43,7 +43,7 @@ class MapSearch {
   std::optional<Point> common_point(int body);
   double proved() const { return proved_; }
   std::uint64_t checked() const { return pairs_.size(); }
-  std::uint64_t precise() const;
+  StageCounts stages() const;
 
  private:
   PairQuestion& pair(int body);

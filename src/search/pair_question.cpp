@@ -29,7 +29,7 @@ void PairQuestion::ask_start() {
 
 void PairQuestion::settle_start() {
   const Leg& leg = search_.legs()[0];
-  const auto overlap = spacetime::overlapping(search_.geometry, search_.trees(), leg, start_, &precise_);
+  const auto overlap = spacetime::overlapping(search_.geometry, search_.trees(), leg, start_, &stages_);
   if (!overlap) return;
   result_.free_until = start_;
   result_.outcome = Outcome::overlap_at_start;
@@ -69,7 +69,7 @@ bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
   const InterruptionScope turn(effort);
   const spacetime::SpacetimeResult result = found(from, to);
   if (turn.exhausted()) {
-    precise_ += result.precise;
+    stages_ += result.stages;
     window_ = from;
     since_ = {result.leg, result.lo};
     return false;
@@ -79,7 +79,7 @@ bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
 }
 
 void PairQuestion::note(const spacetime::SpacetimeResult& found) {
-  precise_ += found.precise;
+  stages_ += found.stages;
   if (found.outcome == spacetime::SpacetimeResult::free) return;
   const Leg& leg = search_.legs()[found.leg];
   PairResult result = result_;

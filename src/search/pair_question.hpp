@@ -50,8 +50,7 @@ class WindowedPair {
   virtual const PairResult& result() const = 0;
   /// Of a contact that was found in motion, what it is the root of.
   virtual std::optional<ContactInstant> instant() const = 0;
-  /// Has every sign been told by doubles, without regard to the displacement?
-  virtual bool doubles_sufficed() const = 0;
+  virtual StageCounts stages() const = 0;
   /// What another engine says, where two are compared.
   virtual const PairResult* other() const { return nullptr; }
   /// Of the kinetic engine.
@@ -81,9 +80,7 @@ class PairQuestion final : public WindowedPair {
   std::optional<ContactInstant> instant() const override {
     return instant_of(result_, search_.legs(), search_.geometry);
   }
-  bool doubles_sufficed() const override { return precise_ == 0; }
-  /// Questions to multi-precision.
-  std::uint64_t precise() const { return precise_; }
+  StageCounts stages() const override { return stages_; }
 
  private:
   void settle_start();
@@ -97,7 +94,7 @@ class PairQuestion final : public WindowedPair {
   double window_ = 0;          ///< the beginning of the one last tried,
   spacetime::LegPlace since_;  ///< in which there is no contact before
   PairResult result_;
-  std::uint64_t precise_ = 0;
+  StageCounts stages_;
 };
 
 /// The result of a contact that an engine has found on that leg, of what was known before.

@@ -98,8 +98,10 @@ std::vector<PairResult> WorldSearch::results() const {
   return results;
 }
 
-bool WorldSearch::doubles_sufficed() const {
-  return std::all_of(pairs_.begin(), pairs_.end(), [](const auto& entry) { return entry.second->doubles_sufficed(); });
+StageCounts WorldSearch::stages() const {
+  StageCounts sum;
+  for (const auto& [key, pair] : pairs_) sum += pair->stages();
+  return sum;
 }
 
 }  // namespace taut

@@ -35,7 +35,7 @@ class WorldSearch {
   double proved() const { return proved_; }
   /// Pairs that went to an engine.
   std::uint64_t checked() const { return pairs_.size(); }
-  bool doubles_sufficed() const;
+  StageCounts stages() const;
   /// Visits the pairs that went to an engine.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {

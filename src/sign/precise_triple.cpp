@@ -206,16 +206,16 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
 int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
   if (t.has_sums()) {
     const ExactLine* const exact = line();
-    if (const int sign = exact ? exact->sign_over(t) : 0) return sign;
+    if (const int sign = exact ? exact->sign_over(t) : 0) return told_by(Stage::exact, sign);
     if (stage == 0) {
       const std::optional<TieForm> tie = near(t);
-      if (const int sign = tie ? tie->sign_over(t) : 0) return sign;
+      if (const int sign = tie ? tie->sign_over(t) : 0) return told_by(Stage::fixed, sign);
     }
   }
-  return with_stage(stage, [&](auto zero) {
-    using Real = decltype(zero);
-    return function<Real>().value(as_ball<Real>(t)).sign();
-  });
+  return told_by(stage_of_precision(stage), with_stage(stage, [&](auto zero) {
+                   using Real = decltype(zero);
+                   return function<Real>().value(as_ball<Real>(t)).sign();
+                 }));
 }
 
 /// Of a function that is a line: when it changes its sign.
@@ -233,7 +233,7 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
 }
 
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
-  if (const LineFailure line = line_failure(sign, from, to); line.known) return line.time;
+  if (const LineFailure line = line_failure(sign, from, to); told_by(Stage::exact, line.known)) return line.time;
   if (const auto cut = division(leg_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;
     PreciseTime rest = PreciseTime::between(*cut, *cut);
@@ -244,7 +244,9 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   if (end != 0 && from.stage <= 0) {
     // In the distance's root the motion is so smooth that doubles nearly always do.
     const PreciseFunction<double> f(leg_, geometry_, form_);
-    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) return *answer;
+    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) {
+      return *told_by(Stage::doubles, answer);
+    }
   }
   const auto search = [&](auto zero, int stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
@@ -257,7 +259,12 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     refine_root(f, sign, *root, 0);
     return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
   };
-  const auto found = at_some_stage(search, std::max(from.stage, 0));
+  const auto counted = [&](auto zero, int stage) {
+    auto answer = search(zero, stage);
+    told_by(stage_of_precision(stage), true);
+    return answer;
+  };
+  const auto found = at_some_stage(counted, std::max(from.stage, 0));
   if (!found) throw Undecidable{"the failure time of a certificate"};
   return *found;
 }
@@ -267,12 +274,12 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
   if (stage == 0) {
     const ExactLine* const exact = line();
     if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
-      t = *root;
+      t = *told_by(Stage::exact, root);
       return true;
     }
     const std::optional<TieForm> tie = near(t);
     if (const auto root = tie ? tie->root(sign, stage, enough) : std::nullopt) {
-      t = *root;
+      t = *told_by(Stage::fixed, root);
       return true;
     }
   }
@@ -286,7 +293,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
       return false;
     }
     t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
-    return true;
+    return told_by(stage_of_precision(stage), true);
   });
 }
 

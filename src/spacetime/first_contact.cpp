@@ -49,7 +49,7 @@ class LegSearch {
   void count(SpacetimeResult& result) {
     result.pairs += looks_;
     result.roots += leaves_.roots();
-    result.precise += leaves_.precise().calls() + flat_sides_.by_displacement();
+    (result.stages += leaves_.precise().stages()) += flat_sides_.stages();
   }
 
   const double shortest;

@@ -30,8 +30,9 @@ struct SpacetimeResult {
   std::size_t leg = 0;
   /// If undecided: why; and no contact happens before `lo` on leg `leg`.
   std::string reason;
-  /// Pairs of boxes looked at, roots isolated in doubles, questions to multi-precision.
-  std::uint64_t pairs = 0, roots = 0, precise = 0;
+  /// Pairs of boxes looked at, and roots isolated in doubles.
+  std::uint64_t pairs = 0, roots = 0;
+  StageCounts stages;  ///< which told where doubles did not
 };
 
 /// The first contact of the two displaced polygons along the legs (as made by make_legs), given that they are disjoint
@@ -87,9 +88,9 @@ struct StartOverlap {
 };
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
-/// Counts how often doubles did not suffice.
+/// Counts which stages told where doubles did not.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
-                                        std::uint64_t* precise = nullptr);
+                                        StageCounts* stages = nullptr);
 /// The same for those who know the motion at that instant: `instant` is a stretch of no length.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
                                         const Stretch& instant);
