@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "base/overloaded.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
@@ -31,14 +32,16 @@ void require_numbers(const Outline& outline, const std::string& name) {
   for (const CurveSegment& segment : outline.segments) {
     ++index;
     require_point(end_of(segment));
-    if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-      for (const double x : {arc->rx, arc->ry, arc->rotation_deg}) require(x);
-    }
-    if (const auto* q = std::get_if<QuadraticTo>(&segment)) require_point(q->control);
-    if (const auto* c = std::get_if<CubicTo>(&segment)) {
-      require_point(c->first);
-      require_point(c->second);
-    }
+    std::visit(Overloaded{[](const LineTo&) {},
+                          [&](const ArcTo& arc) {
+                            for (const double x : {arc.rx, arc.ry, arc.rotation_deg}) require(x);
+                          },
+                          [&](const QuadraticTo& q) { require_point(q.control); },
+                          [&](const CubicTo& c) {
+                            require_point(c.first);
+                            require_point(c.second);
+                          }},
+               segment);
   }
 }
 

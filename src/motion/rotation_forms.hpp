@@ -1,18 +1,12 @@
 // What every form of rotation has to tell of itself. A program with a new form in Rotation does not compile before it
-// is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp and in the fingerprint.
+// is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp, in the fingerprint, and where scenes are
+// read and written.
 #pragma once
 
+#include "base/overloaded.hpp"
 #include "taut/motion.hpp"
 
 namespace taut {
-
-/// One function object of several, one for each case: for std::visit, which wants every case.
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 /// Calls visit(coefficients) for each polynomial of a rotation.
 template <class Visit>

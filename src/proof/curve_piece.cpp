@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/overloaded.hpp"
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 
@@ -20,9 +21,17 @@ void require_numbers(const Outline& outline, const std::string& name) {
   require({outline.start.x, outline.start.y});
   for (const CurveSegment& segment : outline.segments) {
     require({end_of(segment).x, end_of(segment).y});
-    if (const auto* arc = std::get_if<ArcTo>(&segment)) require({arc->rx, arc->ry, arc->rotation_deg});
-    if (const auto* q = std::get_if<QuadraticTo>(&segment)) require({q->control.x, q->control.y});
-    if (const auto* c = std::get_if<CubicTo>(&segment)) require({c->first.x, c->first.y, c->second.x, c->second.y});
+    std::visit(Overloaded{[](const LineTo&) {},
+                          [&](const ArcTo& arc) {
+                            require({arc.rx, arc.ry, arc.rotation_deg});
+                          },
+                          [&](const QuadraticTo& q) {
+                            require({q.control.x, q.control.y});
+                          },
+                          [&](const CubicTo& c) {
+                            require({c.first.x, c.first.y, c.second.x, c.second.y});
+                          }},
+               segment);
   }
 }
 
@@ -141,17 +150,24 @@ void add_arc(const Point& from, const ArcTo& arc, int segment, std::vector<Curve
 }
 
 void add_segment(const Point& from, const CurveSegment& segment, int index, std::vector<CurvePiece>& pieces) {
-  const Point to = end_of(segment);
-  if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-    if (from == to) return;
-    if (arc->rx != 0 && arc->ry != 0) return add_arc(from, *arc, index, pieces);
-  }
-  std::vector<Point> points{from};
-  if (const auto* q = std::get_if<QuadraticTo>(&segment)) points.push_back(q->control);
-  if (const auto* c = std::get_if<CubicTo>(&segment)) points.insert(points.end(), {c->first, c->second});
-  points.push_back(to);
-  const bool moves = std::any_of(points.begin(), points.end(), [&](const Point& p) { return p != from; });
-  if (moves) pieces.push_back(bezier(points, index));
+  const auto add = [&](const std::vector<Point>& points) {
+    const bool moves = std::any_of(points.begin(), points.end(), [&](const Point& p) { return p != from; });
+    if (moves) pieces.push_back(bezier(points, index));
+  };
+  std::visit(Overloaded{[&](const LineTo& line) {
+                          add({from, line.to});
+                        },
+                        [&](const ArcTo& arc) {
+                          const bool bends = from != arc.to && arc.rx != 0 && arc.ry != 0;
+                          bends ? add_arc(from, arc, index, pieces) : add({from, arc.to});
+                        },
+                        [&](const QuadraticTo& q) {
+                          add({from, q.control, q.to});
+                        },
+                        [&](const CubicTo& c) {
+                          add({from, c.first, c.second, c.to});
+                        }},
+             segment);
 }
 
 }  // namespace
