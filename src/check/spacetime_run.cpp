@@ -11,7 +11,7 @@
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
-#include "sign/witness.hpp"
+#include "sign/contact_at_start.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut {
@@ -59,13 +59,14 @@ class SpacetimeQuestion {
   bool start(Answer& answer) {
     const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &stages_);
     if (!overlap) return true;
-    if (touch_ == Touch::closed && overlap->crossing) {
-      const PairGeometry inner = displaced_pair(plan_, true);
-      if (!spacetime::overlapping(inner, legs_[0], scene_.start)) {
-        answer.outcome = Outcome::contact;
-        answer.contact = witness().contact_of_crossing(overlap->edge_p, overlap->edge_q, legs_[0], scene_.start);
-        return false;
-      }
+    const auto overlap_of = [&](const PairGeometry& shapes) {
+      return spacetime::overlapping(shapes, legs_[0], scene_.start).has_value();
+    };
+    if (const auto touching = contact_at_start(
+            witness(), legs_[0], scene_.start, [&] { return *overlap; }, overlap_of)) {
+      answer.outcome = Outcome::contact;
+      answer.contact = touching->contact;
+      return false;
     }
     answer.outcome = Outcome::overlap_at_start;
     answer.overlap_point = common_point(plan_, scene_.start);

@@ -4,11 +4,11 @@
 
 #include "base/errors.hpp"
 #include "motion/pieces.hpp"
-#include "pair/crossing_edges.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
+#include "sign/contact_at_start.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -33,18 +33,20 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
   build(touch == Touch::open);
-  if (engine_->state() != EngineState::overlap) return;
-  if (touch == Touch::closed) {
-    // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
-    const PairGeometry inner = displaced_pair(plan_, true);
-    const Placement placement(inner, engine_->leg(), start_);
+  if (engine_->state() == EngineState::overlap) settle_overlap();
+}
+
+void Session::settle_overlap() {
+  const Leg& leg = engine_->leg();
+  const auto how = [&] { return overlap_of_outlines(engine_->geometry(), leg, start_); };
+  const auto overlap_of = [&](const PairGeometry& shapes) {
     FreeTriangulation triangulation;
-    if (!triangulate_free_space(placement, triangulation)) {
-      const auto crossing = crossing_edges(Placement(engine_->geometry(), engine_->leg(), start_));
-      if (!crossing) throw StructureError("bodies that touch without a crossing of their outlines");
-      contact_ = witness().contact_of_crossing(crossing->p, crossing->q, engine_->leg(), start_);
-      return;
-    }
+    return triangulate_free_space(Placement(shapes, leg, start_), triangulation).has_value();
+  };
+  if (const auto touching = contact_at_start(witness(), leg, start_, how, overlap_of)) {
+    touching_ = touching->how;
+    contact_ = touching->contact;
+    return;
   }
   overlap_at_start_ = true;
   overlap_point_ = common_point(plan_, start_);

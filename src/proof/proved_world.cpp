@@ -55,6 +55,14 @@ bool inside_the_other(const Placement& place, VertexId vertex) {
   return winds > 0;
 }
 
+void require_crossing(const Placement& place, VertexId e, VertexId f) {
+  const PairGeometry& g = place.geometry();
+  const VertexId e2 = g.next(e), f2 = g.next(f);
+  if (g.same_body(e, f) || place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
+      place.orientation(f, f2, e) == place.orientation(f, f2, e2))
+    throw ProofError("the edges do not cross");
+}
+
 bool overlap_at(const ProvedPair& pair, const Leg& leg, double t) {
   const MotionWindow instant(leg, t, t);
   if (separating_step(instant, pair.ranges.p[EdgeRanges::all], pair.ranges.q[EdgeRanges::all])) return false;

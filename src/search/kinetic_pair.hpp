@@ -5,7 +5,6 @@
 
 #include "kinetic/ring_engines.hpp"
 #include "search/pair_question.hpp"
-#include "sign/witness.hpp"
 #include "taut/simulation.hpp"
 #include "world/world_plan.hpp"
 
@@ -44,7 +43,6 @@ class KineticPair final : public WindowedPair {
 
  private:
   void settle_start();
-  void touch_at_start();
   void begin(double from);
   void leave();
   bool advance(double to, std::uint64_t events);

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "search/pair_search.hpp"
+#include "sign/contact_at_start.hpp"
 #include "sign/instant_order.hpp"
 
 namespace taut {
-
-class Witness;
 
 /// How much the kinetic engine had to do.
 struct KineticCounts {
@@ -34,7 +33,7 @@ struct PairResult {
   /// outwards overlap at the start.
   std::optional<FoundContact> found;
   std::size_t leg = 0;
-  std::optional<spacetime::StartOverlap> touching;
+  std::optional<StartOverlap> touching;
   EngineName engine = EngineName::spacetime;  ///< whose result it is
 };
 
@@ -96,6 +95,9 @@ class PairQuestion final : public WindowedPair {
   PairResult result_;
   StageCounts stages_;
 };
+
+/// Takes in how a pair whose displaced shapes overlap at the start stands there: see contact_at_start().
+void take_start(const std::optional<StartContact>& touching, double start, PairResult& result);
 
 /// The result of a contact that an engine has found on that leg, of what was known before.
 PairResult contact_of(const PairResult& known, const Witness& witness, const Leg& leg, std::size_t leg_index,

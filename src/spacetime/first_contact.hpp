@@ -12,6 +12,7 @@
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
 #include "sign/precise_time.hpp"
+#include "sign/witness.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut::spacetime {
@@ -79,13 +80,6 @@ std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreeP
 /// Encloses a crossing within a few ulps. Its instant is computed to such a share of itself, 0 being as well as numbers
 /// of the first precise stage tell, which takes several times as long.
 void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share);
-
-/// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
-struct StartOverlap {
-  bool crossing = false;
-  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
-  VertexId inside;          ///< else a vertex of that outline
-};
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
 /// Counts which stages told where doubles did not.
