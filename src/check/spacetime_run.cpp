@@ -21,15 +21,15 @@ using Clock = std::chrono::steady_clock;
 using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
 
-/// The tree of P (side 0) or of Q (side 1): kept with a prepared shape, or made for this question.
+/// The tree of P or of Q: kept with a prepared shape, or made for this question.
 class Tree {
  public:
-  Tree(int side, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
+  Tree(Role role, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
     const auto make = [&] {
-      return std::make_shared<const Hierarchy>(side == 0 ? spacetime::hierarchy_of_p(geometry)
-                                                         : spacetime::hierarchy_of_q(geometry));
+      return std::make_shared<const Hierarchy>(role == Role::p ? spacetime::hierarchy_of_p(geometry)
+                                                               : spacetime::hierarchy_of_q(geometry));
     };
-    if (const ShapeInRole* shape = shape_in_role(plan, side, inwards)) {
+    if (const ShapeInRole* shape = shape_in_role(plan, role, inwards)) {
       tree_ = shape->kept<Hierarchy>(ShapeInRole::hierarchy, make);
     } else {
       own_ = make();
@@ -51,8 +51,8 @@ class SpacetimeQuestion {
         touch_(touch),
         plan_(plan_pair(scene, validated_facts(scene))),
         geometry_(displaced_pair(plan_, touch == Touch::open)),
-        tree_p_(0, plan_, geometry_, touch == Touch::open),
-        tree_q_(1, plan_, geometry_, touch == Touch::open),
+        tree_p_(Role::p, plan_, geometry_, touch == Touch::open),
+        tree_q_(Role::q, plan_, geometry_, touch == Touch::open),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)) {}
 
   /// Answers for the start; true if there is more to ask.

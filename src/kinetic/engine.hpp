@@ -28,7 +28,7 @@ struct EngineEvent {
   HalfedgeId corner;  ///< enters the corner that the repair went by
   RepairReport report;
   bool three_corners = false;
-  NodeId face;  ///< of the failed corner, before the repair
+  ChainNode face;  ///< of the failed corner, before the repair
 };
 
 class EngineObserver {

@@ -5,7 +5,7 @@ namespace {
 
 /// After a corner at the root closed: an edge with faces of P on both its sides is now run in both directions by
 /// RCH(P).
-void mark_pinch(PlanarMap& map, NodeId face, HalfedgeId uv) {
+void mark_pinch(PlanarMap& map, ChainNode face, HalfedgeId uv) {
   if (face != node::root && face != node::infinite_face) return;
   if (node::in_p(map.node(uv)) && node::in_p(map.node(PlanarMap::twin(uv)))) map.set_pinch(uv, true);
 }
@@ -15,7 +15,7 @@ RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
   RepairReport report;
   report.gone = Gone::first;
   const HalfedgeId uw = PlanarMap::twin(wu);
-  const NodeId face = map.node(wu), across = map.node(uw);
+  const ChainNode face = map.node(wu), across = map.node(uw);
   const VertexId v = map.target(uv);
   const HalfedgeId p = map.previous(uw), n = map.next(uw);
   const HalfedgeId third = map.next(uv);
@@ -50,7 +50,7 @@ RepairReport near_end_first(PlanarMap& map, HalfedgeId vu, HalfedgeId uw) {
   RepairReport report;
   report.gone = Gone::second;
   const HalfedgeId wu = PlanarMap::twin(uw);
-  const NodeId face = map.node(vu), across = map.node(wu);
+  const ChainNode face = map.node(vu), across = map.node(wu);
   const VertexId v = map.origin(vu);
   const HalfedgeId p = map.previous(wu), n = map.next(wu);
   const HalfedgeId third = map.next(uw);

@@ -70,8 +70,11 @@ class RingEngines {
     RingMeeting rings;
     bool exchanged = false;  ///< P of the pair plays Q
     std::unique_ptr<Engine> engine;
+
+    /// The role in the pair of bodies, of that in the pair of rings.
+    Role in_pair(Role role) const { return exchanged ? other(role) : role; }
   };
-  const LoneRing& ring_of(const Run& run, bool plays_p) const;
+  const LoneRing& ring_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
   VertexId in_pair(const Run& run, VertexId v, bool edge) const;

@@ -43,9 +43,9 @@ std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime&
 /// the plane sweep's "up" crosses them one way or the other.
 bool inside_the_other(const Placement& place, VertexId vertex) {
   const PairGeometry& g = place.geometry();
-  const std::uint32_t first = g.in_p(vertex) ? g.np : 0, count = g.in_p(vertex) ? g.nq : g.np;
+  const Role role = other(g.role_of(vertex));
   int winds = 0;
-  for (std::uint32_t k = first; k < first + count; ++k) {
+  for (std::uint32_t k = g.first(role); k < g.first(role) + g.count(role); ++k) {
     interruption_point();
     const VertexId a(k), b = g.next(a);
     const bool forwards = place.before(a, vertex);

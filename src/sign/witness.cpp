@@ -18,14 +18,14 @@ Point place(const Pose<double>& pose, double x, double y) {
 }  // namespace
 
 VertexRef Witness::vertex(VertexId v) const {
-  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
   if (plan_.rings[side]) return plan_.rings[side]->vertex(k);
   return {plan_.maps[side].body, plan_.maps[side].vertex(k)};
 }
 
 EdgeRef Witness::edge(VertexId v) const {
-  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
   if (plan_.rings[side]) return plan_.rings[side]->edge(k);
   return {plan_.maps[side].body, plan_.maps[side].edge(k)};
@@ -76,8 +76,8 @@ double Witness::distance(VertexId v, VertexId edge, const Leg& leg, double t) co
 
 /// Of the other body.
 VertexId Witness::nearest_edge(VertexId v, const Leg& leg, double t) const {
-  const std::uint32_t first = geometry_.in_p(v) ? geometry_.np : 0,
-                      last = geometry_.in_p(v) ? geometry_.size() : geometry_.np;
+  const Role role = other(geometry_.role_of(v));
+  const std::uint32_t first = geometry_.first(role), last = first + geometry_.count(role);
   VertexId nearest(first);
   double least = distance(v, nearest, leg, t);
   for (std::uint32_t k = first + 1; k < last; ++k) {
