@@ -40,15 +40,9 @@ class KineticRun final : public Run {
     answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
-    try {
-      session_ = std::make_unique<Session>(scene, options.touch, options.tracer, watcher);
-    } catch (const Undecidable& limit) {
-      answer_.reason = not_decided(limit);
-      return;
-    } catch (const Interrupted& limit) {
-      answer_.reason = limit.reason;
-      return;
-    }
+    answer_.reason =
+        what_stops([&] { session_ = std::make_unique<Session>(scene, options.touch, options.tracer, watcher); });
+    if (!session_) return;
     answer_.build_seconds = seconds_since(start);
     if (watcher_) watcher_->started(*session_);
   }

@@ -115,15 +115,12 @@ class SpacetimeRun final : public Run {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
-    try {
+    const std::string stopped = what_stops([&] {
       question_.emplace(scene, options.touch);
       done_ = !question_->start(answer_);
       scope_.check();
-    } catch (const Undecidable& limit) {
-      give_up(not_decided(limit));
-    } catch (const Interrupted& limit) {
-      give_up(limit.reason);
-    }
+    });
+    if (!stopped.empty()) give_up(stopped);
     answer_.build_seconds = seconds_since(start);
   }
 

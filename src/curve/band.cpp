@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
-#include "base/overloaded.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
 namespace taut::curve {
@@ -19,29 +19,16 @@ constexpr int deepest_start = 40;
 void require_numbers(const Outline& outline, const std::string& name) {
   int index = -1;
   const auto require = [&](double x) {
-    if (std::isfinite(x) && (x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate))) return;
+    if (in_range(x)) return;
     const std::string where = index < 0 ? "the start" : "segment " + std::to_string(index);
     throw InputError(name, where + " has a number that is not 0 or of magnitude between 2^-400 and 2^400",
                      "choose another unit of length");
   };
-  const auto require_point = [&](const Point& p) {
-    require(p.x);
-    require(p.y);
-  };
-  require_point(outline.start);
+  require(outline.start.x);
+  require(outline.start.y);
   for (const CurveSegment& segment : outline.segments) {
     ++index;
-    require_point(end_of(segment));
-    std::visit(Overloaded{[](const LineTo&) {},
-                          [&](const ArcTo& arc) {
-                            for (const double x : {arc.rx, arc.ry, arc.rotation_deg}) require(x);
-                          },
-                          [&](const QuadraticTo& q) { require_point(q.control); },
-                          [&](const CubicTo& c) {
-                            require_point(c.first);
-                            require_point(c.second);
-                          }},
-               segment);
+    for_each_number(segment, require);
   }
 }
 

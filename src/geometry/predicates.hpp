@@ -24,6 +24,8 @@ namespace taut {
 /// Magnitudes between which the coordinates of the contract lie.
 inline constexpr double min_coordinate = 0x1p-400;
 inline constexpr double max_coordinate = 0x1p+400;
+/// False of what is not a number.
+inline bool in_range(double x) { return x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate); }
 
 /// For coordinates that are computed: those as good as zero become zero, and so stay within the contract.
 inline double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
@@ -32,6 +34,8 @@ inline double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
 int orientation_exact(const Point& a, const Point& b, const Point& c);
 /// The exact sign of (b - a) x (d - c), for the same range; 0 if and only if the two vectors are parallel or null.
 int cross_sign_exact(const Point& a, const Point& b, const Point& c, const Point& d);
+/// Is a point inside of a simple ring (1), outside (-1), or on it (0)? Exact, for the same range.
+int side_of_ring(const Polygon& ring, const Point& p);
 
 namespace detail {
 

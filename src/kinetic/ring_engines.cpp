@@ -130,30 +130,6 @@ bool RingEngines::comes_before(const Found& a, const Found& b) const {
   return order < 0;
 }
 
-std::uint64_t RingEngines::events() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->events();
-  return sum;
-}
-
-std::uint64_t RingEngines::certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->active_certificates();
-  return sum;
-}
-
-std::uint64_t RingEngines::initial_certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->initial_certificates();
-  return sum;
-}
-
-std::uint64_t RingEngines::max_certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->max_certificates();
-  return sum;
-}
-
 StageCounts RingEngines::stages() const {
   StageCounts sum = at_start_;
   for (const Run& run : runs_) sum += run.engine->stages();

@@ -49,10 +49,10 @@ class RingEngines {
   };
   const std::optional<Found>& contact() const { return contact_; }
 
-  std::uint64_t events() const;
-  std::uint64_t certificates() const;
-  std::uint64_t initial_certificates() const;
-  std::uint64_t max_certificates() const;
+  std::uint64_t events() const { return sum_of(&Engine::events); }
+  std::uint64_t certificates() const { return sum_of(&Engine::active_certificates); }
+  std::uint64_t initial_certificates() const { return sum_of(&Engine::initial_certificates); }
+  std::uint64_t max_certificates() const { return sum_of(&Engine::max_certificates); }
   StageCounts stages() const;
   const std::vector<Leg>& legs() const { return legs_[0]; }
 
@@ -74,6 +74,12 @@ class RingEngines {
     /// The role in the pair of bodies, of that in the pair of rings.
     Role in_pair(Role role) const { return exchanged ? other(role) : role; }
   };
+  template <class Count>
+  std::uint64_t sum_of(Count (Engine::*count)() const) const {
+    std::uint64_t sum = 0;
+    for (const Run& run : runs_) sum += ((*run.engine).*count)();
+    return sum;
+  }
   const LoneRing& ring_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;

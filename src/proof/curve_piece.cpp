@@ -5,34 +5,21 @@
 
 #include "base/overloaded.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
 namespace taut::proof {
 namespace {
 
 void require_numbers(const Outline& outline, const std::string& name) {
-  const auto require = [&](std::initializer_list<double> numbers) {
-    for (const double x : numbers) {
-      if (std::isfinite(x) && (x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate))) continue;
-      throw InputError(name, "an outline has a number that is not 0 or of magnitude between 2^-400 and 2^400",
-                       "choose another unit of length");
-    }
+  const auto require = [&](double x) {
+    if (in_range(x)) return;
+    throw InputError(name, "an outline has a number that is not 0 or of magnitude between 2^-400 and 2^400",
+                     "choose another unit of length");
   };
-  require({outline.start.x, outline.start.y});
-  for (const CurveSegment& segment : outline.segments) {
-    require({end_of(segment).x, end_of(segment).y});
-    std::visit(Overloaded{[](const LineTo&) {},
-                          [&](const ArcTo& arc) {
-                            require({arc.rx, arc.ry, arc.rotation_deg});
-                          },
-                          [&](const QuadraticTo& q) {
-                            require({q.control.x, q.control.y});
-                          },
-                          [&](const CubicTo& c) {
-                            require({c.first.x, c.first.y, c.second.x, c.second.y});
-                          }},
-               segment);
-  }
+  require(outline.start.x);
+  require(outline.start.y);
+  for (const CurveSegment& segment : outline.segments) for_each_number(segment, require);
 }
 
 CurvePiece bezier(const std::vector<Point>& points, int segment) {

@@ -93,16 +93,4 @@ void MapSearch::cover(double from, double to, int depth) {
   }
 }
 
-std::vector<PairResult> MapSearch::results() const {
-  std::vector<PairResult> results;
-  for (const auto& [body, pair] : pairs_) results.push_back(pair->result());
-  return results;
-}
-
-StageCounts MapSearch::stages() const {
-  StageCounts sum;
-  for (const auto& [body, pair] : pairs_) sum += pair->stages();
-  return sum;
-}
-
 }  // namespace taut

@@ -64,6 +64,20 @@ inline std::optional<ContactInstant> instant_of(const PairResult& result, const 
   return ContactInstant{&legs[result.leg], &geometry, *result.found};
 }
 
+/// Of pairs that are kept by their names.
+template <class Pairs>
+std::vector<PairResult> results_of(const Pairs& pairs) {
+  std::vector<PairResult> results;
+  for (const auto& [name, pair] : pairs) results.push_back(pair->result());
+  return results;
+}
+template <class Pairs>
+StageCounts stages_of(const Pairs& pairs) {
+  StageCounts sum;
+  for (const auto& [name, pair] : pairs) sum += pair->stages();
+  return sum;
+}
+
 /// The spacetime engine's.
 class PairQuestion final : public WindowedPair {
  public:

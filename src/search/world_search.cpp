@@ -92,16 +92,4 @@ void WorldSearch::settle(WindowedPair& pair, double from, double to) {
   if (pair.result().contact) stop_ = std::min(stop_, pair.result().contact->time.hi);
 }
 
-std::vector<PairResult> WorldSearch::results() const {
-  std::vector<PairResult> results;
-  for (const auto& [key, pair] : pairs_) results.push_back(pair->result());
-  return results;
-}
-
-StageCounts WorldSearch::stages() const {
-  StageCounts sum;
-  for (const auto& [key, pair] : pairs_) sum += pair->stages();
-  return sum;
-}
-
 }  // namespace taut

@@ -10,6 +10,8 @@
 
 #include <optional>
 
+#include "base/errors.hpp"
+#include "pair/crossing_edges.hpp"
 #include "sign/witness.hpp"
 
 namespace taut {
@@ -20,8 +22,12 @@ struct StartContact {
 };
 
 /// How the outlines overlap at t: where none of their edges cross, by a vertex that is known to be inside.
-StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Leg& leg, double t,
-                                 const std::optional<VertexId>& inside = {});
+inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Leg& leg, double t,
+                                        const std::optional<VertexId>& inside = {}) {
+  if (const auto crossing = crossing_edges(Placement(geometry, leg, t))) return {true, crossing->p, crossing->q, {}};
+  if (!inside) throw StructureError("bodies that touch without a crossing of their outlines");
+  return {false, {}, {}, *inside};
+}
 
 /// Of displaced shapes that overlap at t, `how()` tells how: the contact of their bodies, or nothing if these overlap,
 /// too. `overlap(geometry)` tells whether shapes that are displaced otherwise do.

@@ -90,11 +90,6 @@ class ChainTree {
     const std::uint32_t level = 1u << (node::bit_length(k) - 1);
     return {k - level + root_.code * level};
   }
-  /// Number of edges in the chain of a node.
-  std::uint32_t chain_length(ChainNode n) const {
-    const auto r = chain(n);
-    return r.second - r.first;
-  }
   /// The chain of node n: from vertex .first to vertex .second of its polygon (.second may equal the number of
   /// vertices, meaning vertex 0 again).
   std::pair<std::uint32_t, std::uint32_t> chain(ChainNode n) const {
