@@ -80,7 +80,7 @@ void events(benchmark::State& state, const Case& c) {
   warm_up(c);
   for (auto _ : state) {
     Session session(c.scene, Touch::open, nullptr);
-    const StageCounts stages = session.engine().stages();
+    const std::uint64_t beyond = session.engine().stages().beyond_doubles();
     const std::uint64_t allocations = heap_use().allocations;
     const Stopwatch watch;
     while (!session.finished()) session.step(c.scene.end);
@@ -91,7 +91,7 @@ void events(benchmark::State& state, const Case& c) {
     const Engine& engine = session.engine();
     totals.events += engine.events();
     totals.certificates = engine.max_certificates();
-    totals.precise += engine.stages().precise + engine.stages().compared - stages.precise - stages.compared;
+    totals.precise += engine.stages().beyond_doubles() - beyond;
     if (const std::string wrong = fault(c, session); !wrong.empty()) fail(state, wrong);
   }
   totals.report(state);

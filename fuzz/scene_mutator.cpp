@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/rotation_forms.hpp"
 #include "support/random_scenes.hpp"
 
 namespace taut::fuzz {
@@ -15,13 +16,7 @@ std::size_t index_below(Rng& rng, std::size_t n) { return static_cast<std::size_
 
 std::vector<Coefficients*> polynomials(MotionPiece& piece) {
   std::vector<Coefficients*> all = {&piece.x, &piece.y};
-  if (auto* angle = std::get_if<AngleRotation>(&piece.rotation)) all.push_back(&angle->angle);
-  if (auto* half = std::get_if<HalfAngleRotation>(&piece.rotation)) all.push_back(&half->s);
-  if (auto* cosine = std::get_if<CosineRotation>(&piece.rotation)) all.push_back(&cosine->a);
-  if (auto* direction = std::get_if<DirectionRotation>(&piece.rotation)) {
-    all.push_back(&direction->a);
-    all.push_back(&direction->b);
-  }
+  for_each_polynomial(piece.rotation, [&](Coefficients& c) { all.push_back(&c); });
   return all;
 }
 

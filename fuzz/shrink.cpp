@@ -8,18 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "motion/rotation_forms.hpp"
 #include "taut/io.hpp"
 
 namespace taut::fuzz {
 namespace {
-
-std::vector<Coefficients*> rotation_polynomials(Rotation& rotation) {
-  if (auto* r = std::get_if<AngleRotation>(&rotation)) return {&r->angle};
-  if (auto* r = std::get_if<DirectionRotation>(&rotation)) return {&r->a, &r->b};
-  if (auto* r = std::get_if<HalfAngleRotation>(&rotation)) return {&r->s};
-  if (auto* r = std::get_if<CosineRotation>(&rotation)) return {&r->a};
-  return {};
-}
 
 std::vector<Coefficients*> polynomials(Scene& scene) {
   std::vector<Coefficients*> all;
@@ -27,7 +20,7 @@ std::vector<Coefficients*> polynomials(Scene& scene) {
     for (MotionPiece& piece : body.motion.pieces) {
       all.push_back(&piece.x);
       all.push_back(&piece.y);
-      for (Coefficients* c : rotation_polynomials(piece.rotation)) all.push_back(c);
+      for_each_polynomial(piece.rotation, [&](Coefficients& c) { all.push_back(&c); });
     }
   }
   return all;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/overloaded.hpp"
+
 namespace taut::drawing {
 
 namespace {
@@ -11,15 +13,11 @@ std::pair<double, double> key_of(const Point& p) { return {p.x, p.y}; }
 /// The same curve to this end, the other way round if asked for.
 CurveSegment segment_to(const KeptCurve& curve, bool reversed, const Point& end) {
   CurveSegment segment = curve.segment;
-  if (auto* arc = std::get_if<ArcTo>(&segment)) {
-    if (reversed) arc->sweep = !arc->sweep;
-    arc->to = end;
-  } else if (auto* q = std::get_if<QuadraticTo>(&segment)) {
-    q->to = end;
-  } else if (auto* c = std::get_if<CubicTo>(&segment)) {
-    if (reversed) std::swap(c->first, c->second);
-    c->to = end;
-  }
+  std::visit([&end](auto& s) { s.to = end; }, segment);
+  if (!reversed) return segment;
+  std::visit(Overloaded{[](LineTo&) {}, [](ArcTo& arc) { arc.sweep = !arc.sweep; }, [](QuadraticTo&) {},
+                        [](CubicTo& c) { std::swap(c.first, c.second); }},
+             segment);
   return segment;
 }
 

@@ -31,25 +31,10 @@ double doubled_area(const Polygon& ring) {
   return sum;
 }
 
-/// 1 inside, -1 outside, 0 on the ring, by exact signs.
-int side_of(const Polygon& ring, const Point& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    const int side = orientation(a, b, p);
-    const bool between = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-                         p.y <= std::max(a.y, b.y);
-    if (side == 0 && between) return 0;
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if ((a.y < b.y) == (side > 0)) odd = !odd;
-  }
-  return odd ? 1 : -1;
-}
-
 /// By the first of the inner ring's vertices that is not on the outer one.
 bool lies_in(const Polygon& inner, const Polygon& outer) {
   for (const Point& p : inner) {
-    const int side = side_of(outer, p);
+    const int side = side_of_ring(outer, p);
     if (side != 0) return side > 0;
   }
   return false;

@@ -54,7 +54,7 @@ SubtreePicture::SubtreePicture(const Scene&, const Tiling& tiling, int body, int
   }
   // The numbering of the nodes does not matter here: any root will do.
   const ChainTree tree(static_cast<std::uint32_t>(size), node::p_tree);
-  NodeId top = tree.root();
+  ChainNode top = tree.root();
   for (int level = depth; level > 0; --level) top = (place >> (level - 1)) & 1 ? node::right(top) : node::left(top);
   const auto chain = tree.chain(top);
   const double length = chain.second - chain.first;
@@ -63,7 +63,7 @@ SubtreePicture::SubtreePicture(const Scene&, const Tiling& tiling, int body, int
     letters_.emplace_back(first + static_cast<int>(i) % size, letter);
   }
   int faces = 0;
-  const std::function<void(NodeId, int)> add = [&](NodeId n, int parent) {
+  const std::function<void(ChainNode, int)> add = [&](ChainNode n, int parent) {
     const auto ends = tree.chain(n);
     Node out{node::depth(n) - depth,
              static_cast<int>(ends.first - chain.first),

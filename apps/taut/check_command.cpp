@@ -92,6 +92,37 @@ int margin_of(const CheckBatch& batch, double clearance, const std::string& svg)
   return run_margin(arguments);
 }
 
+/// For scenes by the thousands. The share of them that is asked about.
+std::shared_ptr<std::string> add_batch(const Command& command, CheckBatch& arguments) {
+  command.add_flag("--lines", arguments.lines, "SCENE holds a scene on every line (JSON Lines)");
+  command.add_option("--threads", arguments.threads, "for several scenes; answers come in the scenes' order")
+      .value("N")
+      .within(1, 1024);
+  const auto shard = std::make_shared<std::string>();
+  command.add_option("--shard", *shard, "of every N scenes check the I-th, from 1 on: N runs then check all of them")
+      .value("I/N");
+  command
+      .add_option("--resume", arguments.resume,
+                  "append the answers to a file, and leave out the scenes that it has answers to")
+      .value("FILE");
+  return shard;
+}
+
+const char* const check_footer =
+    "Example:\n"
+    "  taut check --touch closed scene.json\n"
+    "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
+    "  taut check --json --lines scenes.jsonl     one scene on each line\n"
+    "  taut check --json --lines scenes.jsonl --shard 3/8 --resume answers-3.jsonl\n"
+    "                                             one run of eight, which may be killed, and goes on where it was\n"
+    "\n"
+    "A scene is a JSON file:\n"
+    "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
+    "    {\"name\":\"anvil\",\"polygon\":[[0,0],[4,0],[4,1],[0,1]]},\n"
+    "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
+    "\n"
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n";
+
 }  // namespace
 
 void add_check(const Command& app, Action& action) {
@@ -105,17 +136,7 @@ void add_check(const Command& app, Action& action) {
   add_limits(command, arguments->options);
   command.add_flag("--json", arguments->json, "print one JSON object for each scene");
   command.add_flag("--timing", arguments->timing, "tell how long reading, building and running took");
-  command.add_flag("--lines", arguments->lines, "SCENE holds a scene on every line (JSON Lines)");
-  command.add_option("--threads", arguments->threads, "for several scenes; answers come in the scenes' order")
-      .value("N")
-      .within(1, 1024);
-  const auto shard = std::make_shared<std::string>();
-  command.add_option("--shard", *shard, "of every N scenes check the I-th, from 1 on: N runs then check all of them")
-      .value("I/N");
-  command
-      .add_option("--resume", arguments->resume,
-                  "append the answers to a file, and leave out the scenes that it has answers to")
-      .value("FILE");
+  const auto shard = add_batch(command, *arguments);
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs,
                      "first: up to the first contact of any pair; all: each pair's own first contact");
@@ -137,20 +158,7 @@ void add_check(const Command& app, Action& action) {
   command.add_option("--svg", *svg, "with --clearance, draw the bodies where they first come closer to FILE")
       .value("FILE")
       .needs(margin);
-  command.footer(
-      "Example:\n"
-      "  taut check --touch closed scene.json\n"
-      "  taut check --json a.json b.json c.json     several scenes: one answer each, and the worst exit code of all\n"
-      "  taut check --json --lines scenes.jsonl     one scene on each line\n"
-      "  taut check --json --lines scenes.jsonl --shard 3/8 --resume answers-3.jsonl\n"
-      "                                             one run of eight, which may be killed, and goes on where it was\n"
-      "\n"
-      "A scene is a JSON file:\n"
-      "  {\"format\":\"taut-scene/1\",\"time\":[0,10],\"bodies\":[\n"
-      "    {\"name\":\"anvil\",\"polygon\":[[0,0],[4,0],[4,1],[0,1]]},\n"
-      "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
-      "\n"
-      "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n");
+  command.footer(check_footer);
   command.on_chosen([&action, arguments, clearance, shard, svg] {
     action = [arguments, clearance, shard, svg] {
       if (!shard->empty()) arguments->shard = shard_of(*shard);

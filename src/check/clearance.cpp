@@ -36,12 +36,7 @@ class ClearanceSearch {
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
       : options_(options), plan_(scene), best_(INFINITY) {
     // A little less than what is allowed: the rest is for rounding.
-    double largest = 0;
-    for (const WorldBody& body : plan_.bodies()) {
-      const Bounds& b = body.rings->bounds();
-      largest = std::max({largest, -b.lo.x, -b.lo.y, b.hi.x, b.hi.y});
-    }
-    tolerance_ = {options.relative * 0.99, 0.99e-12 * largest};
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
     answer_.coverage = plan_.coverage();
   }
 

@@ -26,14 +26,9 @@ class ProfileSearch {
   /// Of instants only, or of all there is to be known.
   ProfileSearch(const Scene& scene, const ProfileOptions& options, bool only_instants)
       : options_(options), only_instants_(only_instants), plan_(scene) {
-    double largest = 0;
-    for (const WorldBody& body : plan_.bodies()) {
-      const Bounds& b = body.rings->bounds();
-      largest = std::max({largest, -b.lo.x, -b.lo.y, b.hi.x, b.hi.y});
-    }
     // A little less than what is allowed: the rest is for rounding.
-    tolerance_ = {options.relative * 0.99, 0.99e-12 * largest};
-    absolute_ = std::ldexp(1e-12 * largest, -plan_.exponent());
+    tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
+    absolute_ = std::ldexp(1e-12 * plan_.largest(), -plan_.exponent());
     answer_.coverage = plan_.coverage();
   }
 
@@ -158,13 +153,8 @@ DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& op
     return answer;
   }
   const InterruptionScope scope(options.stop, options.max_seconds);
-  try {
-    return ProfileSearch(scene, options, only_instants).run(touching);
-  } catch (const Undecidable& limit) {
-    answer.reason = not_decided(limit);
-  } catch (const Interrupted& limit) {
-    answer.reason = limit.reason;
-  }
+  const auto search = [&] { answer = ProfileSearch(scene, options, only_instants).run(touching); };
+  if (const std::string stopped = what_stops(search); !stopped.empty()) answer.reason = stopped;
   return answer;
 }
 

@@ -15,20 +15,13 @@
 namespace taut {
 namespace {
 
-PairAnswer undecided(int a, int b, double from, const std::string& reason) {
-  return {{a, b}, Outcome::undecided, {}, from, reason};
-}
-
 void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards, bool plain,
                  Intervals& answer) {
-  try {
+  const std::string stopped = what_stops([&] {
     for (OverlapInterval& found : overlap_intervals(plan, a, b, near, inwards, plain))
       answer.intervals.push_back(std::move(found));
-  } catch (const Undecidable& limit) {
-    answer.undecided.push_back(undecided(a, b, plan.start(), not_decided(limit)));
-  } catch (const Interrupted& limit) {
-    answer.undecided.push_back(undecided(a, b, plan.start(), limit.reason));
-  }
+  });
+  if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, plan.start(), stopped});
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ class KineticRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return session_ && session_->engine().doubles_sufficed(); }
+  StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
   /// What is left has to be begun again: a search may take so many turns' work before it is.

@@ -109,21 +109,17 @@ template <class Ask>
 MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   RobotFinding found;
   reason.clear();
-  const auto undecided = [&](std::string why) {
-    reason = std::move(why);
-    found = {Outcome::undecided, start, end, -1, -1, -1};
-  };
-  try {
+  const std::string stopped = what_stops([&] {
     std::optional<InterruptionScope> scope;
     if (options.stop || options.max_seconds < 1e9) scope.emplace(options.stop, options.max_seconds);
     // Questions are short: those that come after the flag was set do not begin.
     if (scope) scope->check();
     found = ask();
     if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not tell";
-  } catch (const Undecidable& limit) {
-    undecided(not_decided(limit));
-  } catch (const Interrupted& limit) {
-    undecided(limit.reason);
+  });
+  if (!stopped.empty()) {
+    reason = stopped;
+    found = {Outcome::undecided, start, end, -1, -1, -1};
   }
   const double until = found.outcome == Outcome::free ? end : std::clamp(found.lo, start, end);
   const double by = found.outcome == Outcome::contact            ? std::clamp(found.hi, start, end)

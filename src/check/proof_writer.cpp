@@ -1,7 +1,6 @@
 #include "check/proof_writer.hpp"
 
 #include "base/errors.hpp"
-#include "pair/crossing_edges.hpp"
 #include "pair/placement.hpp"
 #include "proof/header.hpp"
 #include "sign/precise_triple.hpp"
@@ -16,7 +15,7 @@ using proof::Shapes;
 void ProofWriter::started(const Session& session) {
   geometry_ = &session.engine().geometry();
   if (session.overlap_at_start()) return;
-  if (session.contact()) return contact_at_start(session);
+  if (session.touching()) return contact_at_start(session);
   header(touch_ == Touch::open ? Shapes::inwards : Shapes::outwards);
   tiling(session.engine().map());
 }
@@ -83,15 +82,12 @@ void ProofWriter::tiling(const PlanarMap& map) {
 
 /// The outward shapes overlap already, the inward ones do not: a tiling of these shows it.
 void ProofWriter::contact_at_start(const Session& session) {
-  const PairGeometry inner = displaced_pair(session.plan(), true), outer = displaced_pair(session.plan(), false);
-  const Leg& leg = session.engine().leg();
-  const auto crossing = crossing_edges(Placement(outer, leg, scene_.start));
-  if (!crossing) throw StructureError("bodies that touch without a crossing of their outlines");
+  const PairGeometry inner = displaced_pair(session.plan(), true);
   header(Shapes::inwards);
-  tiling(build_tiling(Placement(inner, leg, scene_.start)).map);
+  tiling(build_tiling(Placement(inner, session.engine().leg(), scene_.start)).map);
   kind(Record::touching);
-  out_.u32(crossing->p.value);
-  out_.u32(crossing->q.value);
+  out_.u32(session.touching()->edge_p.value);
+  out_.u32(session.touching()->edge_q.value);
 }
 
 Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options) {

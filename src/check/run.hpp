@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "numeric/stages.hpp"
 #include "taut/check.hpp"
 
 namespace taut {
@@ -22,9 +23,8 @@ class Run {
   /// What a limit of the options stopped, or precision, is `undecided`.
   virtual bool work(std::uint64_t effort) = 0;
   virtual const Answer& answer() const = 0;
-  /// Has every sign been told by doubles, without regard to the displacement? Then both readings of touching have the
-  /// same answer.
-  virtual bool doubles_sufficed() const = 0;
+  /// Where none told beyond doubles, both readings of touching have the same answer.
+  virtual StageCounts stages() const = 0;
 };
 
 /// The scene and the options must live as long as the run. Throw InputError.

@@ -140,14 +140,11 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   if (has_curves(scene)) return separate_curves(scene, options);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Separation answer;
-  try {
+  const std::string stopped = what_stops([&] {
     validate_world(scene);
-    return SeparationSearch(scene, options.travel).run();
-  } catch (const Undecidable& limit) {
-    answer.reason = not_decided(limit);
-  } catch (const Interrupted& limit) {
-    answer.reason = limit.reason;
-  }
+    answer = SeparationSearch(scene, options.travel).run();
+  });
+  if (!stopped.empty()) answer.reason = stopped;
   return answer;
 }
 

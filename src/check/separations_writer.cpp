@@ -225,16 +225,38 @@ const PairResult* headline(const Answer& answer, const std::vector<PairResult>& 
   return found == results.end() ? nullptr : &*found;
 }
 
+/// The answer, if `write()` proves it; else it is undecided from the start on.
+template <class AnyAnswer, class Write>
+AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
+  const std::string stopped = what_stops(write);
+  if (stopped.empty()) return answer;
+  AnyAnswer undecided;
+  if constexpr (std::is_same_v<AnyAnswer, Answer>) undecided.engine = answer.engine;
+  undecided.outcome = Outcome::undecided;
+  undecided.coverage = answer.coverage;
+  undecided.free_until = start;
+  undecided.reason =
+      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + stopped;
+  return undecided;
+}
+
+/// That nothing happens up to where the answer says; nothing of other answers.
+template <class AnyAnswer>
+std::optional<std::pair<Claim, std::string>> freedom(const AnyAnswer& answer, const proof::ProvedScene& proved,
+                                                     bool inwards, double margin) {
+  const bool all = answer.outcome == Outcome::free;
+  const double until = all ? proved.end() : std::clamp(answer.free_until, proved.start(), proved.end());
+  if (!all && (answer.outcome != Outcome::undecided || until <= proved.start())) return std::nullopt;
+  const Claim claim = all ? Claim::free : Claim::free_until;
+  return std::pair(claim, SeparationsWriter(proved, claim, inwards, margin).apart_until(until));
+}
+
 /// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
 std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, const proof::ProvedScene& proved,
                                                          const Answer& answer, Touch touch) {
   const bool inwards = touch == Touch::open;
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
   const double until = std::clamp(answer.free_until, proved.start(), proved.end());
-  if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards).apart_until(proved.end()));
-  if (answer.outcome == Outcome::undecided && until > proved.start())
-    return std::pair(Claim::free_until, SeparationsWriter(proved, Claim::free_until, inwards).apart_until(until));
-  if (answer.outcome != Outcome::contact) return std::nullopt;
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = headline(answer, results);
   if (named->touching)
@@ -251,23 +273,10 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   run.work(UINT64_MAX);
   Answer answer = with_touching(run, scene, options, run_world);
   if (!run.search()) return answer;
-  std::string unproved;
-  try {
+  return if_proved(answer, scene.start, [&] {
     if (const auto body = body_of_log(run, proof::ProvedScene(scene), answer, options.touch))
       write_log(log, scene, options.touch, body->first, body->second);
-    return answer;
-  } catch (const Undecidable& limit) {
-    unproved = not_decided(limit);
-  } catch (const Interrupted& limit) {
-    unproved = limit.reason;
-  }
-  Answer undecided;
-  undecided.engine = answer.engine;
-  undecided.coverage = answer.coverage;
-  undecided.free_until = scene.start;
-  undecided.reason =
-      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + unproved;
-  return undecided;
+  });
 }
 
 namespace {
@@ -278,13 +287,8 @@ std::optional<std::pair<Claim, std::string>> body_about_clearance(const Scene& s
   const proof::ProvedScene proved(scene);
   const bool inwards = touch == Touch::open;
   const double margin = std::ldexp(clearance, proved.exponent());
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, margin);
   const double until = std::clamp(answer.free_until, proved.start(), proved.end());
-  if (answer.outcome == Outcome::free)
-    return std::pair(Claim::free, SeparationsWriter(proved, Claim::free, inwards, margin).apart_until(proved.end()));
-  if (answer.outcome == Outcome::undecided && until > proved.start())
-    return std::pair(Claim::free_until,
-                     SeparationsWriter(proved, Claim::free_until, inwards, margin).apart_until(until));
-  if (answer.outcome != Outcome::contact) return std::nullopt;
   const PairMargin& first = *answer.first;
   return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards, margin)
                                        .closer(first.bodies, *first.features, {until, first.time.hi}));
@@ -297,24 +301,11 @@ MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream&
   CheckOptions options = given;
   options.all_pairs = false;
   const MarginAnswer answer = check_clearance(scene, clearance, options);
-  std::string unproved;
-  try {
+  return if_proved(answer, scene.start, [&] {
     const InterruptionScope scope(options.stop, options.max_seconds);
     if (const auto body = body_about_clearance(scene, answer, clearance, options.touch))
       write_log(log, scene, options.touch, body->first, body->second, clearance);
-    return answer;
-  } catch (const Undecidable& limit) {
-    unproved = not_decided(limit);
-  } catch (const Interrupted& limit) {
-    unproved = limit.reason;
-  }
-  MarginAnswer undecided;
-  undecided.outcome = Outcome::undecided;
-  undecided.coverage = answer.coverage;
-  undecided.free_until = scene.start;
-  undecided.reason =
-      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + unproved;
-  return undecided;
+  });
 }
 
 }  // namespace taut

@@ -11,7 +11,7 @@
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
-#include "sign/witness.hpp"
+#include "sign/contact_at_start.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut {
@@ -21,15 +21,15 @@ using Clock = std::chrono::steady_clock;
 using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
 
-/// The tree of P (side 0) or of Q (side 1): kept with a prepared shape, or made for this question.
+/// The tree of P or of Q: kept with a prepared shape, or made for this question.
 class Tree {
  public:
-  Tree(int side, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
+  Tree(Role role, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
     const auto make = [&] {
-      return std::make_shared<const Hierarchy>(side == 0 ? spacetime::hierarchy_of_p(geometry)
-                                                         : spacetime::hierarchy_of_q(geometry));
+      return std::make_shared<const Hierarchy>(role == Role::p ? spacetime::hierarchy_of_p(geometry)
+                                                               : spacetime::hierarchy_of_q(geometry));
     };
-    if (const ShapeInRole* shape = shape_in_role(plan, side, inwards)) {
+    if (const ShapeInRole* shape = shape_in_role(plan, role, inwards)) {
       tree_ = shape->kept<Hierarchy>(ShapeInRole::hierarchy, make);
     } else {
       own_ = make();
@@ -51,23 +51,24 @@ class SpacetimeQuestion {
         touch_(touch),
         plan_(plan_pair(scene, validated_facts(scene))),
         geometry_(displaced_pair(plan_, touch == Touch::open)),
-        tree_p_(0, plan_, geometry_, touch == Touch::open),
-        tree_q_(1, plan_, geometry_, touch == Touch::open),
+        tree_p_(Role::p, plan_, geometry_, touch == Touch::open),
+        tree_q_(Role::q, plan_, geometry_, touch == Touch::open),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
         search_(geometry_, trees(), legs_) {}
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {
-    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &precise_at_start_);
-    precise_ = precise_at_start_;
+    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &stages_at_start_);
+    stages_ = stages_at_start_;
     if (!overlap) return true;
-    if (touch_ == Touch::closed && overlap->crossing) {
-      const PairGeometry inner = displaced_pair(plan_, true);
-      if (!spacetime::overlapping(inner, legs_[0], scene_.start)) {
-        answer.outcome = Outcome::contact;
-        answer.contact = witness().contact_of_crossing(overlap->edge_p, overlap->edge_q, legs_[0], scene_.start);
-        return false;
-      }
+    const auto overlap_of = [&](const PairGeometry& shapes) {
+      return spacetime::overlapping(shapes, legs_[0], scene_.start).has_value();
+    };
+    if (const auto touching = contact_at_start(
+            witness(), legs_[0], scene_.start, [&] { return *overlap; }, overlap_of)) {
+      answer.outcome = Outcome::contact;
+      answer.contact = touching->contact;
+      return false;
     }
     answer.outcome = Outcome::overlap_at_start;
     answer.overlap_point = common_point(plan_, scene_.start);
@@ -77,7 +78,8 @@ class SpacetimeQuestion {
   /// From where the last run was interrupted.
   void run(Answer& answer) {
     const SpacetimeResult found = search_.go_on();
-    precise_ = precise_at_start_ + found.precise;
+    stages_ = stages_at_start_;
+    stages_ += found.stages;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       answer.outcome = Outcome::free;
@@ -92,7 +94,7 @@ class SpacetimeQuestion {
     }
   }
 
-  bool doubles_sufficed() const { return precise_ == 0; }
+  const StageCounts& stages() const { return stages_; }
 
  private:
   spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
@@ -105,7 +107,7 @@ class SpacetimeQuestion {
   Tree tree_p_, tree_q_;
   std::vector<Leg> legs_;
   spacetime::ContactSearch search_;
-  std::uint64_t precise_at_start_ = 0, precise_ = 0;  ///< questions to multi-precision
+  StageCounts stages_at_start_, stages_;
 };
 
 class SpacetimeRun final : public Run {
@@ -114,15 +116,12 @@ class SpacetimeRun final : public Run {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
-    try {
+    const std::string stopped = what_stops([&] {
       question_.emplace(scene, options.touch);
       done_ = !question_->start(answer_);
       scope_.check();
-    } catch (const Undecidable& limit) {
-      give_up(not_decided(limit));
-    } catch (const Interrupted& limit) {
-      give_up(limit.reason);
-    }
+    });
+    if (!stopped.empty()) give_up(stopped);
     answer_.build_seconds = seconds_since(start);
   }
 
@@ -143,7 +142,7 @@ class SpacetimeRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return question_ && question_->doubles_sufficed(); }
+  StageCounts stages() const override { return question_ ? question_->stages() : StageCounts(); }
 
  private:
   void give_up(const std::string& reason) {

@@ -95,7 +95,7 @@ class MapRun {
 
   Answer run() {
     Answer answer = asked(options_.touch == Touch::open);
-    if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !precise_)
+    if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
       return answer;
     // Free by what doubles do not see: do they touch?
     try {
@@ -123,7 +123,7 @@ class MapRun {
       stopped = limit.reason;
     }
     conclude(search, stopped, answer);
-    precise_ = search.precise() > 0;
+    beyond_doubles_ = search.stages().beyond_doubles() > 0;
     answer.run_seconds = seconds_since(begun);
     return answer;
   }
@@ -150,7 +150,7 @@ class MapRun {
   double start_, end_;
   const CheckOptions& options_;
   WorldBody mover_;
-  bool precise_ = false;
+  bool beyond_doubles_ = false;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
   Answer answer = run.answer();
   if (answer.outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return answer;
   // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.
-  if (run.doubles_sufficed()) return answer;
+  if (run.stages().beyond_doubles() == 0) return answer;
   CheckOptions closed = options;
   closed.touch = Touch::closed;
   closed.tracer = nullptr;

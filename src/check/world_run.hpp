@@ -18,7 +18,7 @@ class WorldRun final : public Run {
 
   bool work(std::uint64_t effort) override;
   const Answer& answer() const override { return answer_; }
-  bool doubles_sufficed() const override { return search_ && search_->doubles_sufficed(); }
+  StageCounts stages() const override { return search_ ? search_->stages() : StageCounts(); }
   /// None if it was stopped before there was one.
   const std::optional<WorldPlan>& plan() const { return plan_; }
   const std::optional<WorldSearch>& search() const { return search_; }

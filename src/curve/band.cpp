@@ -6,6 +6,7 @@
 #include "base/interruption.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
 namespace taut::curve {
@@ -18,27 +19,16 @@ constexpr int deepest_start = 40;
 void require_numbers(const Outline& outline, const std::string& name) {
   int index = -1;
   const auto require = [&](double x) {
-    if (std::isfinite(x) && (x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate))) return;
+    if (in_range(x)) return;
     const std::string where = index < 0 ? "the start" : "segment " + std::to_string(index);
     throw InputError(name, where + " has a number that is not 0 or of magnitude between 2^-400 and 2^400",
                      "choose another unit of length");
   };
-  const auto require_point = [&](const Point& p) {
-    require(p.x);
-    require(p.y);
-  };
-  require_point(outline.start);
+  require(outline.start.x);
+  require(outline.start.y);
   for (const CurveSegment& segment : outline.segments) {
     ++index;
-    require_point(end_of(segment));
-    if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-      for (const double x : {arc->rx, arc->ry, arc->rotation_deg}) require(x);
-    }
-    if (const auto* q = std::get_if<QuadraticTo>(&segment)) require_point(q->control);
-    if (const auto* c = std::get_if<CubicTo>(&segment)) {
-      require_point(c->first);
-      require_point(c->second);
-    }
+    for_each_number(segment, require);
   }
 }
 

@@ -109,6 +109,4 @@ double BandedPart::tolerance() const {
   return worst;
 }
 
-std::size_t BandedPart::cell_count() const { return count_of(bands_); }
-
 }  // namespace taut::curve

@@ -26,7 +26,6 @@ class BandedPart {
   Part polygons(CurveSide side) const;
   /// The thickest cell's thickness.
   double tolerance() const;
-  std::size_t cell_count() const;
 
  private:
   std::vector<Band> bands_;

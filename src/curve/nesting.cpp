@@ -9,18 +9,6 @@
 namespace taut::curve {
 namespace {
 
-/// By exact signs; p is not on the ring.
-bool is_within(const Polygon& ring, const Point& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    const int side = a.y < b.y ? orientation(a, b, p) : orientation(b, a, p);
-    if (side > 0) odd = !odd;
-  }
-  return odd;
-}
-
 struct Ring {
   Polygon wall;
   int orientation = 0, winding = 0, parent = -1, part = -1, depth = 0;
@@ -31,7 +19,7 @@ void find_parents(std::vector<Ring>& rings) {
   std::vector<std::vector<int>> around(rings.size());
   for (std::size_t k = 0; k < rings.size(); ++k) {
     for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (j != k && is_within(rings[j].wall, rings[k].wall[0])) around[k].push_back(static_cast<int>(j));
+      if (j != k && side_of_ring(rings[j].wall, rings[k].wall[0]) > 0) around[k].push_back(static_cast<int>(j));
     }
     rings[k].depth = static_cast<int>(around[k].size());
   }

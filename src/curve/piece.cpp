@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/overloaded.hpp"
 #include "curve/arc_frame.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/exact_sum.hpp"
@@ -150,23 +151,27 @@ WidePoint ArcFrame::at(const WidePoint& u) const {
 }
 
 std::vector<Piece> pieces_of(const Point& from, const CurveSegment& segment, int index) {
-  if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-    if (from == arc->to) return {};
-    ArcTo positive = *arc;
-    positive.rx = std::fabs(arc->rx);
-    positive.ry = std::fabs(arc->ry);
-    if (positive.rx > 0 && positive.ry > 0) return pieces_of_arc(from, positive, index);
-  }
-  if (const auto* q = std::get_if<QuadraticTo>(&segment)) {
-    if (from == q->to && from == q->control) return {};
-    return {bezier({from, q->control, q->to}, index)};
-  }
-  if (const auto* c = std::get_if<CubicTo>(&segment)) {
-    if (from == c->to && from == c->first && from == c->second) return {};
-    return {bezier({from, c->first, c->second, c->to}, index)};
-  }
-  if (from == end_of(segment)) return {};
-  return {bezier({from, end_of(segment)}, index)};
+  using Pieces = std::vector<Piece>;
+  const auto through = [&](const std::vector<Point>& points) -> Pieces {
+    if (std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == from; })) return {};
+    return {bezier(points, index)};
+  };
+  return std::visit(Overloaded{[&](const LineTo& line) {
+                                 return through({from, line.to});
+                               },
+                               [&](ArcTo arc) {
+                                 arc.rx = std::fabs(arc.rx);
+                                 arc.ry = std::fabs(arc.ry);
+                                 const bool bends = from != arc.to && arc.rx > 0 && arc.ry > 0;
+                                 return bends ? pieces_of_arc(from, arc, index) : through({from, arc.to});
+                               },
+                               [&](const QuadraticTo& q) {
+                                 return through({from, q.control, q.to});
+                               },
+                               [&](const CubicTo& c) {
+                                 return through({from, c.first, c.second, c.to});
+                               }},
+                    segment);
 }
 
 std::array<Piece, 2> halves(const Piece& piece) {

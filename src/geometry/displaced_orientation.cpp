@@ -25,32 +25,25 @@ void add_level(Sum& sum, const DisplacedPoint& a, const DisplacedPoint& b, const
 
 }  // namespace
 
-int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, Stage& stage) {
+StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   const double det = left - right;
   // Shewchuk's bound (3 + 16u) u for the rounding, doubled for underflow; the absolute term covers the displacement of
   // coordinates up to 1.
   const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p10 * displacement_room;
-  if (det > error || -det > error) {
-    stage = Stage::filter;
-    return det > 0 ? 1 : -1;
-  }
-  ExactSum<12> level0;
-  add_level(level0, a, b, c, 0, 0);
+  if (det > error || -det > error) return {det > 0 ? 1 : -1, Stage::doubles};
   // Exactly: F0 + F1 + F2, where F1 and F2 are far smaller unless F0 is zero - but "far" is not a proof, so all
   // three levels go into one sum.
   ExactSum<48> sum;
+  add_level(sum, a, b, c, 0, 0);
   add_level(sum, a, b, c, 1, 1);
   add_level(sum, a, b, c, 0, 1);
   add_level(sum, a, b, c, 1, 0);
-  for (std::size_t i = 0; i < level0.size(); ++i) sum.add(level0.term(i));
-  stage = level0.is_zero() ? Stage::displacement : Stage::exact;
-  return sum.sign();
+  return {sum.sign(), Stage::exact};
 }
 
 int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
-  Stage stage;
-  return orientation(a, b, c, stage);
+  return orientation_staged(a, b, c).sign;
 }
 
 }  // namespace taut

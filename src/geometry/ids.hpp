@@ -1,6 +1,7 @@
 // Index types. Elements live in flat arrays and refer to one another by index, never by pointer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace taut {
@@ -19,6 +20,12 @@ struct Id {
   friend constexpr bool operator!=(Id a, Id b) { return a.value != b.value; }
   friend constexpr bool operator<(Id a, Id b) { return a.value < b.value; }
 };
+
+/// The two roles in a pair of bodies: plan_pair() says which of them plays P. In a world a body has a role in each of
+/// its pairs, and each of its rings one in each pair of rings. Arrays of two have P's first.
+enum class Role : std::uint8_t { p, q };
+constexpr Role other(Role role) { return role == Role::p ? Role::q : Role::p; }
+constexpr std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
 /// A vertex of the pair: P's vertices counterclockwise, then Q's.
 using VertexId = Id<struct VertexTag>;

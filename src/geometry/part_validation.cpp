@@ -29,18 +29,6 @@ bool meet(const RingEdge& e, const RingEdge& f) {
   return a * b <= 0 && c * d <= 0;
 }
 
-/// Strictly inside? No edge passes through the point. A ray to the right crosses the ring an odd number of times.
-bool inside(const Polygon& ring, const Point& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    const int side = a.y < b.y ? orientation(a, b, p) : orientation(b, a, p);
-    if (side > 0) odd = !odd;
-  }
-  return odd;
-}
-
 std::string ring_text(int ring) { return ring == 0 ? "the outline" : "hole " + std::to_string(ring); }
 
 const Polygon& ring_of(const Part& part, int ring) {
@@ -94,12 +82,12 @@ void validate_holes(const Part& part, const std::string& name) {
   std::vector<Bounds> boxes;
   for (const Polygon& hole : part.holes) boxes.push_back(bounds(hole));
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
-    if (!inside(part.outline, part.holes[i][0]))
+    if (side_of_ring(part.outline, part.holes[i][0]) <= 0)
       throw InputError(name + ": hole " + std::to_string(i + 1), "the hole lies outside of the outline",
                        "remove it, or make it a part of its own");
     for (std::size_t j = 0; j < part.holes.size(); ++j) {
       interruption_point();
-      if (i != j && within(boxes[j], boxes[i]) && inside(part.holes[i], part.holes[j][0]))
+      if (i != j && within(boxes[j], boxes[i]) && side_of_ring(part.holes[i], part.holes[j][0]) > 0)
         throw InputError(name + ": hole " + std::to_string(j + 1), "the hole lies inside hole " + std::to_string(i + 1),
                          "remove it; what stands in a hole is a part of its own");
     }

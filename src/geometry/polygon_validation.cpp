@@ -35,8 +35,6 @@ std::string edge_text(const Polygon& polygon, int j) {
   return std::to_string(j) + "-" + std::to_string((j + 1) % static_cast<int>(polygon.size()));
 }
 
-bool in_range(double x) { return x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate); }
-
 void require_enough_vertices(const Polygon& polygon, const std::string& name) {
   const std::size_t n = polygon.size();
   if (n < 3)

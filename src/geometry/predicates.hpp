@@ -16,24 +16,16 @@
 #include <cmath>
 #include <cstdint>
 
+#include "numeric/stages.hpp"
 #include "taut/geometry.hpp"
 
 namespace taut {
 
-/// Which computation decided a sign.
-enum class SignStage : std::uint8_t {
-  filtered,  ///< doubles, with the error bound below
-  exact,     ///< an exact sum of products
-};
-
-struct StagedSign {
-  int sign = 0;
-  SignStage stage = SignStage::filtered;
-};
-
 /// Magnitudes between which the coordinates of the contract lie.
 inline constexpr double min_coordinate = 0x1p-400;
 inline constexpr double max_coordinate = 0x1p+400;
+/// False of what is not a number.
+inline bool in_range(double x) { return x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate); }
 
 /// For coordinates that are computed: those as good as zero become zero, and so stay within the contract.
 inline double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
@@ -42,6 +34,8 @@ inline double tidy(double x) { return std::fabs(x) < 0x1p-300 ? 0 : x; }
 int orientation_exact(const Point& a, const Point& b, const Point& c);
 /// The exact sign of (b - a) x (d - c), for the same range; 0 if and only if the two vectors are parallel or null.
 int cross_sign_exact(const Point& a, const Point& b, const Point& c, const Point& d);
+/// Is a point inside of a simple ring (1), outside (-1), or on it (0)? Exact, for the same range.
+int side_of_ring(const Polygon& ring, const Point& p);
 
 namespace detail {
 
@@ -71,9 +65,8 @@ inline bool filtered_sign(double left, double right, int& sign) {
 /// The sign of (a - c) x (b - c) and which stage decided it.
 inline StagedSign orientation_staged(const Point& a, const Point& b, const Point& c) {
   int sign = 0;
-  if (detail::filtered_sign((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x), sign))
-    return {sign, SignStage::filtered};
-  return {orientation_exact(a, b, c), SignStage::exact};
+  if (detail::filtered_sign((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x), sign)) return {sign, Stage::doubles};
+  return {orientation_exact(a, b, c), Stage::exact};
 }
 
 /// +1 if a, b, c turn counterclockwise, -1 if clockwise, 0 if and only if they are collinear.

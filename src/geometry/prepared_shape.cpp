@@ -6,7 +6,7 @@
 namespace taut {
 
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
-  return displaced_polygon(polygon, role.inwards, role.plays_p ? 1 : 0x1234567);
+  return displaced_polygon(polygon, role.inwards, role.role == Role::p ? 1 : 0x1234567);
 }
 
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/displacement.hpp"
+#include "geometry/ids.hpp"
 #include "geometry/shape_facts.hpp"
 #include "taut/shape.hpp"
 
@@ -14,12 +15,12 @@ namespace taut {
 
 /// What a body is in one pair: which role it plays, in which units, and how it is displaced.
 struct ShapeRole {
-  bool plays_p = true;
+  Role role = Role::p;
   bool inwards = true;
   int exponent = 0;  ///< coordinates are the input's times 2^exponent
 
   friend bool operator==(const ShapeRole& a, const ShapeRole& b) {
-    return a.plays_p == b.plays_p && a.inwards == b.inwards && a.exponent == b.exponent;
+    return a.role == b.role && a.inwards == b.inwards && a.exponent == b.exponent;
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/overloaded.hpp"
 #include "curve/band.hpp"
 #include "io/svg_canvas.hpp"
 
@@ -24,11 +25,12 @@ class CurvePen {
   std::string ring(const Outline& outline) const {
     std::string s = "M" + at(outline.start);
     for (const CurveSegment& segment : outline.segments) {
-      if (const auto* arc = std::get_if<ArcTo>(&segment)) s += arc_text(*arc);
-      if (const auto* q = std::get_if<QuadraticTo>(&segment)) s += "Q" + at(q->control) + " ";
-      if (const auto* c = std::get_if<CubicTo>(&segment)) s += "C" + at(c->first) + " " + at(c->second) + " ";
-      if (std::holds_alternative<LineTo>(segment)) s += "L";
-      s += at(end_of(segment));
+      s += std::visit(Overloaded{[](const LineTo&) { return std::string("L"); },
+                                 [&](const ArcTo& arc) { return arc_text(arc); },
+                                 [&](const QuadraticTo& q) { return "Q" + at(q.control) + " "; },
+                                 [&](const CubicTo& c) { return "C" + at(c.first) + " " + at(c.second) + " "; }},
+                      segment) +
+           at(end_of(segment));
     }
     return s + "Z";
   }

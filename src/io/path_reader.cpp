@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "base/overloaded.hpp"
 #include "curve/nesting.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
@@ -142,19 +143,22 @@ void add_ring(std::string& s, const Outline& ring) {
   s += s.empty() ? "M" : " M";
   add_point(s, ring.start);
   for (const CurveSegment& segment : ring.segments) {
-    if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-      s += " A " + io::number_text(arc->rx) + " " + io::number_text(arc->ry) + " " +
-           io::number_text(arc->rotation_deg) + (arc->large ? " 1" : " 0") + (arc->sweep ? " 1" : " 0");
-    } else if (const auto* q = std::get_if<QuadraticTo>(&segment)) {
-      s += " Q";
-      add_point(s, q->control);
-    } else if (const auto* c = std::get_if<CubicTo>(&segment)) {
-      s += " C";
-      add_point(s, c->first);
-      add_point(s, c->second);
-    } else {
-      s += " L";
-    }
+    std::visit(Overloaded{[&](const LineTo&) { s += " L"; },
+                          [&](const ArcTo& arc) {
+                            s += " A " + io::number_text(arc.rx) + " " + io::number_text(arc.ry) + " " +
+                                 io::number_text(arc.rotation_deg) + (arc.large ? " 1" : " 0") +
+                                 (arc.sweep ? " 1" : " 0");
+                          },
+                          [&](const QuadraticTo& q) {
+                            s += " Q";
+                            add_point(s, q.control);
+                          },
+                          [&](const CubicTo& c) {
+                            s += " C";
+                            add_point(s, c.first);
+                            add_point(s, c.second);
+                          }},
+               segment);
     add_point(s, end_of(segment));
   }
   s += " Z";

@@ -301,32 +301,35 @@ class SceneReader {
   const ReadLimits& limits_;
 };
 
+template <class Read>
+auto read_text(std::string text, const std::string& name, const std::string& folder, const ReadLimits& limits,
+               const char* shape, const Read& read) {
+  const JsonDocument document = io::parse_json(std::move(text), name, std::string("write ") + shape);
+  return (SceneReader(document, folder, limits).*read)();
+}
+
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name, const std::string& folder,
                   const ReadLimits& limits) {
   io::require_size(text, name, limits.max_bytes);
-  const JsonDocument document = io::parse_json(text, name, std::string("write ") + scene_shape);
-  return SceneReader(document, folder, limits).read();
+  return read_text(text, name, folder, limits, scene_shape, &SceneReader::read);
 }
 
 Scene read_scene(const std::string& path, const ReadLimits& limits) {
-  const JsonDocument document =
-      io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + scene_shape);
-  return SceneReader(document, io::folder_of(path), limits).read();
+  return read_text(io::read_text_file(path, limits.max_bytes), path, io::folder_of(path), limits, scene_shape,
+                   &SceneReader::read);
 }
 
 Linkage parse_linkage(const std::string& text, const std::string& name, const std::string& folder,
                       const ReadLimits& limits) {
   io::require_size(text, name, limits.max_bytes);
-  const JsonDocument document = io::parse_json(text, name, std::string("write ") + linkage_shape);
-  return SceneReader(document, folder, limits).read_linkage();
+  return read_text(text, name, folder, limits, linkage_shape, &SceneReader::read_linkage);
 }
 
 Linkage read_linkage(const std::string& path, const ReadLimits& limits) {
-  const JsonDocument document =
-      io::parse_json(io::read_text_file(path, limits.max_bytes), path, std::string("write ") + linkage_shape);
-  return SceneReader(document, io::folder_of(path), limits).read_linkage();
+  return read_text(io::read_text_file(path, limits.max_bytes), path, io::folder_of(path), limits, linkage_shape,
+                   &SceneReader::read_linkage);
 }
 
 }  // namespace taut

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "base/overloaded.hpp"
 #include "io/json_text.hpp"
 #include "taut/io.hpp"
 #include "taut/shape.hpp"
@@ -9,15 +10,19 @@ namespace taut {
 namespace {
 
 std::string rotation_text(const Rotation& rotation) {
-  if (const auto* r = std::get_if<AngleRotation>(&rotation)) return "{\"angle\":" + io::array_text(r->angle) + "}";
-  if (const auto* r = std::get_if<DirectionRotation>(&rotation)) {
-    return "{\"direction\":{\"a\":" + io::array_text(r->a) + ",\"b\":" + io::array_text(r->b) + "}}";
-  }
-  if (const auto* r = std::get_if<HalfAngleRotation>(&rotation)) {
-    return "{\"half_angle_tangent\":" + io::array_text(r->s) + "}";
-  }
-  if (const auto* r = std::get_if<CosineRotation>(&rotation)) return "{\"cosine\":" + io::array_text(r->a) + "}";
-  return "";
+  const auto of = [](const char* form, const std::string& value) {
+    return "{\"" + std::string(form) + "\":" + value + "}";
+  };
+  using io::array_text;
+  return std::visit(Overloaded{[](const NoRotation&) { return std::string(); },
+                               [&](const AngleRotation& r) { return of("angle", array_text(r.angle)); },
+                               [&](const DirectionRotation& r) {
+                                 return of("direction",
+                                           "{\"a\":" + array_text(r.a) + ",\"b\":" + array_text(r.b) + "}");
+                               },
+                               [&](const HalfAngleRotation& r) { return of("half_angle_tangent", array_text(r.s)); },
+                               [&](const CosineRotation& r) { return of("cosine", array_text(r.a)); }},
+                    rotation);
 }
 
 std::string piece_text(const MotionPiece& piece) {

@@ -69,10 +69,9 @@ class Animation {
     return out + draw_bar(moving);
   }
 
-  /// The moment of the loop, 0 to 1, at which a frame is shown.
-  double moment(std::size_t frame) const {
-    return options_.seconds / loop_ * static_cast<double>(frame) / static_cast<double>(frames_.size() - 1);
-  }
+  io::SvgLoop loop() const { return {options_.seconds, loop_, frames_.size()}; }
+  double moment(std::size_t frame) const { return loop().moment(frame); }
+  std::string shown_at_the_end(bool moving) const { return moving ? loop().shown_at_the_end() : ""; }
 
   std::vector<Point> outline(const Tiling& frame, int body) const {
     std::vector<Point> pixels(polygon_of(scene_.bodies[index(body)]).size());
@@ -115,11 +114,7 @@ class Animation {
       way.add(1, pixel_text(now[0]));
       turn.add(1, fmt::format("{:.2f}", angle * 180 / std::numbers::pi));
     }
-    const auto transform = [this](const Track& track, const char* type) {
-      return track.varies() ? fmt::format("<animateTransform type=\"{}\" {}/>", type, track.text("transform", loop_))
-                            : std::string();
-    };
-    return place + transform(way, "translate") + "<g>" + transform(turn, "rotate") + path + "</g></g>\n";
+    return place + way.transform("translate", loop_) + "<g>" + turn.transform("rotate", loop_) + path + "</g></g>\n";
   }
 
   double crowding() const {
@@ -161,15 +156,6 @@ class Animation {
         edge_path(last, last), io::pq_colour, 1.6 * crowding(), animate);
   }
 
-  /// Shown from the moment at which the motion stops.
-  std::string shown_at_the_end(bool moving) const {
-    if (!moving) return "";
-    return fmt::format(
-        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
-        "keyTimes=\"0;{:.5g}\" values=\"0;1\"/>",
-        loop_, moment(frames_.size() - 1));
-  }
-
   std::string draw_contact(const Contact& contact, bool moving) const {
     const Point p = canvas_.pixel(contact.point);
     std::string rings;
@@ -186,16 +172,7 @@ class Animation {
     const double length = scene_.end - scene_.start;
     const double reached = length > 0 ? whole * (frames_.back().time - scene_.start) / length : whole;
     const char* colour = options_.contact ? io::contact_colour : io::reflex_colour;
-    Track track;
-    track.add(0, "0");
-    track.add(moment(frames_.size() - 1), fmt::format("{:.2f}", reached));
-    track.add(1, fmt::format("{:.2f}", reached));
-    return fmt::format(
-        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"4\" rx=\"2\" fill=\"#e3e3e3\"/>\n"
-        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{3:.2f}\" height=\"4\" rx=\"2\" fill=\"{4}\">{5}</rect>\n"
-        "<text x=\"{6:.2f}\" y=\"22\" text-anchor=\"end\" fill=\"{4}\">{7}{8}</text>\n",
-        margin, y, whole, reached, colour, moving ? fmt::format("<animate {}/>", track.text("width", loop_)) : "",
-        canvas_.width() - margin, shown_at_the_end(moving), io::escape_xml(options_.ending));
+    return loop().bar(moving, margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 
   const Scene& scene_;

@@ -34,10 +34,48 @@ class SvgTrack {
     return fmt::format("attributeName=\"{}\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" keyTimes=\"{}\" values=\"{}\"",
                        name, seconds, times, values);
   }
+  /// An element that animates a transform; nothing if it stays the same.
+  std::string transform(const char* type, double seconds) const {
+    return varies() ? fmt::format("<animateTransform type=\"{}\" {}/>", type, text("transform", seconds)) : "";
+  }
 
  private:
   std::vector<double> moments_;
   std::vector<std::string> values_;
+};
+
+/// What moving pictures share: a loop of so many frames and a pause at its end, of which the last one shows how the
+/// motion ends.
+struct SvgLoop {
+  double motion, seconds;  ///< of the frames, and of all
+  std::size_t frames;
+
+  /// The moment of the loop, 0 to 1, at which a frame is shown.
+  double moment(std::size_t frame) const {
+    return motion / seconds * static_cast<double>(frame) / static_cast<double>(frames - 1);
+  }
+  /// For what is shown from the moment at which the motion stops.
+  std::string shown_at_the_end() const {
+    return fmt::format(
+        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
+        "keyTimes=\"0;{:.5g}\" values=\"0;1\"/>",
+        seconds, moment(frames - 1));
+  }
+  /// Where in time the picture stands: a bar of that width at that height over the scene's interval, filled up to
+  /// `reached`, and in words how it ends.
+  std::string bar(bool moving, double margin, double whole, double y, double reached, const char* colour,
+                  const std::string& ending) const {
+    SvgTrack track;
+    track.add(0, "0");
+    track.add(moment(frames - 1), fmt::format("{:.2f}", reached));
+    track.add(1, fmt::format("{:.2f}", reached));
+    return fmt::format(
+        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"4\" rx=\"2\" fill=\"#e3e3e3\"/>\n"
+        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{3:.2f}\" height=\"4\" rx=\"2\" fill=\"{4}\">{5}</rect>\n"
+        "<text x=\"{6:.2f}\" y=\"22\" text-anchor=\"end\" fill=\"{4}\">{7}{8}</text>\n",
+        margin, y, whole, reached, colour, moving ? fmt::format("<animate {}/>", track.text("width", seconds)) : "",
+        margin + whole, moving ? shown_at_the_end() : "", ending);
+  }
 };
 
 }  // namespace taut::io

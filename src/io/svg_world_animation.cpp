@@ -94,10 +94,9 @@ class WorldAnimation {
     return out + draw_bar(moving);
   }
 
-  /// The moment of the loop, 0 to 1, at which a frame is shown.
-  double moment(std::size_t frame) const {
-    return options_.seconds / loop_ * static_cast<double>(frame) / static_cast<double>(frames_.size() - 1);
-  }
+  io::SvgLoop loop() const { return {options_.seconds, loop_, frames_.size()}; }
+  double moment(std::size_t frame) const { return loop().moment(frame); }
+  std::string shown_at_the_end(bool moving) const { return moving ? loop().shown_at_the_end() : ""; }
 
   /// Each frame's own, from its moment to the next one's; below the bodies.
   std::string draw_tilings(bool moving) const {
@@ -131,14 +130,13 @@ class WorldAnimation {
     return canvas_.pixel(io::placed(frame.poses[body], p));
   }
 
-  /// A transform over all frames, held through the pause; nothing if it stays the same.
+  /// A transform over all frames, held through the pause.
   template <class Value>
   std::string transform(const char* type, const Value& value) const {
     io::SvgTrack track;
     for (std::size_t k = 0; k < frames_.size(); ++k) track.add(moment(k), value(frames_[k]));
     track.add(1, value(frames_.back()));
-    return track.varies() ? fmt::format("<animateTransform type=\"{}\" {}/>", type, track.text("transform", loop_))
-                          : "";
+    return track.transform(type, loop_);
   }
 
   /// What is drawn around a point of the body, moved along with that point.
@@ -168,15 +166,6 @@ class WorldAnimation {
     return carried(body, inner.at, io::number_mark(body), moving);
   }
 
-  /// Shown from the moment at which the motion stops.
-  std::string shown_at_the_end(bool moving) const {
-    if (!moving) return "";
-    return fmt::format(
-        "<animate attributeName=\"opacity\" dur=\"{:.3g}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
-        "keyTimes=\"0;{:.5g}\" values=\"0;1\"/>",
-        loop_, moment(frames_.size() - 1));
-  }
-
   /// Where in time the picture stands: a bar over the scene's interval, and in words how it ends.
   std::string draw_bar(bool moving) const {
     const double y = canvas_.height() - legend_height() - 20, whole = canvas_.width() - 2 * world_margin;
@@ -184,16 +173,7 @@ class WorldAnimation {
     const double reached = length > 0 ? whole * (end_ - scene_.start) / length : whole;
     const bool hit = !options_.draw.contacts.empty() || !options_.draw.overlaps.empty();
     const char* colour = hit ? io::contact_colour : io::reflex_colour;
-    io::SvgTrack track;
-    track.add(0, "0");
-    track.add(moment(frames_.size() - 1), fmt::format("{:.2f}", reached));
-    track.add(1, fmt::format("{:.2f}", reached));
-    return fmt::format(
-        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"4\" rx=\"2\" fill=\"#e3e3e3\"/>\n"
-        "<rect x=\"{0}\" y=\"{1:.2f}\" width=\"{3:.2f}\" height=\"4\" rx=\"2\" fill=\"{4}\">{5}</rect>\n"
-        "<text x=\"{6:.2f}\" y=\"22\" text-anchor=\"end\" fill=\"{4}\">{7}{8}</text>\n",
-        world_margin, y, whole, reached, colour, moving ? fmt::format("<animate {}/>", track.text("width", loop_)) : "",
-        canvas_.width() - world_margin, shown_at_the_end(moving), io::escape_xml(options_.ending));
+    return loop().bar(moving, world_margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 
   const Scene& scene_;

@@ -53,7 +53,7 @@ void Engine::build(const KnownTilings& known) {
   // set before anything is allocated again: few events of few motions do.
   reserve_certificates(4 * mixed_edges() + 1024);
   add_certificates(placement);
-  start_in_doubles_ = placement.precise_calls() == 0;
+  at_start_ = placement.stages();
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   reserve_for_legs();

@@ -29,7 +29,7 @@ struct EngineEvent {
   HalfedgeId corner;  ///< enters the corner that the repair went by
   RepairReport report;
   bool three_corners = false;
-  NodeId face;  ///< of the failed corner, before the repair
+  ChainNode face;  ///< of the failed corner, before the repair
 };
 
 class EngineObserver {
@@ -87,11 +87,7 @@ class Engine {
   std::size_t initial_certificates() const { return initial_; }
   std::size_t max_certificates() const { return max_active_; }
   RootState initial_root() const { return initial_root_; }
-  const StageCounts& stages() const { return solver_.counts(); }
-  /// Has every sign been told by doubles, without regard to the displacement?
-  bool doubles_sufficed() const {
-    return start_in_doubles_ && stages().level1 + stages().precise + stages().compared == 0;
-  }
+  StageCounts stages() const { return StageCounts(at_start_) += solver_.stages(); }
   /// Calls visit(certificate) for the active set.
   template <class Visit>
   void for_each_certificate(const Visit& visit) const {
@@ -171,7 +167,7 @@ class Engine {
   std::uint64_t events_ = 0;
   std::size_t active_ = 0, initial_ = 0, max_active_ = 0;
   RootState initial_root_ = RootState::disjoint;
-  bool start_in_doubles_ = true;
+  StageCounts at_start_;
 };
 
 }  // namespace taut

@@ -31,7 +31,6 @@ void FailureSolver::sharpen(Certificate& c, int stage) {
 }
 
 void FailureSolver::separate(Certificate& a, Certificate& b) {
-  ++counts_.compared;
   const auto stage_of = [this](const Certificate& c) {
     return c.precise < 0 ? -1 : pool_[static_cast<std::size_t>(c.precise)].stage;
   };

@@ -111,7 +111,7 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
   if (!c.function.level1) {
     FastFunction next;
     if (FastFunction::level_one(leg(), geometry_, form_of(c), next)) {
-      ++counts_.level1;
+      memory_.stages.add(Stage::first_order);
       const FastFunction before = c.function;
       c.function = next;
       const Bounded v = next.value(clock_.at(t, next.pp));
@@ -124,8 +124,7 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
 
 /// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
 void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from) {
-  ++counts_.precise;
-  if (pass_turn(c, from)) return;
+  if (pass_turn(c, from)) return memory_.stages.add(Stage::fixed);
   // Events may crowd closer to the end of the leg than doubles can tell.
   const double t = from.last().floor();
   if (t >= leg().end) return holds_until(c, leg().end);
@@ -185,7 +184,6 @@ int FailureSolver::sign_now(const Form& form, Now& now) {
 }
 
 int FailureSolver::precise_sign(const Form& form, Now& now) {
-  ++counts_.precise;
   if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now), &memory_)) return s;
   throw Undecidable{"two events at the same instant"};
 }
@@ -205,7 +203,7 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
   if (start_in_doubles(c, now)) return;
   FastFunction next;
   if (FastFunction::level_one(leg(), geometry_, form, next)) {
-    ++counts_.level1;
+    memory_.stages.add(Stage::first_order);
     std::swap(c.function, next);
     if (start_in_doubles(c, now)) return;
     std::swap(c.function, next);

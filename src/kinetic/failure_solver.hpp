@@ -49,7 +49,7 @@ class FailureSolver {
     memory_.reset(leg);
   }
   const Leg& leg() const { return clock_.leg(); }
-  const StageCounts& counts() const { return counts_; }
+  const StageCounts& stages() const { return memory_.stages; }
   const std::vector<PreciseTime>& pool() const { return pool_; }
 
   /// A certificate that cannot fail.
@@ -105,8 +105,7 @@ class FailureSolver {
   const PairGeometry& geometry_;
   LegClock clock_;
   FrameMemory memory_;
-  StageCounts counts_;
-  FastRoots fast_{clock_, counts_};
+  FastRoots fast_{clock_, memory_.stages};
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;
 };

@@ -5,9 +5,24 @@ namespace {
 
 /// After a corner at the root closed: an edge with faces of P on both its sides is now run in both directions by
 /// RCH(P).
-void mark_pinch(PlanarMap& map, NodeId face, HalfedgeId uv) {
+void mark_pinch(PlanarMap& map, ChainNode face, HalfedgeId uv) {
   if (face != node::root && face != node::infinite_face) return;
   if (node::in_p(map.node(uv)) && node::in_p(map.node(PlanarMap::twin(uv)))) map.set_pinch(uv, true);
+}
+
+/// A triangle vanishes: the face across the edge that goes gets the two others.
+RepairReport without_triangle(PlanarMap& map, HalfedgeId gone, RepairReport report) {
+  const HalfedgeId a = map.next(gone), b = map.next(a), across = PlanarMap::twin(gone);
+  const HalfedgeId p = map.previous(across), n = map.next(across);
+  map.link(p, a);
+  map.link(b, n);
+  map.set_node(a, map.node(across));
+  map.set_node(b, map.node(across));
+  map.remove_edge(gone);
+  report.repair = Repair::convex_triangle;
+  report.removed = gone;
+  for (const HalfedgeId c : {p, a, b}) report.touch(c);
+  return report;
 }
 
 /// The far end comes first: h = w -> u, next = u -> v. The edge u -> w goes, w -> v comes.
@@ -15,22 +30,11 @@ RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
   RepairReport report;
   report.gone = Gone::first;
   const HalfedgeId uw = PlanarMap::twin(wu);
-  const NodeId face = map.node(wu), across = map.node(uw);
+  const ChainNode face = map.node(wu), across = map.node(uw);
   const VertexId v = map.target(uv);
-  const HalfedgeId p = map.previous(uw), n = map.next(uw);
+  const HalfedgeId p = map.previous(uw);
   const HalfedgeId third = map.next(uv);
-  if (map.next(third) == wu) {
-    // The triangle u, v, w vanishes; the face across gets u -> v -> w.
-    map.link(p, uv);
-    map.link(third, n);
-    map.set_node(uv, across);
-    map.set_node(third, across);
-    map.remove_edge(wu);
-    report.repair = Repair::convex_triangle;
-    report.removed = wu;
-    for (const HalfedgeId c : {p, uv, third}) report.touch(c);
-    return report;
-  }
+  if (map.next(third) == wu) return without_triangle(map, wu, report);
   const HalfedgeId before = map.previous(wu);
   const HalfedgeId wv = wu, vw = uw;  // the edge is reused
   map.set_origin(vw, v);
@@ -50,21 +54,11 @@ RepairReport near_end_first(PlanarMap& map, HalfedgeId vu, HalfedgeId uw) {
   RepairReport report;
   report.gone = Gone::second;
   const HalfedgeId wu = PlanarMap::twin(uw);
-  const NodeId face = map.node(vu), across = map.node(wu);
+  const ChainNode face = map.node(vu), across = map.node(wu);
   const VertexId v = map.origin(vu);
   const HalfedgeId p = map.previous(wu), n = map.next(wu);
   const HalfedgeId third = map.next(uw);
-  if (map.next(third) == vu) {
-    map.link(p, third);
-    map.link(vu, n);
-    map.set_node(third, across);
-    map.set_node(vu, across);
-    map.remove_edge(uw);
-    report.repair = Repair::convex_triangle;
-    report.removed = uw;
-    for (const HalfedgeId c : {p, third, vu}) report.touch(c);
-    return report;
-  }
+  if (map.next(third) == vu) return without_triangle(map, uw, report);
   const HalfedgeId before = map.previous(vu);
   const HalfedgeId vw = uw, wv = wu;  // the edge is reused
   map.set_origin(vw, v);

@@ -6,8 +6,8 @@ namespace taut {
 namespace {
 
 /// The node that stands for the face on the left of h in the joined tree.
-NodeId tree_node(const PlanarMap& map, HalfedgeId h, NodeId infinite_as) {
-  const NodeId n = map.node(h);
+ChainNode tree_node(const PlanarMap& map, HalfedgeId h, ChainNode infinite_as) {
+  const ChainNode n = map.node(h);
   return n == node::infinite_face ? infinite_as : n;
 }
 
@@ -56,7 +56,7 @@ RepairReport replace_first(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
 }
 
 /// Case (a): the triangle u, v, w is the new face of node m.
-RepairReport new_face(PlanarMap& map, HalfedgeId uv, HalfedgeId vw, NodeId m) {
+RepairReport new_face(PlanarMap& map, HalfedgeId uv, HalfedgeId vw, ChainNode m) {
   RepairReport report;
   report.repair = Repair::reflex_new_face;
   const HalfedgeId p = map.previous(uv), n = map.next(vw);
@@ -76,14 +76,14 @@ RepairReport new_face(PlanarMap& map, HalfedgeId uv, HalfedgeId vw, NodeId m) {
 
 RepairReport repair_reflex(PlanarMap& map, HalfedgeId uv) {
   const HalfedgeId vw = map.next(uv), vu = PlanarMap::twin(uv), wv = PlanarMap::twin(vw);
-  const NodeId face = map.node(uv), a = map.node(vu), b = map.node(wv);
+  const ChainNode face = map.node(uv), a = map.node(vu), b = map.node(wv);
   // F counts as inf_o if f is F itself, or if f is a face of P with A = PT and B = F; else as inf_i.
-  const NodeId nf = tree_node(map, uv, node::outer_infinite);
-  const NodeId na = tree_node(map, vu, node::inner_infinite);
+  const ChainNode nf = tree_node(map, uv, node::outer_infinite);
+  const ChainNode na = tree_node(map, vu, node::inner_infinite);
   const bool outer = node::in_p(face) && a == node::root;
-  const NodeId nb = b == node::infinite_face ? (outer ? node::outer_infinite : node::inner_infinite) : b;
+  const ChainNode nb = b == node::infinite_face ? (outer ? node::outer_infinite : node::inner_infinite) : b;
   const bool pinch_first = map.is_pinch(uv), pinch_second = map.is_pinch(vw);
-  const NodeId m = pinch_first ? nb : (pinch_second ? na : node::median(nf, na, nb));
+  const ChainNode m = pinch_first ? nb : (pinch_second ? na : node::median(nf, na, nb));
   if (m == nf) throw StructureError("reflex failure: the face itself comes between its neighbours");
   const bool second = m == nb, first = !second && m == na;
   if ((second && map.is_polygon_edge(vw)) || (first && map.is_polygon_edge(uv)))

@@ -16,7 +16,7 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
   const Leg& first = legs_[0].front();
   const Placement placement(geometry, first, first.start, Positions::on_demand);
   const RingMeetings meetings = ring_meetings(plan, placement);
-  start_in_doubles_ = placement.precise_calls() == 0;
+  at_start_ = placement.stages();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
   for (const RingMeeting& rings : meetings.pairs) {
@@ -25,9 +25,10 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
   }
 }
 
-const LoneRing& RingEngines::ring_of(const Run& run, bool plays_p) const {
-  return plays_p != run.exchanged ? plan_.rings[0]->lone(run.rings.p, inwards_)
-                                  : plan_.rings[1]->lone(run.rings.q, inwards_);
+/// The ring that plays this role.
+const LoneRing& RingEngines::ring_of(const Run& run, Role role) const {
+  const Role body = run.in_pair(role);
+  return plan_.rings[index_of(body)]->lone(body == Role::p ? run.rings.p : run.rings.q, inwards_);
 }
 
 void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
@@ -41,7 +42,7 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   } else if (p.rings()[rings.p].ring == 0) {
     run.exchanged = q.diameter_squared(rings.q) > p.diameter_squared(rings.p);
   }
-  run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, true).polygon, ring_of(run, false).polygon),
+  run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, Role::p).polygon, ring_of(run, Role::q).polygon),
                                         legs_[run.exchanged ? 1 : 0], observer);
   overlap_ = run.engine->state() == EngineState::overlap;
   runs_.push_back(std::move(run));
@@ -98,12 +99,12 @@ std::optional<std::pair<double, double>> RingEngines::next_event(double t) {
 /// From a vertex of two rings, or the edge from it, to that of the two bodies.
 std::optional<VertexId> RingEngines::named(const Run& run, VertexId v, bool edge) const {
   const PairGeometry& two = run.engine->geometry();
-  const bool plays_p = two.in_p(v);
-  const LoneRing& ring = ring_of(run, plays_p);
-  const VertexId own(plays_p ? v.value : v.value - two.np);
+  const Role role = two.role_of(v);
+  const LoneRing& ring = ring_of(run, role);
+  const VertexId own(v.value - two.first(role));
   const std::optional<std::uint32_t> k = edge ? ring.edge(own) : ring.vertex(own);
   if (!k) return std::nullopt;
-  return VertexId(plays_p != run.exchanged ? *k : geometry_.np + *k);
+  return VertexId(geometry_.first(run.in_pair(role)) + *k);
 }
 
 /// The slit's walls are no features, and can only be met where a vertex was displaced into the mouth.
@@ -129,33 +130,10 @@ bool RingEngines::comes_before(const Found& a, const Found& b) const {
   return order < 0;
 }
 
-std::uint64_t RingEngines::events() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->events();
+StageCounts RingEngines::stages() const {
+  StageCounts sum = at_start_;
+  for (const Run& run : runs_) sum += run.engine->stages();
   return sum;
-}
-
-std::uint64_t RingEngines::certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->active_certificates();
-  return sum;
-}
-
-std::uint64_t RingEngines::initial_certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->initial_certificates();
-  return sum;
-}
-
-std::uint64_t RingEngines::max_certificates() const {
-  std::uint64_t sum = 0;
-  for (const Run& run : runs_) sum += run.engine->max_certificates();
-  return sum;
-}
-
-bool RingEngines::doubles_sufficed() const {
-  return start_in_doubles_ &&
-         std::all_of(runs_.begin(), runs_.end(), [](const Run& r) { return r.engine->doubles_sufficed(); });
 }
 
 }  // namespace taut

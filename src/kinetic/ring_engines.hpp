@@ -49,11 +49,11 @@ class RingEngines {
   };
   const std::optional<Found>& contact() const { return contact_; }
 
-  std::uint64_t events() const;
-  std::uint64_t certificates() const;
-  std::uint64_t initial_certificates() const;
-  std::uint64_t max_certificates() const;
-  bool doubles_sufficed() const;
+  std::uint64_t events() const { return sum_of(&Engine::events); }
+  std::uint64_t certificates() const { return sum_of(&Engine::active_certificates); }
+  std::uint64_t initial_certificates() const { return sum_of(&Engine::initial_certificates); }
+  std::uint64_t max_certificates() const { return sum_of(&Engine::max_certificates); }
+  StageCounts stages() const;
   const std::vector<Leg>& legs() const { return legs_[0]; }
 
   std::size_t size() const { return runs_.size(); }
@@ -70,8 +70,17 @@ class RingEngines {
     RingMeeting rings;
     bool exchanged = false;  ///< P of the pair plays Q
     std::unique_ptr<Engine> engine;
+
+    /// The role in the pair of bodies, of that in the pair of rings.
+    Role in_pair(Role role) const { return exchanged ? other(role) : role; }
   };
-  const LoneRing& ring_of(const Run& run, bool plays_p) const;
+  template <class Count>
+  std::uint64_t sum_of(Count (Engine::*count)() const) const {
+    std::uint64_t sum = 0;
+    for (const Run& run : runs_) sum += ((*run.engine).*count)();
+    return sum;
+  }
+  const LoneRing& ring_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
   VertexId in_pair(const Run& run, VertexId v, bool edge) const;
@@ -85,7 +94,7 @@ class RingEngines {
   std::vector<Run> runs_;
   bool overlap_ = false;
   std::optional<VertexId> inside_;
-  bool start_in_doubles_ = true;
+  StageCounts at_start_;
   std::optional<Found> contact_;
 };
 

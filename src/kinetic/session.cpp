@@ -4,27 +4,26 @@
 
 #include "base/errors.hpp"
 #include "motion/pieces.hpp"
-#include "pair/crossing_edges.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
+#include "sign/contact_at_start.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
 
 namespace {
 
-const ShapeTiling* known_tiling(const PairPlan& plan, int side, bool inwards) {
-  const ShapeInRole* shape = shape_in_role(plan, side, inwards);
+const ShapeTiling* known_tiling(const PairPlan& plan, Role role, bool inwards) {
+  const ShapeInRole* shape = shape_in_role(plan, role, inwards);
   if (!shape) return nullptr;
-  return shape->kept<ShapeTiling>(ShapeInRole::tiling, [&] {
-    return tile_shape(shape->displaced, shape->role.plays_p ? node::p_tree : node::q_tree);
-  });
+  return shape->kept<ShapeTiling>(
+      ShapeInRole::tiling, [&] { return tile_shape(shape->displaced, role == Role::p ? node::p_tree : node::q_tree); });
 }
 
 KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
-  return {known_tiling(plan, 0, inwards), known_tiling(plan, 1, inwards)};
+  return {known_tiling(plan, Role::p, inwards), known_tiling(plan, Role::q, inwards)};
 }
 
 }  // namespace
@@ -33,18 +32,20 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
   build(touch == Touch::open);
-  if (engine_->state() != EngineState::overlap) return;
-  if (touch == Touch::closed) {
-    // Touching at the start makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
-    const PairGeometry inner = displaced_pair(plan_, true);
-    const Placement placement(inner, engine_->leg(), start_);
+  if (engine_->state() == EngineState::overlap) settle_overlap();
+}
+
+void Session::settle_overlap() {
+  const Leg& leg = engine_->leg();
+  const auto how = [&] { return overlap_of_outlines(engine_->geometry(), leg, start_); };
+  const auto overlap_of = [&](const PairGeometry& shapes) {
     FreeTriangulation triangulation;
-    if (!triangulate_free_space(placement, triangulation)) {
-      const auto crossing = crossing_edges(Placement(engine_->geometry(), engine_->leg(), start_));
-      if (!crossing) throw StructureError("bodies that touch without a crossing of their outlines");
-      contact_ = witness().contact_of_crossing(crossing->p, crossing->q, engine_->leg(), start_);
-      return;
-    }
+    return triangulate_free_space(Placement(shapes, leg, start_), triangulation).has_value();
+  };
+  if (const auto touching = contact_at_start(witness(), leg, start_, how, overlap_of)) {
+    touching_ = touching->how;
+    contact_ = touching->contact;
+    return;
   }
   overlap_at_start_ = true;
   overlap_point_ = common_point(plan_, start_);
@@ -84,20 +85,21 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   }
   if (contact_) return;
   const double now = engine_->time();
-  const std::size_t side = plan_.maps[0].body == body ? 0 : 1;
-  const std::string& name = plan_.names[side];
-  validate_motion(motion, name, plan_.bounds[side], now, end_, plan_.extent);
+  const Role role = plan_.maps[0].body == body ? Role::p : Role::q;
+  const std::size_t k = index_of(role);
+  const std::string& name = plan_.names[k];
+  validate_motion(motion, name, plan_.bounds[k], now, end_, plan_.extent);
   std::vector<MotionPiece> fresh;
   for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));
-  const MotionPiece before = side == 0 ? engine_->leg().p : engine_->leg().q;
+  const MotionPiece before = role == Role::p ? engine_->leg().p : engine_->leg().q;
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
-  const double gap = joint_gap(from, to, plan_.bounds[side], now);
-  if (!(gap <= joint_room(from, to, plan_.bounds[side], now, plan_.extent))) {
+  const double gap = joint_gap(from, to, plan_.bounds[k], now);
+  if (!(gap <= joint_room(from, to, plan_.bounds[k], now, plan_.extent))) {
     throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
                      "coefficients are in powers of the absolute time t");
   }
-  plan_.pieces[side] = fresh;
+  plan_.pieces[k] = fresh;
   std::vector<Leg> legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
   if (!same_motion(before, fresh[0])) {
     const MotionPiece& p = piece_at(plan_.pieces[0], now);

@@ -23,6 +23,8 @@ class Session : private EngineObserver {
   double start() const { return start_; }
   double end() const { return end_; }
   const std::optional<Contact>& contact() const { return contact_; }
+  /// Of a contact at the start: how the outward shapes overlap.
+  const std::optional<StartOverlap>& touching() const { return touching_; }
   bool overlap_at_start() const { return overlap_at_start_; }
   /// Inside both bodies, if they overlap at the start and such a point was found.
   const std::optional<Point>& overlap_point() const { return overlap_point_; }
@@ -41,6 +43,7 @@ class Session : private EngineObserver {
  private:
   void on_event(const EngineEvent& event) override;
   void build(bool inwards);
+  void settle_overlap();
   void note_contact();
   Witness witness() const { return {plan_, engine_->geometry(), inwards_}; }
 
@@ -50,6 +53,7 @@ class Session : private EngineObserver {
   EngineObserver* observer_;
   std::unique_ptr<Engine> engine_;
   std::optional<Contact> contact_;
+  std::optional<StartOverlap> touching_;
   bool inwards_ = true;  ///< the displacement
   bool overlap_at_start_ = false;
   std::optional<Point> overlap_point_;

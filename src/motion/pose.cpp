@@ -5,16 +5,11 @@
 namespace taut {
 
 bool same_rotation(const Rotation& a, const Rotation& b) {
-  if (a.index() != b.index()) return false;
-  return std::visit(Overloaded{[](const NoRotation&) { return true; },
-                               [&](const AngleRotation& r) { return r.angle == std::get<AngleRotation>(b).angle; },
-                               [&](const DirectionRotation& r) {
-                                 const auto& other = std::get<DirectionRotation>(b);
-                                 return r.a == other.a && r.b == other.b;
-                               },
-                               [&](const HalfAngleRotation& r) { return r.s == std::get<HalfAngleRotation>(b).s; },
-                               [&](const CosineRotation& r) { return r.a == std::get<CosineRotation>(b).a; }},
-                    a);
+  std::vector<const Coefficients*> of_a, of_b;
+  for_each_polynomial(a, [&](const Coefficients& c) { of_a.push_back(&c); });
+  for_each_polynomial(b, [&](const Coefficients& c) { of_b.push_back(&c); });
+  return a.index() == b.index() && std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                                              [](const auto* x, const auto* y) { return *x == *y; });
 }
 
 std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end) {

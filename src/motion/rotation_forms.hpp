@@ -1,29 +1,29 @@
 // What every form of rotation has to tell of itself. A program with a new form in Rotation does not compile before it
-// is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp and in the fingerprint.
+// is answered for here, in rotation_jet() (pose.hpp), in validate_motion.cpp and where scenes are
+// read and written.
 #pragma once
 
+#include <utility>
+
+#include "base/overloaded.hpp"
 #include "taut/motion.hpp"
 
 namespace taut {
 
-/// One function object of several, one for each case: for std::visit, which wants every case.
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
 /// Calls visit(coefficients) for each polynomial of a rotation.
 template <class Visit>
-void for_each_polynomial(Rotation& rotation, const Visit& visit) {
-  std::visit(Overloaded{[](NoRotation&) {}, [&](AngleRotation& r) { visit(r.angle); },
-                        [&](DirectionRotation& r) {
+void for_each_polynomial(const Rotation& rotation, const Visit& visit) {
+  std::visit(Overloaded{[](const NoRotation&) {}, [&](const AngleRotation& r) { visit(r.angle); },
+                        [&](const DirectionRotation& r) {
                           visit(r.a);
                           visit(r.b);
                         },
-                        [&](HalfAngleRotation& r) { visit(r.s); }, [&](CosineRotation& r) { visit(r.a); }},
+                        [&](const HalfAngleRotation& r) { visit(r.s); }, [&](const CosineRotation& r) { visit(r.a); }},
              rotation);
+}
+template <class Visit>
+void for_each_polynomial(Rotation& rotation, const Visit& visit) {
+  for_each_polynomial(std::as_const(rotation), [&](const Coefficients& c) { visit(const_cast<Coefficients&>(c)); });
 }
 
 /// Are the two given by the very same coefficients?

@@ -54,6 +54,19 @@ SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
   }
 }
 
+/// `sum` and all the terms -z / ((1 + odd) (2 + odd)), z^2 / ((1 + odd) ... (4 + odd)), ... that matter.
+template <class Real>
+Ball<Real> alternating_series(Ball<Real> sum, const Ball<Real>& z, int odd) {
+  Ball<Real> term = Ball<Real>::exact(1);
+  for (int n = 1;; ++n) {
+    term = -(term * z / Ball<Real>::exact((2.0 * n - 1 + odd) * (2.0 * n + odd)));
+    sum = sum + term;
+    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) break;
+  }
+  sum.rad = detail::inflate(sum.rad + term.magnitude());
+  return sum;
+}
+
 template <class Real>
 SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   using B = Ball<Real>;
@@ -71,25 +84,7 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   const B r = (B(x.mid, 0.0) - turns * quarter) * std::ldexp(1.0, -halvings);
   const B z = r * r;
   // sin(r)/r and 1 - cos(r), |r| < 2^-10, to below the working precision.
-  B term = B::exact(1), sine = B::exact(1), versine = B::exact(0);
-  for (int n = 1;; ++n) {
-    const B odd = term * z / B::exact((2.0 * n) * (2.0 * n + 1));
-    term = -odd;
-    sine = sine + term;
-    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) {
-      sine.rad = detail::inflate(sine.rad + term.magnitude());
-      break;
-    }
-  }
-  term = B::exact(1);
-  for (int n = 1;; ++n) {
-    term = -(term * z / B::exact((2.0 * n - 1) * (2.0 * n)));
-    versine = versine - term;
-    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) {
-      versine.rad = detail::inflate(versine.rad + term.magnitude());
-      break;
-    }
-  }
+  const B sine = alternating_series(B::exact(1), z, 1), versine = -alternating_series(B::exact(0), z, 0);
   // Doubling: with v = 1 - cos a: 1 - cos 2a = 2 v (2 - v), sin 2a = 2 sin a (1 - v). Stable for small a.
   B s = r * sine, v = versine;
   for (int i = 0; i < halvings; ++i) {

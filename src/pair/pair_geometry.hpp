@@ -32,6 +32,10 @@ struct PairGeometry {
   const SharedPolygon& q() const { return q_; }
   std::uint32_t size() const { return np + nq; }
   bool in_p(VertexId v) const { return v.value < np; }
+  Role role_of(VertexId v) const { return in_p(v) ? Role::p : Role::q; }
+  /// Of that body: the number of its first vertex, and how many it has.
+  std::uint32_t first(Role role) const { return role == Role::p ? 0 : np; }
+  std::uint32_t count(Role role) const { return role == Role::p ? np : nq; }
   bool same_body(VertexId a, VertexId b) const { return in_p(a) == in_p(b); }
   const DisplacedPoint& point(VertexId v) const { return v.value < np ? points_p_[v.value] : points_q_[v.value - np]; }
   VertexId next(VertexId v) const {
@@ -55,9 +59,9 @@ struct PairGeometry {
   /// The neighbour of v in its ring by a body's own table; a body of one ring has none.
   VertexId along_ring(VertexId v, std::vector<std::uint32_t> DisplacedPolygon::*table, bool forwards) const {
     const DisplacedPolygon& body = in_p(v) ? *p_ : *q_;
-    const std::uint32_t first = in_p(v) ? 0 : np, count = in_p(v) ? np : nq, k = v.value - first;
-    if (!body.rings.empty()) return VertexId(first + (body.*table)[k]);
-    return VertexId(first + (forwards ? (k + 1) % count : (k + count - 1) % count));
+    const std::uint32_t start = in_p(v) ? 0 : np, n = in_p(v) ? np : nq, k = v.value - start;
+    if (!body.rings.empty()) return VertexId(start + (body.*table)[k]);
+    return VertexId(start + (forwards ? (k + 1) % n : (k + n - 1) % n));
   }
 
   SharedPolygon p_, q_;

@@ -12,16 +12,16 @@ namespace {
 
 BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.size, facts.first, facts.reversed}; }
 
-ShapeRole role_of(const PairPlan& plan, int side, bool inwards) { return {side == 0, inwards, plan.exponent}; }
+ShapeRole shape_role(const PairPlan& plan, Role role, bool inwards) { return {role, inwards, plan.exponent}; }
 
 std::array<SharedPolygon, 2> displaced_bodies(const PairPlan& plan, bool inwards) {
   if (plan.rings[0]) return {plan.rings[0]->displaced(inwards), plan.rings[1]->displaced(inwards)};
-  const auto displaced = [&](int side) {
-    const ShapeInRole* shape = shape_in_role(plan, side, inwards);
+  const auto displaced = [&](Role role) {
+    const ShapeInRole* shape = shape_in_role(plan, role, inwards);
     if (shape) return shape->displaced;
-    return displaced_for(*plan.polygons[static_cast<std::size_t>(side)], role_of(plan, side, inwards));
+    return displaced_for(*plan.polygons[index_of(role)], shape_role(plan, role, inwards));
   };
-  return {displaced(0), displaced(1)};
+  return {displaced(Role::p), displaced(Role::q)};
 }
 
 std::string edge_text(const BodyMap& map, int edge) {
@@ -57,33 +57,33 @@ PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
   plan.extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));
   // The polygon with the larger diameter plays P (section 2.1 of the paper).
   const int p = facts[1].diameter_squared > facts[0].diameter_squared ? 1 : 0;
-  for (int k = 0; k < 2; ++k) {
-    const int index = k == 0 ? p : 1 - p;
+  for (const Role role : {Role::p, Role::q}) {
+    const int index = role == Role::p ? p : 1 - p;
     const Body& body = scene.bodies[static_cast<std::size_t>(index)];
     const ShapeFacts& known = facts[static_cast<std::size_t>(index)];
-    const auto side = static_cast<std::size_t>(k);
-    plan.maps[side] = map_body(known, index);
-    plan.names[side] = body.name;
-    plan.bounds[side] = known.bounds;
-    plan.prepared[side] = body.prepared;
-    plan.polygons[side] =
-        body.prepared ? body.prepared->in_role(role_of(plan, k, true)).polygon
-                      : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
-    plan.pieces[side] = pieces_between(body.motion, scene.start, scene.end);
-    for (MotionPiece& piece : plan.pieces[side]) piece = scaled(std::move(piece), plan.exponent);
+    const std::size_t k = index_of(role);
+    plan.maps[k] = map_body(known, index);
+    plan.names[k] = body.name;
+    plan.bounds[k] = known.bounds;
+    plan.prepared[k] = body.prepared;
+    plan.polygons[k] = body.prepared
+                           ? body.prepared->in_role(shape_role(plan, role, true)).polygon
+                           : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
+    plan.pieces[k] = pieces_between(body.motion, scene.start, scene.end);
+    for (MotionPiece& piece : plan.pieces[k]) piece = scaled(std::move(piece), plan.exponent);
   }
   return plan;
 }
 
-const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards) {
-  const auto& shape = plan.prepared[static_cast<std::size_t>(side)];
-  return shape ? &shape->in_role(role_of(plan, side, inwards)) : nullptr;
+const ShapeInRole* shape_in_role(const PairPlan& plan, Role role, bool inwards) {
+  const auto& shape = plan.prepared[index_of(role)];
+  return shape ? &shape->in_role(shape_role(plan, role, inwards)) : nullptr;
 }
 
 PairGeometry displaced_pair(const PairPlan& plan, bool inwards) {
   const std::array<SharedPolygon, 2> bodies = displaced_bodies(plan, inwards);
-  for (std::size_t side = 0; side < 2; ++side) {
-    if (bodies[side]->fault) refuse(plan.names[side], plan.maps[side], *bodies[side]->fault);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (bodies[k]->fault) refuse(plan.names[k], plan.maps[k], *bodies[k]->fault);
   }
   return {bodies[0], bodies[1]};
 }

@@ -56,8 +56,8 @@ inline PairPlan plan_pair(const Scene& scene) {
   return plan_pair(scene, {facts_of(scene.bodies[0]), facts_of(scene.bodies[1])});
 }
 
-/// What is kept of P (side 0) or Q (side 1) if it is a prepared shape; else null.
-const ShapeInRole* shape_in_role(const PairPlan& plan, int side, bool inwards);
+/// What is kept of P or Q if it is a prepared shape; else null.
+const ShapeInRole* shape_in_role(const PairPlan& plan, Role role, bool inwards);
 
 /// The two polygons, displaced inwards or outwards. Throws InputError where one of them has features that are finer
 /// than the displacement.

@@ -119,7 +119,14 @@ int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
     if (const int s = geometry_->rigid_orientation(a, b, c)) return s;
     throw Undecidable{"three vertices of one body are collinear even after the displacement"};
   }
-  return precise_orientation(a, b, c);
+  return precise_sign("the orientation of three vertices", [&](auto zero) {
+    using N = decltype(zero);
+    N ax, ay, bx, by, cx, cy;
+    position(a, ax, ay);
+    position(b, bx, by);
+    position(c, cx, cy);
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  });
 }
 
 bool Placement::before(VertexId a, VertexId b) const {
@@ -127,11 +134,13 @@ bool Placement::before(VertexId a, VertexId b) const {
   if (d > key_error_) return false;
   if (-d > key_error_) return true;
   if (a == b) return false;
-  ++precise_calls_;
-  count_work(work_of_precise);
-  if (const int s = order_in<FixedBall>(a, b)) return s < 0;
-  const auto order = [&](auto zero) { return order_in<Ball<decltype(zero)>>(a, b); };
-  return told("the order of two vertices along the sweep", [&](int stage) { return with_stage(stage, order); }) < 0;
+  return precise_sign("the order of two vertices along the sweep", [&](auto zero) {
+           using N = decltype(zero);
+           N ax, ay, bx, by;
+           position(a, ax, ay);
+           position(b, bx, by);
+           return (ax - bx) + (ay - by) * N::exact(tilt);
+         }) < 0;
 }
 
 template <class N>
@@ -169,29 +178,18 @@ void Placement::position(VertexId v, N& x, N& y) const {
   y = pose.y + pose.s * px + pose.c * py;
 }
 
-template <class N>
-int Placement::orientation_in(VertexId a, VertexId b, VertexId c) const {
-  N ax, ay, bx, by, cx, cy;
-  position(a, ax, ay);
-  position(b, bx, by);
-  position(c, cx, cy);
-  return ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).sign();
-}
-
-template <class N>
-int Placement::order_in(VertexId a, VertexId b) const {
-  N ax, ay, bx, by;
-  position(a, ax, ay);
-  position(b, bx, by);
-  return ((ax - bx) + (ay - by) * N::exact(tilt)).sign();
-}
-
-int Placement::precise_orientation(VertexId a, VertexId b, VertexId c) const {
-  ++precise_calls_;
+template <class Quantity>
+int Placement::precise_sign(const char* what, const Quantity& quantity) const {
   count_work(work_of_precise);
-  if (const int s = orientation_in<FixedBall>(a, b, c)) return s;
-  const auto sign = [&](auto zero) { return orientation_in<Ball<decltype(zero)>>(a, b, c); };
-  return told("the orientation of three vertices", [&](int stage) { return with_stage(stage, sign); });
+  const auto told_by = [this](Stage stage, int sign) {
+    if (sign != 0) stages_.add(stage);
+    return sign;
+  };
+  if (const int s = told_by(Stage::fixed, quantity(FixedBall()).sign())) return s;
+  return told(what, [&](int stage) {
+    const auto sign = [&](auto zero) { return quantity(Ball<decltype(zero)>()).sign(); };
+    return told_by(stage_of_precision(stage), with_stage(stage, sign));
+  });
 }
 
 }  // namespace taut

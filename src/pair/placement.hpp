@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "numeric/fixed.hpp"
+#include "numeric/stages.hpp"
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
 
@@ -53,8 +54,8 @@ class Placement {
   /// How the positions of P (of Q) come about, up to position_error().
   const RoundedPose& pose_p() const { return pose_p_; }
   const RoundedPose& pose_q() const { return pose_q_; }
-  /// How often doubles did not suffice.
-  std::uint64_t precise_calls() const { return precise_calls_; }
+  /// Which told where doubles did not.
+  const StageCounts& stages() const { return stages_; }
 
  private:
   void set_poses(const Frame<double>& f);
@@ -75,13 +76,11 @@ class Placement {
   const PoseIn<N>& pose_in() const;
   template <class N>
   void position(VertexId v, N& x, N& y) const;
-  template <class N>
-  int orientation_in(VertexId a, VertexId b, VertexId c) const;
-  template <class N>
-  int order_in(VertexId a, VertexId b) const;
   double orientation_bound(double products, double differences, double coordinate) const;
   int close_orientation(VertexId a, VertexId b, VertexId c) const;
-  int precise_orientation(VertexId a, VertexId b, VertexId c) const;
+  /// The sign of what `quantity` makes of a zero of a number's type, where doubles do not tell it.
+  template <class Quantity>
+  int precise_sign(const char* what, const Quantity& quantity) const;
 
   const PairGeometry* geometry_;
   const Leg* leg_;
@@ -98,7 +97,7 @@ class Placement {
   static std::tuple<std::optional<PoseIn<FixedBall>>, std::optional<PoseIn<Ball<Reals>>>...> one_each(
       const std::tuple<Reals...>&);
   mutable decltype(one_each(Precisions())) poses_;  ///< made when first asked for
-  mutable std::uint64_t precise_calls_ = 0;
+  mutable StageCounts stages_;
 };
 
 }  // namespace taut

@@ -6,11 +6,11 @@
 namespace taut {
 namespace {
 
-/// The rings of P (side 0), or Q, where they are.
+/// The rings of P, or Q, where they are.
 class PlacedRings {
  public:
-  PlacedRings(const PairPlan& plan, const Placement& placement, std::size_t side)
-      : place_(placement), rings_(plan.rings[side]->rings()), first_(side == 0 ? 0 : placement.geometry().np) {}
+  PlacedRings(const PairPlan& plan, const Placement& placement, Role role)
+      : place_(placement), rings_(plan.rings[index_of(role)]->rings()), first_(placement.geometry().first(role)) {}
 
   /// Of each part, its outline.
   std::vector<std::size_t> outlines() const {
@@ -58,7 +58,7 @@ class PlacedRings {
 }  // namespace
 
 RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement) {
-  const PlacedRings p(plan, placement, 0), q(plan, placement, 1);
+  const PlacedRings p(plan, placement, Role::p), q(plan, placement, Role::q);
   const std::vector<std::size_t> parts_p = p.outlines(), parts_q = q.outlines();
   RingMeetings result;
   for (const std::size_t i : parts_p) {

@@ -3,27 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/overloaded.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
 namespace taut::proof {
 namespace {
 
 void require_numbers(const Outline& outline, const std::string& name) {
-  const auto require = [&](std::initializer_list<double> numbers) {
-    for (const double x : numbers) {
-      if (std::isfinite(x) && (x == 0 || (std::fabs(x) >= min_coordinate && std::fabs(x) <= max_coordinate))) continue;
-      throw InputError(name, "an outline has a number that is not 0 or of magnitude between 2^-400 and 2^400",
-                       "choose another unit of length");
-    }
+  const auto require = [&](double x) {
+    if (in_range(x)) return;
+    throw InputError(name, "an outline has a number that is not 0 or of magnitude between 2^-400 and 2^400",
+                     "choose another unit of length");
   };
-  require({outline.start.x, outline.start.y});
-  for (const CurveSegment& segment : outline.segments) {
-    require({end_of(segment).x, end_of(segment).y});
-    if (const auto* arc = std::get_if<ArcTo>(&segment)) require({arc->rx, arc->ry, arc->rotation_deg});
-    if (const auto* q = std::get_if<QuadraticTo>(&segment)) require({q->control.x, q->control.y});
-    if (const auto* c = std::get_if<CubicTo>(&segment)) require({c->first.x, c->first.y, c->second.x, c->second.y});
-  }
+  require(outline.start.x);
+  require(outline.start.y);
+  for (const CurveSegment& segment : outline.segments) for_each_number(segment, require);
 }
 
 CurvePiece bezier(const std::vector<Point>& points, int segment) {
@@ -141,17 +137,24 @@ void add_arc(const Point& from, const ArcTo& arc, int segment, std::vector<Curve
 }
 
 void add_segment(const Point& from, const CurveSegment& segment, int index, std::vector<CurvePiece>& pieces) {
-  const Point to = end_of(segment);
-  if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-    if (from == to) return;
-    if (arc->rx != 0 && arc->ry != 0) return add_arc(from, *arc, index, pieces);
-  }
-  std::vector<Point> points{from};
-  if (const auto* q = std::get_if<QuadraticTo>(&segment)) points.push_back(q->control);
-  if (const auto* c = std::get_if<CubicTo>(&segment)) points.insert(points.end(), {c->first, c->second});
-  points.push_back(to);
-  const bool moves = std::any_of(points.begin(), points.end(), [&](const Point& p) { return p != from; });
-  if (moves) pieces.push_back(bezier(points, index));
+  const auto add = [&](const std::vector<Point>& points) {
+    const bool moves = std::any_of(points.begin(), points.end(), [&](const Point& p) { return p != from; });
+    if (moves) pieces.push_back(bezier(points, index));
+  };
+  std::visit(Overloaded{[&](const LineTo& line) {
+                          add({from, line.to});
+                        },
+                        [&](const ArcTo& arc) {
+                          const bool bends = from != arc.to && arc.rx != 0 && arc.ry != 0;
+                          bends ? add_arc(from, arc, index, pieces) : add({from, arc.to});
+                        },
+                        [&](const QuadraticTo& q) {
+                          add({from, q.control, q.to});
+                        },
+                        [&](const CubicTo& c) {
+                          add({from, c.first, c.second, c.to});
+                        }},
+             segment);
 }
 
 }  // namespace

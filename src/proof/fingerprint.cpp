@@ -1,6 +1,7 @@
 // What is hashed, byte for byte: docs/proof-format.md.
 #include <variant>
 
+#include "geometry/segment_numbers.hpp"
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "pair/ignored_pairs.hpp"
@@ -47,30 +48,6 @@ class Hasher {
   proof::Sha256 hash_;
 };
 
-/// One overload for each form: one that is forgotten does not compile.
-struct RotationHasher {
-  Hasher& hash;
-
-  void operator()(const NoRotation&) const { hash.byte(0); }
-  void operator()(const AngleRotation& r) const {
-    hash.byte(1);
-    hash.polynomial(r.angle);
-  }
-  void operator()(const DirectionRotation& r) const {
-    hash.byte(2);
-    hash.polynomial(r.a);
-    hash.polynomial(r.b);
-  }
-  void operator()(const HalfAngleRotation& r) const {
-    hash.byte(3);
-    hash.polynomial(r.s);
-  }
-  void operator()(const CosineRotation& r) const {
-    hash.byte(4);
-    hash.polynomial(r.a);
-  }
-};
-
 void add_piece(Hasher& hash, const MotionPiece& piece) {
   hash.number(piece.until);
   hash.polynomial(piece.x);
@@ -80,7 +57,9 @@ void add_piece(Hasher& hash, const MotionPiece& piece) {
     hash.point(piece.orbit.centre);
     hash.polynomial(piece.orbit.angle);
   }
-  std::visit(RotationHasher{hash}, piece.rotation);
+  // A form's number is its place in the variant.
+  hash.byte(piece.rotation.index());
+  for_each_polynomial(piece.rotation, [&](const Coefficients& c) { hash.polynomial(c); });
   if (turns(piece) || orbits(piece)) hash.point(piece.pivot);
 }
 
@@ -89,37 +68,15 @@ void add_ring(Hasher& hash, const Polygon& ring) {
   for (const Point& v : ring) hash.point(v);
 }
 
-/// One overload for each kind of segment.
-struct SegmentHasher {
-  Hasher& hash;
-
-  void operator()(const LineTo& s) const { end(0, s.to); }
-  void operator()(const ArcTo& s) const {
-    end(1, s.to);
-    for (const double x : {s.rx, s.ry, s.rotation_deg}) hash.number(x);
-    hash.byte((s.large ? 1 : 0) + (s.sweep ? 2 : 0));
-  }
-  void operator()(const QuadraticTo& s) const {
-    end(2, s.to);
-    hash.point(s.control);
-  }
-  void operator()(const CubicTo& s) const {
-    end(3, s.to);
-    hash.point(s.first);
-    hash.point(s.second);
-  }
-
- private:
-  void end(std::size_t kind, const Point& to) const {
-    hash.byte(kind);
-    hash.point(to);
-  }
-};
-
 void add_outline(Hasher& hash, const Outline& outline) {
   hash.point(outline.start);
   hash.count(outline.segments.size());
-  for (const CurveSegment& segment : outline.segments) std::visit(SegmentHasher{hash}, segment);
+  for (const CurveSegment& segment : outline.segments) {
+    hash.byte(segment.index());
+    for_each_number(segment, [&](double x) { hash.number(x); });
+    const auto* arc = std::get_if<ArcTo>(&segment);
+    if (arc) hash.byte((arc->large ? 1 : 0) + (arc->sweep ? 2 : 0));
+  }
 }
 
 /// Of a scene with curves: which bodies have some, and those.

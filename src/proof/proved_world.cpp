@@ -43,9 +43,9 @@ std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime&
 /// the plane sweep's "up" crosses them one way or the other.
 bool inside_the_other(const Placement& place, VertexId vertex) {
   const PairGeometry& g = place.geometry();
-  const std::uint32_t first = g.in_p(vertex) ? g.np : 0, count = g.in_p(vertex) ? g.nq : g.np;
+  const Role role = other(g.role_of(vertex));
   int winds = 0;
-  for (std::uint32_t k = first; k < first + count; ++k) {
+  for (std::uint32_t k = g.first(role); k < g.first(role) + g.count(role); ++k) {
     interruption_point();
     const VertexId a(k), b = g.next(a);
     const bool forwards = place.before(a, vertex);
@@ -53,6 +53,14 @@ bool inside_the_other(const Placement& place, VertexId vertex) {
     if (place.orientation(forwards ? a : b, forwards ? b : a, vertex) < 0) winds += forwards ? -1 : 1;
   }
   return winds > 0;
+}
+
+void require_crossing(const Placement& place, VertexId e, VertexId f) {
+  const PairGeometry& g = place.geometry();
+  const VertexId e2 = g.next(e), f2 = g.next(f);
+  if (g.same_body(e, f) || place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
+      place.orientation(f, f2, e) == place.orientation(f, f2, e2))
+    throw ProofError("the edges do not cross");
 }
 
 bool overlap_at(const ProvedPair& pair, const Leg& leg, double t) {

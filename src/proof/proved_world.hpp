@@ -64,6 +64,8 @@ std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime&
 /// Do the two bodies overlap at an instant: do their boundaries cross, or does one lie in the other's material?
 /// Separations show that no vertex is on an edge; where two edges cross in the shape of a plus none is.
 bool overlap_at(const ProvedPair& pair, const Leg& leg, double t);
+/// Throws ProofError unless the two edges, by their first vertices, cross.
+void require_crossing(const Placement& place, VertexId e, VertexId f);
 /// Does the other body's material contain that vertex?
 bool inside_the_other(const Placement& place, VertexId vertex);
 

@@ -12,6 +12,7 @@
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
+#include "proof/proved_world.hpp"
 #include "proof/stretch_of_legs.hpp"
 #include "proof/verify_curves.hpp"
 #include "proof/verify_separations.hpp"
@@ -197,11 +198,8 @@ class Verifier {
       throw ProofError("the edges that cross do not exist");
     const PairGeometry outer = displaced_pair(plan_, false);
     const Placement place(outer, legs_[0], scene_.start, Positions::on_demand);
-    const VertexId e2 = outer.next(e), f2 = outer.next(f);
-    if (place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
-        place.orientation(f, f2, e) == place.orientation(f, f2, e2))
-      throw ProofError("the edges do not cross");
-    result_.contact = Witness(plan_, outer, false).contact_of_crossing(e, f, legs_[0], scene_.start);
+    require_crossing(place, e, f);
+    result_.contact = Witness(plan_, outer, false).contact_of_overlap({true, e, f, {}}, legs_[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;

@@ -240,18 +240,13 @@ class SeparationsVerifier {
     const VertexId e = read_vertex(pair), f = read_vertex(pair);
     const PairGeometry outer = displaced_pair(pair.plan, false);
     const Placement place(outer, pair.legs[0], scene_.start, Positions::on_demand);
-    const Witness witness(pair.plan, outer, false);
-    if (how == 0) {
-      const VertexId e2 = outer.next(e), f2 = outer.next(f);
-      if (outer.same_body(e, f) || place.orientation(e, e2, f) == place.orientation(e, e2, f2) ||
-          place.orientation(f, f2, e) == place.orientation(f, f2, e2))
-        throw ProofError("the edges do not cross");
-      result_.contact =
-          witness.contact_of_crossing(outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, pair.legs[0], scene_.start);
-    } else {
-      if (!inside_the_other(place, e)) throw ProofError("the vertex is not inside the other body");
-      result_.contact = witness.contact_of_vertex(e, pair.legs[0], scene_.start);
+    const StartOverlap overlap{how == 0, outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, e};
+    if (overlap.crossing) {
+      require_crossing(place, e, f);
+    } else if (!inside_the_other(place, e)) {
+      throw ProofError("the vertex is not inside the other body");
     }
+    result_.contact = Witness(pair.plan, outer, false).contact_of_overlap(overlap, pair.legs[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
   }

@@ -6,8 +6,6 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/crossing_edges.hpp"
-#include "pair/placement.hpp"
 
 namespace taut {
 namespace {
@@ -39,29 +37,16 @@ void KineticPair::ask_start() {
 }
 
 void KineticPair::settle_start() {
-  begin(world_.start());
-  if (!engines_->overlap()) return;
-  result_.free_until = world_.start();
-  result_.outcome = Outcome::overlap_at_start;
-  if (!inwards_) touch_at_start();
-  engines_.reset();
-}
-
-/// Touching makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
-void KineticPair::touch_at_start() {
   const double start = world_.start();
-  const PairGeometry inner = displaced_pair(plan_, true);
-  if (RingEngines(plan_, inner, true, world_.both_legs(plan_, start)).overlap()) return;
   const Leg& leg = legs_.front();
-  result_.outcome = Outcome::contact;
-  if (const auto crossing = crossing_edges(Placement(geometry_, leg, start))) {
-    result_.touching = spacetime::StartOverlap{true, crossing->p, crossing->q, {}};
-    result_.contact = witness().contact_of_crossing(crossing->p, crossing->q, leg, start);
-    return;
-  }
-  if (!engines_->inside()) throw StructureError("bodies that touch without a crossing of their outlines");
-  result_.touching = spacetime::StartOverlap{false, {}, {}, *engines_->inside()};
-  result_.contact = witness().contact_of_vertex(*engines_->inside(), leg, start);
+  begin(start);
+  if (!engines_->overlap()) return;
+  const auto how = [&] { return overlap_of_outlines(geometry_, leg, start, engines_->inside()); };
+  const auto overlap_of = [&](const PairGeometry& shapes) {
+    return RingEngines(plan_, shapes, true, world_.both_legs(plan_, start)).overlap();
+  };
+  take_start(contact_at_start(witness(), leg, start, how, overlap_of), start, result_);
+  engines_.reset();
 }
 
 void KineticPair::begin(double from) {
@@ -72,13 +57,19 @@ void KineticPair::begin(double from) {
 
 void KineticPair::leave() {
   before_ = counts();
-  doubles_ = doubles_sufficed();
+  stages_ = stages();
   engines_.reset();
 }
 
 KineticCounts KineticPair::counts() const {
   KineticCounts sum = before_;
   if (engines_) sum += {engines_->events(), engines_->initial_certificates(), engines_->max_certificates()};
+  return sum;
+}
+
+StageCounts KineticPair::stages() const {
+  StageCounts sum = stages_;
+  if (engines_) sum += engines_->stages();
   return sum;
 }
 

@@ -5,7 +5,6 @@
 
 #include "kinetic/ring_engines.hpp"
 #include "search/pair_question.hpp"
-#include "sign/witness.hpp"
 #include "taut/simulation.hpp"
 #include "world/world_plan.hpp"
 
@@ -33,7 +32,7 @@ class KineticPair final : public WindowedPair {
   bool work(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, legs_, geometry_); }
-  bool doubles_sufficed() const override { return doubles_ && (!engines_ || engines_->doubles_sufficed()); }
+  StageCounts stages() const override;
   KineticCounts counts() const override;
   /// Up to where the present tilings have come.
   double at() const { return at_; }
@@ -44,7 +43,6 @@ class KineticPair final : public WindowedPair {
 
  private:
   void settle_start();
-  void touch_at_start();
   void begin(double from);
   void leave();
   bool advance(double to, std::uint64_t events);
@@ -62,7 +60,7 @@ class KineticPair final : public WindowedPair {
   double at_ = 0;         ///< up to where the present engines have come
   double window_ = 0;     ///< where the window begins that they are in
   KineticCounts before_;  ///< of engines that have been left
-  bool doubles_ = true;   ///< they sufficed for these
+  StageCounts stages_;    ///< of these
   PairResult result_;
 };
 

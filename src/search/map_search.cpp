@@ -93,16 +93,4 @@ void MapSearch::cover(double from, double to, int depth) {
   }
 }
 
-std::vector<PairResult> MapSearch::results() const {
-  std::vector<PairResult> results;
-  for (const auto& [body, pair] : pairs_) results.push_back(pair->result());
-  return results;
-}
-
-std::uint64_t MapSearch::precise() const {
-  std::uint64_t sum = 0;
-  for (const auto& [body, pair] : pairs_) sum += pair->precise();
-  return sum;
-}
-
 }  // namespace taut

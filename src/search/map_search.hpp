@@ -33,7 +33,7 @@ class MapSearch {
   void run() { cover(start_, end_, 0); }
 
   /// Of the bodies that the mover came near to, in the map's order.
-  std::vector<PairResult> results() const;
+  std::vector<PairResult> results() const { return results_of(pairs_); }
   /// Visits them.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {
@@ -43,7 +43,7 @@ class MapSearch {
   std::optional<Point> common_point(int body);
   double proved() const { return proved_; }
   std::uint64_t checked() const { return pairs_.size(); }
-  std::uint64_t precise() const;
+  StageCounts stages() const { return stages_of(pairs_); }
 
  private:
   PairQuestion& pair(int body);

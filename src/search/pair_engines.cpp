@@ -28,7 +28,7 @@ class BothPair final : public WindowedPair {
   const PairResult& result() const override { return kinetic_.result(); }
   std::optional<ContactInstant> instant() const override { return kinetic_.instant(); }
   const PairResult* other() const override { return &spacetime_.result(); }
-  bool doubles_sufficed() const override { return kinetic_.doubles_sufficed() && spacetime_.doubles_sufficed(); }
+  StageCounts stages() const override { return kinetic_.stages() += spacetime_.stages(); }
   KineticCounts counts() const override { return kinetic_.counts(); }
 
  private:
@@ -64,9 +64,7 @@ class EitherPair final : public WindowedPair {
   std::optional<ContactInstant> instant() const override {
     return by_kinetic_ ? kinetic_->instant() : spacetime_.instant();
   }
-  bool doubles_sufficed() const override {
-    return spacetime_.doubles_sufficed() && (!kinetic_ || kinetic_->doubles_sufficed());
-  }
+  StageCounts stages() const override { return spacetime_.stages() += kinetic_ ? kinetic_->stages() : StageCounts(); }
   KineticCounts counts() const override { return kinetic_ ? kinetic_->counts() : KineticCounts(); }
 
  private:

@@ -5,7 +5,6 @@
 
 #include "base/interruption.hpp"
 #include "numeric/undecided.hpp"
-#include "sign/witness.hpp"
 
 namespace taut {
 
@@ -29,18 +28,23 @@ void PairQuestion::ask_start() {
 
 void PairQuestion::settle_start() {
   const Leg& leg = search_.legs()[0];
-  const auto overlap = spacetime::overlapping(search_.geometry, search_.trees(), leg, start_, &precise_);
+  const auto overlap = spacetime::overlapping(search_.geometry, search_.trees(), leg, start_, &stages_);
   if (!overlap) return;
-  result_.free_until = start_;
-  result_.outcome = Outcome::overlap_at_start;
-  if (inwards_) return;
-  // Touching makes the outward shapes overlap; only if the inward ones do as well is it an overlap.
-  if (spacetime::overlapping(displaced_pair(search_.plan, true), leg, start_)) return;
-  result_.outcome = Outcome::contact;
-  result_.touching = overlap;
+  const auto overlap_of = [&](const PairGeometry& shapes) {
+    return spacetime::overlapping(shapes, leg, start_).has_value();
+  };
   const Witness witness(search_.plan, search_.geometry, inwards_);
-  result_.contact = overlap->crossing ? witness.contact_of_crossing(overlap->edge_p, overlap->edge_q, leg, start_)
-                                      : witness.contact_of_vertex(overlap->inside, leg, start_);
+  take_start(contact_at_start(
+                 witness, leg, start_, [&] { return *overlap; }, overlap_of),
+             start_, result_);
+}
+
+void take_start(const std::optional<StartContact>& touching, double start, PairResult& result) {
+  result.free_until = start;
+  result.outcome = touching ? Outcome::contact : Outcome::overlap_at_start;
+  if (!touching) return;
+  result.touching = touching->how;
+  result.contact = touching->contact;
 }
 
 PairResult contact_of(const PairResult& known, const Witness& witness, const Leg& leg, std::size_t leg_index,
@@ -76,7 +80,7 @@ bool PairQuestion::try_ask(double from, double to, std::uint64_t effort) {
 }
 
 void PairQuestion::note(const spacetime::SpacetimeResult& found) {
-  precise_ += found.precise;
+  stages_ += found.stages;
   if (found.outcome == spacetime::SpacetimeResult::free) return;
   const Leg& leg = search_.legs()[found.leg];
   PairResult result = result_;

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "search/pair_search.hpp"
+#include "sign/contact_at_start.hpp"
 #include "sign/instant_order.hpp"
 
 namespace taut {
-
-class Witness;
 
 /// How much the kinetic engine had to do.
 struct KineticCounts {
@@ -34,7 +33,7 @@ struct PairResult {
   /// outwards overlap at the start.
   std::optional<FoundContact> found;
   std::size_t leg = 0;
-  std::optional<spacetime::StartOverlap> touching;
+  std::optional<StartOverlap> touching;
   EngineName engine = EngineName::spacetime;  ///< whose result it is
 };
 
@@ -50,8 +49,7 @@ class WindowedPair {
   virtual const PairResult& result() const = 0;
   /// Of a contact that was found in motion, what it is the root of.
   virtual std::optional<ContactInstant> instant() const = 0;
-  /// Has every sign been told by doubles, without regard to the displacement?
-  virtual bool doubles_sufficed() const = 0;
+  virtual StageCounts stages() const = 0;
   /// What another engine says, where two are compared.
   virtual const PairResult* other() const { return nullptr; }
   /// Of the kinetic engine.
@@ -64,6 +62,20 @@ inline std::optional<ContactInstant> instant_of(const PairResult& result, const 
                                                 const PairGeometry& geometry) {
   if (!result.found) return std::nullopt;
   return ContactInstant{&legs[result.leg], &geometry, *result.found};
+}
+
+/// Of pairs that are kept by their names.
+template <class Pairs>
+std::vector<PairResult> results_of(const Pairs& pairs) {
+  std::vector<PairResult> results;
+  for (const auto& [name, pair] : pairs) results.push_back(pair->result());
+  return results;
+}
+template <class Pairs>
+StageCounts stages_of(const Pairs& pairs) {
+  StageCounts sum;
+  for (const auto& [name, pair] : pairs) sum += pair->stages();
+  return sum;
 }
 
 /// The spacetime engine's.
@@ -81,9 +93,7 @@ class PairQuestion final : public WindowedPair {
   std::optional<ContactInstant> instant() const override {
     return instant_of(result_, search_.legs(), search_.geometry);
   }
-  bool doubles_sufficed() const override { return precise_ == 0; }
-  /// Questions to multi-precision.
-  std::uint64_t precise() const { return precise_; }
+  StageCounts stages() const override { return stages_; }
 
  private:
   void settle_start();
@@ -97,8 +107,11 @@ class PairQuestion final : public WindowedPair {
   std::optional<spacetime::ContactSearch> left_;  ///< in the middle of a window
   double window_ = 0;                             ///< which begins there
   PairResult result_;
-  std::uint64_t precise_ = 0;
+  StageCounts stages_;
 };
+
+/// Takes in how a pair whose displaced shapes overlap at the start stands there: see contact_at_start().
+void take_start(const std::optional<StartContact>& touching, double start, PairResult& result);
 
 /// The result of a contact that an engine has found on that leg, of what was known before.
 PairResult contact_of(const PairResult& known, const Witness& witness, const Leg& leg, std::size_t leg_index,

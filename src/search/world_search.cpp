@@ -92,14 +92,4 @@ void WorldSearch::settle(WindowedPair& pair, double from, double to) {
   if (pair.result().contact) stop_ = std::min(stop_, pair.result().contact->time.hi);
 }
 
-std::vector<PairResult> WorldSearch::results() const {
-  std::vector<PairResult> results;
-  for (const auto& [key, pair] : pairs_) results.push_back(pair->result());
-  return results;
-}
-
-bool WorldSearch::doubles_sufficed() const {
-  return std::all_of(pairs_.begin(), pairs_.end(), [](const auto& entry) { return entry.second->doubles_sufficed(); });
-}
-
 }  // namespace taut

@@ -30,12 +30,12 @@ class WorldSearch {
   void run();
 
   /// Of the pairs that do not stay free, or all that met in boxes, in the order of the file.
-  std::vector<PairResult> results() const;
+  std::vector<PairResult> results() const { return results_of(pairs_); }
   /// Up to when nothing happens, as far as the search went.
   double proved() const { return proved_; }
   /// Pairs that went to an engine.
   std::uint64_t checked() const { return pairs_.size(); }
-  bool doubles_sufficed() const;
+  StageCounts stages() const { return stages_of(pairs_); }
   /// Visits the pairs that went to an engine.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {

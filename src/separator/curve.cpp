@@ -69,17 +69,6 @@ bool enters_at_vertex(const Point& before, const Point& v, const Point& after, c
   return orientation(before, v, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
 }
 
-bool strictly_inside(const Point& p, const Polygon& polygon) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Point &a = polygon[j], &b = polygon[i];
-    const int side = orientation(a, b, p);
-    if (side == 0 && between(a, b, p)) return false;
-    if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (b.y > a.y)) inside = !inside;
-  }
-  return inside;
-}
-
 /// Does the segment meet the open inside?
 bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const Bounds& bounds) {
   if (std::max(a.x, b.x) < bounds.lo.x || std::min(a.x, b.x) > bounds.hi.x || std::max(a.y, b.y) < bounds.lo.y ||
@@ -107,7 +96,7 @@ bool meets_inside(const Point& a, const Point& b, const Polygon& polygon, const 
     if (at_a == 0 && between(c, d, a) && a != c && a != d && at_b > 0) return true;
     if (at_b == 0 && between(c, d, b) && b != c && b != d && at_a > 0) return true;
   }
-  return !touches && strictly_inside(a, polygon);
+  return !touches && side_of_ring(polygon, a) > 0;
 }
 
 /// A double point strictly inside.
@@ -120,7 +109,7 @@ std::optional<Point> point_inside(const Polygon& polygon) {
       if (orientation(u, v, w) <= 0) continue;
       const Point middle{u.x + (w.x - u.x) / 2, u.y + (w.y - u.y) / 2};
       const Point p{v.x + share * (middle.x - v.x), v.y + share * (middle.y - v.y)};
-      if (strictly_inside(p, polygon)) return p;
+      if (side_of_ring(polygon, p) > 0) return p;
     }
   }
   return std::nullopt;

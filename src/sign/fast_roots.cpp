@@ -119,7 +119,7 @@ bool FastRoots::isolate(Root& r, const Course& now, double from) {
 }
 
 bool FastRoots::follow(Root& r, const Course& now, double t, int cells) {
-  ++counts_.fast;
+  counts_.add(Stage::doubles);
   const double least = r.sign * now.value.value - now.value.error;
   const double h = lasts(r, now, least);
   if (h < now.cell.end - now.t && isolate(r, now, std::max(t, below(now.t + h)))) return true;
@@ -262,7 +262,7 @@ FastLine FastRoots::line_of(const FastFunction& f) const {
 }
 
 bool FastRoots::follow_line(Root& r, const FastLine& line, double t) {
-  ++counts_.fast;
+  counts_.add(Stage::doubles);
   if (line.holds(r.sign, t, leg().end)) {
     r.come_after(leg().end, leg().end);
     return true;

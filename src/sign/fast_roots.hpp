@@ -8,9 +8,9 @@
 #include <cmath>
 #include <optional>
 
+#include "numeric/stages.hpp"
 #include "relative/leg_clock.hpp"
 #include "sign/root.hpp"
-#include "sign/stages.hpp"
 
 namespace taut {
 

@@ -35,6 +35,12 @@ class PreciseTriple {
   };
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
+  /// The answer, which is counted if there is one.
+  template <class Told>
+  Told told_by(Stage stage, Told answer) const {
+    if (answer && memory_) memory_->stages.add(stage);
+    return answer;
+  }
   std::optional<TieForm> near(const PreciseTime& t) const;
   template <class Real>
   PreciseFunction<Real> function() const {

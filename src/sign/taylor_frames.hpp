@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "numeric/stages.hpp"
 #include "relative/leg.hpp"
 #include "sign/tie_frames.hpp"
 
@@ -72,10 +73,11 @@ class TaylorFrames {
   std::uint64_t made_ = 0;
 };
 
-/// What is remembered of one leg's frame functions.
+/// What is remembered of one leg's frame functions, and of which stages told what was asked, on earlier legs, too.
 struct FrameMemory {
   TieFrames ties;
   TaylorFrames models;
+  StageCounts stages;
 
   void reset(const Leg& leg) {
     ties.reset(leg);

@@ -18,14 +18,14 @@ Point place(const Pose<double>& pose, double x, double y) {
 }  // namespace
 
 VertexRef Witness::vertex(VertexId v) const {
-  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
   if (plan_.rings[side]) return plan_.rings[side]->vertex(k);
   return {plan_.maps[side].body, plan_.maps[side].vertex(k)};
 }
 
 EdgeRef Witness::edge(VertexId v) const {
-  const std::size_t side = geometry_.in_p(v) ? 0 : 1;
+  const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
   if (plan_.rings[side]) return plan_.rings[side]->edge(k);
   return {plan_.maps[side].body, plan_.maps[side].edge(k)};
@@ -74,9 +74,10 @@ double Witness::distance(VertexId v, VertexId edge, const Leg& leg, double t) co
   return length(px - share * ex, py - share * ey);
 }
 
-Contact Witness::contact_of_vertex(VertexId v, const Leg& leg, double t) const {
-  const std::uint32_t first = geometry_.in_p(v) ? geometry_.np : 0,
-                      last = geometry_.in_p(v) ? geometry_.size() : geometry_.np;
+/// Of the other body.
+VertexId Witness::nearest_edge(VertexId v, const Leg& leg, double t) const {
+  const Role role = other(geometry_.role_of(v));
+  const std::uint32_t first = geometry_.first(role), last = first + geometry_.count(role);
   VertexId nearest(first);
   double least = distance(v, nearest, leg, t);
   for (std::uint32_t k = first + 1; k < last; ++k) {
@@ -85,10 +86,12 @@ Contact Witness::contact_of_vertex(VertexId v, const Leg& leg, double t) const {
     least = d;
     nearest = VertexId(k);
   }
-  return contact_at(v, nearest, leg, t, t);
+  return nearest;
 }
 
-Contact Witness::contact_of_crossing(VertexId e, VertexId f, const Leg& leg, double t) const {
+Contact Witness::contact_of_overlap(const StartOverlap& overlap, const Leg& leg, double t) const {
+  if (!overlap.crossing) return contact_at(overlap.inside, nearest_edge(overlap.inside, leg, t), leg, t, t);
+  const VertexId e = overlap.edge_p, f = overlap.edge_q;
   const std::pair<VertexId, VertexId> candidates[] = {{e, f}, {geometry_.next(e), f}, {f, e}, {geometry_.next(f), e}};
   const auto* best = std::min_element(std::begin(candidates), std::end(candidates), [&](const auto& a, const auto& b) {
     return distance(a.first, a.second, leg, t) < distance(b.first, b.second, leg, t);

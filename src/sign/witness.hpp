@@ -7,6 +7,13 @@
 
 namespace taut {
 
+/// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
+struct StartOverlap {
+  bool crossing = false;
+  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
+  VertexId inside;          ///< else a vertex of that outline
+};
+
 /// Internal vertices and edges of one pair in the terms of the scene. The geometry is displaced as `inwards` says; it
 /// and the plan must outlive it.
 class Witness {
@@ -14,6 +21,8 @@ class Witness {
   Witness(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
       : plan_(plan), geometry_(geometry), inwards_(inwards) {}
 
+  const PairPlan& plan() const { return plan_; }
+  bool inwards() const { return inwards_; }
   VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
   EdgeRef edge(VertexId v) const;
@@ -21,14 +30,13 @@ class Witness {
   Point world(VertexId v, const Leg& leg, double parameter) const;
   /// What an engine found on that leg, as it is true of the bodies given: see contact_bracket().
   Contact contact(const FoundContact& found, const Leg& leg) const;
-  /// The contact at time t of two shapes that touch there, given two edges of the outward shapes that cross: the end of
-  /// one of them that is nearest to the other is the vertex.
-  Contact contact_of_crossing(VertexId e, VertexId f, const Leg& leg, double t) const;
-  /// The same where no edges cross, given a vertex of an outward shape that is inside the other one: the body fits into
-  /// a hole so closely that all of it touches.
-  Contact contact_of_vertex(VertexId v, const Leg& leg, double t) const;
+  /// The contact at time t of two bodies that touch there, given how their outward shapes overlap. Of two edges that
+  /// cross, the end of one that is nearest to the other is the vertex; a vertex inside is nearest to some edge: such a
+  /// body fits into a hole so closely that all of it touches.
+  Contact contact_of_overlap(const StartOverlap& overlap, const Leg& leg, double t) const;
 
  private:
+  VertexId nearest_edge(VertexId v, const Leg& leg, double t) const;
   Contact contact_at(VertexId vertex, VertexId edge, const Leg& leg, double lo, double hi) const;
   double distance(VertexId v, VertexId edge, const Leg& leg, double t) const;
   Point outward_normal(VertexId edge, const Leg& leg, double parameter) const;

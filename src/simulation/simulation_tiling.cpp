@@ -20,7 +20,7 @@ TilingFace copy_face(const Session& session, HalfedgeId start, std::vector<bool>
   const PlanarMap& map = session.engine().map();
   TilingFace face;
   face.kind = face_kind(map, start);
-  const NodeId n = map.node(start);
+  const ChainNode n = map.node(start);
   if (face.kind == FaceKind::node || face.kind == FaceKind::polygon_interior) {
     face.body = session.plan().maps[node::in_p(n) ? 0 : 1].body;
     face.depth = node::depth(n);
@@ -77,7 +77,7 @@ TilingHalfedge Simulation::halfedge(int index) const {
   out.next = static_cast<int>(map.next(h).value);
   out.kind = face_kind(map, h);
   if (out.kind == FaceKind::node || out.kind == FaceKind::polygon_interior) {
-    const NodeId n = map.node(h);
+    const ChainNode n = map.node(h);
     out.body = session.plan().maps[node::in_p(n) ? 0 : 1].body;
     out.depth = node::depth(n);
   }

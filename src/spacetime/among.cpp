@@ -12,7 +12,7 @@ namespace taut::spacetime {
 namespace {
 
 /// As in the search for one pair (first_contact.cpp).
-constexpr double among_patience = 0.75, among_hopeful = 0x1p-5, among_shortest = 0x1p-40;
+constexpr double among_patience = 0.75;
 /// Where any contact will do, edges are left to shorter stretches down to this share of the whole: one of these misses,
 /// or has an overlap in its middle, long before a model of the motion has been made.
 constexpr double among_shallow = 0x1p-8;
@@ -34,7 +34,7 @@ std::optional<AmongSearch::Found> AmongSearch::run(const EvenLeg& leg, std::span
   others_ = others;
   mover_ = &mover;
   any_ = any;
-  shortest_ = among_shortest * (to - from);
+  shortest_ = shortest_stretch * (to - from);
   shallow_ = among_shallow * (to - from);
   put_off_ = 0;
   proved_ = from;
@@ -79,7 +79,7 @@ void AmongSearch::look(EvenStretch& even, const Boxes& pair, double start, doubl
   if (apart(s, p.box, q.box)) return;
   const bool leaf = p.count == 1 && q.count == 1;
   if (divisible && (motion(s, p.box, q.box) > among_patience * (p.box.radius + q.box.radius) ||
-                    (leaf && apart_around_middle(s, among_hopeful, p.box, q.box)))) {
+                    (leaf && apart_around_middle(s, hopeful, p.box, q.box)))) {
     pairs_.push_back(pair);
   } else if (leaf) {
     const VertexId of_p(p.first), of_q(other.geometry->np + q.first);

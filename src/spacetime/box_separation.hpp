@@ -6,6 +6,11 @@
 
 namespace taut::spacetime {
 
+/// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
+constexpr double hopeful = 0x1p-5;
+/// Stretches as short as this share of the leg are not divided any more.
+constexpr double shortest_stretch = 0x1p-40;
+
 /// Certainly apart at all times of the stretch.
 bool apart(const Stretch& stretch, const Box& p, const Box& q);
 

@@ -24,7 +24,6 @@ void store(const PreciseTime& t, Crossing& c) {
 
 /// Goes from root to root of the line's function until one is a contact.
 std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double from, double to) {
-  ++calls_;
   const PreciseTriple line = triple(pair.line(geometry_));
   PreciseTime at = PreciseTime::between(from, from);
   for (int sign = sign_at(line, at);; sign = -sign) {
@@ -44,7 +43,6 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
 void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
   PreciseTime t = c.precise.stage < 0 ? PreciseTime::between(c.lo, c.hi) : c.precise;
   if (t.stage >= stage) return;
-  ++calls_;
   if (!triple(c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
   store(t, c);
 }

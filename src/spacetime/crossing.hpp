@@ -50,7 +50,7 @@ class PreciseCrossings {
   bool before(Crossing& a, Crossing& b);
   /// Encloses within a few ulps.
   void tighten(Crossing& c);
-  std::uint64_t calls() const { return calls_; }
+  const StageCounts& stages() const { return memory_.stages; }
 
  private:
   void refine(Crossing& c, int sign, int stage);
@@ -60,7 +60,6 @@ class PreciseCrossings {
   const Leg& leg_;
   Ways ways_;
   FrameMemory memory_;
-  std::uint64_t calls_ = 0;
 };
 
 }  // namespace taut::spacetime

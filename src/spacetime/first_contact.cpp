@@ -15,11 +15,6 @@
 namespace taut::spacetime {
 namespace {
 
-/// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
-constexpr double hopeful = 0x1p-5;
-/// Stretches as short as this share of the leg are not divided any more.
-constexpr double shortest_stretch = 0x1p-40;
-
 /// Which vertex crosses which edge first on one leg: what the walk asks.
 class LegSearch {
  public:
@@ -53,7 +48,7 @@ class LegSearch {
   void count(SpacetimeResult& result) {
     result.pairs += looks_;
     result.roots += leaves_.roots();
-    result.precise += leaves_.precise().calls() + flat_sides_.by_displacement();
+    (result.stages += leaves_.precise().stages()) += flat_sides_.stages();
   }
 
   const double shortest;

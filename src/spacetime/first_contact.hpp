@@ -12,6 +12,7 @@
 #include "pair/pair_geometry.hpp"
 #include "relative/leg.hpp"
 #include "sign/precise_time.hpp"
+#include "sign/witness.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut::spacetime {
@@ -30,8 +31,9 @@ struct SpacetimeResult {
   std::size_t leg = 0;
   /// If undecided: why; and no contact happens before `lo` on leg `leg`.
   std::string reason;
-  /// Pairs of boxes looked at, roots isolated in doubles, questions to multi-precision.
-  std::uint64_t pairs = 0, roots = 0, precise = 0;
+  /// Pairs of boxes looked at, and roots isolated in doubles.
+  std::uint64_t pairs = 0, roots = 0;
+  StageCounts stages;  ///< which told where doubles did not
 };
 
 /// A stretch of the world's time, without its beginning: windows that follow each other have each joint once.
@@ -81,17 +83,10 @@ std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreeP
 /// of the first precise stage tell, which takes several times as long.
 void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share);
 
-/// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
-struct StartOverlap {
-  bool crossing = false;
-  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
-  VertexId inside;          ///< else a vertex of that outline
-};
-
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
-/// Counts how often doubles did not suffice.
+/// Counts which stages told where doubles did not.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
-                                        std::uint64_t* precise = nullptr);
+                                        StageCounts* stages = nullptr);
 /// The same for those who know the motion at that instant: `instant` is a stretch of no length.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double t,
                                         const Stretch& instant);

@@ -92,7 +92,7 @@ bool FlatSides::clear(VertexId low, VertexId high) {
   seen(high, bx, by);
   const N gap = dot(N::exact(n_.x), N::exact(n_.y), ax - bx, ay - by);
   if (!gap.is_exact() || gap.sum().sign() <= 0) return false;
-  if (gap.sum().approximate() < displacement_room * size(n_)) ++by_displacement_;
+  if (gap.sum().approximate() < displacement_room * size(n_)) stages_.add(Stage::exact);
   return true;
 }
 

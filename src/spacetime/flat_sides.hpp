@@ -20,8 +20,8 @@ class FlatSides {
   FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg);
   /// Are the contents of the two boxes certainly apart, at all times of the leg? Asked of boxes that other tests leave.
   bool apart(const BoxNode& p, const BoxNode& q);
-  /// How often only the displacement told: such bodies touch, or are nearer than it.
-  std::uint64_t by_displacement() const { return by_displacement_; }
+  /// Counts where only the displacement told: such bodies touch, or are nearer than it.
+  const StageCounts& stages() const { return stages_; }
 
  private:
   /// The vertices of a box that are lowest and highest along n.
@@ -39,7 +39,7 @@ class FlatSides {
   bool usable_ = false;
   bool exact_ = true;  ///< has every order of vertices been, so far?
   Vector n_{}, unit_{}, offset_{};
-  std::uint64_t by_displacement_ = 0;
+  StageCounts stages_;
   std::vector<Extremes> of_p_, of_q_;  ///< none before one is asked for
 };
 

@@ -12,16 +12,11 @@
 namespace taut::spacetime {
 namespace {
 
-/// Two edges that keep the margin in this middle share of a stretch will do so throughout in a few halvings.
-constexpr double hopeful_of_margins = 0x1p-5;
-/// Stretches as short as this share of the leg are not divided any more.
-constexpr double shortest_of_margins = 0x1p-40;
-
 /// Which features come as close as the margin first on one leg: what the walk asks.
 class LegMargin {
  public:
   LegMargin(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double margin)
-      : shortest(shortest_of_margins * (leg.end - leg.start)),
+      : shortest(shortest_stretch * (leg.end - leg.start)),
         geometry_(geometry),
         margin_(margin),
         approaches_(geometry, leg, margin),
@@ -52,7 +47,7 @@ class LegMargin {
     if (farther(s, p.box, q.box, towards, margin_)) return Fate::done;
     const bool leaf = p.count == 1 && q.count == 1;
     if (time.divisible && (motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius + (leaf ? margin_ : 0)) ||
-                           (leaf && farther_around_middle(s, hopeful_of_margins, p.box, q.box, towards, margin_))))
+                           (leaf && farther_around_middle(s, hopeful, p.box, q.box, towards, margin_))))
       return Fate::deferred;
     if (!leaf) return Fate::divided;
     // Each edge stands for its first vertex.

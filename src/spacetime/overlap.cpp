@@ -127,10 +127,10 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
 }  // namespace
 
 std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
-                                        std::uint64_t* precise) {
+                                        StageCounts* stages) {
   const Placement place(g, leg, t, Positions::on_demand);
   const auto found = overlap_in(place, trees, at_instant(leg, t));
-  if (precise) *precise += place.precise_calls();
+  if (stages) *stages += place.stages();
   return found;
 }
 

@@ -15,34 +15,34 @@ namespace taut {
 /// The paper's tree hangs T_P and T_Q below the root. The infinite face counts as one of two extra nodes, inf_i
 /// between the root and T_P or the leaf inf_o at the root, depending on where it is seen from.
 /// As the label of the infinite face itself, 5 is used: it is not a node.
-struct NodeId {
+struct ChainNode {
   std::uint32_t code = 0;
 
-  friend bool operator==(NodeId a, NodeId b) { return a.code == b.code; }
-  friend bool operator!=(NodeId a, NodeId b) { return a.code != b.code; }
+  friend bool operator==(ChainNode a, ChainNode b) { return a.code == b.code; }
+  friend bool operator!=(ChainNode a, ChainNode b) { return a.code != b.code; }
 };
 
 namespace node {
 
-inline constexpr NodeId none{0};
-inline constexpr NodeId root{1};
-inline constexpr NodeId inner_infinite{2};
-inline constexpr NodeId p_tree{4};
-inline constexpr NodeId infinite_face{5};
-inline constexpr NodeId q_tree{6};
-inline constexpr NodeId outer_infinite{7};
+inline constexpr ChainNode none{0};
+inline constexpr ChainNode root{1};
+inline constexpr ChainNode inner_infinite{2};
+inline constexpr ChainNode p_tree{4};
+inline constexpr ChainNode infinite_face{5};
+inline constexpr ChainNode q_tree{6};
+inline constexpr ChainNode outer_infinite{7};
 
 inline int bit_length(std::uint32_t x) { return x == 0 ? 0 : 32 - __builtin_clz(x); }
 
 /// Does the label belong to the tree of P (of Q)?
-inline bool in_p(NodeId n) { return n.code >= 4 && (n.code >> (bit_length(n.code) - 3)) == 4; }
-inline bool in_q(NodeId n) { return n.code >= 4 && n.code != 7 && (n.code >> (bit_length(n.code) - 3)) == 6; }
+inline bool in_p(ChainNode n) { return n.code >= 4 && (n.code >> (bit_length(n.code) - 3)) == 4; }
+inline bool in_q(ChainNode n) { return n.code >= 4 && n.code != 7 && (n.code >> (bit_length(n.code) - 3)) == 6; }
 /// Depth within its own tree, 0 at the root of T_P or T_Q.
-inline int depth(NodeId n) { return bit_length(n.code) - 3; }
-inline NodeId left(NodeId n) { return {2 * n.code}; }
-inline NodeId right(NodeId n) { return {2 * n.code + 1}; }
+inline int depth(ChainNode n) { return bit_length(n.code) - 3; }
+inline ChainNode left(ChainNode n) { return {2 * n.code}; }
+inline ChainNode right(ChainNode n) { return {2 * n.code + 1}; }
 /// Is n the node a or one of its descendants?
-inline bool in_subtree(NodeId n, NodeId a) {
+inline bool in_subtree(ChainNode n, ChainNode a) {
   const int below = bit_length(n.code) - bit_length(a.code);
   return below >= 0 && (n.code >> below) == a.code;
 }
@@ -55,7 +55,7 @@ inline std::uint32_t lowest_common_ancestor(std::uint32_t a, std::uint32_t b) {
 }
 
 /// The node on all three pairwise paths: the deepest of the three lowest common ancestors.
-inline NodeId median(NodeId a, NodeId b, NodeId c) {
+inline ChainNode median(ChainNode a, ChainNode b, ChainNode c) {
   const std::uint32_t ab = lowest_common_ancestor(a.code, b.code);
   const std::uint32_t bc = lowest_common_ancestor(b.code, c.code);
   const std::uint32_t ca = lowest_common_ancestor(c.code, a.code);
@@ -69,35 +69,30 @@ inline NodeId median(NodeId a, NodeId b, NodeId c) {
 /// The shape of one tree: a complete binary tree with n leaves, the last level filled from the left.
 class ChainTree {
  public:
-  ChainTree(std::uint32_t leaves, NodeId root) : n_(leaves), root_(root) {
+  ChainTree(std::uint32_t leaves, ChainNode root) : n_(leaves), root_(root) {
     const int top = node::bit_length(2 * n_ - 1) - 1;
     first_low_ = 1u << top;
     low_leaves_ = 2 * n_ - first_low_;
   }
   std::uint32_t leaves() const { return n_; }
-  NodeId root() const { return root_; }
+  ChainNode root() const { return root_; }
   /// The leaf of the edge from vertex `edge` (0-based within its polygon) to the next.
-  NodeId leaf(std::uint32_t edge) const {
+  ChainNode leaf(std::uint32_t edge) const {
     return from_heap(edge < low_leaves_ ? first_low_ + edge : n_ + (edge - low_leaves_));
   }
-  bool is_leaf(NodeId n) const { return heap(n) >= n_; }
+  bool is_leaf(ChainNode n) const { return heap(n) >= n_; }
   /// The node's number in the tree's own heap numbering: 1 the root, n .. 2n-1 the leaves.
-  std::uint32_t heap(NodeId n) const {
+  std::uint32_t heap(ChainNode n) const {
     const std::uint32_t level = 1u << node::depth(n);
     return n.code - root_.code * level + level;
   }
-  NodeId from_heap(std::uint32_t k) const {
+  ChainNode from_heap(std::uint32_t k) const {
     const std::uint32_t level = 1u << (node::bit_length(k) - 1);
     return {k - level + root_.code * level};
   }
-  /// Number of edges in the chain of a node.
-  std::uint32_t chain_length(NodeId n) const {
-    const auto r = chain(n);
-    return r.second - r.first;
-  }
   /// The chain of node n: from vertex .first to vertex .second of its polygon (.second may equal the number of
   /// vertices, meaning vertex 0 again).
-  std::pair<std::uint32_t, std::uint32_t> chain(NodeId n) const {
+  std::pair<std::uint32_t, std::uint32_t> chain(ChainNode n) const {
     std::uint32_t lo = heap(n), hi = lo;
     while (lo < n_) lo = 2 * lo;
     while (hi < n_) hi = 2 * hi + 1;
@@ -109,7 +104,7 @@ class ChainTree {
     return heap_leaf >= first_low_ ? heap_leaf - first_low_ : heap_leaf - n_ + low_leaves_;
   }
   std::uint32_t n_;
-  NodeId root_;
+  ChainNode root_;
   std::uint32_t first_low_ = 1, low_leaves_ = 1;
 };
 

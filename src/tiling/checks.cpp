@@ -29,7 +29,7 @@ std::string check_links(const PlanarMap& map, std::uint32_t& alive) {
 
 std::string check_face(const PlanarMap& map, const Placement& placement, HalfedgeId start,
                        std::set<std::uint32_t>& seen, std::vector<bool>& visited) {
-  const NodeId label = map.node(start);
+  const ChainNode label = map.node(start);
   const bool inside = map.is_interior(start);
   int convex = 0;
   HalfedgeId h = start;

@@ -97,11 +97,11 @@ class Builder {
 
  private:
   VertexId vertex(std::uint32_t i) const { return VertexId(first_ + i % ring_); }
-  bool is_leaf(NodeId n) const { return outline_ ? !outline_->open[tree_.heap(n)] : tree_.is_leaf(n); }
+  bool is_leaf(ChainNode n) const { return outline_ ? !outline_->open[tree_.heap(n)] : tree_.is_leaf(n); }
 
   /// Leaves the node's geodesic on top of paths_ and its diagonals on top of sleeves_.
   /// The depth of the recursion is that of the tree, at most 32.
-  void build(NodeId n) {
+  void build(ChainNode n) {
     if (is_leaf(n)) {
       if (node::depth(n) <= level_) geodesics_.push_back({vertex(next_edge_), vertex(next_edge_ + 1)});
       add_leaf();
@@ -178,7 +178,7 @@ class Builder {
   }
 
   /// Replaces the children's geodesics on the stack by the node's, and links the face between them.
-  void make_face(NodeId n, std::size_t begin, std::size_t middle) {
+  void make_face(ChainNode n, std::size_t begin, std::size_t middle) {
     const std::size_t end = paths_.size(), left = middle - begin, right = end - middle, own = path_.size() - 1;
     std::size_t prefix = 0, suffix = 0, tail = 0;
     while (prefix < own && prefix < left && path_[prefix + 1] == map_.target(paths_[begin + prefix])) ++prefix;
@@ -202,7 +202,7 @@ class Builder {
   }
 
   /// The face: the new top forwards, then the right child's part and the left child's part, both backwards.
-  void link_cycle(NodeId n, std::size_t left_begin, std::size_t left_end, std::size_t right_begin,
+  void link_cycle(ChainNode n, std::size_t left_begin, std::size_t left_end, std::size_t right_begin,
                   std::size_t right_end) {
     HalfedgeId first, last;
     const auto append = [&](HalfedgeId h) {

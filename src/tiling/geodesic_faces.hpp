@@ -21,7 +21,7 @@ void add_polygon_edges(const ChainTree& tree, std::uint32_t first_vertex, Planar
 /// diagonals crossed, cancel a diagonal crossed and crossed back, pull the string taut by a funnel. Children are done
 /// before their parents, so that a parent's diagonals are those of its children and of the vertex between them.
 /// `visitor`, if there is one, is shown every inner node with the vertices of its geodesic.
-using GeodesicVisitor = std::function<void(NodeId, std::span<const VertexId>)>;
+using GeodesicVisitor = std::function<void(ChainNode, std::span<const VertexId>)>;
 std::vector<HalfedgeId> add_geodesic_faces(const Placement& placement, const FreeTriangulation& triangulation,
                                            const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map,
                                            const GeodesicVisitor& visitor = {});

@@ -24,7 +24,7 @@ class PlanarMap {
   struct Halfedge {
     VertexId origin;
     HalfedgeId next, previous;
-    NodeId node;
+    ChainNode node;
   };
 
   static HalfedgeId twin(HalfedgeId h) { return HalfedgeId(h.value ^ 1u); }
@@ -49,7 +49,7 @@ class PlanarMap {
   VertexId target(HalfedgeId h) const { return origin(twin(h)); }
   HalfedgeId next(HalfedgeId h) const { return record(h).next; }
   HalfedgeId previous(HalfedgeId h) const { return record(h).previous; }
-  NodeId node(HalfedgeId h) const { return record(h).node; }
+  ChainNode node(HalfedgeId h) const { return record(h).node; }
   /// All of them at once.
   Halfedge record(HalfedgeId h) const { return halfedges_.has(h.value) ? halfedges_[h.value] : part_record(h.value); }
   bool is_polygon_edge(HalfedgeId h) const { return h.value < 2 * vertices_; }
@@ -57,7 +57,7 @@ class PlanarMap {
   bool is_pinch(HalfedgeId h) const { return pinch_[h.value >> 1]; }
 
   void set_origin(HalfedgeId h, VertexId v) { own(h).origin = v; }
-  void set_node(HalfedgeId h, NodeId n) { own(h).node = n; }
+  void set_node(HalfedgeId h, ChainNode n) { own(h).node = n; }
   void set_pinch(HalfedgeId h, bool on) { pinch_[h.value >> 1] = on; }
   void link(HalfedgeId a, HalfedgeId b) {
     own(a).next = b;

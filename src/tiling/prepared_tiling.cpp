@@ -21,7 +21,7 @@ class OutlineBuilder {
   }
 
  private:
-  void visit(NodeId n) {
+  void visit(ChainNode n) {
     const std::uint32_t k = shape_.tree.heap(n);
     if (!shape_.tree.is_leaf(n) && (near_[k] || !shape_.by_itself[k])) {
       out_.open[k] = true;
@@ -34,7 +34,7 @@ class OutlineBuilder {
   }
 
   /// The geodesic has the subtree's faces, or the body's inside, on its left, and on its right something else.
-  void add_geodesic(NodeId n) {
+  void add_geodesic(ChainNode n) {
     const auto [begin, end] = shape_.tree.chain(n);
     const VertexId last(end % shape_.tree.leaves());
     const std::size_t before = out_.edges.size();
@@ -221,7 +221,7 @@ class Joiner {
   void remove_faces(const ShapeTiling& shape, const ShapeOutline& outline, const PlanarMap::Renumbering& number) {
     doomed_.clear();
     const PlanarMap& map = shape.map;
-    const auto is_open = [&](NodeId node) {
+    const auto is_open = [&](ChainNode node) {
       return node == node::infinite_face || outline.open[shape.tree.heap(node)];
     };
     for (const std::uint32_t k : outline.open_nodes) {

@@ -260,7 +260,7 @@ class RootBuilder {
 
   // ----- linking faces -----
 
-  void start_cycle(NodeId n) {
+  void start_cycle(ChainNode n) {
     label_ = n;
     first_ = last_ = HalfedgeId();
   }
@@ -316,7 +316,7 @@ class RootBuilder {
   std::size_t exit_ = 0, exit_q_ = 0;
   FreeChains chains_;
   std::vector<VertexId>&a_ = chains_.a, &b_ = chains_.b;
-  NodeId label_;
+  ChainNode label_;
   HalfedgeId first_, last_;
   HalfedgeId next_of_last_;  ///< as the map has it
 };

@@ -22,7 +22,7 @@ class ShapeTiler {
     PlanarMap map;
     map.reset(n);
     add_polygon_edges(out_.tree, 0, map);
-    const auto visit = [this](NodeId node, std::span<const VertexId> geodesic) { look_at(node, geodesic); };
+    const auto visit = [this](ChainNode node, std::span<const VertexId> geodesic) { look_at(node, geodesic); };
     out_.hull = add_geodesic_faces(placement, triangulation, out_.tree, 0, map, visit);
     add_infinite_face(map);
     out_.map = map.compact(out_.hull);
@@ -39,7 +39,7 @@ class ShapeTiler {
     out_.boxes[out_.tree.heap(out_.tree.leaf(edge))] = BoxBuilder(point(edge), point(edge + 1)).box();
   }
 
-  void look_at(NodeId node, std::span<const VertexId> geodesic) {
+  void look_at(ChainNode node, std::span<const VertexId> geodesic) {
     const auto [begin, end] = out_.tree.chain(node);
     BoxBuilder box(point(begin), point(end));
     for (std::uint32_t i = begin + 1; i < end; ++i) box.include(point(i).x, point(i).y);
@@ -71,7 +71,7 @@ class ShapeTiler {
     out_.face.resize(out_.boxes.size());
     for (std::uint32_t i = 0; i < out_.map.halfedge_count(); ++i) {
       const HalfedgeId h(i);
-      const NodeId n = out_.map.node(h);
+      const ChainNode n = out_.map.node(h);
       if (n != node::infinite_face && !out_.map.is_interior(h)) out_.face[out_.tree.heap(n)] = h;
     }
   }
@@ -82,7 +82,7 @@ class ShapeTiler {
 
 }  // namespace
 
-std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, NodeId root) {
+std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, ChainNode root) {
   const ChainTree tree(static_cast<std::uint32_t>(polygon->points.size()), root);
   auto tiling = std::make_unique<ShapeTiling>(ShapeTiling{tree, {}, {}, {}, {}, {}});
   if (!ShapeTiler(polygon, *tiling).run()) return nullptr;

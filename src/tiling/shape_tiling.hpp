@@ -22,6 +22,6 @@ struct ShapeTiling {
 
 /// A polygon as displaced for the role; `root` is node::p_tree or node::q_tree. O(n log n).
 /// Nothing if the displaced boundary is not simple.
-std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, NodeId root);
+std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, ChainNode root);
 
 }  // namespace taut

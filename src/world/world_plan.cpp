@@ -72,6 +72,7 @@ void WorldPlan::add_bodies(const Scene& scene) {
   for (const Body& body : scene.bodies) largest = std::max(largest, largest_coordinate(body));
   std::frexp(largest, &exponent_);
   exponent_ = -exponent_;
+  largest_ = std::ldexp(largest, exponent_);
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     WorldBody body;

@@ -46,6 +46,8 @@ class WorldPlan {
   double end() const { return end_; }
   /// Internal coordinates are the input's times 2^exponent.
   int exponent() const { return exponent_; }
+  /// The largest magnitude of a coordinate, in the plan's units.
+  double largest() const { return largest_; }
 
   /// Are the two bodies asked about? a != b.
   bool asked(int a, int b) const;
@@ -74,6 +76,7 @@ class WorldPlan {
 
   double start_, end_;
   int exponent_ = 0;
+  double largest_ = 0;
   double extent_ = 0;
   std::vector<WorldBody> bodies_;
   int groups_ = 0;

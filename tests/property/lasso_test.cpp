@@ -152,7 +152,7 @@ VertexId pin(const Placement& placement) {
 /// Edges of the map with PT or F on both sides that belong to neither relative hull: the root's own.
 std::set<Edge> root_edges(const PlanarMap& map) {
   std::set<Edge> out;
-  const auto at_root = [](NodeId n) { return n == node::root || n == node::infinite_face; };
+  const auto at_root = [](ChainNode n) { return n == node::root || n == node::infinite_face; };
   for (std::uint32_t i = 0; i < map.halfedge_count(); i += 2) {
     const HalfedgeId h(i);
     if (map.alive(h) && at_root(map.node(h)) && at_root(map.node(PlanarMap::twin(h))))

@@ -70,6 +70,20 @@ Json to_json(const std::map<std::string, Tally>& rows) {
   return json;
 }
 
+std::array<Stage, stage_count> all_stages() {
+  std::array<Stage, stage_count> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Stage>(i);
+  return all;
+}
+
+/// For tables, and for files that are read again.
+std::string name_of(Stage stage) {
+  constexpr const char* names[] = {"doubles", "first_order", "exact", "fixed"};
+  if (stage < Stage::precise) return names[static_cast<int>(stage)];
+  return "bits_" + with_stage(static_cast<int>(stage) - static_cast<int>(Stage::precise),
+                              [](auto zero) { return std::to_string(RealTraits<decltype(zero)>::bits); });
+}
+
 std::map<std::string, Tally> tallies(const Json& json) {
   std::map<std::string, Tally> rows;
   for (const auto& [name, row] : json.items()) {
@@ -103,11 +117,9 @@ std::string SoakTotals::report() const {
   const Tally sum = all();
   std::string text = table("family", by_family, sum);
   if (!by_injection.empty()) text += table("injection", by_injection, sum);
-  text += fmt::format(
-      "| steps and comparisons of the kinetic engine decided | |\n|---|---:|\n"
-      "| in doubles, with a bound on the error | {} |\n| by first order in the displacement, in doubles | {} |\n"
-      "| by a search in multi-precision | {} |\n| by comparing two instants in multi-precision | {} |\n\n",
-      stages.fast, stages.level1, stages.precise, stages.compared);
+  text += "| stage | told the kinetic engine |\n|---|---:|\n";
+  for (const Stage stage : all_stages()) text += fmt::format("| {} | {} |\n", name_of(stage), stages[stage]);
+  text += '\n';
   text += fmt::format("{} scenes, of which {} are valid; {} findings; the next scene is {}\n", sum.scenes,
                       sum.scenes - sum.invalid, findings.size(), next_scene);
   for (const std::string& finding : findings) text += "  " + finding + '\n';
@@ -122,23 +134,18 @@ SoakTotals read_soak_totals(const std::string& file) {
   totals.by_family = tallies(json.at("by_family"));
   totals.by_injection = tallies(json.at("by_injection"));
   const Json& stages = json.at("stages");
-  totals.stages.fast = stages.at("doubles").get<std::uint64_t>();
-  totals.stages.level1 = stages.at("first_order").get<std::uint64_t>();
-  totals.stages.precise = stages.at("multi_precision_searches").get<std::uint64_t>();
-  totals.stages.compared = stages.at("multi_precision_comparisons").get<std::uint64_t>();
+  for (const Stage stage : all_stages()) totals.stages[stage] = stages.value(name_of(stage), std::uint64_t{0});
   totals.findings = json.at("findings").get<std::vector<std::string>>();
   return totals;
 }
 
 void write_soak_totals(const std::string& file, const SoakTotals& totals) {
+  Json stages;
+  for (const Stage stage : all_stages()) stages[name_of(stage)] = totals.stages[stage];
   const Json json = {{"next_scene", totals.next_scene},
                      {"by_family", to_json(totals.by_family)},
                      {"by_injection", to_json(totals.by_injection)},
-                     {"stages",
-                      {{"doubles", totals.stages.fast},
-                       {"first_order", totals.stages.level1},
-                       {"multi_precision_searches", totals.stages.precise},
-                       {"multi_precision_comparisons", totals.stages.compared}}},
+                     {"stages", stages},
                      {"findings", totals.findings}};
   write_file(file, json.dump(2) + '\n');
 }

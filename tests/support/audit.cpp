@@ -10,7 +10,7 @@
 namespace taut::testing {
 namespace {
 
-std::string face_name(NodeId n) {
+std::string face_name(ChainNode n) {
   if (n == node::root) return "PT";
   if (n == node::infinite_face) return "F";
   return node::in_p(n) ? "P" : "Q";

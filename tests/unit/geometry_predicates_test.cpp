@@ -96,7 +96,7 @@ TEST(Orientation, IsTheExactSign) {
     ASSERT_EQ(got.sign, want) << i;
     ASSERT_EQ(orientation_exact(a, b, c), want) << i;
     zeros += want == 0;
-    exact += got.stage == SignStage::exact;
+    exact += got.stage == Stage::exact;
   }
   EXPECT_GT(zeros, static_cast<int>(testing::enough(2000)));  // the generator does reach the hard cases
   EXPECT_GT(exact, static_cast<int>(testing::enough(1000)));
@@ -174,19 +174,19 @@ TEST(Orientation, TheRangeMayBeUsedToItsEnds) {
 }
 
 TEST(Orientation, TellsWhichStageAnswered) {
-  EXPECT_EQ(orientation_staged({0, 0}, {1, 0}, {0, 1}).stage, SignStage::filtered);
+  EXPECT_EQ(orientation_staged({0, 0}, {1, 0}, {0, 1}).stage, Stage::doubles);
   // Axis-aligned collinear points are everyday input and need no exact arithmetic.
-  EXPECT_EQ(orientation_staged({0, 3}, {1, 3}, {7, 3}).stage, SignStage::filtered);
-  EXPECT_EQ(orientation_staged({0.1, 0}, {0.1, 0.3}, {0.1, 17}).stage, SignStage::filtered);
-  EXPECT_EQ(orientation_staged({0, 0}, {1, 1}, {3, 3}).stage, SignStage::exact);
-  EXPECT_EQ(orientation_staged({0.5, 0.5}, {12, 12}, {24, std::nextafter(24, 25)}).stage, SignStage::exact);
+  EXPECT_EQ(orientation_staged({0, 3}, {1, 3}, {7, 3}).stage, Stage::doubles);
+  EXPECT_EQ(orientation_staged({0.1, 0}, {0.1, 0.3}, {0.1, 17}).stage, Stage::doubles);
+  EXPECT_EQ(orientation_staged({0, 0}, {1, 1}, {3, 3}).stage, Stage::exact);
+  EXPECT_EQ(orientation_staged({0.5, 0.5}, {12, 12}, {24, std::nextafter(24, 25)}).stage, Stage::exact);
 
   std::mt19937 engine(5);  // on random input the filter must almost always do
   int exact = 0;
   for (int i = 0; i < 100000; ++i) {
     const auto real = [&] { return static_cast<double>(engine()) * 0x1p-32; };
     const Point a{real(), real()}, b{real(), real()}, c{real(), real()};
-    exact += orientation_staged(a, b, c).stage == SignStage::exact;
+    exact += orientation_staged(a, b, c).stage == Stage::exact;
   }
   EXPECT_LE(exact, 1);
 }

@@ -256,7 +256,7 @@ TEST(Placement, SignsAgreeWithMultiPrecisionAndCountIt) {
       }
     }
   }
-  EXPECT_EQ(placement.precise_calls(), 0u);
+  EXPECT_EQ(placement.stages().beyond_doubles(), 0u);
 }
 
 /// The displacement of a short edge, times a long way, may exceed what the edge rounds.

@@ -25,7 +25,7 @@ TEST(ChainTree, LeavesAndChainsOfEverySize) {
     std::set<std::uint32_t> codes;
     int low = 99, high = 0;
     for (std::uint32_t e = 0; e < n; ++e) {
-      const NodeId leaf = tree.leaf(e);
+      const ChainNode leaf = tree.leaf(e);
       EXPECT_TRUE(tree.is_leaf(leaf));
       EXPECT_TRUE(node::in_p(leaf));
       EXPECT_FALSE(node::in_q(leaf));
@@ -36,7 +36,7 @@ TEST(ChainTree, LeavesAndChainsOfEverySize) {
     }
     EXPECT_EQ(codes.size(), n);
     EXPECT_LE(high - low, 1);  // complete: leaves on two adjacent levels
-    std::function<void(NodeId)> walk = [&](NodeId x) {
+    std::function<void(ChainNode)> walk = [&](ChainNode x) {
       if (tree.is_leaf(x)) return;
       const auto whole = tree.chain(x), left = tree.chain(node::left(x)), right = tree.chain(node::right(x));
       EXPECT_EQ(whole.first, left.first);

@@ -1,0 +1,147 @@
+// The search for a root near a singular end of a leg.
+//
+// Where a cosine reaches 1 or -1 a leg ends, and terms like sqrt(t) cancel there, which ranges in time do not show. In
+// s, the root of the distance from that end (see TimeFromEnd), the motion is smooth: so doubles nearly always do, and
+// where only the displacement tells, Taylor polynomials about the end.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "numeric/root_isolation.hpp"
+#include "sign/precise_function.hpp"
+#include "sign/precise_time.hpp"
+
+namespace taut {
+
+template <class Real>
+class SearchFromEnd {
+ public:
+  SearchFromEnd(const PreciseFunction<Real>& f, double end, double direction)
+      : f_(f), end_(end), direction_(direction) {}
+
+  Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
+
+  /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
+  std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, int stage) const {
+    const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
+    const Real a = first.lower(), b = last.upper();
+    auto root = search(sign, a, b);
+    if (!root) return std::nullopt;
+    // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
+    // interval with `from` in it, the root comes after; an interval before it says nothing.
+    if (first.rad > 0 && !(root->hi > first.upper())) throw PrecisionExhausted{};
+    taut::refine(*this, sign, *root);
+    const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
+    // What the search found within the rounding of `to` may be beyond.
+    if (hi.upper() > RealMax(to)) throw PrecisionExhausted{};
+    // The rounding of what is near the start must not reach beyond it, where the function is another one.
+    return PreciseTime{std::max<RealMax>(lo.lower(), from), hi.upper(), stage};
+  }
+
+ private:
+  /// The function by its Taylor polynomials about the end: one for each range of magnitudes of s, made when it is asked
+  /// for, so that what it leaves out is small beside the first terms, by which ties are decided. Ranges of the function
+  /// itself are far worse there, where terms cancel; far from the end they are the better ones.
+  class Expanded {
+   public:
+    Expanded(const SearchFromEnd& whole, const Real& farthest)
+        : whole_(whole), farthest_(whole.direction_ > 0 ? farthest : Real(-farthest)) {}
+
+    Jet<Real> operator()(const Ball<Real>& s) const {
+      const Jet<Real> near_end = polynomial_range(about_end(s), s);
+      if (near_end.v.sign() != 0 || near_end.d.sign() != 0) return near_end;
+      const Jet<Real> direct = whole_(s);
+      return direct.v.sign() != 0 || direct.d.sign() != 0 ? direct : near_end;
+    }
+    Ball<Real> value(const Ball<Real>& s) const {
+      const Ball<Real> near_end = polynomial_value(about_end(s), s);
+      return near_end.sign() != 0 ? near_end : whole_(s).v;
+    }
+
+   private:
+    BallPolynomial<Real> about_end(const Ball<Real>& s) const {
+      const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
+      std::size_t level = 0;
+      Real farthest = farthest_;
+      while (level + 1 < levels && reach < farthest * step) {
+        farthest = farthest * step;
+        ++level;
+      }
+      if (!terms_) terms_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
+      if (!last_[level]) {
+        const Ball<Real> to(whole_.direction_ > 0 ? farthest : Real(-farthest), 0.0);
+        last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, to);
+      }
+      BallPolynomial<Real> p = *terms_;
+      p.push_back(*last_[level]);
+      return p;
+    }
+
+    static constexpr std::size_t levels = 24;  ///< beyond them the last one does
+    static constexpr double step = 0x1p-4;
+
+    const SearchFromEnd& whole_;
+    Real farthest_;  ///< from the end
+    mutable std::optional<BallPolynomial<Real>> terms_;
+    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ
+  };
+
+  /// In doubles it succeeds soon, or terms that cancel are all that it sees.
+  static constexpr int few = 100;
+  std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
+    if constexpr (!std::is_same_v<Real, double>) {
+      return first_sign_change<Real>(Expanded(*this, direction_ > 0 ? b : a), sign, a, b, Magnitudes{});
+    } else {
+      return first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
+    }
+  }
+  Ball<Real> root_of_distance(const RealMax& t) const {
+    if (t == RealMax(end_)) return Ball<Real>::exact(0);
+    const Ball<RealMax> distance = (Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_;
+    const double rounded = RealTraits<RealMax>::magnitude(distance.mid) * (4 * unit_roundoff<Real>());
+    return sqrt(Ball<Real>(Real(distance.mid), detail::inflate(distance.rad + rounded))) * direction_;
+  }
+  Ball<RealMax> time_at(const Real& s) const {
+    const Ball<RealMax> exact(RealMax(s), 0.0);
+    return Ball<RealMax>::exact(end_) + exact * exact * direction_;
+  }
+
+  const PreciseFunction<Real>& f_;
+  double end_, direction_;
+};
+
+/// How near to a singular end of the leg a search is made from there.
+inline double reach_of_end(const Leg& leg) { return (leg.end - leg.start) / 16; }
+
+/// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
+/// motion is smooth enough over [from, to].
+inline int singular_end(const Leg& leg, const PreciseTime& from, double to) {
+  if (to <= leg.start + reach_of_end(leg) && leg.singular_at(leg.start)) return 1;
+  if (from.floor() >= leg.end - reach_of_end(leg) && leg.singular_at(leg.end)) return -1;
+  return 0;
+}
+
+/// Where a search from `from` to `to` comes near a singular end, or leaves it: there it is made in two parts.
+inline std::optional<double> division(const Leg& leg, const PreciseTime& from, double to) {
+  for (const bool at_start : {true, false}) {
+    if (!leg.singular_at(at_start ? leg.start : leg.end)) continue;
+    const double cut = at_start ? leg.start + reach_of_end(leg) : leg.end - reach_of_end(leg);
+    if (from.ceiling() < cut && cut < to) return cut;
+  }
+  return std::nullopt;
+}
+
+/// Nothing if this precision does not tell.
+template <class Real>
+std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
+                                                          int sign, const PreciseTime& from, double to, int stage) {
+  try {
+    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end).first_failure(sign, from.hi(), to, stage);
+  } catch (const PrecisionExhausted&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace taut
