@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "pair/placement.hpp"
 #include "sign/instant_order.hpp"
+#include "tiling/shape_tiling.hpp"
 
 namespace taut {
 
@@ -19,6 +20,7 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
   start_in_doubles_ = placement.precise_calls() == 0;
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
+  rings_recur_ = meetings.pairs.size() > plan.rings[0]->rings().size() + plan.rings[1]->rings().size();
   for (const RingMeeting& rings : meetings.pairs) {
     begin(rings, observer);
     if (overlap_) return;
@@ -26,8 +28,14 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
 }
 
 const LoneRing& RingEngines::ring_of(const Run& run, bool plays_p) const {
-  return plays_p != run.exchanged ? plan_.rings[0]->lone(run.rings.p, inwards_)
-                                  : plan_.rings[1]->lone(run.rings.q, inwards_);
+  return set_of(run, plays_p).lone(ring_number(run, plays_p), inwards_);
+}
+
+const ShapeTiling* RingEngines::tiling_of(const Run& run, bool plays_p) const {
+  const LoneRing& ring = ring_of(run, plays_p);
+  return set_of(run, plays_p).kept_of<ShapeTiling>(ring_number(run, plays_p), inwards_, plays_p, [&] {
+    return tile_shape(ring.polygon, plays_p ? node::p_tree : node::q_tree);
+  });
 }
 
 void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
@@ -41,8 +49,12 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   } else if (p.rings()[rings.p].ring == 0) {
     run.exchanged = q.diameter_squared(rings.q) > p.diameter_squared(rings.p);
   }
+  // A container is about what is in it: there is nothing far from it to be kept.
+  const bool contained = p.rings()[rings.p].ring > 0 || q.rings()[rings.q].ring > 0;
+  KnownTilings known;
+  if (rings_recur_ && !contained) known = {tiling_of(run, true), tiling_of(run, false)};
   run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, true).polygon, ring_of(run, false).polygon),
-                                        legs_[run.exchanged ? 1 : 0], observer);
+                                        legs_[run.exchanged ? 1 : 0], observer, known);
   overlap_ = run.engine->state() == EngineState::overlap;
   runs_.push_back(std::move(run));
 }

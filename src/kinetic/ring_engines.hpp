@@ -71,7 +71,12 @@ class RingEngines {
     bool exchanged = false;  ///< P of the pair plays Q
     std::unique_ptr<Engine> engine;
   };
+  const RingSet& set_of(const Run& run, bool plays_p) const { return *plan_.rings[plays_p != run.exchanged ? 0 : 1]; }
+  std::size_t ring_number(const Run& run, bool plays_p) const {
+    return plays_p != run.exchanged ? run.rings.p : run.rings.q;
+  }
   const LoneRing& ring_of(const Run& run, bool plays_p) const;
+  const ShapeTiling* tiling_of(const Run& run, bool plays_p) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
   VertexId in_pair(const Run& run, VertexId v, bool edge) const;
@@ -81,6 +86,7 @@ class RingEngines {
   const PairPlan& plan_;
   const PairGeometry& geometry_;
   bool inwards_;
+  bool rings_recur_ = false;  ///< in several pairs each, so that what is known of one alone is worth knowing
   BothLegs legs_;
   std::vector<Run> runs_;
   bool overlap_ = false;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/container.hpp"
@@ -91,6 +92,14 @@ class RingSet {
     if (!place) place = make();
     return *static_cast<const T*>(place.get());
   }
+  /// The same of one ring alone, in a role; null if that is what was made of it.
+  template <class T, class Make>
+  const T* kept_of(std::size_t ring, bool inwards, bool plays_p, const Make& make) const {
+    const std::lock_guard lock(mutex_);
+    const auto [place, fresh] = kept_of_[inwards ? 0 : 1].try_emplace({ring, plays_p});
+    if (fresh) place->second = make();
+    return static_cast<const T*>(place->second.get());
+  }
 
  private:
   void add(const Polygon& ring, int part, int number, int exponent);
@@ -109,6 +118,7 @@ class RingSet {
   mutable std::array<SharedPolygon, 2> displaced_;
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
   mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
+  mutable std::array<std::map<std::pair<std::size_t, bool>, std::shared_ptr<const void>>, 2> kept_of_;
 };
 
 /// The parts of a body, of which a polygon is one.
