@@ -17,5 +17,6 @@ void register_kinetic(bool quick);
 void register_spacetime(bool quick);
 void register_static(bool quick);
 void register_static_map(bool quick);
+void register_worlds(bool quick);
 
 }  // namespace taut::bench

@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   register_spacetime(quick);
   register_static(quick);
   register_static_map(quick);
+  register_worlds(quick);
   Table table(isatty(STDOUT_FILENO) ? Table::OO_ColorTabular : Table::OO_Tabular);
   const std::size_t matched = benchmark::RunSpecifiedBenchmarks(&table);
   return failed || matched == 0 ? 1 : 0;

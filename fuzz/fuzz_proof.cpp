@@ -1,14 +1,16 @@
 // Whatever bytes a proof log has, what the verifier accepts is true.
 //
 // The first byte chooses a scene with known answers, the second how the rest is read: as a log; as the records after a
-// true tiling; or as a list of changes to a true log, of a tiling or of separations. Checksum and, but for the first
-// reading, the header are set right: otherwise no input would get far.
+// true tiling; or as a list of changes to a true log, of a tiling or of separations. Of a scene with curves it is what
+// is wrong with a true log about curves. Checksum and, but for the first reading, the header are set right: otherwise
+// no input would get far.
 #include <array>
 #include <sstream>
 #include <vector>
 
 #include "base/interruption.hpp"
 #include "bytes.hpp"
+#include "proof/curve_log.hpp"
 #include "proof/log_text.hpp"
 #include "proof/truth.hpp"
 #include "require.hpp"
@@ -22,8 +24,9 @@ namespace {
 struct Specimen {
   Scene scene;
   testing::Truth truth;
-  std::array<LogParts, 2> logs;            ///< for open, closed
-  std::array<std::string, 2> separations;  ///< without their checksums
+  std::array<LogParts, 2> logs;             ///< for open, closed
+  std::array<std::string, 2> separations;   ///< without their checksums
+  std::array<testing::CurveLog, 2> curves;  ///< in place of the others, if it has curves
 };
 
 std::string separations_of(const Scene& scene, Touch touch) {
@@ -44,15 +47,35 @@ const char* const scenes[] = {
     R"({"name":"b","polygon":[[-1,-1],[1,-1],[1,1],[-1,1]],"motion":{"x":[-4,1],"y":[3],"rotation":{"half_angle_tangent":[0,0.5]}}})",
     R"({"name":"b","polygon":[[-1,0],[1,0],[0,1]],"motion":[{"x":[-3,1],"y":[4],"until":4},{"x":[5,-1],"y":[6,-0.5]}]})"};
 
+/// A disc, and what passes above it, meets it, or turns in it.
+const char* const curved_scenes[] = {
+    R"({"name":"a","polygon":{"path":"M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}},
+       {"name":"b","polygon":[[-0.1,0],[0.1,0],[0.1,0.2],[-0.1,0.2]],"motion":{"x":[-5,1],"y":[1.5]}})",
+    R"({"name":"a","polygon":{"path":"M1 0 A1 1 0 0 1 -1 0 A1 1 0 0 1 1 0 Z"}},
+       {"name":"b","polygon":[[-0.1,0],[0.1,0],[0.1,0.2],[-0.1,0.2]],"motion":{"x":[-5,1],"y":[0.7]}})",
+    R"({"name":"a","polygon":{"path":"M3 0 A3 3 0 0 1 -3 0 A3 3 0 0 1 3 0 Z M2 0 A2 2 0 0 0 -2 0 A2 2 0 0 0 2 0 Z"}},
+       {"name":"b","polygon":{"path":"M0.5 0 Q0.5 1 -0.5 0 Z"},"motion":{"x":[0,0.1],"rotation":{"angle":[0,0.5]}}})"};
+
 const char* const anvil = R"({"name":"a","polygon":[[0,0],[4,0],[4,2],[3,1],[2,2],[1,1],[0,1]]})";
+
+Scene scene_of(const std::string& bodies) {
+  return parse_scene(R"({"format":"taut-scene/1","time":[0,10],"bodies":[)" + bodies + "]}");
+}
+
+Specimen curved_specimen(const char* bodies) {
+  const Scene scene = scene_of(bodies);
+  Specimen s{scene, testing::Truth(scene), {}, {}, {}};
+  for (const Touch touch : {Touch::open, Touch::closed})
+    s.curves[touch == Touch::closed ? 1 : 0] = testing::curve_log_of(scene, testing::prove_in_memory(scene, touch).log);
+  return s;
+}
 
 std::vector<Specimen> make_specimens() {
   std::vector<Specimen> all;
   for (const char* body : scenes) {
-    const Scene scene =
-        parse_scene(std::string(R"({"format":"taut-scene/1","time":[0,10],"bodies":[)") + anvil + "," + body + "]}");
+    const Scene scene = scene_of(std::string(anvil) + "," + body);
     const auto vertices = static_cast<std::uint32_t>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
-    Specimen s{scene, testing::Truth(scene), {}, {}};
+    Specimen s{scene, testing::Truth(scene), {}, {}, {}};
     for (const Touch touch : {Touch::open, Touch::closed}) {
       const std::size_t mode = touch == Touch::closed ? 1 : 0;
       s.logs[mode] = testing::take_apart(testing::prove_in_memory(scene, touch).log, vertices);
@@ -60,6 +83,7 @@ std::vector<Specimen> make_specimens() {
     }
     all.push_back(std::move(s));
   }
+  for (const char* bodies : curved_scenes) all.push_back(curved_specimen(bodies));
   return all;
 }
 
@@ -112,6 +136,9 @@ void change_records(fuzz::Bytes& bytes, std::vector<std::string>& records, const
 
 std::string log_of(fuzz::Bytes& bytes, const Specimen& specimen) {
   const int touch = bytes.below(2);
+  if (const testing::CurveLog& curves = specimen.curves[static_cast<std::size_t>(touch)]; !curves.sides.empty())
+    return testing::damaged(curves, specimen.scene, touch == 1 ? Touch::closed : Touch::open,
+                            [&](int n) { return bytes.below(n); });
   LogParts parts = specimen.logs[static_cast<std::size_t>(touch)];
   const LogParts& other = specimen.logs[static_cast<std::size_t>(1 - touch)];
   switch (bytes.below(5)) {

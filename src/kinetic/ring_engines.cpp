@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "pair/placement.hpp"
 #include "sign/instant_order.hpp"
+#include "tiling/shape_tiling.hpp"
 
 namespace taut {
 
@@ -19,6 +20,7 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
   at_start_ = placement.stages();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
+  rings_recur_ = meetings.pairs.size() > plan.rings[0]->rings().size() + plan.rings[1]->rings().size();
   for (const RingMeeting& rings : meetings.pairs) {
     begin(rings, observer);
     if (overlap_) return;
@@ -27,8 +29,14 @@ RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, boo
 
 /// The ring that plays this role.
 const LoneRing& RingEngines::ring_of(const Run& run, Role role) const {
-  const Role body = run.in_pair(role);
-  return plan_.rings[index_of(body)]->lone(body == Role::p ? run.rings.p : run.rings.q, inwards_);
+  return set_of(run, role).lone(ring_number(run, role), inwards_);
+}
+
+const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
+  const LoneRing& ring = ring_of(run, role);
+  return set_of(run, role).kept_of<ShapeTiling>(ring_number(run, role), inwards_, role, [&] {
+    return tile_shape(ring.polygon, role == Role::p ? node::p_tree : node::q_tree);
+  });
 }
 
 void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
@@ -42,8 +50,12 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   } else if (p.rings()[rings.p].ring == 0) {
     run.exchanged = q.diameter_squared(rings.q) > p.diameter_squared(rings.p);
   }
+  // A container is about what is in it: there is nothing far from it to be kept.
+  const bool contained = p.rings()[rings.p].ring > 0 || q.rings()[rings.q].ring > 0;
+  KnownTilings known;
+  if (rings_recur_ && !contained) known = {tiling_of(run, Role::p), tiling_of(run, Role::q)};
   run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, Role::p).polygon, ring_of(run, Role::q).polygon),
-                                        legs_[run.exchanged ? 1 : 0], observer);
+                                        legs_[run.exchanged ? 1 : 0], observer, known);
   overlap_ = run.engine->state() == EngineState::overlap;
   runs_.push_back(std::move(run));
 }

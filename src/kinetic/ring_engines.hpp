@@ -80,7 +80,12 @@ class RingEngines {
     for (const Run& run : runs_) sum += ((*run.engine).*count)();
     return sum;
   }
+  const RingSet& set_of(const Run& run, Role role) const { return *plan_.rings[index_of(run.in_pair(role))]; }
+  static std::size_t ring_number(const Run& run, Role role) {
+    return run.in_pair(role) == Role::p ? run.rings.p : run.rings.q;
+  }
   const LoneRing& ring_of(const Run& run, Role role) const;
+  const ShapeTiling* tiling_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
   VertexId in_pair(const Run& run, VertexId v, bool edge) const;
@@ -90,6 +95,7 @@ class RingEngines {
   const PairPlan& plan_;
   const PairGeometry& geometry_;
   bool inwards_;
+  bool rings_recur_ = false;  ///< in several pairs each, so that what is known of one alone is worth knowing
   BothLegs legs_;
   std::vector<Run> runs_;
   bool overlap_ = false;

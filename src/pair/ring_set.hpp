@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/container.hpp"
@@ -91,6 +92,16 @@ class RingSet {
     if (!place) place = make();
     return *static_cast<const T*>(place.get());
   }
+  /// The same of one ring alone, in a role; null if that is what was made of it.
+  template <class T, class Make>
+  const T* kept_of(std::size_t ring, bool inwards, Role role, const Make& make) const {
+    const std::lock_guard lock(mutex_);
+    auto& kept = kept_of_[inwards ? 0 : 1];
+    const std::pair key(ring, role);
+    auto place = kept.find(key);
+    if (place == kept.end()) place = kept.emplace(key, std::shared_ptr<const T>(make())).first;
+    return static_cast<const T*>(place->second.get());
+  }
 
  private:
   void add(const Polygon& ring, int part, int number, int exponent);
@@ -109,6 +120,7 @@ class RingSet {
   mutable std::array<SharedPolygon, 2> displaced_;
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
   mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
+  mutable std::array<std::map<std::pair<std::size_t, Role>, std::shared_ptr<const void>>, 2> kept_of_;
 };
 
 /// The parts of a body, of which a polygon is one.

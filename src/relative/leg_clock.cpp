@@ -50,17 +50,18 @@ void LegClock::Store::clear() {
   qq_marks.first = 2;
   pp_marks.at.fill(NAN);
   qq_marks.at.fill(NAN);
-  std::fill_n(keys.begin(), own, 0);
+  keys.fill(0);
   outlook_known.fill(false);
-  deep = false;
+  deep_used = false;
 }
 
-bool LegClock::Store::holds(std::size_t slot, std::uint64_t key) {
-  if (slot >= own && !deep) {
-    std::fill(keys.begin() + own, keys.end(), 0);
-    deep = true;
+bool LegClock::Store::holds(std::size_t slot, std::uint64_t wanted) {
+  if (slot >= own && !deep_used) {
+    if (!deep) deep.reset(new Deep);  // not touched, either
+    deep->keys.fill(0);
+    deep_used = true;
   }
-  return keys[slot] == key;
+  return key(slot) == wanted;
 }
 
 /// The same number for the same instant at every level, and growing with the index.
@@ -119,14 +120,15 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
     store_->clear();
     stored_ = true;
   }
-  ClockCell& cell = store_->cells[slot];
-  if (!store_->holds(slot, key)) {
+  const bool held = store_->holds(slot, key);
+  ClockCell& cell = store_->cell(slot);
+  if (!held) {
     interruption_point();
     if (&cell == last_) last_ = nullptr;
-    store_->keys[slot] = 0;
+    store_->key(slot) = 0;
     place(cell, level, index);
     make(cell);
-    store_->keys[slot] = key;
+    store_->key(slot) = key;
   }
   return cell;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -38,10 +39,13 @@ class LegClock {
  public:
   /// Do all functions of mixed triples change evenly with time?
   static bool is_straight(const Leg& leg) { return leg.translation && leg.degree <= 1 && !leg.bridge; }
-  /// Makes room for a leg that is not straight, so that nothing is allocated when it comes.
+  /// Makes room for a leg that is not straight, so that nothing is allocated when it comes, but for what the first
+  /// singular instant needs.
   void reserve_cells() {
     if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
   }
+  /// Of room for cells, most of which is never touched.
+  std::size_t bytes() const { return store_ ? sizeof(Store) + (store_->deep ? sizeof(Store::Deep) : 0) : 0; }
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg);
   const Leg& leg() const { return *leg_; }
@@ -111,14 +115,22 @@ class LegClock {
   /// are.
   struct Store {
     Marks pp_marks, qq_marks;
-    /// Which cell lies in which slot; the scattered ones count once one of them is used.
-    std::array<std::uint64_t, own + scattered> keys;
-    bool deep;
+    std::array<std::uint64_t, own> keys;  ///< which cell lies in which slot
     std::array<bool, own> outlook_known;
-    std::array<ClockCell, own + scattered> cells;
+    std::array<ClockCell, own> cells;
+    /// The scattered ones are nine tenths of all, and few legs have a singular instant: they are there once one is
+    /// used.
+    struct Deep {
+      std::array<std::uint64_t, scattered> keys;
+      std::array<ClockCell, scattered> cells;
+    };
+    std::unique_ptr<Deep> deep;
+    bool deep_used;  ///< for this leg
 
     void clear();
-    bool holds(std::size_t slot, std::uint64_t key);
+    bool holds(std::size_t slot, std::uint64_t wanted);
+    std::uint64_t& key(std::size_t slot) { return slot < own ? keys[slot] : deep->keys[slot - own]; }
+    ClockCell& cell(std::size_t slot) { return slot < own ? cells[slot] : deep->cells[slot - own]; }
   };
   std::unique_ptr<Store> store_;
   bool stored_ = false;  ///< the store is this leg's

@@ -2,9 +2,19 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_set>
+
+#include "base/interruption.hpp"
 
 namespace taut {
+namespace {
+
+std::vector<int> in_order(const std::unordered_set<int>& bodies) {
+  std::vector<int> list(bodies.begin(), bodies.end());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace
 
 void NearPairs::begin(double from) {
   std::vector<int> all(plan_.bodies().size());
@@ -18,7 +28,7 @@ void NearPairs::next() {
   from_ = until();
   while (stack_.size() > 1 && stack_.back().to <= from_) stack_.pop_back();
   const Window& around = stack_.back();
-  descend(around.middle, around.to, around.rest);
+  descend(around.middle, around.to, in_order(around.rest));
 }
 
 /// Adds the window, and its first halves as far as they tell more. Where they do, it stays until its second half ends.
@@ -26,30 +36,77 @@ void NearPairs::descend(double from, double to, std::vector<int> bodies) {
   while (!bodies.empty()) {
     const double middle = from + (to - from) / 2;
     const bool divisible = from < middle && middle < to && stack_.size() < static_cast<std::size_t>(most_halvings);
-    Window window{middle, to, {}, {}};
-    std::unordered_set<int> again;
-    MeetingBoxes(plan_, bodies, from, to).each([&](int a, int b, bool longer) {
+    Window window{middle, to, divisible, {}, {}, {}};
+    MeetingBoxes boxes(plan_, bodies, from, to);
+    boxes.each([&](int a, int b, bool longer) {
       if (has(a, b)) return;
       if (divisible && longer) {
-        again.insert({a, b});
+        window.rest.insert({a, b});
       } else {
-        window.pairs.emplace_back(a, b);
+        add(window, a, b);
       }
     });
-    std::sort(window.pairs.begin(), window.pairs.end());
-    window.rest.assign(again.begin(), again.end());
-    std::sort(window.rest.begin(), window.rest.end());
-    bodies = window.rest;
+    window.boxes = ChangingBoxes(std::move(bodies), boxes.take_boxes());
+    bodies = in_order(window.rest);
     stack_.push_back(std::move(window));
     to = middle;
   }
 }
 
+/// From the longest window down, in each of which the boxes of those that have changed are held against all others: a
+/// body that one of them may meet in its halves is looked at in these from now on. Who is no longer worth a look is
+/// left out where the next window begins.
+void NearPairs::change(const std::vector<int>& changed, double from) {
+  from_ = from;
+  for (Window& window : stack_) {
+    for (const int body : changed) forget(window, body);
+  }
+  std::vector<int> entering = changed;
+  for (Window& window : stack_) {
+    for (const int body : entering)
+      window.boxes.set(body, swept_box(plan_.bodies()[static_cast<std::size_t>(body)], from, window.to));
+    std::vector<int> deeper;
+    for (const int body : entering) {
+      if (std::binary_search(changed.begin(), changed.end(), body)) look(body, window, deeper);
+    }
+    entering = std::move(deeper);
+  }
+  std::sort(entering.begin(), entering.end());
+  const double middle = stack_.back().middle, to = stack_.back().to;
+  descend(from, from < middle ? middle : to, std::move(entering));
+}
+
+/// Whom does it meet in the window? `deeper` gets the bodies that its halves are to look at besides.
+void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
+  const SweptBox box = window.boxes.box(body);
+  for (const int other : window.boxes.find(box)) {
+    interruption_point();
+    if (other == body || !plan_.asked(body, other) || has(body, other)) continue;
+    if (!window.divisible || !is_long(plan_, body, box, other, window.boxes.box(other))) {
+      add(window, body, other);
+      continue;
+    }
+    for (const int k : {body, other}) {
+      if (window.rest.insert(k).second) deeper.push_back(k);
+    }
+  }
+}
+
+void NearPairs::add(Window& window, int a, int b) { window.pairs.insert({{a, b}, {b, a}}); }
+
+void NearPairs::forget(Window& window, int body) {
+  window.boxes.remove(body);
+  window.rest.erase(body);
+  auto pair = window.pairs.lower_bound({body, INT_MIN});
+  while (pair != window.pairs.end() && pair->first == body) {
+    window.pairs.erase({pair->second, body});
+    pair = window.pairs.erase(pair);
+  }
+}
+
 bool NearPairs::has(int a, int b) const {
-  const std::pair<int, int> pair(std::min(a, b), std::max(a, b));
-  return std::any_of(stack_.begin(), stack_.end(), [&](const Window& window) {
-    return std::binary_search(window.pairs.begin(), window.pairs.end(), pair);
-  });
+  const std::pair<int, int> pair(a, b);
+  return std::any_of(stack_.begin(), stack_.end(), [&](const Window& window) { return window.pairs.count(pair) > 0; });
 }
 
 }  // namespace taut

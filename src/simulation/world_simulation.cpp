@@ -43,7 +43,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
   answer_.outcome = Outcome::free;
   near_.begin(now_);
   open_window();
-  ask_starts([](int, int) { return true; });
+  ask_starts();
 }
 
 /// Pairs that are no longer near are forgotten.
@@ -57,14 +57,38 @@ KineticPair& WorldSimulation::pair(const Key& key) {
   return *place;
 }
 
-/// Of the pairs that are asked about for the first time: do they overlap, or touch?
-void WorldSimulation::ask_starts(const std::function<bool(int, int)>& is_new) {
+/// Do any two bodies overlap, or touch?
+void WorldSimulation::ask_starts() {
   std::vector<int> all;
   for (const WorldBody& body : plan_.bodies()) all.push_back(body.rings->body());
-  MeetingBoxes(plan_, all, plan_.start(), plan_.start()).each([&](int a, int b, bool) {
-    if (is_new(a, b)) pair({a, b}).ask_start();
-  });
+  MeetingBoxes(plan_, all, plan_.start(), plan_.start()).each([&](int a, int b, bool) { pair({a, b}).ask_start(); });
   conclude();
+}
+
+/// The same of pairs that are asked about for the first time: of bodies that have moved alike, or, at the start of the
+/// scene, of all that have changed. Whoever meets now is near.
+void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before) {
+  const auto group_before = [&](int k) {
+    const auto found = std::lower_bound(changed.begin(), changed.end(), k);
+    if (found == changed.end() || *found != k) return plan_.bodies()[static_cast<std::size_t>(k)].group;
+    return groups_before[static_cast<std::size_t>(found - changed.begin())];
+  };
+  const auto box = [&](int k) {
+    return swept_box(plan_.bodies()[static_cast<std::size_t>(k)], plan_.start(), plan_.start());
+  };
+  const bool more_than_two = plan_.bodies().size() > 2;
+  bool met = false;
+  for (const int body : changed) {
+    near_.each_of(body, [&](int other) {
+      const bool parted = more_than_two && group_before(body) == group_before(other);
+      if (!parted && now_ > plan_.start()) return;
+      if (pairs_.count(key(body, other)) > 0 || !box(body).meets(box(other))) return;
+      KineticPair& asked = pair(key(body, other));
+      asked.ask_start();
+      met = met || !asked.open();
+    });
+  }
+  if (met) conclude();
 }
 
 void WorldSimulation::advance(double t) {
@@ -155,21 +179,16 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
 void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   check_motion(body, motion);
   if (over()) return;
-  std::vector<int> groups;
-  for (const WorldBody& b : plan_.bodies()) groups.push_back(b.group);
   const double from = now_ > start_ ? std::nextafter(now_, start_) : now_;
+  const std::vector<int> changed = plan_.followers(body);
+  std::vector<int> groups;
+  for (const int k : changed) {
+    groups.push_back(plan_.bodies()[static_cast<std::size_t>(k)].group);
+    near_.each_of(k, [&](int other) { pairs_.erase(key(k, other)); });
+  }
   plan_.replan(body, motion, now_, from);
-  std::erase_if(pairs_, [&](const auto& entry) {
-    return plan_.follows(entry.first.first, body) || plan_.follows(entry.first.second, body);
-  });
-  near_.begin(from);
-  open_window();
-  // Bodies that have moved alike were not asked about. At the start of the scene everything is new.
-  const auto group = [&](int k) { return groups[static_cast<std::size_t>(k)]; };
-  const auto changed = [&](int k) { return plan_.follows(k, body); };
-  ask_starts([&](int a, int b) {
-    return (groups.size() > 2 && group(a) == group(b)) || (from == now_ && (changed(a) || changed(b)));
-  });
+  near_.change(changed, from);
+  ask_starts_of(changed, groups);
 }
 
 }  // namespace taut

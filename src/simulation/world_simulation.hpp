@@ -1,7 +1,7 @@
 // A world that goes on: its near pairs, each with the kinetic engine, up to the same time.
 #pragma once
 
-#include <functional>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,7 +19,8 @@ namespace taut {
 /// Stands at a time up to which no pair that is asked about meets. The pairs that are near in the present window of
 /// time have tilings, all followed to that time; no other pair costs anything until the next window. A body that
 /// changes its plan takes the tilings of its pairs with it, and those of the bodies that are seen from it: they are
-/// built anew, just before the present, so that what the old pose and the new one differ by is bridged.
+/// built anew, just before the present, so that what the old pose and the new one differ by is bridged. All others
+/// stay, and cost nothing then.
 class WorldSimulation {
  public:
   /// Throws InputError.
@@ -46,9 +47,11 @@ class WorldSimulation {
 
  private:
   using Key = std::pair<int, int>;
+  static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   KineticPair& pair(const Key& key);
   void open_window();
-  void ask_starts(const std::function<bool(int, int)>& is_new);
+  void ask_starts();
+  void ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before);
   void advance_pairs(double to);
   void conclude();
   void check_motion(BodyId body, const Motion& motion) const;

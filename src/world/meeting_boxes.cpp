@@ -8,6 +8,11 @@
 
 namespace taut {
 
+bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b) {
+  const auto size = [&](int k) { return diagonal(plan.bodies()[static_cast<std::size_t>(k)].rings->bounds()); };
+  return is_long(box_a, box_b, size(a) + size(b));
+}
+
 MeetingBoxes::MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies, double from, double to)
     : plan_(plan), bodies_(bodies) {
   boxes_.reserve(bodies.size());
@@ -15,13 +20,6 @@ MeetingBoxes::MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies
     interruption_point();
     boxes_.push_back(swept_box(plan.bodies()[static_cast<std::size_t>(b)], from, to));
   }
-}
-
-bool MeetingBoxes::longer(std::size_t i, std::size_t j) const {
-  const auto size = [&](std::size_t k) {
-    return diagonal(plan_.bodies()[static_cast<std::size_t>(bodies_[k])].rings->bounds());
-  };
-  return is_long(boxes_[i], boxes_[j], size(i) + size(j));
 }
 
 void MeetingBoxes::each(const std::function<void(int, int, bool)>& visit) const {
@@ -34,7 +32,8 @@ void MeetingBoxes::each(const std::function<void(int, int, bool)>& visit) const 
     for (const std::size_t j : active) {
       interruption_point();
       if (!boxes_[i].meets(boxes_[j]) || !plan_.asked(bodies_[i], bodies_[j])) continue;
-      visit(std::min(bodies_[i], bodies_[j]), std::max(bodies_[i], bodies_[j]), longer(i, j));
+      visit(std::min(bodies_[i], bodies_[j]), std::max(bodies_[i], bodies_[j]),
+            is_long(plan_, bodies_[i], boxes_[i], bodies_[j], boxes_[j]));
     }
     active.push_back(i);
   }

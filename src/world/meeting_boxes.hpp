@@ -2,11 +2,15 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "world/swept_box.hpp"
 
 namespace taut {
+
+/// Over half of the window that the boxes are for, would those of the two bodies be much shorter?
+bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b);
 
 /// Some bodies of a world, and their boxes over a window.
 class MeetingBoxes {
@@ -14,12 +18,12 @@ class MeetingBoxes {
   MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies, double from, double to);
 
   /// Calls visit(a, b, longer) for all pairs of bodies whose boxes meet and that are asked about: a sweep along x.
-  /// `longer`: over half of the window their boxes would be much shorter.
+  /// `longer`: is_long().
   void each(const std::function<void(int, int, bool)>& visit) const;
+  /// Of each body, for those who go on with them.
+  std::vector<SweptBox> take_boxes() { return std::move(boxes_); }
 
  private:
-  bool longer(std::size_t i, std::size_t j) const;
-
   const WorldPlan& plan_;
   const std::vector<int>& bodies_;
   std::vector<SweptBox> boxes_;

@@ -85,7 +85,11 @@ void WorldPlan::add_bodies(const Scene& scene) {
     if (!parent.empty()) body.parent = index_of(scene, by_name, parent);
     bodies_.push_back(std::move(body));
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].motions = chain_of(static_cast<int>(i));
+  children_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].motions = chain_of(static_cast<int>(i));
+    if (bodies_[i].parent >= 0) children_[static_cast<std::size_t>(bodies_[i].parent)].push_back(static_cast<int>(i));
+  }
 }
 
 MotionChain WorldPlan::chain_of(int body) const {
@@ -97,9 +101,14 @@ MotionChain WorldPlan::chain_of(int body) const {
   return chain;
 }
 
-bool WorldPlan::follows(int body, int ancestor) const {
-  while (body >= 0 && body != ancestor) body = bodies_[static_cast<std::size_t>(body)].parent;
-  return body >= 0;
+std::vector<int> WorldPlan::followers(int body) const {
+  std::vector<int> all{body};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<int>& seen = children_[static_cast<std::size_t>(all[i])];
+    all.insert(all.end(), seen.begin(), seen.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
@@ -110,31 +119,53 @@ void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
     fresh.back().until = t;
   }
   for (MotionPiece& piece : pieces_between(motion, t, end_)) fresh.push_back(scaled(std::move(piece), exponent_));
-  own = rests(fresh) ? std::vector<MotionPiece>() : std::move(fresh);
   start_ = from;
+  if (!moving_) note_moving();
+  const std::vector<int> changed = followers(body);
+  for (const int k : changed) leave_group(k);
+  own = rests(fresh) ? std::vector<MotionPiece>() : std::move(fresh);
+  for (const int k : changed) bodies_[static_cast<std::size_t>(k)].motions = chain_of(k);
+  for (const int k : changed) join_group(k);
+}
+
+void WorldPlan::note_moving() {
+  moving_.emplace();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!follows(static_cast<int>(i), body)) continue;
-    bodies_[i].motions = chain_of(static_cast<int>(i));
-    find_group(bodies_[i]);
+    if (!bodies_[i].motions.empty()) (*moving_)[key_of(bodies_[i].motions)].push_back(static_cast<int>(i));
   }
 }
 
+void WorldPlan::leave_group(int body) {
+  const MotionChain& motions = bodies_[static_cast<std::size_t>(body)].motions;
+  if (motions.empty()) return;
+  const auto alike = moving_->find(key_of(motions));
+  std::erase(alike->second, body);
+  if (alike->second.empty()) moving_->erase(alike);
+}
+
 /// That of another body that moves alike, or one of its own.
-void WorldPlan::find_group(WorldBody& body) {
-  const auto same = std::find_if(bodies_.begin(), bodies_.end(), [&](const WorldBody& other) {
-    return &other != &body && same_chain(other.motions, body.motions);
+void WorldPlan::join_group(int body) {
+  WorldBody& joining = bodies_[static_cast<std::size_t>(body)];
+  if (joining.motions.empty()) {
+    if (resting_ < 0) resting_ = groups_++;
+    joining.group = resting_;
+    return;
+  }
+  std::vector<int>& alike = (*moving_)[key_of(joining.motions)];
+  const auto same = std::find_if(alike.begin(), alike.end(), [&](int k) {
+    return same_chain(bodies_[static_cast<std::size_t>(k)].motions, joining.motions);
   });
-  body.group = same != bodies_.end() ? same->group : groups_++;
+  joining.group = same != alike.end() ? bodies_[static_cast<std::size_t>(*same)].group : groups_++;
+  alike.push_back(body);
 }
 
 void WorldPlan::find_groups() {
   // One body of each group, by the key of its motion.
   std::unordered_map<double, std::vector<int>> representatives;
-  int resting = -1;
   for (WorldBody& body : bodies_) {
     if (body.motions.empty()) {
-      if (resting < 0) resting = groups_++;
-      body.group = resting;
+      if (resting_ < 0) resting_ = groups_++;
+      body.group = resting_;
       continue;
     }
     const int index = static_cast<int>(&body - bodies_.data());

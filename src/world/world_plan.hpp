@@ -3,7 +3,9 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -55,10 +57,11 @@ class WorldPlan {
   const Coverage& coverage() const { return coverage_; }
 
   /// Another motion of a body from t on, which must be valid; what happened before is forgotten but for the piece that
-  /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew.
+  /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew. Only the body's
+  /// followers are looked at, and, for the first change, what moves with what.
   void replan(int body, const Motion& motion, double t, double from);
-  /// Is it that body, or does its chain of parents have it?
-  bool follows(int body, int ancestor) const;
+  /// The body and all that are seen from it, directly or not, in order.
+  std::vector<int> followers(int body) const;
 
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
@@ -71,7 +74,9 @@ class WorldPlan {
   void add_bodies(const Scene& scene);
   MotionChain chain_of(int body) const;
   void find_groups();
-  void find_group(WorldBody& body);
+  void note_moving();
+  void leave_group(int body);
+  void join_group(int body);
   void count_pairs();
 
   double start_, end_;
@@ -79,7 +84,11 @@ class WorldPlan {
   double largest_ = 0;
   double extent_ = 0;
   std::vector<WorldBody> bodies_;
+  std::vector<std::vector<int>> children_;
   int groups_ = 0;
+  int resting_ = -1;  ///< the group of the bodies that rest, if there was one
+  /// Bodies that move, by the key of their motion. Known from the first change of a motion on.
+  std::optional<std::unordered_map<double, std::vector<int>>> moving_;
   IgnoredPairs ignored_;
   Coverage coverage_;
 };

@@ -8,6 +8,9 @@
 
 namespace taut::testing {
 
+/// What every log ends with.
+inline constexpr std::size_t checksum_size = 8;
+
 struct LogParts {
   std::string header;                ///< up to the first record: magic number, fingerprint, touch, shapes, tiling
   std::vector<std::string> records;  ///< each with its first byte

@@ -2,6 +2,7 @@
 // equals the map built from scratch, and it answers as the second engine does.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "geometry/hull.hpp"
@@ -86,6 +87,44 @@ TEST(RingEngines, KineticEqualsStaticOnGrids) {
     ASSERT_NO_FATAL_FAILURE(examine(cavity_scene(seed, Cavity::island, options), seed % 2 == 0, counts));
   }
   print(counts);
+}
+
+/// Stars on a grid, and stars between them: two bodies of so many parts each that every ring is in many pairs.
+Scene many_parts(std::uint64_t seed) {
+  Rng rng(seed);
+  Scene scene;
+  scene.end = 1;
+  for (const int body : {0, 1}) {
+    Body stars;
+    stars.name = body == 0 ? "grid" : "between";
+    for (int i = 0; i < 9; ++i) {
+      const double size = body == 0 ? rng.real(0.3, 0.7) : rng.real(0.1, 0.5);
+      const int vertices = 5 + rng.below(6);
+      Polygon star;
+      for (int k = 0; k < vertices; ++k) {
+        const double angle = 2 * M_PI * k / vertices, radius = size * rng.real(0.4, 1);
+        star.push_back(
+            {2.0 * (i % 3) + body + radius * std::cos(angle), 2.0 * (i / 3) + body + radius * std::sin(angle)});
+      }
+      stars.parts.push_back({star, {}});
+    }
+    scene.bodies.push_back(stars);
+  }
+  MotionPiece way{{0, rng.real(-1, 1)}, {0, rng.real(-1, 1)}, NoRotation{}};
+  if (seed % 2) way.rotation = AngleRotation{{0, rng.real(-0.5, 0.5)}};
+  scene.bodies[1].motion.pieces = {way};
+  return scene;
+}
+
+TEST(RingEngines, KineticEqualsStaticWhereRingsAreInManyPairs) {
+  RingCounts counts;
+  for (std::uint64_t seed = 0; seed < effort(40); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ASSERT_NO_FATAL_FAILURE(examine(many_parts(seed), seed % 4 != 3, counts));
+  }
+  print(counts);
+  EXPECT_GT(counts.contact, enough(10));
+  EXPECT_GT(counts.maps.compared, enough(1000));
 }
 
 /// As one polygon that does not close: the hole is cut open at its rightmost vertex by a slit that nothing gets

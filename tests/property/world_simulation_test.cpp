@@ -1,15 +1,13 @@
 // Simulations of worlds: they answer as check() does, from the start and after every change of a plan.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <iostream>
 
 #include "generators/generators.hpp"
-#include "motion/pieces.hpp"
-#include "motion/pose.hpp"
 #include "support/cavity_scenes.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
+#include "support/simulated_worlds.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/motions.hpp"
@@ -17,70 +15,6 @@
 
 namespace taut::testing {
 namespace {
-
-Answer fresh_answer(const Scene& scene, Touch touch) {
-  CheckOptions options;
-  options.touch = touch;
-  options.engine = EngineChoice::spacetime;
-  options.tell_touching = false;
-  return check(scene, options);
-}
-
-struct SimulationCounts {
-  int contacts = 0, finished = 0, overlaps = 0, changes = 0;
-};
-
-/// The simulation is where the answer says that the scene comes to.
-void expect_ended(const Simulation& simulation, const Answer& answer, SimulationCounts& counts) {
-  if (answer.outcome == Outcome::free) {
-    ASSERT_EQ(simulation.state(), SimulationState::finished) << simulation.reason();
-    ++counts.finished;
-    return;
-  }
-  if (answer.outcome == Outcome::overlap_at_start) {
-    ASSERT_EQ(simulation.state(), SimulationState::overlap_at_start) << simulation.reason();
-    ++counts.overlaps;
-    if (answer.pair) {
-      EXPECT_EQ(*simulation.pair(), *answer.pair);
-    }
-    return;
-  }
-  ASSERT_EQ(answer.outcome, Outcome::contact) << answer.reason;
-  ASSERT_EQ(simulation.state(), SimulationState::contact) << simulation.reason();
-  ++counts.contacts;
-  const Contact &found = *simulation.contact(), &expected = *answer.contact;
-  EXPECT_NEAR(found.time.lo, expected.time.lo, 1e-9);
-  EXPECT_NEAR(found.time.hi, expected.time.hi, 1e-9);
-  EXPECT_LE(simulation.time(), found.time.hi);
-  if (answer.pair && answer.also.empty()) {
-    EXPECT_EQ(*simulation.pair(), *answer.pair);
-  }
-  if (expected.grazing || expected.time.lo == expected.time.hi || !answer.also.empty()) return;
-  EXPECT_EQ(found.vertex, expected.vertex);
-  EXPECT_EQ(found.edge, expected.edge);
-}
-
-/// On from where the body is at that time, seen from its parent: evenly, in another direction.
-Motion going_on(const Body& body, double t, Rng& rng) {
-  MotionPiece piece;
-  Pose<double> at;
-  if (body.motion.pieces.empty()) {
-    at = pose(piece, Ball<double>::exact(t));
-  } else {
-    at = pose(piece_at(body.motion.pieces, t), Ball<double>::exact(t));
-  }
-  const double vx = rng.real(-2, 2), vy = rng.real(-2, 2), spin = rng.chance(0.5) ? rng.real(-2, 2) : 0;
-  piece.x = {at.ox.v.mid - vx * t, vx};
-  piece.y = {at.oy.v.mid - vy * t, vy};
-  piece.rotation = AngleRotation{{std::atan2(at.xy.v.mid, at.xx.v.mid) - spin * t, spin}};
-  if (rng.chance(0.3)) {
-    piece.x = {at.ox.v.mid};
-    piece.y = {at.oy.v.mid};
-  }
-  Motion motion;
-  motion.pieces = {piece};
-  return motion;
-}
 
 TEST(WorldSimulation, AnswersAsCheckDoes) {
   SimulationCounts counts;

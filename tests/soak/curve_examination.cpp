@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "curve_proofs.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
@@ -156,7 +157,7 @@ class CurveExamination {
     options_.max_seconds = max_seconds;
   }
 
-  std::string run(bool also_distances) {
+  std::string run(std::uint64_t number) {
     ask_chords();
     const Answer answer = check(scene_, options_);
     tally_.events += answer.events;
@@ -168,7 +169,8 @@ class CurveExamination {
     if (answer.contact && rough.contact &&
         (answer.contact->time.lo > rough.contact->time.hi || rough.contact->time.lo > answer.contact->time.hi))
       return "the coarse bracket and the fine one are apart";
-    return also_distances ? distances() : std::string();
+    if (number % 4 == 1) return proof(answer, number);
+    return number % 8 == 0 ? distances() : std::string();
   }
 
  private:
@@ -179,10 +181,10 @@ class CurveExamination {
     shrunk.fit = 2 * away_;
     const Answer deep = check(chords_, shrunk);
     told_ = close.outcome != Outcome::undecided && deep.outcome != Outcome::undecided;
-    if (close.outcome == Outcome::overlap_at_start) earliest_ = scene_.start;
-    if (close.outcome == Outcome::contact) earliest_ = close.first->time.lo;
-    if (deep.outcome == Outcome::overlap_at_start) latest_ = scene_.start;
-    if (deep.outcome == Outcome::contact) latest_ = deep.contact->time.hi;
+    if (close.outcome == Outcome::overlap_at_start) bracket_.earliest = scene_.start;
+    if (close.outcome == Outcome::contact) bracket_.earliest = close.first->time.lo;
+    if (deep.outcome == Outcome::overlap_at_start) bracket_.latest = scene_.start;
+    if (deep.outcome == Outcome::contact) bracket_.latest = deep.contact->time.hi;
   }
 
   std::string first_contact(const Answer& answer) {
@@ -194,24 +196,34 @@ class CurveExamination {
     switch (answer.outcome) {
       case Outcome::free:
         ++tally_.free;
-        return latest_ < INFINITY ? fmt::format("free, but chords that were shrunk meet by {}", latest_)
-                                  : std::string();
+        return bracket_.latest < INFINITY ? fmt::format("free, but chords that were shrunk meet by {}", bracket_.latest)
+                                          : std::string();
       case Outcome::overlap_at_start:
         ++tally_.at_start;
-        return earliest_ > scene_.start ? fmt::format("overlap, but chords are apart until {}", earliest_)
-                                        : std::string();
+        return bracket_.earliest > scene_.start
+                   ? fmt::format("overlap, but chords are apart until {}", bracket_.earliest)
+                   : std::string();
       case Outcome::contact:
         ++tally_.contact;
-        if (answer.contact->time.hi < earliest_ || answer.contact->time.lo > latest_)
+        if (answer.contact->time.hi < bracket_.earliest || answer.contact->time.lo > bracket_.latest)
           return fmt::format("contact in [{}, {}], but by chords in [{}, {}]", answer.contact->time.lo,
-                             answer.contact->time.hi, earliest_, latest_);
+                             answer.contact->time.hi, bracket_.earliest, bracket_.latest);
         return {};
       default:
         ++tally_.assumed;
-        return answer.free_until > latest_
-                   ? fmt::format("free until {}, but by chords not from {} on", answer.free_until, latest_)
+        return answer.free_until > bracket_.latest
+                   ? fmt::format("free until {}, but by chords not from {} on", answer.free_until, bracket_.latest)
                    : std::string();
     }
+  }
+
+  /// In either touch mode, with the same bracket by chords.
+  std::string proof(const Answer& open, std::uint64_t number) {
+    CheckOptions mode = options_;
+    if (number % 8 == 5) mode.touch = Touch::closed;
+    const Answer answer = mode.touch == Touch::open ? open : check(scene_, mode);
+    const ChordBracket told = told_ ? bracket_ : ChordBracket{scene_.start, INFINITY};
+    return examine_curve_proof(scene_, answer, told, mode, number, tally_);
   }
 
   static bool apart(double lo, double hi, double other_lo, double other_hi) {
@@ -250,7 +262,7 @@ class CurveExamination {
   Tally& tally_;
   CheckOptions options_;
   bool told_ = false;
-  double earliest_ = INFINITY, latest_ = INFINITY;
+  ChordBracket bracket_;
 };
 
 }  // namespace
@@ -276,7 +288,7 @@ CurvedSoakScene curved_soak_scene(std::uint64_t number) {
 std::string examine_curves(std::uint64_t number, const CurvedSoakScene& made, double max_seconds, Tally& tally) {
   ++tally.scenes;
   try {
-    return CurveExamination(made.scene, max_seconds, tally).run(number % 8 == 0);
+    return CurveExamination(made.scene, max_seconds, tally).run(number);
   } catch (const InputError&) {
     // Rings whose curves meet, or chords that do.
     ++tally.invalid;

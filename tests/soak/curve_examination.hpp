@@ -25,7 +25,8 @@ CurvedSoakScene curved_soak_scene(std::uint64_t number);
 ///   1. the bracket of a contact is not before the one and not behind the other;
 ///   2. what is free keeps shrunk chords free, what overlaps at the start has chords that are close there;
 ///   3. a coarser bracket and a finer one have a common instant;
-///   4. the clearance is that of chords, give or take 2 away; so is the distance at instants; of every eighth scene.
+///   4. the clearance is that of chords, give or take 2 away; so is the distance at instants; of every eighth scene;
+///   5. of every fourth scene, what examine_curve_proof() says of its proof.
 std::string examine_curves(std::uint64_t number, const CurvedSoakScene& made, double max_seconds, Tally& tally);
 
 }  // namespace taut::testing

@@ -13,11 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Which soaks have the column.
+enum class Of { all, worlds, curves, both };
+
 struct Column {
   const char* key;
   const char* title;
   std::uint64_t Tally::*value;
-  bool of_worlds = false;
+  Of of = Of::all;
 };
 
 constexpr Column columns[] = {{"scenes", "scenes", &Tally::scenes},
@@ -30,17 +33,31 @@ constexpr Column columns[] = {{"scenes", "scenes", &Tally::scenes},
                               {"assumed", "on an assumption", &Tally::assumed},
                               {"beyond", "beyond the oracle", &Tally::beyond},
                               {"events", "events", &Tally::events},
-                              {"large", "of 10 bodies or more", &Tally::large, true},
-                              {"unproved", "proofs not finished", &Tally::unproved, true},
-                              {"simulated", "simulations", &Tally::simulated, true},
-                              {"intervals", "intervals of worlds", &Tally::intervals, true},
-                              {"ranges", "ranges", &Tally::ranges, true},
-                              {"maps", "maps", &Tally::maps, true},
-                              {"laws", "laws", &Tally::laws, true},
-                              {"clearances", "clearances", &Tally::clearances, true},
-                              {"profiles", "profiles", &Tally::profiles, true}};
+                              {"large", "of 10 bodies or more", &Tally::large, Of::worlds},
+                              {"unproved", "proofs not finished", &Tally::unproved, Of::both},
+                              {"simulated", "simulations", &Tally::simulated, Of::worlds},
+                              {"intervals", "intervals of worlds", &Tally::intervals, Of::worlds},
+                              {"ranges", "ranges", &Tally::ranges, Of::worlds},
+                              {"maps", "maps", &Tally::maps, Of::worlds},
+                              {"laws", "laws", &Tally::laws, Of::worlds},
+                              {"clearances", "clearances", &Tally::clearances, Of::worlds},
+                              {"profiles", "profiles", &Tally::profiles, Of::worlds},
+                              {"refused", "damaged proofs refused", &Tally::refused, Of::curves},
+                              {"still_true", "damaged, and still true", &Tally::still_true, Of::curves}};
 
-bool shown(const Column& c, const Tally& all) { return !c.of_worlds || all.intervals > 0; }
+bool shown(const Column& c, const Tally& all) {
+  const bool worlds = all.intervals > 0, curves = all.refused > 0;
+  switch (c.of) {
+    case Of::worlds:
+      return worlds;
+    case Of::curves:
+      return curves;
+    case Of::both:
+      return worlds || curves;
+    default:
+      return true;
+  }
+}
 
 std::string row(const std::string& name, const Tally& tally, const Tally& all) {
   std::string line = "| " + name + " |";

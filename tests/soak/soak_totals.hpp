@@ -18,6 +18,8 @@ struct Tally {
   /// worlds.
   std::uint64_t large = 0, unproved = 0, simulated = 0, intervals = 0, ranges = 0, clearances = 0, profiles = 0,
                 laws = 0, maps = 0;
+  /// Of curves: damaged logs that were refused, and those that proved what is so all the same.
+  std::uint64_t refused = 0, still_true = 0;
 
   Tally& operator+=(const Tally& o);
 };
@@ -30,7 +32,7 @@ struct SoakTotals {
 
   SoakTotals& operator+=(const SoakTotals& o);
   Tally all() const;
-  /// Tables and totals; columns about worlds only if there are any, as docs/evidence.md has them.
+  /// Tables and totals; columns about worlds and curves only if there are any, as docs/evidence.md has them.
   std::string report() const;
 };
 

@@ -1,0 +1,168 @@
+// Worlds whose bodies change their plans: what is kept through a change is what would be found from scratch.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "base/interruption.hpp"
+#include "motion/pieces.hpp"
+#include "pair/validate_world.hpp"
+#include "search/near_pairs.hpp"
+#include "support/effort.hpp"
+#include "support/large_world.hpp"
+#include "support/simulated_worlds.hpp"
+#include "taut/motions.hpp"
+
+namespace taut::testing {
+namespace {
+
+/// What the body did up to t, and that motion from then on.
+Motion joined(const Motion& before, const Motion& after, double start, double t) {
+  Motion motion;
+  if (t > start) motion.pieces = given_pieces_between(before, start, t);
+  if (!motion.pieces.empty()) motion.pieces.back().until = t;
+  motion.pieces.insert(motion.pieces.end(), after.pieces.begin(), after.pieces.end());
+  return motion;
+}
+
+bool is_world_of_many(const Scene& scene) {
+  return scene.bodies.size() > 2 || !scene.bodies[0].parts.empty() || !scene.bodies[1].parts.empty();
+}
+
+/// Changes plans until something happens, and notes all that was done in `whole`.
+void wander(Simulation& simulation, Scene& whole, Rng& rng, SimulationCounts& counts) {
+  for (int k = 0; k < 12; ++k) {
+    const double now = simulation.time() + (whole.end - simulation.time()) * rng.real(0, 0.2);
+    if (k > 0 && simulation.advance_to(now) != SimulationState::running) return;
+    if (rng.chance(0.2)) simulation.next_event();
+    if (simulation.state() != SimulationState::running) return;
+    const double t = simulation.time();
+    const int body = rng.below(static_cast<int>(whole.bodies.size()));
+    Body& changed = whole.bodies[static_cast<std::size_t>(body)];
+    const Motion after = going_on(changed, t, rng);
+    simulation.set_motion(body, after);
+    changed.motion = joined(changed.motion, after, whole.start, t);
+    ++counts.changes;
+  }
+}
+
+TEST(ChangedWorlds, ComeToWhatOneWithAllChangesInItComesTo) {
+  SimulationCounts counts, from_scratch;
+  for (std::uint64_t seed = 0; seed < effort(600); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed + 31);
+    Scene scene = scene_of(seed % 6 == 0 ? large_world(seed).world : random_world(seed + 9000));
+    if (!is_world_of_many(scene)) continue;
+    const Touch touch = seed % 3 == 2 ? Touch::closed : Touch::open;
+    if (fresh_answer(scene, touch).outcome == Outcome::overlap_at_start) continue;
+    Simulation simulation(scene, touch);
+    wander(simulation, scene, rng, counts);
+    simulation.advance_to(scene.end);
+    const Answer answer = fresh_answer(scene, touch);
+    // Bodies that moved alike and overlapped were no pair then, and are one from the start of all that they did.
+    if (answer.outcome == Outcome::overlap_at_start) continue;
+    if (simulation.state() == SimulationState::overlap_at_start) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_ended(simulation, answer, counts));
+    Simulation again(scene, touch);
+    again.advance_to(scene.end);
+    ASSERT_NO_FATAL_FAILURE(expect_ended(again, answer, from_scratch));
+  }
+  std::cout << counts.changes << " changes, " << counts.contacts << " contacts, " << counts.finished << " free\n";
+  EXPECT_GE(counts.changes, static_cast<int>(enough(1000)));
+  EXPECT_GE(counts.contacts, static_cast<int>(enough(150)));
+  EXPECT_GE(counts.finished, static_cast<int>(enough(20)));
+}
+
+/// Which pairs are near now, by the boxes of all bodies at some instants of the present window.
+void expect_all_near(const WorldPlan& plan, const NearPairs& near, int& met) {
+  const int bodies = static_cast<int>(plan.bodies().size());
+  for (int k = 0; k <= 4; ++k) {
+    const double t = near.from() + (near.until() - near.from()) * k / 4;
+    std::vector<SweptBox> boxes;
+    for (const WorldBody& body : plan.bodies()) boxes.push_back(swept_box(body, t, t));
+    for (int a = 0; a < bodies; ++a) {
+      for (int b = a + 1; b < bodies; ++b) {
+        if (!plan.asked(a, b)) {
+          ASSERT_FALSE(near.has(a, b)) << a << " and " << b << " are not asked about";
+        } else if (boxes[static_cast<std::size_t>(a)].meets(boxes[static_cast<std::size_t>(b)])) {
+          ASSERT_TRUE(near.has(a, b) && near.has(b, a)) << a << " and " << b << " at " << t;
+          ++met;
+        }
+      }
+    }
+  }
+}
+
+/// A child jumps with its parent's plan, if need be: boxes do not mind.
+TEST(ChangedWorlds, WhoeverMeetsIsNear) {
+  int met = 0, changes = 0, windows = 0;
+  for (std::uint64_t seed = 0; seed < effort(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed + 5);
+    Scene scene = scene_of(large_world(seed).world);
+    validate_world(scene);
+    WorldPlan plan(scene);
+    NearPairs near(plan);
+    near.begin(scene.start);
+    ASSERT_NO_FATAL_FAILURE(expect_all_near(plan, near, met));
+    while (!near.last() && windows < 100000) {
+      ++windows;
+      if (rng.chance(0.3)) {
+        const double t = near.from() + (near.until() - near.from()) * (rng.chance(0.1) ? 0 : rng.real(0, 0.99));
+        const int body = rng.below(static_cast<int>(scene.bodies.size()));
+        Body& changed = scene.bodies[static_cast<std::size_t>(body)];
+        const Motion after = going_on(changed, t, rng);
+        changed.motion = joined(changed.motion, after, scene.start, t);
+        plan.replan(body, after, t, t);
+        near.change(plan.followers(body), t);
+        ++changes;
+      } else {
+        near.next();
+      }
+      ASSERT_NO_FATAL_FAILURE(expect_all_near(plan, near, met));
+    }
+  }
+  std::cout << changes << " changes, " << windows << " windows, " << met << " pairs met\n";
+  EXPECT_GE(changes, static_cast<int>(enough(1000)));
+  EXPECT_GE(met, static_cast<int>(enough(10000)));
+}
+
+/// Squares in a row, 10 apart, that go their ways; the first two are close.
+Scene row(int bodies) {
+  Scene scene;
+  scene.end = 100;
+  for (int k = 0; k < bodies; ++k) {
+    Body body;
+    body.name = std::to_string(k);
+    const double x = k == 1 ? 1.5 : 10.0 * k;
+    body.polygon = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    body.motion.pieces = {{{x}, {0, k < 2 ? 0.01 : 0.5 + 0.001 * k}, NoRotation{}}};
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+
+/// Over the changes after the first one, which makes what the others look things up in.
+std::uint64_t work_of_changes(int bodies) {
+  const Scene scene = row(bodies);
+  Simulation simulation(scene, Touch::open);
+  std::uint64_t before = 0;
+  double y = 0, speed = 0.01;
+  for (int k = 1; k <= 20; ++k) {
+    simulation.advance_to(k);
+    y += speed;
+    speed = k % 2 ? 0.02 : 0.005;
+    simulation.set_motion(0, Motion{{{{0}, {y - speed * k, speed}, NoRotation{}}}});
+    if (k == 1) before = work_spent();
+  }
+  EXPECT_EQ(simulation.state(), SimulationState::running);
+  return work_spent() - before;
+}
+
+TEST(ChangedWorlds, AChangeCostsNothingForBodiesThatAreFar) {
+  const std::uint64_t few = work_of_changes(30), many = work_of_changes(3000);
+  EXPECT_GT(few, 0u);
+  EXPECT_LE(many, few + few / 10);
+}
+
+}  // namespace
+}  // namespace taut::testing
