@@ -93,7 +93,9 @@ TEST(Stop, ProvedTimesGrowUpToTheContact) {
   gen::GearOptions gears;
   gears.hit = true;
   const Scene scene = gen::make_gears(gears);
-  const Answer whole = check(scene);
+  CheckOptions kinetic;
+  kinetic.engine = EngineChoice::kinetic;
+  const Answer whole = check(scene, kinetic);
   ASSERT_EQ(whole.outcome, Outcome::contact);
   double before = scene.start;
   for (std::uint64_t events = 0; events < whole.events; events += 17) {

@@ -57,7 +57,9 @@ TEST(SimulationLimits, EnoughEventsChangeNothing) {
   options.stop = &stop;
   Simulation simulation(meshing_gears(), options);
   EXPECT_EQ(simulation.advance_to(meshing_gears().end), SimulationState::finished);
-  EXPECT_EQ(simulation.events(), check(meshing_gears()).events);
+  CheckOptions kinetic;
+  kinetic.engine = EngineChoice::kinetic;
+  EXPECT_EQ(simulation.events(), check(meshing_gears(), kinetic).events);
 }
 
 TEST(SimulationLimits, StopsWhenTold) {
