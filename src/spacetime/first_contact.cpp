@@ -13,7 +13,6 @@
 #include "taut/check.hpp"
 
 namespace taut::spacetime {
-namespace {
 
 /// Which vertex crosses which edge first on one leg: what the walk asks.
 class LegSearch {
@@ -128,6 +127,8 @@ class LegSearch {
   std::uint64_t looks_ = 0;
 };
 
+namespace {
+
 void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& result) {
   result.outcome = SpacetimeResult::contact;
   result.vertex = found.pair.vertex;
@@ -136,10 +137,6 @@ void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& r
   result.hi = std::min(found.hi, end);
   result.leg = leg;
 }
-
-}  // namespace
-
-namespace {
 
 /// What of a leg lies in the window, as an interval of its parameter.
 std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
