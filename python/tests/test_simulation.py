@@ -31,7 +31,7 @@ def test_an_arm_that_turns_back():
 @pytest.mark.parametrize("touch", ["open", "closed"])
 def test_events_lead_to_the_answer_of_check(name, touch):
     scene = Scene.load(root / "examples" / f"{name}.json")
-    answer = taut2d.check(scene, touch=touch)
+    answer = taut2d.check(scene, touch=touch, engine="kinetic")
     simulation = Simulation(scene, touch=touch)
     seen = 0
     while (interval := simulation.next_event()) is not None:
@@ -94,7 +94,7 @@ def test_a_contact_of_a_sweep_has_its_angle():
     scene = Scene.load(root / "examples" / "lid.json")
     simulation = Simulation(scene)
     simulation.advance_to(scene.time[1])
-    assert simulation.contact == taut2d.check(scene).contact and simulation.contact.angle_deg is not None
+    assert simulation.contact == taut2d.check(scene, engine="kinetic").contact and simulation.contact.angle_deg is not None
 
 
 def test_what_is_refused_changes_nothing():
@@ -109,7 +109,7 @@ def test_what_is_refused_changes_nothing():
     with pytest.raises(InputError, match="t: nan is not a finite number"):
         simulation.advance_to(float("nan"))
     assert simulation.scene is SCENE and simulation.advance_to(3) == "running" and simulation.time == 5
-    assert simulation.advance_to(10) == "contact" and simulation.contact == taut2d.check(SCENE).contact
+    assert simulation.advance_to(10) == "contact" and simulation.contact == taut2d.check(SCENE, engine="kinetic").contact
 
 
 def test_no_simulation():
@@ -178,7 +178,7 @@ def test_threads_take_turns():
     for thread in threads:
         thread.join()
     assert simulation.events == 200
-    assert simulation.advance_to(1) == "finished" and simulation.events == taut2d.check(scene).events
+    assert simulation.advance_to(1) == "finished" and simulation.events == taut2d.check(scene, engine="kinetic").events
 
 
 def test_control_c_leaves_it_undecided():

@@ -67,7 +67,7 @@ test("scrubbing to the contact shows the command line's time and witness", async
     });
     await settled(page);
     assert.equal(await shownTime(page), answer.t[0], name);
-    const headline = /t = (.+?)(   \(angle .*)?$/m.exec(run("check", scene))[1];
+    const headline = /t = (.+?)(   \(angle .*)?$/m.exec(run("check", "--engine", "kinetic", scene))[1];
     assert.equal(await page.textContent("#headline"), `Contact at t = ${headline}`);
     const { vertex, edge } = answer.contact;
     const text = await page.textContent("#answer");
