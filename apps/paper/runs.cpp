@@ -159,6 +159,7 @@ Scene at_rest(Scene scene, double t) {
 Run run_free(const Scene& scene, int repeats) {
   RepairWatcher watcher;
   CheckOptions options;
+  options.engine = EngineChoice::kinetic;
   options.tracer = &watcher;
   Answer answer = check(scene, options);
   if (answer.outcome != Outcome::free)
@@ -170,7 +171,8 @@ Run run_free(const Scene& scene, int repeats) {
   run.events = answer.events;
   run.certificates_max = answer.certificates_max;
   run.seconds = answer.run_seconds;
-  for (int k = 1; k < repeats; ++k) run.seconds = std::min(run.seconds, check(scene, {}).run_seconds);
+  options.tracer = nullptr;
+  for (int k = 1; k < repeats; ++k) run.seconds = std::min(run.seconds, check(scene, options).run_seconds);
   run.corners_touched = watcher.corners;
   run.edges_changed = watcher.edges;
   return run;

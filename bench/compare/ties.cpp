@@ -27,6 +27,8 @@ bool compare_ties(double seconds) {
   fmt::print("{}\n\n| scene | vertices | events | on the grid | nudged | ratio |\n|---|---:|---:|---:|---:|---:|\n",
              machine_text());
   bool right = true;
+  CheckOptions kinetic;
+  kinetic.engine = EngineChoice::kinetic;
   for (TiedScene& drawing : tied_scenes()) {
     Scene moved = nudged(drawing.scene);
     const std::size_t vertices = drawing.scene.bodies[0].polygon.size() + drawing.scene.bodies[1].polygon.size();
@@ -36,8 +38,8 @@ bool compare_ties(double seconds) {
     Answer first, second;
     const Stopwatch whole;
     for (int round = 0; round < 3 || (whole.seconds() < seconds && round < 101); ++round) {
-      on_grid.measure([&] { first = check(drawing.scene); });
-      off_grid.measure([&] { second = check(moved); });
+      on_grid.measure([&] { first = check(drawing.scene, kinetic); });
+      off_grid.measure([&] { second = check(moved, kinetic); });
     }
     right = right && first.outcome == second.outcome && first.outcome != Outcome::undecided;
     fmt::print("| {} | {} | {} | {} | {} | {:.2g} |\n", drawing.name, vertices, first.events,

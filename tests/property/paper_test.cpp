@@ -276,7 +276,9 @@ TEST(Paper, ScenesOfTheFiguresHaveTheirEvents) {
 }
 
 std::uint64_t events_of(const Scene& scene) {
-  const Answer answer = check(scene);
+  CheckOptions kinetic;
+  kinetic.engine = EngineChoice::kinetic;
+  const Answer answer = check(scene, kinetic);
   EXPECT_STREQ(to_string(answer.outcome), "free");
   return answer.events;
 }
