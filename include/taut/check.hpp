@@ -42,7 +42,7 @@ enum class EngineChoice {
   spacetime,  ///< this engine
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
   either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
-  usual,      ///< either, for each pair of a world; kinetic for two polygons where events are limited or traced
+  usual,      ///< kinetic for two polygons; for a world, either for each pair
 };
 
 /// "kinetic", "spacetime", "both", "either" or "usual".

@@ -82,8 +82,8 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: st
     """Decides whether and when bodies of the scene first collide.
 
     ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
-    ``engine``: "kinetic", "spacetime", "both" (compared), "either" (in turn; the first answer), or "usual": either,
-    of a world for each pair, and the kinetic one where ``max_events`` limits two polygons.
+    ``engine``: "kinetic", "spacetime", "both" (compared), "either" (in turn; the first answer), or "usual": the kinetic
+    one for two polygons, and for a world either for each pair.
     ``pairs``: "first": up to the first contact of any pair; "all": each pair's own first contact, in Answer.pairs.
     ``max_seconds``, ``max_events``: stop with "undecided" after so much wall time, or so many events of the kinetic
     engine; None is no limit.

@@ -24,12 +24,6 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
   return answer;
 }
 
-/// Who counts events, or wants to hear of them, means the engine that has some.
-Answer run_usual(const Scene& scene, const CheckOptions& options) {
-  const bool events = options.tracer || options.max_events != UINT64_MAX;
-  return events ? run_kinetic(scene, options) : run_either(scene, options);
-}
-
 }  // namespace
 
 Answer check(const Scene& scene, const CheckOptions& options) {
@@ -38,7 +32,6 @@ Answer check(const Scene& scene, const CheckOptions& options) {
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);
   switch (options.engine) {
     case EngineChoice::usual:
-      return run_usual(scene, options);
     case EngineChoice::kinetic:
       return run_kinetic(scene, options);
     case EngineChoice::spacetime:
