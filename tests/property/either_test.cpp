@@ -9,6 +9,7 @@
 #include "check/run.hpp"
 #include "soak/soak_scene.hpp"
 #include "support/effort.hpp"
+#include "support/same_answer.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 
@@ -81,18 +82,6 @@ Answer by_turns(Run& run, std::uint64_t turn) {
   return run.answer();
 }
 
-void expect_same(const Answer& a, const Answer& b) {
-  ASSERT_EQ(a.outcome, b.outcome) << a.reason << b.reason;
-  EXPECT_EQ(a.events, b.events);
-  EXPECT_EQ(a.free_until, b.free_until);
-  ASSERT_EQ(a.contact.has_value(), b.contact.has_value());
-  if (!a.contact) return;
-  EXPECT_EQ(a.contact->time.lo, b.contact->time.lo);
-  EXPECT_EQ(a.contact->time.hi, b.contact->time.hi);
-  EXPECT_EQ(a.contact->vertex, b.contact->vertex);
-  EXPECT_EQ(a.contact->edge, b.contact->edge);
-}
-
 /// A run that is left in the middle of whatever it was at, and taken up again, comes to the same end by the same events
 /// as one that is not.
 TEST(Either, ShortTurnsComeToTheSameEnd) {
@@ -104,8 +93,8 @@ TEST(Either, ShortTurnsComeToTheSameEnd) {
     SCOPED_TRACE("scene " + std::to_string(number));
     const std::uint64_t first_turn = 1 + number % 97;
     try {
-      expect_same(by_turns(*begin_spacetime(s.scene, options), first_turn), run_spacetime(s.scene, options));
-      expect_same(by_turns(*begin_kinetic(s.scene, options), first_turn), run_kinetic(s.scene, options));
+      expect_same_answer(by_turns(*begin_spacetime(s.scene, options), first_turn), run_spacetime(s.scene, options));
+      expect_same_answer(by_turns(*begin_kinetic(s.scene, options), first_turn), run_kinetic(s.scene, options));
     } catch (const InputError&) {
       // Some injections spoil a scene.
     }
