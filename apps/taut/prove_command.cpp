@@ -83,9 +83,10 @@ void add_prove(const Command& app, Action& action) {
       "Example:\n"
       "  taut prove scene.json -o scene.proof && taut verify scene.json scene.proof\n"
       "\n"
-      "The proof of two bodies is the way of a tiling by default. --engine spacetime, and scenes of more bodies, give\n"
-      "one of separations; --engine either the one of the engine that answers first. That of bodies with curves is\n"
-      "polygons around and within them, and such proofs about these.\n"
+      "The proof of two bodies is the one of the engine that answers first: the way of a tiling (--engine kinetic), "
+      "or\n"
+      "separations (--engine spacetime, and scenes of more bodies). That of bodies with curves is polygons around and\n"
+      "within them, and such proofs about these.\n"
       "\n"
       "Exit codes as for `taut check`. An undecided run proves what it has done.\n");
   command.on_chosen([&action, arguments] {

@@ -22,11 +22,11 @@ void add_engine(const Command& command, EngineChoice& engine) {
                                                             {"either", EngineChoice::either}};
   const auto set = [&engine](const std::string& name) { engine = names.at(name); };
   command.add_choice("--engine", {"kinetic", "spacetime", "both", "either"}, set,
-                     "kinetic: a tiling of the free space, event by event (default for two polygons)\n"
+                     "kinetic: a tiling of the free space, event by event\n"
                      "spacetime: bounding volumes over time, for a second opinion\n"
                      "both: ask both, and compare; of a world, pair by pair\n"
-                     "either: ask both in turn, for longer and longer; the first answer counts (default for\n"
-                     "worlds, for each pair)");
+                     "either: ask both in turn, for longer and longer; the first answer counts, of a world for\n"
+                     "each pair (default; kinetic where events are limited)");
 }
 
 void add_limits(const Command& command, CheckOptions& options) {

@@ -37,6 +37,7 @@ int run_trace(TraceArguments arguments) {
   });
   LineTracer tracer(scene);
   arguments.options.tracer = &tracer;
+  arguments.options.engine = EngineChoice::kinetic;
   const Answer answer = watched_run(scene, arguments.scene.path, arguments.options, check);
   print_text(answer_json(scene, answer, arguments.options.touch) + "\n");
   return exit_code(answer.outcome);

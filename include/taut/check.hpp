@@ -42,7 +42,7 @@ enum class EngineChoice {
   spacetime,  ///< this engine
   both,       ///< both, compared; a difference is a defect of taut and throws EngineDisagreement
   either,     ///< both in turn, for longer and longer, until one of them has the answer, which says whose it is
-  usual,      ///< kinetic for two polygons; for a world, either for each pair
+  usual,      ///< either, for each pair of a world; kinetic for two polygons where events are limited
 };
 
 /// "kinetic", "spacetime", "both", "either" or "usual".
@@ -98,7 +98,8 @@ struct CheckOptions {
   /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are
   /// refined until they tell it as well as that, or doubles end.
   double time_tolerance = 1e-9;
-  /// Told of every event of the kinetic engine; may be null. Not owned. Of a scene with curves, events are those of the
+  /// Told of every event of the kinetic engine, which is all of the motion's if that engine is asked alone
+  /// (EngineChoice::kinetic); may be null. Not owned. Of a scene with curves, events are those of the
   /// polygons that stand for them, run after run.
   Tracer* tracer = nullptr;
 };

@@ -19,8 +19,9 @@ namespace taut {
 /// engine, and for any other scene, it is of separations, written when it is complete; where none was found, the answer
 /// is `undecided`, and says so: docs/separation-logs.md. Of a scene with curves it is polygons around the bodies, and,
 /// for a contact, within them, and such logs about these; where they were not shown to lie there, the answer is
-/// `undecided`, too. EngineChoice::either takes the engine that answers first. Of worlds, the first contact is proved,
-/// whatever CheckOptions::all_pairs says. Throws InputError, and EngineDisagreement with EngineChoice::both.
+/// `undecided`, too. EngineChoice::either, the usual one, takes the engine that answers first. Of worlds, the first
+/// contact is proved, whatever CheckOptions::all_pairs says. Throws InputError, and EngineDisagreement with
+/// EngineChoice::both.
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options = {});
 
 /// Answers as check_clearance() does, and writes a log of separations for `free` and `contact`, and for what an

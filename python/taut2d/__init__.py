@@ -82,8 +82,8 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: st
     """Decides whether and when bodies of the scene first collide.
 
     ``touch``: "open": bodies collide when their interiors overlap, and may touch; "closed": touching counts.
-    ``engine``: "kinetic", "spacetime", "both" (compared), "either" (in turn; the first answer), or "usual": the kinetic
-    one for two polygons, and for a world either for each pair.
+    ``engine``: "kinetic", "spacetime", "both" (compared), "either" (in turn; the first answer), or "usual": either,
+    of a world for each pair, and the kinetic one where ``max_events`` limits two polygons.
     ``pairs``: "first": up to the first contact of any pair; "all": each pair's own first contact, in Answer.pairs.
     ``max_seconds``, ``max_events``: stop with "undecided" after so much wall time, or so many events of the kinetic
     engine; None is no limit.
@@ -182,9 +182,9 @@ def prove(scene: Scene, *, touch: str = "open", engine: str = "usual", max_secon
           max_events: Optional[int] = None) -> Proof:
     """As check(), with a log that proves the answer, in memory.
 
-    ``engine``: of two plain bodies, "kinetic", which is "usual" for them, gives the way of a tiling, about 13 bytes an event, "spacetime" what
-    separates the bodies, "either" the proof of the engine that answers first, "both" that of the kinetic one, compared
-    with the other. Of worlds it is what separates the bodies. Of bodies with curves it is polygons around and within them,
+    ``engine``: of two plain bodies, "kinetic" gives the way of a tiling, about 13 bytes an event, "spacetime" what
+    separates the bodies, "either", which is "usual", the proof of the engine that answers first, "both" that of the
+    kinetic one, compared with the other. Of worlds it is what separates the bodies. Of bodies with curves it is polygons around and within them,
     and proofs about these. Other options and errors are those of check(). An
     undecided run proves what it has done.
     """

@@ -42,6 +42,13 @@ void InterruptionScope::look() {
   throw Interrupted{"the effort was used up"};
 }
 
+UncountedWork::UncountedWork() : spent_(spent), next_look_(next_look), unlimited_(UINT64_MAX) {}
+
+UncountedWork::~UncountedWork() {
+  spent = spent_;
+  next_look = next_look_;
+}
+
 void interruption_point(std::uint64_t work) {
   spent += work;
   if (!innermost || spent < next_look) return;

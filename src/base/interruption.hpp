@@ -43,6 +43,20 @@ class InterruptionScope {
   InterruptionScope* outer_;
 };
 
+/// While it lives, this thread counts no work: what is made once and kept is made by whoever needs it first, who must
+/// not seem slower for it than those who come later. Flags and clocks of the scopes around it are looked at as ever.
+class UncountedWork {
+ public:
+  UncountedWork();
+  ~UncountedWork();
+  UncountedWork(const UncountedWork&) = delete;
+  UncountedWork& operator=(const UncountedWork&) = delete;
+
+ private:
+  std::uint64_t spent_, next_look_;
+  InterruptionScope unlimited_;
+};
+
 /// Counts so much work, and stops it where that is asked for. A unit is what a look at two boxes costs, some 60 ns of
 /// 2020: whatever costs far more than that says how much. So the work of different engines can be compared, and is the
 /// same on every machine.

@@ -30,8 +30,7 @@ Answer check(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return check_curved(scene, options);
   if (options.fit != 0) return check_fitted(scene, options);
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);
-  switch (options.engine) {
-    case EngineChoice::usual:
+  switch (engine_for_two(options)) {
     case EngineChoice::kinetic:
       return run_kinetic(scene, options);
     case EngineChoice::spacetime:

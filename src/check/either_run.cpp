@@ -1,23 +1,12 @@
 // Two engines in turn. Each is far ahead of the other on some motions, and nobody knows beforehand on which.
-#include <algorithm>
 #include <memory>
 
 #include "base/turns.hpp"
 #include "check/run.hpp"
+#include "pair/pair_plan.hpp"
 
 namespace taut {
 namespace {
-
-/// What the kinetic engine needs for each vertex before anything moves.
-constexpr std::uint64_t building = 10;
-
-std::uint64_t work_to_build(const Scene& scene) {
-  std::uint64_t vertices = 0;
-  for (const Body& body : scene.bodies) {
-    if (!body.prepared) vertices += body.polygon.size();
-  }
-  return building * vertices;
-}
 
 /// One of the engines, and what it has done.
 class Entrant {
@@ -55,23 +44,32 @@ struct Lead {
   std::uint64_t work;
 };
 
+/// What the other engine has done until then was waited for, too.
+void add_time(const Answer& spent, Answer& answer) {
+  answer.build_seconds += spent.build_seconds;
+  answer.run_seconds += spent.run_seconds;
+}
+
 Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Lead& lead) {
   const bool kinetic_first = lead.engine == EngineName::kinetic;
   Entrant first(lead.engine, scene, options);
   Entrant second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
   // Touching asks the same once more, for which the same engine is the better one, as a rule.
-  const auto finished = [&](Entrant& winner) {
+  const auto finished = [&](Entrant& winner, const Entrant* other) {
     const Lead next{winner.engine(), winner.effort().spent() + winner.effort().spent() / 2};
     const auto again = [&next](const Scene& s, const CheckOptions& o) { return answer_in_turns(s, o, next); };
-    return with_touching(winner.run(), scene, options, again);
+    Answer answer = with_touching(winner.run(), scene, options, again);
+    if (other) add_time(other->run().answer(), answer);
+    return answer;
   };
   first.begin();
-  if (first.decides_by(first.effort().spent() + lead.work)) return finished(first);
+  if (first.decides_by(first.effort().spent() + lead.work)) return finished(first, nullptr);
   second.begin();
   const auto by_first = [&](std::uint64_t effort) { return first.work(effort); };
   const auto by_second = [&](std::uint64_t effort) { return second.work(effort); };
   const int decided = take_turns(second.effort(), by_second, first.effort(), by_first);
-  if (decided != 0) return finished(decided == 1 ? second : first);
+  if (decided == 1) return finished(second, &first);
+  if (decided == 2) return finished(first, &second);
   // Limits stopped both: what the one has proved free that went further.
   const Answer &a = first.run().answer(), &b = second.run().answer();
   if (a.free_until == b.free_until) return kinetic_first ? a : b;
@@ -81,8 +79,9 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
 }  // namespace
 
 Answer run_either(const Scene& scene, const CheckOptions& options) {
-  const std::uint64_t work = std::max(Contestant::first_turn, work_to_build(scene));
-  return answer_in_turns(scene, options, {EngineName::spacetime, work});
+  // Both engines, and the question about touching, share what is made of the shapes alone. None of that is counted, so
+  // that who is first does not depend on what was prepared beforehand.
+  return answer_in_turns(with_prepared_shapes(scene), options, {EngineName::spacetime, Contestant::first_turn});
 }
 
 }  // namespace taut

@@ -15,8 +15,7 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
                      "prove it without, or shrink the bodies yourself");
   if (has_curves(scene)) return prove_curves(scene, log, options);
   if (is_world(scene)) return prove_by_separations(scene, log, options);
-  switch (options.engine) {
-    case EngineChoice::usual:
+  switch (engine_for_two(options)) {
     case EngineChoice::kinetic:
       return prove_by_tiling(scene, log, options);
     case EngineChoice::spacetime:

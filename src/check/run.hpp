@@ -39,6 +39,13 @@ Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& 
 /// By bounding volumes over time. Throws InputError. It has no events, and no certificates.
 Answer run_spacetime(const Scene& scene, const CheckOptions& options);
 
+/// Whom a question about two polygons is put to: `usual` is either, but who limits events means the engine that has
+/// some. A tracer changes no answer, and so not who is asked.
+inline EngineChoice engine_for_two(const CheckOptions& options) {
+  if (options.engine != EngineChoice::usual) return options.engine;
+  return options.max_events == UINT64_MAX ? EngineChoice::either : EngineChoice::kinetic;
+}
+
 /// By whichever is done first, where both work in turn, for longer and longer. Throws InputError.
 Answer run_either(const Scene& scene, const CheckOptions& options);
 

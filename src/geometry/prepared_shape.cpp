@@ -19,6 +19,7 @@ const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
   for (const auto& known : roles_) {
     if (known->role == role) return *known;
   }
+  const UncountedWork making;
   auto fresh = std::make_unique<ShapeInRole>();
   fresh->role = role;
   fresh->polygon = std::make_shared<const std::vector<Point>>(normalised(polygon_, facts_, role.exponent));
@@ -41,6 +42,7 @@ const Polygon& polygon_of(const Body& body) {
 }
 
 std::shared_ptr<const PreparedShape> prepare(const Polygon& polygon, const std::string& name) {
+  const UncountedWork making;
   return std::make_shared<const PreparedShape>(polygon, name);
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "base/interruption.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
 #include "geometry/shape_facts.hpp"
@@ -36,6 +37,7 @@ struct ShapeInRole {
   const T* kept(Keeper keeper, const Make& make) const {
     const std::lock_guard lock(mutex_);
     if (!made_[keeper]) {
+      const UncountedWork making;
       kept_[keeper] = make();
       made_[keeper] = true;
     }

@@ -47,6 +47,9 @@ struct PairPlan {
 
 /// As facts_of(body.polygon), which may be known already.
 ShapeFacts facts_of(const Body& body);
+/// The same scene with shapes that are prepared, for whoever asks about it more than once. Throws InputError where
+/// validate() does because of its polygons.
+Scene with_prepared_shapes(const Scene& scene);
 /// Validates the scene (see validate()), and keeps what was found out about its polygons.
 std::array<ShapeFacts, 2> validated_facts(const Scene& scene);
 

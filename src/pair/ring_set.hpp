@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/interruption.hpp"
 #include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
@@ -89,7 +90,10 @@ class RingSet {
   const T& kept(bool inwards, const Make& make) const {
     const std::lock_guard lock(mutex_);
     std::shared_ptr<const void>& place = kept_[inwards ? 0 : 1];
-    if (!place) place = make();
+    if (!place) {
+      const UncountedWork making;
+      place = make();
+    }
     return *static_cast<const T*>(place.get());
   }
   /// The same of one ring alone, in a role; null if that is what was made of it.
@@ -99,7 +103,10 @@ class RingSet {
     auto& kept = kept_of_[inwards ? 0 : 1];
     const std::pair key(ring, role);
     auto place = kept.find(key);
-    if (place == kept.end()) place = kept.emplace(key, std::shared_ptr<const T>(make())).first;
+    if (place == kept.end()) {
+      const UncountedWork making;
+      place = kept.emplace(key, std::shared_ptr<const T>(make())).first;
+    }
     return static_cast<const T*>(place->second.get());
   }
 

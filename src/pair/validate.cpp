@@ -41,7 +41,9 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
                      "coordinates that small beside the others can only be rounding noise: make them 0");
 }
 
-std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
+namespace {
+
+void require_two_polygons(const Scene& scene) {
   validate_time(scene);
   for (const Body& body : scene.bodies) refuse_curves(body);
   if (is_world(scene)) {
@@ -49,13 +51,40 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
     throw InputError("bodies", "this takes scenes of two bodies, each one polygon in the world's frame, now",
                      "`check` takes worlds: any number of bodies, parts, holes, parents and ignored pairs");
   }
+}
+
+/// What `work` does for both bodies; an error is said to be about its body.
+template <class Work>
+void for_both_bodies(const Work& work) {
   for (BodyId k = 0; k < 2; ++k) {
     try {
-      validate_shape(scene.bodies[static_cast<std::size_t>(k)]);
+      work(static_cast<std::size_t>(k));
     } catch (const InputError& error) {
       throw error.about(k);
     }
   }
+}
+
+}  // namespace
+
+Scene with_prepared_shapes(const Scene& scene) {
+  require_two_polygons(scene);
+  Scene out = scene;
+  for_both_bodies([&](std::size_t k) {
+    Body& body = out.bodies[k];
+    if (body.prepared) {
+      validate_shape(body);
+    } else {
+      body.prepared = prepare(body.polygon, body.name);
+    }
+    body.polygon.clear();
+  });
+  return out;
+}
+
+std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
+  require_two_polygons(scene);
+  for_both_bodies([&](std::size_t k) { validate_shape(scene.bodies[k]); });
   const std::array<ShapeFacts, 2> facts{facts_of(scene.bodies[0]), facts_of(scene.bodies[1])};
   validate_range(facts[0], facts[1]);
   const double extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));

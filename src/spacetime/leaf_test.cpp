@@ -13,6 +13,8 @@ double above(double x) { return std::nextafter(x, INFINITY); }
 
 /// Steps shorter than this share of the window do not get on.
 constexpr double least_step = 0x1p-36;
+/// So many get to the end of a window, or the rest is left to a search from a singular end if one is near.
+constexpr int few_steps = 16;
 /// The first stretch that multi-precision searches, as a share of the window, and how it grows.
 constexpr double first_stride = 0x1p-16, stride_growth = 32;
 
@@ -83,11 +85,14 @@ Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing&
 std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
   if (!window.smooth()) {
     if (excluded_in_range(window, pair)) return std::nullopt;
-    return precise_.first(pair, t, limit);
+    return beside_end_.first(pair, t, limit);
   }
+  if (beside_end_.tells(pair, t)) return beside_end_.first(pair, t, limit);
   const Functions f = functions(pair);
+  int steps = 0;
   for (double stride = window.length() * first_stride; t < limit;) {
     interruption_point();
+    if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;
     // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
     double step = std::max(Course(f.from_start, window, t, -1).positive_until(left),
@@ -118,6 +123,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       t = next;
       continue;
     }
+    if (beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double to = std::min(limit, std::max(above(t), t + stride));
     if (auto found = precise_.first(pair, t, to)) return found;
     t = to;

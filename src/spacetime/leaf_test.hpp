@@ -5,6 +5,7 @@
 
 #include "spacetime/course.hpp"
 #include "spacetime/crossing.hpp"
+#include "spacetime/crossings_beside_end.hpp"
 
 namespace taut::spacetime {
 
@@ -12,7 +13,7 @@ namespace taut::spacetime {
 class LeafTest {
  public:
   LeafTest(const PairGeometry& geometry, const Leg& leg, Ways ways = Ways::into)
-      : geometry_(geometry), leg_(leg), ways_(ways), precise_(geometry, leg, ways) {}
+      : geometry_(geometry), leg_(leg), ways_(ways), precise_(geometry, leg, ways), beside_end_(leg, ways, precise_) {}
 
   /// The pair's first crossing in (t, limit], which lies within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
@@ -35,6 +36,7 @@ class LeafTest {
   const Leg& leg_;
   Ways ways_;
   PreciseCrossings precise_;
+  CrossingsBesideEnd beside_end_;
   std::uint64_t roots_ = 0;
 };
 

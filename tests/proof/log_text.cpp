@@ -67,6 +67,7 @@ Proved prove_in_memory(const Scene& scene, Touch touch, std::uint64_t max_events
   CheckOptions options;
   options.touch = touch;
   options.max_events = max_events;
+  options.engine = EngineChoice::kinetic;
   std::ostringstream out;
   Proved p;
   p.answer = prove(scene, out, options);

@@ -23,7 +23,7 @@ std::string put_together(const LogParts& parts);
 /// The same for bytes without their checksum.
 std::string sealed(const std::string& bytes);
 
-/// The answer of prove() and its log.
+/// The answer of the kinetic engine, and its log.
 struct Proved {
   Answer answer;
   std::string log;

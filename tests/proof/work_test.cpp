@@ -30,6 +30,12 @@ Scene trembling(int teeth, int pieces) {
   return scene;
 }
 
+CheckOptions by_kinetic() {
+  CheckOptions options;
+  options.engine = EngineChoice::kinetic;
+  return options;
+}
+
 struct Work {
   std::uint64_t points = 0, legs_times_corners = 0;
 };
@@ -38,7 +44,7 @@ struct Work {
 Work work_of(int teeth, int pieces) {
   const Scene scene = trembling(teeth, pieces);
   std::ostringstream log;
-  const Answer answer = prove(scene, log);
+  const Answer answer = prove(scene, log, by_kinetic());
   EXPECT_EQ(answer.outcome, Outcome::free);
   Work work;
   work.legs_times_corners = answer.certificates_initial * static_cast<std::uint64_t>(pieces);
@@ -63,7 +69,7 @@ TEST(WorkOfVerification, GrowsWithTheSceneAndTheLog) {
 TEST(WorkOfVerification, EndsWhereALimitSays) {
   const Scene scene = trembling(100, 500);
   std::ostringstream log;
-  prove(scene, log);
+  prove(scene, log, by_kinetic());
   std::istringstream in(log.str());
   const InterruptionScope scope(std::uint64_t{1000});
   EXPECT_THROW(verify(scene, in), Interrupted);

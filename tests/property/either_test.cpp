@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/interruption.hpp"
 #include "check/run.hpp"
@@ -12,6 +13,7 @@
 #include "support/same_answer.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
+#include "taut/shape.hpp"
 
 namespace taut::testing {
 namespace {
@@ -99,6 +101,33 @@ TEST(Either, ShortTurnsComeToTheSameEnd) {
       // Some injections spoil a scene.
     }
   }
+}
+
+/// Who is first, and what it says, does not depend on what was prepared beforehand, or made for an earlier question.
+TEST(Either, AnswersDoNotDependOnWhatIsKept) {
+  std::uint64_t by_kinetic = 0, by_spacetime = 0;
+  for (std::uint64_t number = 0; number < effort(600); ++number) {
+    const SoakScene bare = number % 3 == 0 ? soak_scene(number) : soak_contact_scene(number);
+    SoakScene kept = bare;
+    SCOPED_TRACE("scene " + std::to_string(number));
+    try {
+      for (Body& body : kept.scene.bodies) body.prepared = prepare(std::exchange(body.polygon, {}), body.name);
+      const Worked expected = work_of(bare, EngineChoice::either);
+      // Bare shapes; prepared ones for the first time; those that have all that either engine makes of them.
+      for (const bool known : {false, true}) {
+        if (known) check(kept.scene, CheckOptions{.touch = bare.touch, .engine = EngineChoice::both});
+        const Worked found = work_of(kept, EngineChoice::either);
+        expect_same_answer(found.answer, expected.answer);
+        EXPECT_EQ(found.answer.engine, expected.answer.engine);
+        EXPECT_EQ(found.work, expected.work);
+      }
+      ++(expected.answer.engine == EngineName::kinetic ? by_kinetic : by_spacetime);
+    } catch (const InputError&) {
+      // Some injections spoil a scene.
+    }
+  }
+  EXPECT_GT(by_kinetic, 20u);
+  EXPECT_GT(by_spacetime, 20u);
 }
 
 }  // namespace

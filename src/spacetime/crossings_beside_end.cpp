@@ -1,0 +1,38 @@
+#include "spacetime/crossings_beside_end.hpp"
+
+#include "numeric/undecided.hpp"
+#include "sign/search_from_end.hpp"
+
+namespace taut::spacetime {
+
+double CrossingsBesideEnd::neighbourhood(double from) const {
+  const double reach = reach_of_end(leg_);
+  if (from >= leg_.end - reach && leg_.singular_at(leg_.end)) return leg_.end;
+  if (from < leg_.start + reach && leg_.singular_at(leg_.start)) return leg_.start + reach;
+  return from;
+}
+
+const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdge& pair, double from, double until) {
+  Foreseen& known = known_[key(pair)];
+  if (!known.hopeless && !known.tells(from)) {
+    try {
+      known.crossing = precise_.first(pair, from, until);
+      known.from = from;
+      known.to = until;
+    } catch (const Undecidable&) {
+      known.hopeless = true;
+    }
+  }
+  return known.hopeless ? nullptr : &known;
+}
+
+std::optional<Crossing> CrossingsBesideEnd::first(const VertexEdge& pair, double from, double to) {
+  const double until = neighbourhood(from);
+  const Foreseen* known = until > from ? foreseen(pair, from, until) : nullptr;
+  if (!known) return precise_.first(pair, from, to);
+  if (known->crossing && within(*known->crossing, to)) return known->crossing;
+  if (to <= until) return std::nullopt;
+  return precise_.first(pair, until, to);
+}
+
+}  // namespace taut::spacetime

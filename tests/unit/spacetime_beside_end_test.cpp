@@ -1,0 +1,96 @@
+// Beside an infinite speed pairs are asked once about all of the time that is left: what is told of each stretch is
+// what a search of that stretch alone finds.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "pair/pair_plan.hpp"
+#include "relative/make_legs.hpp"
+#include "sign/search_from_end.hpp"
+#include "spacetime/crossings_beside_end.hpp"
+#include "taut/io.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+struct Seen {
+  int stretches = 0, crossings = 0;
+};
+
+/// Stretches that become shorter towards the end of the leg, or longer from its start.
+std::vector<double> stretches(const Leg& leg, bool at_end) {
+  std::vector<double> cuts;
+  for (double d = 0x1p-30; d <= 1; d *= 64) {
+    const double away = reach_of_end(leg) * d;
+    cuts.push_back(at_end ? leg.end - away : leg.start + away);
+  }
+  cuts.insert(cuts.begin(), at_end ? leg.end : leg.start);
+  // The last one leaves the neighbourhood, or enters it.
+  cuts.push_back(leg.start + (leg.end - leg.start) / 2);
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+void compare(const PairGeometry& geometry, const Leg& leg, bool at_end, Ways ways, Seen& seen) {
+  PreciseCrossings alone(geometry, leg, ways), precise(geometry, leg, ways);
+  CrossingsBesideEnd kept(leg, ways, precise);
+  const std::vector<double> cuts = stretches(leg, at_end);
+  const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
+  for (std::uint32_t v = 0; v < all; ++v) {
+    for (std::uint32_t e = v < np ? np : 0; e < (v < np ? all : np); ++e) {
+      const VertexEdge pair{VertexId(v), VertexId(e)};
+      for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const auto expected = alone.first(pair, cuts[i], cuts[i + 1]);
+        const auto found = kept.first(pair, cuts[i], cuts[i + 1]);
+        ++seen.stretches;
+        ASSERT_EQ(found.has_value(), expected.has_value()) << v << " " << e << " after " << cuts[i];
+        if (!found) continue;
+        ++seen.crossings;
+        EXPECT_EQ(found->out, expected->out);
+        EXPECT_LE(found->lo, expected->hi);
+        EXPECT_LE(expected->lo, found->hi);
+      }
+    }
+  }
+}
+
+void compare(const Scene& scene, Seen& seen) {
+  const PairPlan plan = plan_pair(scene);
+  const PairGeometry geometry = displaced_pair(plan, false);
+  for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+    for (const bool at_end : {false, true}) {
+      if (leg.bridge || !leg.singular_at(at_end ? leg.end : leg.start)) continue;
+      for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, leg, at_end, ways, seen);
+    }
+  }
+}
+
+/// What turns like this begins and ends with infinite speed, and its corners pass the floor's surface, and each other's
+/// heights, soon after and shortly before.
+TEST(CrossingsBesideEnd, TellOfEachStretchWhatASearchOfItDoes) {
+  Seen seen;
+  for (const char* motion :
+       {R"("x":[5],"rotation":{"cosine":[-1,2]})", R"("x":[5,0.5],"y":[0,-0.125],"rotation":{"cosine":[1,0,-2]})"}) {
+    compare(parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+      {"name":"floor","polygon":[[0,-3],[10,-3],[10,0],[6,0],[5.75,-0.25],[5.5,0],[0,0]]},
+      {"name":"wheel","polygon":[[3,-0.0625],[2.5,0.03125],[-3,0.25],[-2,-0.03125],[-0.5,-1],[1,-0.0078125]],
+       "motion":{)" + std::string(motion) +
+                        "}}]}"),
+            seen);
+  }
+  EXPECT_GT(seen.stretches, 1000);
+  EXPECT_GT(seen.crossings, 20);
+}
+
+/// Where corners meet at the very end.
+TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
+  Seen seen;
+  for (const char* name : {"infinite_speed_at_both_ends", "root_before_the_start_of_a_leg"}) {
+    SCOPED_TRACE(name);
+    compare(read_scene("tests/corpus/" + std::string(name) + ".json"), seen);
+  }
+  EXPECT_GT(seen.stretches, 300);
+}
+
+}  // namespace
+}  // namespace taut::spacetime
