@@ -13,20 +13,6 @@
 #include "taut/error.hpp"
 
 namespace taut {
-namespace {
-
-void validate_shape(const Body& body) {
-  if (!body.prepared) {
-    validate_polygon(body.polygon, body.name);
-  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
-    throw InputError(body.name, "the prepared shape was made of another polygon",
-                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
-                     "which may be left out then");
-  }
-}
-
-}  // namespace
-
 void validate_time(const Scene& scene) {
   if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
     throw InputError("time", "the time interval is not finite");
@@ -51,7 +37,7 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   }
   for (BodyId k = 0; k < 2; ++k) {
     try {
-      validate_shape(scene.bodies[static_cast<std::size_t>(k)]);
+      validate_polygon_of(scene.bodies[static_cast<std::size_t>(k)]);
     } catch (const InputError& error) {
       throw error.about(k);
     }
