@@ -25,13 +25,17 @@ void add_level(Sum& sum, const DisplacedPoint& a, const DisplacedPoint& b, const
 
 }  // namespace
 
-StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
+int orientation_in_doubles(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, double room) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   const double det = left - right;
   // Shewchuk's bound (3 + 16u) u for the rounding, doubled for underflow; the absolute term covers the displacement of
-  // coordinates up to 1.
-  const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p10 * displacement_room;
-  if (det > error || -det > error) return {det > 0 ? 1 : -1, Stage::doubles};
+  // coordinates up to 1, which adds less than 2^5 of the room.
+  const double error = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + 0x1p10 * room;
+  return det > error ? 1 : -det > error ? -1 : 0;
+}
+
+StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, double room) {
+  if (const int sign = orientation_in_doubles(a, b, c, room)) return {sign, Stage::doubles};
   // Exactly: F0 + F1 + F2, where F1 and F2 are far smaller unless F0 is zero - but "far" is not a proof, so all
   // three levels go into one sum.
   ExactSum<48> sum;
@@ -42,8 +46,8 @@ StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, 
   return {sum.sign(), Stage::exact};
 }
 
-int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) {
-  return orientation_staged(a, b, c).sign;
+int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, double room) {
+  return orientation_staged(a, b, c, room).sign;
 }
 
 }  // namespace taut

@@ -147,7 +147,7 @@ SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards,
   if (moved.too_sharp) {
     fault = {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0};
   } else if (!has_room(polygon, moved.farthest)) {
-    fault = find_displacement_fault(moved.points, inwards);
+    fault = find_displacement_fault(moved.points, inwards, moved.farthest);
   }
   return std::make_shared<const DisplacedPolygon>(std::move(moved.points), fault);
 }

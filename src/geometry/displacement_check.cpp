@@ -1,21 +1,28 @@
 // Why the laws of displaced_polygon() hold, and their check where that argument does not reach.
 //
-// Let R be the ring, R' the displaced one, D more than the way of any vertex, and f the least distance between an edge
-// and a vertex that is not one of its ends. Each point of R' is at most D from the point of R with the same place on
-// the same edge. By the law of corners (displace()), both ends of an edge e' lie between delta and 2 delta to the inner
-// side of e's line, and so does all of e': this is the third law, and e' does not meet e.
+// Let R be the ring, R' the displaced one, and D more than the way of any vertex. Each point of R' is at most D from
+// the point of R with the same place on the same edge. By the law of corners (displace()), both ends of an edge e' lie
+// between delta and 2 delta to the inner side of e's line, and so does all of e': this is the third law, and e' does
+// not meet e.
 //
-// If 2 D < f:
-// * Two edges that are no neighbours have distance f at least, so e' meets neither g' nor g. Neighbours e', g' share a
-//   vertex and nothing else: the far end of g' stays off e'. So R' is simple, and so are all rings on the straight way
-//   from R to R': none of them turns inside out.
-// * e = vw does not meet the displaced edge before it, from u' to v': where the corner v is convex, w is at least f
-// from
-//   the line of uv on its inner side, and v' strictly on the inner side of vw's line, u' also, as it moves by less than
-//   f. Where v is reflex, vw lies on the outer side of the line of uv, or on it, and u'v' strictly on the inner side.
-//   The edge after it likewise. So R' does not meet R.
-// * Hence R' lies wholly on one side of R, and at v that is the inner side, where v' is.
+// Let two edges be called clear of each other if they are no neighbours and their distance is more than 2 D, or if they
+// are uv and vw, w is farther than 2 D from the line of uv, or on it beyond v, and u is from the line of vw, likewise.
+// * Of edges e, g that are no neighbours and clear, e' meets neither g' nor g, nor e g'. Of neighbours that are clear,
+//   e', g' share a vertex and nothing else: the far end of g' stays off e'.
+// * Of these, vw does not meet the displaced edge before it, from u' to v': where the corner v is convex, w is on the
+//   inner side of the line of uv, and v' strictly on the inner side of vw's line, u' also, as it moves by less than its
+//   distance. Where v is reflex, vw lies on the outer side of the line of uv, or on it, and u'v' strictly on the inner
+//   side. uv and v'w' likewise.
+//
+// If all pairs of edges are clear of each other:
+// * R' is simple, and so are all rings on the straight way from R to R': none of them turns inside out.
+// * R' does not meet R. Hence it lies wholly on one side of R, and at v that is the inner side, where v' is.
 // Moving outwards is the same with the sides exchanged.
+//
+// Where coordinates are coarse that is seen at once: has_room(). Else edges whose boxes, with room on all sides, do not
+// meet are clear, and of the others doubles show nearly all to be: a point that is certainly on one side of a line is
+// far from it (orientation_in_doubles()). Those that are not shown to be clear are looked at exactly, one by one, and
+// then so is the side on which R' lies.
 #include "geometry/displacement_check.hpp"
 
 #include <algorithm>
@@ -34,8 +41,7 @@ struct EdgeBounds {
   double left = 0, right = 0, low = 0, high = 0;
 
   /// Of an edge before and after the displacement.
-  static EdgeBounds of(const DisplacedPoint& a, const DisplacedPoint& b) {
-    constexpr double room = displacement_room;
+  static EdgeBounds of(const DisplacedPoint& a, const DisplacedPoint& b, double room) {
     return {std::min(a.x, b.x) - room, std::max(a.x, b.x) + room, std::min(a.y, b.y) - room, std::max(a.y, b.y) + room};
   }
   static EdgeBounds both(const EdgeBounds& a, const EdgeBounds& b) {
@@ -48,12 +54,6 @@ struct EdgeBounds {
 
 DisplacedPoint before_displacement(const DisplacedPoint& v) { return {v.x, v.y, 0, 0}; }
 
-/// May the segments ab and cd have a point in common? Certainly not if this is false.
-bool may_meet(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c, const DisplacedPoint& d) {
-  const auto apart = [](int s, int t) { return s == t && s != 0; };
-  return !apart(orientation(a, b, c), orientation(a, b, d)) && !apart(orientation(c, d, a), orientation(c, d, b));
-}
-
 /// The sign of a coordinate's difference, displacement included.
 int compare(double a, double da, double b, double db) {
   ExactSum<4> sum;
@@ -64,13 +64,14 @@ int compare(double a, double da, double b, double db) {
 /// A tree of bounds over the edges of the ring, joined with itself.
 class RingCheck {
  public:
-  explicit RingCheck(const Ring& ring) : ring_(ring), n_(static_cast<std::uint32_t>(ring.size())) {
+  /// No vertex moves by more than `room`.
+  RingCheck(const Ring& ring, double room) : ring_(ring), n_(static_cast<std::uint32_t>(ring.size())), room_(room) {
     nodes_.reserve(2 * ring.size());
     build(0, n_);
   }
 
   /// Edges by which the displaced ring meets itself or the one it was made of.
-  std::optional<DisplacementFault> close_edges() const {
+  std::optional<DisplacementFault> close_edges() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
       interruption_point();
@@ -81,6 +82,8 @@ class RingCheck {
       if (i == j) {
         if (a.count > 1) stack.insert(stack.end(), {{a.left, a.left}, {a.left, a.right}, {a.right, a.right}});
       } else if (a.count == 1 && b.count == 1) {
+        if (clear(a.first, b.first)) continue;
+        all_clear_ = false;
         if (edges_meet(a.first, b.first))
           return DisplacementFault{DisplacementFault::Kind::close_edges, a.first, b.first};
       } else if (b.count == 1 || a.count > b.count) {
@@ -91,6 +94,8 @@ class RingCheck {
     }
     return std::nullopt;
   }
+  /// No edges had to be looked at exactly.
+  bool all_clear() const { return all_clear_; }
 
  private:
   struct Node {
@@ -100,6 +105,32 @@ class RingCheck {
 
   std::uint32_t next(std::uint32_t v) const { return v + 1 == n_ ? 0 : v + 1; }
 
+  int side(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) const {
+    return orientation(a, b, c, room_);
+  }
+  /// If c is certainly far from the line.
+  int far_side(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c) const {
+    return orientation_in_doubles(a, b, c, room_);
+  }
+  /// May the segments ab and cd have a point in common? Certainly not if this is false.
+  bool may_meet(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+                const DisplacedPoint& d) const {
+    const auto apart = [](int s, int t) { return s == t && s != 0; };
+    return !apart(side(a, b, c), side(a, b, d)) && !apart(side(c, d, a), side(c, d, b));
+  }
+  /// Are c and d certainly far from the line ab, on one side of it?
+  bool beside(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
+              const DisplacedPoint& d) const {
+    const int s = far_side(a, b, c);
+    return s != 0 && far_side(a, b, d) == s;
+  }
+  /// Are two different edges certainly clear of each other?
+  bool clear(std::uint32_t i, std::uint32_t j) const {
+    const DisplacedPoint &a = ring_[i], &b = ring_[next(i)], &c = ring_[j], &d = ring_[next(j)];
+    if (next(i) == j) return far_side(a, b, d) != 0 && far_side(c, d, a) != 0;
+    if (next(j) == i) return far_side(c, d, b) != 0 && far_side(a, b, c) != 0;
+    return beside(a, b, c, d) || beside(c, d, a, b);
+  }
   /// Two different edges.
   bool edges_meet(std::uint32_t i, std::uint32_t j) const {
     const DisplacedPoint &a = ring_[i], &b = ring_[next(i)], &c = ring_[j], &d = ring_[next(j)];
@@ -108,14 +139,14 @@ class RingCheck {
       return true;
     }
     // Neighbours meet in their common vertex, and nowhere else unless they lie on one line.
-    if (next(i) == j) return orientation(a, b, d) == 0;
-    if (next(j) == i) return orientation(c, d, b) == 0;
+    if (next(i) == j) return side(a, b, d) == 0;
+    if (next(j) == i) return side(c, d, b) == 0;
     return may_meet(a, b, c, d);
   }
 
   std::uint32_t build(std::uint32_t first, std::uint32_t count) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({EdgeBounds::of(ring_[first], ring_[next(first)]), first, count});
+    nodes_.push_back({EdgeBounds::of(ring_[first], ring_[next(first)], room_), first, count});
     if (count == 1) return index;
     const std::uint32_t left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
     nodes_[index].left = left;
@@ -126,22 +157,24 @@ class RingCheck {
 
   const Ring& ring_;
   std::uint32_t n_;
+  double room_;
   std::vector<Node> nodes_;
+  bool all_clear_ = true;
 };
 
 /// The parity of the edges that a ray from v to the right crosses. v must not lie on the ring.
-bool contains(const Ring& ring, const DisplacedPoint& v) {
+bool contains(const Ring& ring, const DisplacedPoint& v, double room) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const DisplacedPoint &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
     const bool a_above = compare(a.y, a.dy, v.y, v.dy) > 0, b_above = compare(b.y, b.dy, v.y, v.dy) > 0;
-    if (a_above != b_above && (orientation(a, b, v) > 0) == b_above) inside = !inside;
+    if (a_above != b_above && (orientation(a, b, v, room) > 0) == b_above) inside = !inside;
   }
   return inside;
 }
 
 /// Of a simple ring: by its lowest vertex, of those the one farthest to the left.
-bool is_counterclockwise(const Ring& ring) {
+bool is_counterclockwise(const Ring& ring, double room) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const DisplacedPoint &a = ring[i], &b = ring[lowest];
@@ -149,7 +182,7 @@ bool is_counterclockwise(const Ring& ring) {
     if (y < 0 || (y == 0 && compare(a.x, a.dx, b.x, b.dx) < 0)) lowest = i;
   }
   const std::size_t n = ring.size();
-  return orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n]) > 0;
+  return orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n], room) > 0;
 }
 
 }  // namespace
@@ -163,14 +196,18 @@ bool has_room(const std::vector<Point>& polygon, double farthest) {
          std::all_of(polygon.begin(), polygon.end(), [&](const Point& v) { return coarse(v.x) && coarse(v.y); });
 }
 
-std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards) {
-  if (const auto fault = RingCheck(ring).close_edges()) return fault;
+std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards,
+                                                         double farthest) {
+  const double room = std::max(displacement_room, farthest);
+  RingCheck check(ring, room);
+  if (const auto fault = check.close_edges()) return fault;
+  if (check.all_clear()) return std::nullopt;
   // The two rings are simple and do not meet: one vertex tells which lies inside.
   Ring original;
   original.reserve(ring.size());
   for (const DisplacedPoint& v : ring) original.push_back(before_displacement(v));
-  const bool right_side = inwards ? contains(original, ring[0]) : contains(ring, original[0]);
-  if (right_side && is_counterclockwise(ring)) return std::nullopt;
+  const bool right_side = inwards ? contains(original, ring[0], room) : contains(ring, original[0], room);
+  if (right_side && is_counterclockwise(ring, room)) return std::nullopt;
   return DisplacementFault{DisplacementFault::Kind::close_edges, static_cast<std::uint32_t>(ring.size() - 1), 0};
 }
 

@@ -6,12 +6,35 @@
 namespace taut {
 
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
-  return displaced_polygon(polygon, role.inwards, role.role == Role::p ? 1 : 0x1234567);
+  return displaced_polygon(polygon, role.inwards, role.seed);
 }
 
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {
   validate_polygon(polygon, name);
   facts_ = facts_of(polygon);
+  diameter_squared_ = taut::diameter_squared(polygon);
+}
+
+std::shared_ptr<const std::vector<Point>> PreparedShape::scaled(int exponent) const {
+  const std::lock_guard lock(mutex_);
+  return scaled_locked(exponent);
+}
+
+std::shared_ptr<const std::vector<Point>> PreparedShape::scaled_locked(int exponent) const {
+  if (!scaled_ || exponent_ != exponent) {
+    scaled_ = std::make_shared<const std::vector<Point>>(normalised(polygon_, facts_, exponent));
+    exponent_ = exponent;
+  }
+  return scaled_;
+}
+
+std::shared_ptr<const ShapeInRole> PreparedShape::make(const ShapeRole& role) const {
+  const UncountedWork making;
+  auto fresh = std::make_shared<ShapeInRole>();
+  fresh->role = role;
+  fresh->polygon = scaled_locked(role.exponent);
+  fresh->displaced = displaced_for(*fresh->polygon, role);
+  return fresh;
 }
 
 const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
@@ -19,13 +42,23 @@ const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
   for (const auto& known : roles_) {
     if (known->role == role) return *known;
   }
-  const UncountedWork making;
-  auto fresh = std::make_unique<ShapeInRole>();
-  fresh->role = role;
-  fresh->polygon = std::make_shared<const std::vector<Point>>(normalised(polygon_, facts_, role.exponent));
-  fresh->displaced = displaced_for(*fresh->polygon, role);
-  roles_.push_back(std::move(fresh));
+  roles_.push_back(make(role));
   return *roles_.back();
+}
+
+std::shared_ptr<const ShapeInRole> PreparedShape::in_world(const ShapeRole& role) const {
+  const std::lock_guard lock(mutex_);
+  for (const auto& known : in_world_) {
+    if (known->role == role) return known;
+  }
+  std::shared_ptr<const ShapeInRole> fresh = make(role);
+  if (in_world_.size() < most_in_world) {
+    in_world_.push_back(fresh);
+  } else {
+    in_world_[next_in_world_] = fresh;
+    next_in_world_ = (next_in_world_ + 1) % most_in_world;
+  }
+  return fresh;
 }
 
 void refuse_curves(const Body& body) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -14,15 +15,17 @@
 
 namespace taut {
 
-/// What a body is in one pair: which role it plays, in which units, and how it is displaced.
+/// What a body is in one pair, or in one world: in which units, and how it is displaced.
 struct ShapeRole {
-  Role role = Role::p;
+  std::uint64_t seed = 0;  ///< of the displacement
   bool inwards = true;
   int exponent = 0;  ///< coordinates are the input's times 2^exponent
 
-  friend bool operator==(const ShapeRole& a, const ShapeRole& b) {
-    return a.role == b.role && a.inwards == b.inwards && a.exponent == b.exponent;
+  /// Of P or Q, where there are two bodies.
+  static ShapeRole of(Role role, bool inwards, int exponent) {
+    return {role == Role::p ? std::uint64_t{1} : std::uint64_t{0x1234567}, inwards, exponent};
   }
+  friend bool operator==(const ShapeRole&, const ShapeRole&) = default;
 };
 
 /// The polygon as the engines see it in a role.
@@ -55,14 +58,31 @@ class PreparedShape {
   PreparedShape(const Polygon& polygon, const std::string& name);
   const Polygon& polygon() const { return polygon_; }
   const ShapeFacts& facts() const { return facts_; }
-  /// Computed once for each role, and kept as long as the shape.
+  double diameter_squared() const { return diameter_squared_; }
+  /// The polygon normalised, in coordinates multiplied by 2^exponent: those last asked for are kept.
+  std::shared_ptr<const std::vector<Point>> scaled(int exponent) const;
+  /// As P or as Q: computed once for each such role, and kept as long as the shape.
   const ShapeInRole& in_role(const ShapeRole& role) const;
+  /// As one of many bodies, each of which is displaced in a way of its own: the last ones are kept.
+  std::shared_ptr<const ShapeInRole> in_world(const ShapeRole& role) const;
 
  private:
+  /// Bodies of a world, in both readings of touching, of which this is the shape: with more of them none would be
+  /// found.
+  static constexpr std::size_t most_in_world = 64;
+
+  std::shared_ptr<const std::vector<Point>> scaled_locked(int exponent) const;
+  std::shared_ptr<const ShapeInRole> make(const ShapeRole& role) const;
+
   Polygon polygon_;
   ShapeFacts facts_;
+  double diameter_squared_ = 0;
   mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<const ShapeInRole>> roles_;
+  mutable std::shared_ptr<const std::vector<Point>> scaled_;
+  mutable int exponent_ = 0;  ///< of these
+  mutable std::vector<std::shared_ptr<const ShapeInRole>> roles_;
+  mutable std::vector<std::shared_ptr<const ShapeInRole>> in_world_;
+  mutable std::size_t next_in_world_ = 0;  ///< which of them gives way to the next one
 };
 
 /// Throws InputError, with what to do, if the body is bounded by curves.

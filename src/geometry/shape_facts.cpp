@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace taut {
 
@@ -21,16 +22,19 @@ ShapeFacts facts_of(const Polygon& polygon) {
       facts.largest = std::max(facts.largest, c);
     }
   }
-  facts.diameter_squared = diameter_squared(polygon);
   facts.bounds = bounds(polygon);
   return facts;
 }
 
 std::vector<Point> normalised(const Polygon& polygon, const ShapeFacts& facts, int exponent) {
   std::vector<Point> out(polygon.size());
+  // A product with a power of two that is a double is what std::ldexp() returns.
+  const bool plain = std::abs(exponent) < 1000;
+  const double factor = plain ? std::ldexp(1.0, exponent) : 1;
+  const auto scaled = [&](double x) { return plain ? x * factor : std::ldexp(x, exponent); };
   for (std::uint32_t k = 0; k < facts.size; ++k) {
     const Point& v = polygon[facts.vertex(k)];
-    out[k] = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent)};
+    out[k] = {scaled(v.x), scaled(v.y)};
   }
   return out;
 }

@@ -10,14 +10,13 @@ struct ShapeFacts {
   std::uint32_t first = 0;        ///< the lexicographically smallest vertex, a strict corner of the hull
   bool reversed = false;          ///< the vertices run clockwise
   double least = 0, largest = 0;  ///< magnitudes of the coordinates that are not zero; infinite and 0 if all are
-  double diameter_squared = 0;
   Bounds bounds;
 
   /// Vertex k of the polygon counterclockwise, from `first` on, as an index of the input.
   std::uint32_t vertex(std::uint32_t k) const { return reversed ? (first + size - k) % size : (first + k) % size; }
 };
 
-/// The polygon must be valid. O(n log n).
+/// The polygon must be valid. O(n).
 ShapeFacts facts_of(const Polygon& polygon);
 
 /// The polygon counterclockwise from its first vertex on, in coordinates multiplied by 2^exponent (exact).

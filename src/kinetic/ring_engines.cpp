@@ -39,6 +39,14 @@ const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
   });
 }
 
+double RingEngines::diameter_of(Role role, std::size_t ring) {
+  const RingSet& rings = *plan_.rings[index_of(role)];
+  std::vector<double>& known = diameters_[index_of(role)];
+  if (known.empty()) known.assign(rings.rings().size(), -1);
+  if (known[ring] < 0) known[ring] = rings.diameter_squared(ring);
+  return known[ring];
+}
+
 void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   const RingSet &p = *plan_.rings[0], &q = *plan_.rings[1];
   Run run;
@@ -48,7 +56,7 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   if (q.rings()[rings.q].ring > 0) {
     run.exchanged = true;
   } else if (p.rings()[rings.p].ring == 0) {
-    run.exchanged = q.diameter_squared(rings.q) > p.diameter_squared(rings.p);
+    run.exchanged = diameter_of(Role::q, rings.q) > diameter_of(Role::p, rings.p);
   }
   // A container is about what is in it: there is nothing far from it to be kept.
   const bool contained = p.rings()[rings.p].ring > 0 || q.rings()[rings.q].ring > 0;

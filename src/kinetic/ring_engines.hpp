@@ -85,6 +85,8 @@ class RingEngines {
     return run.in_pair(role) == Role::p ? run.rings.p : run.rings.q;
   }
   const LoneRing& ring_of(const Run& run, Role role) const;
+  /// Of a ring, squared and scaled; found once.
+  double diameter_of(Role role, std::size_t ring);
   const ShapeTiling* tiling_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
   std::optional<VertexId> named(const Run& run, VertexId v, bool edge) const;
@@ -102,6 +104,7 @@ class RingEngines {
   std::optional<VertexId> inside_;
   StageCounts at_start_;
   std::optional<Found> contact_;
+  std::array<std::vector<double>, 2> diameters_;  ///< of the rings of both; negative where not known yet
 };
 
 }  // namespace taut

@@ -68,8 +68,10 @@ class Fitter {
       p.dy = to.y - p.y;
       shrunk.push_back({std::ldexp(to.x, exponent_), std::ldexp(to.y, exponent_)});
     }
-    if (!has_room(points, moved.farthest * (1 + 0x1p-20))) {
-      if (const auto fault = find_displacement_fault(moved.points, inwards)) refuse(name, *fault, given, reversed);
+    const double farthest = moved.farthest * (1 + 0x1p-20);
+    if (!has_room(points, farthest)) {
+      const auto fault = find_displacement_fault(moved.points, inwards, farthest);
+      if (fault) refuse(name, *fault, given, reversed);
     }
     if (reversed) std::reverse(shrunk.begin(), shrunk.end());
     return shrunk;

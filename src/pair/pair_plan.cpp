@@ -12,7 +12,9 @@ namespace {
 
 BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.size, facts.first, facts.reversed}; }
 
-ShapeRole shape_role(const PairPlan& plan, Role role, bool inwards) { return {role, inwards, plan.exponent}; }
+ShapeRole shape_role(const PairPlan& plan, Role role, bool inwards) {
+  return ShapeRole::of(role, inwards, plan.exponent);
+}
 
 std::array<SharedPolygon, 2> displaced_bodies(const PairPlan& plan, bool inwards) {
   if (plan.rings[0]) return {plan.rings[0]->displaced(inwards), plan.rings[1]->displaced(inwards)};
@@ -45,6 +47,10 @@ std::string edge_text(const BodyMap& map, int edge) {
                    hint, {{}, {{map.body, e}, {map.body, f}}});
 }
 
+double diameter_squared_of(const Body& body) {
+  return body.prepared ? body.prepared->diameter_squared() : diameter_squared(body.polygon);
+}
+
 }  // namespace
 
 ShapeFacts facts_of(const Body& body) { return body.prepared ? body.prepared->facts() : facts_of(body.polygon); }
@@ -56,7 +62,7 @@ PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
   plan.exponent = -exponent;
   plan.extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));
   // The polygon with the larger diameter plays P (section 2.1 of the paper).
-  const int p = facts[1].diameter_squared > facts[0].diameter_squared ? 1 : 0;
+  const int p = diameter_squared_of(scene.bodies[1]) > diameter_squared_of(scene.bodies[0]) ? 1 : 0;
   for (const Role role : {Role::p, Role::q}) {
     const int index = role == Role::p ? p : 1 - p;
     const Body& body = scene.bodies[static_cast<std::size_t>(index)];

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "geometry/prepared_shape.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
@@ -33,24 +32,34 @@ std::string ring_name(const Body& body, std::size_t part, std::size_t ring) {
   return name;
 }
 
-RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), name_(body.name) {
+RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exponent_(exponent), name_(body.name) {
   bounds_ = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  const std::vector<Part> parts = parts_of(body);
+  if (body.parts.empty() && body.prepared) {
+    prepared_ = body.prepared;
+    add(prepared_->scaled(exponent), prepared_->facts(), 0, 0);
+  } else {
+    add_parts(parts_of(body));
+  }
+  diagonal_ = taut::diagonal(bounds_);
+}
+
+void RingSet::add_parts(const std::vector<Part>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    add(parts[i].outline, static_cast<int>(i), 0, exponent);
-    for (std::size_t j = 0; j < parts[i].holes.size(); ++j)
-      add(parts[i].holes[j], static_cast<int>(i), static_cast<int>(j + 1), exponent);
+    for (std::size_t j = 0; j <= parts[i].holes.size(); ++j) {
+      const Polygon& ring = j == 0 ? parts[i].outline : parts[i].holes[j - 1];
+      const ShapeFacts facts = facts_of(ring);
+      add(std::make_shared<const std::vector<Point>>(normalised(ring, facts, exponent_)), facts, static_cast<int>(i),
+          static_cast<int>(j));
+    }
   }
 }
 
-void RingSet::add(const Polygon& ring, int part, int number, int exponent) {
-  const ShapeFacts facts = facts_of(ring);
-  rings_.push_back(normalised(ring, facts, exponent));
+void RingSet::add(const Points& points, const ShapeFacts& facts, int part, int number) {
+  rings_.push_back(points);
   const bool hole = number > 0;
   maps_.push_back({part, number, static_cast<std::uint32_t>(size_), facts.size, facts.first, facts.reversed != hole});
-  diameters_.push_back(facts.diameter_squared);
-  size_ += ring.size();
-  for (const Point& p : rings_.back()) {
+  size_ += points->size();
+  for (const Point& p : *points) {
     bounds_.lo = {std::min(bounds_.lo.x, p.x), std::min(bounds_.lo.y, p.y)};
     bounds_.hi = {std::max(bounds_.hi.x, p.x), std::max(bounds_.hi.y, p.y)};
   }
@@ -80,17 +89,30 @@ const SharedPolygon& RingSet::displaced(bool inwards) const {
   return place = displace_rings(inwards);
 }
 
+/// Less material is a larger hole.
+SharedPolygon RingSet::displaced_ring(std::size_t ring, bool inwards) const {
+  const RingMap& map = maps_[ring];
+  const std::uint64_t seed = seed_of(index_, ring);
+  SharedPolygon displaced;
+  if (prepared_) {
+    const auto& kept = in_world_[inwards ? 0 : 1] = prepared_->in_world({seed, inwards, exponent_});
+    displaced = kept->displaced;
+  } else {
+    displaced = displaced_polygon(points(ring), inwards != (map.ring > 0), seed);
+  }
+  if (displaced->fault) refuse(map, *displaced->fault);
+  return displaced;
+}
+
 SharedPolygon RingSet::displace_rings(bool inwards) const {
+  if (rings_.size() == 1) return displaced_ring(0, inwards);
   std::vector<DisplacedPoint> points;
   points.reserve(size_);
   std::vector<RingSpan> spans;
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const RingMap& map = maps_[i];
     const bool hole = map.ring > 0;
-    // Less material is a larger hole.
-    const SharedPolygon ring = displaced_polygon(rings_[i], inwards != hole, seed_of(index_, i));
-    if (ring->fault) refuse(map, *ring->fault);
-    std::vector<DisplacedPoint> vertices = ring->points;
+    std::vector<DisplacedPoint> vertices = displaced_ring(i, inwards)->points;
     if (hole) reverse_order(vertices);
     spans.push_back({map.offset, map.size, hole});
     points.insert(points.end(), vertices.begin(), vertices.end());

@@ -14,6 +14,7 @@
 #include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "geometry/shape_facts.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
@@ -71,13 +72,15 @@ class RingSet {
   EdgeRef edge(std::uint32_t k) const;
   /// Scaled.
   const Bounds& bounds() const { return bounds_; }
+  /// Of the bounds.
+  double diagonal() const { return diagonal_; }
   std::size_t size() const { return size_; }
   /// In the order of their vertices: the holes of a part follow its outline.
   const std::vector<RingMap>& rings() const { return maps_; }
   /// Of a ring, counterclockwise also if it is a hole; scaled.
-  const std::vector<Point>& points(std::size_t ring) const { return rings_[ring]; }
-  /// Of a ring, in the input's units.
-  double diameter_squared(std::size_t ring) const { return diameters_[ring]; }
+  const std::vector<Point>& points(std::size_t ring) const { return *rings_[ring]; }
+  /// Of a ring, scaled.
+  double diameter_squared(std::size_t ring) const { return taut::diameter_squared(points(ring)); }
   int body() const { return index_; }
   const std::string& name() const { return name_; }
 
@@ -85,11 +88,14 @@ class RingSet {
   const SharedPolygon& displaced(bool inwards) const;
   /// One of them alone; made when first asked for. Throws Undecidable where a hole's corners are all too sharp for it.
   const LoneRing& lone(std::size_t ring, bool inwards) const;
-  /// What an engine makes of the displaced rings, once, and keeps here.
+  /// What an engine makes of the displaced rings, once: they are displaced by then. It is kept here, or with the shape
+  /// if that was prepared.
   template <class T, class Make>
   const T& kept(bool inwards, const Make& make) const {
     const std::lock_guard lock(mutex_);
-    std::shared_ptr<const void>& place = kept_[inwards ? 0 : 1];
+    const std::size_t side = inwards ? 0 : 1;
+    if (in_world_[side]) return *in_world_[side]->kept<T>(ShapeInRole::hierarchy, make);
+    std::shared_ptr<const void>& place = kept_[side];
     if (!place) {
       const UncountedWork making;
       place = make();
@@ -111,20 +117,26 @@ class RingSet {
   }
 
  private:
-  void add(const Polygon& ring, int part, int number, int exponent);
+  using Points = std::shared_ptr<const std::vector<Point>>;
+
+  void add_parts(const std::vector<Part>& parts);
+  void add(const Points& points, const ShapeFacts& facts, int part, int number);
   const RingMap& ring_of(std::uint32_t k) const;
   SharedPolygon displace_rings(bool inwards) const;
+  SharedPolygon displaced_ring(std::size_t ring, bool inwards) const;
   [[noreturn]] void refuse(const RingMap& ring, const DisplacementFault& fault) const;
 
-  int index_;
+  int index_, exponent_;
   std::string name_;
+  std::shared_ptr<const PreparedShape> prepared_;  ///< if the only ring is
   std::vector<RingMap> maps_;
-  std::vector<std::vector<Point>> rings_;  ///< scaled, each counterclockwise
-  std::vector<double> diameters_;          ///< squared
+  std::vector<Points> rings_;  ///< scaled, each counterclockwise
   Bounds bounds_;
+  double diagonal_ = 0;
   std::size_t size_ = 0;
   mutable std::mutex mutex_;
   mutable std::array<SharedPolygon, 2> displaced_;
+  mutable std::array<std::shared_ptr<const ShapeInRole>, 2> in_world_;  ///< of a prepared shape
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
   mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
   mutable std::array<std::map<std::pair<std::size_t, Role>, std::shared_ptr<const void>>, 2> kept_of_;

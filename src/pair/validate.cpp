@@ -13,19 +13,6 @@
 #include "taut/error.hpp"
 
 namespace taut {
-namespace {
-
-void validate_shape(const Body& body) {
-  if (!body.prepared) {
-    validate_polygon(body.polygon, body.name);
-  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
-    throw InputError(body.name, "the prepared shape was made of another polygon",
-                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
-                     "which may be left out then");
-  }
-}
-
-}  // namespace
 
 void validate_time(const Scene& scene) {
   if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
@@ -73,7 +60,7 @@ Scene with_prepared_shapes(const Scene& scene) {
   for_both_bodies([&](std::size_t k) {
     Body& body = out.bodies[k];
     if (body.prepared) {
-      validate_shape(body);
+      validate_polygon_of(body);
     } else {
       body.prepared = prepare(body.polygon, body.name);
     }
@@ -84,7 +71,7 @@ Scene with_prepared_shapes(const Scene& scene) {
 
 std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   require_two_polygons(scene);
-  for_both_bodies([&](std::size_t k) { validate_shape(scene.bodies[k]); });
+  for_both_bodies([&](std::size_t k) { validate_polygon_of(scene.bodies[k]); });
   const std::array<ShapeFacts, 2> facts{facts_of(scene.bodies[0]), facts_of(scene.bodies[1])};
   validate_range(facts[0], facts[1]);
   const double extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));

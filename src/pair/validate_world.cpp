@@ -43,21 +43,35 @@ InputError located(const InputError& error, BodyId body, std::size_t part, std::
   return InputError(error.place(), error.problem(), error.hint(), std::move(culprits));
 }
 
+void validate_prepared(const Body& body, BodyId id) {
+  try {
+    validate_polygon_of(body);
+  } catch (const InputError& error) {
+    throw located(error, id, 0, 0);
+  }
+}
+
 /// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
 void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box) {
   if (!body.parts.empty() && !body.polygon.empty())
     throw InputError(body.name, "the body has a polygon and parts", "a body is one polygon, or parts");
+  const auto take = [&](const ShapeFacts& facts) {
+    range.least = std::min(range.least, facts.least);
+    range.largest = std::max(range.largest, facts.largest);
+    box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
+    box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
+  };
+  if (body.parts.empty() && body.prepared) {
+    validate_prepared(body, id);
+    return take(body.prepared->facts());
+  }
   const std::vector<Part> parts = parts_of(body);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::size_t at = 0;  // the ring that is looked at; 0 again for all together
     const auto validate = [&](const Polygon& ring, std::size_t number) {
       at = number;
       validate_polygon(ring, ring_name(body, i, number));
-      const ShapeFacts facts = facts_of(ring);
-      range.least = std::min(range.least, facts.least);
-      range.largest = std::max(range.largest, facts.largest);
-      box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
-      box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
+      take(facts_of(ring));
     };
     try {
       validate(parts[i].outline, 0);
@@ -99,6 +113,16 @@ void validate_ignored(const Scene& scene, const Names& names) {
 }
 
 }  // namespace
+
+void validate_polygon_of(const Body& body) {
+  if (!body.prepared) {
+    validate_polygon(body.polygon, body.name);
+  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
+    throw InputError(body.name, "the prepared shape was made of another polygon",
+                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
+                     "which may be left out then");
+  }
+}
 
 bool is_world(const Scene& scene) {
   const auto plain = [](const Body& body) {

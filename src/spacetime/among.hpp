@@ -30,11 +30,6 @@ class EvenLeg {
   const Leg& leg() const;
 
  private:
-  static double reach_of(const Hierarchy& mover) {
-    const Box& all = mover.node(0).box;
-    return (size(all.centre) + all.radius) * (1 + 0x1p-40);
-  }
-
   const PieceChain &p_, &q_;
   double start_, end_;
   EvenMotion motion_;

@@ -8,6 +8,7 @@
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
 #include "spacetime/flat_sides.hpp"
+#include "spacetime/glance.hpp"
 #include "spacetime/leaf_test.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
@@ -166,6 +167,7 @@ struct ContactSearch::State {
   }
   std::optional<Crossing> search_leg(const TimeInterval& interval) {
     if (search) return search->go_on();
+    if (window && apart_at_a_glance(trees, legs[leg], interval.lo, interval.hi)) return std::nullopt;
     search.emplace(geometry, trees, legs[leg], interval.lo);
     return search->run(interval.lo, interval.hi);
   }

@@ -41,6 +41,12 @@ class Hierarchy {
   std::vector<BoxNode> nodes_;
 };
 
+/// No point of the body is farther from its origin.
+inline double reach_of(const Hierarchy& tree) {
+  const Box& all = tree.node(0).box;
+  return (size(all.centre) + all.radius) * (1 + 0x1p-40);
+}
+
 Hierarchy hierarchy_of_p(const PairGeometry& geometry);
 Hierarchy hierarchy_of_q(const PairGeometry& geometry);
 

@@ -9,7 +9,7 @@
 namespace taut {
 
 bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b) {
-  const auto size = [&](int k) { return diagonal(plan.bodies()[static_cast<std::size_t>(k)].rings->bounds()); };
+  const auto size = [&](int k) { return plan.bodies()[static_cast<std::size_t>(k)].rings->diagonal(); };
   return is_long(box_a, box_b, size(a) + size(b));
 }
 

@@ -77,7 +77,7 @@ void WorldPlan::add_bodies(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     WorldBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
-    extent_ = std::max(extent_, std::ldexp(diagonal(body.rings->bounds()), -exponent_));
+    extent_ = std::max(extent_, std::ldexp(body.rings->diagonal(), -exponent_));
     std::vector<MotionPiece> own = pieces_between(scene.bodies[i].motion, start_, end_);
     for (MotionPiece& piece : own) piece = scaled(std::move(piece), exponent_);
     if (!rests(own)) body.own = std::move(own);
@@ -213,7 +213,7 @@ PairPlan WorldPlan::pair(int a, int b) const {
 }
 
 PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent) {
-  const bool swap = diagonal(second->bounds()) > diagonal(first->bounds());
+  const bool swap = second->diagonal() > first->diagonal();
   PairPlan plan;
   plan.rings = {swap ? second : first, swap ? first : second};
   plan.exponent = exponent;

@@ -134,6 +134,9 @@ def sin_cos(x):
 
 
 ZERO = (0, 0)
+# Of a derivative that has no bound: no sum or product of a few bounds, and no value, gets anywhere near, so that whatever
+# has it for a summand tells nothing.
+UNBOUNDED = (0, 1 << 64 * BITS)
 J0 = (ZERO, ZERO, ZERO)
 J1 = ((ONE, 0), ZERO, ZERO)
 
@@ -174,7 +177,12 @@ def jinverse(f):
 
 
 def jroot(f):
-    """(r^2)' = 2 r r', (r^2)'' = 2 r'^2 + 2 r r''."""
+    """(r^2)' = 2 r r', (r^2)'' = 2 r'^2 + 2 r r''. Of what may be 0 the value alone is known, where f >= 0."""
+    most = f[0][0] + f[0][1]
+    if most < 0:
+        raise Undecided("a cosine beyond 1")
+    if f[0][0] <= f[0][1]:
+        return between(0, isqrt(most << BITS) + 1), UNBOUNDED, UNBOUNDED
     r = root(f[0])
     half = inverse(times(r, 2))
     first = mul(f[1], half)
@@ -191,6 +199,17 @@ def jpolynomial(c, t):
         d = add(mul(d, t), v)
         v = add(mul(v, t), (a, 0))
     return v, d, times(dd, 2)
+
+
+def jpolynomial_about_middle(c, t):
+    """The same; over a stretch, the value is also what it is in the middle, give or take its greatest slope times the
+    way: near an extreme that is far narrower."""
+    f = jpolynomial(c, t)
+    if not c or not t[1]:
+        return f
+    a, r = jpolynomial(c, (t[0], 0))[0]
+    r += ((abs(f[1][0]) + f[1][1]) * t[1] >> BITS) + 1
+    return ((a, r), f[1], f[2]) if r < f[0][1] else f
 
 
 def jturn(angle):
@@ -222,7 +241,7 @@ class Sampled:
     """A function of time over [a, b], integers times 2^-BITS, by its jets at the middle and over all of it."""
 
     def __init__(self, at, over, a, b):
-        self.value, self.slope = at[0], at[1]
+        self.value, self.slope, self.all = at[0], at[1], over[0]
         middle = (a + b) >> 1
         self.half = max(b - middle, middle - a)
         self.bend = abs(over[2][0]) + over[2][1]
@@ -230,9 +249,15 @@ class Sampled:
         self.reach = (self.bend * self.half >> BITS) + 1
 
     def stray(self):
-        """How far from its value in the middle it can be."""
+        """How far from its value in the middle it can be: by the slope there and the bend, or, where these have no
+        bounds, by its values over all of the stretch."""
         h = self.half
-        return (((abs(self.slope[0]) + self.slope[1]) * h + (self.reach * h >> 1)) >> BITS) + 2
+        by_slope = (((abs(self.slope[0]) + self.slope[1]) * h + (self.reach * h >> 1)) >> BITS) + 2
+        return min(by_slope, abs(self.all[0] - self.value[0]) + self.all[1])
+
+    def shift(self, more):
+        """Adds a bound."""
+        self.value, self.all = add(self.value, (more, 2)), add(self.all, (more, 2))
 
     def sign(self):
         return sign((self.value[0], self.value[1] + self.stray()))

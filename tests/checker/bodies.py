@@ -8,14 +8,12 @@ import struct
 from fractions import Fraction
 from itertools import zip_longest
 
+from covered import NotCovered
+from keyframes import compiled
 from roots import Function, sign
 
 DELTA = 2.0**-200
 INFINITE = math.inf
-
-
-class NotCovered(Exception):
-    """A scene that this program says nothing about."""
 
 
 def number(x):
@@ -62,7 +60,7 @@ def made_between(make, given, start, end):
 
 
 def pieces_between(motion, start, end):
-    given = given_pieces(motion)
+    given = given_pieces(compiled(motion, start, end))
     if any(set(piece) - {"x", "y", "until", "rotation", "pivot"} for piece in given):
         raise NotCovered("a motion that is not given by polynomials")
     return made_between(Piece, given, start, end)

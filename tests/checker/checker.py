@@ -7,7 +7,8 @@ import struct
 import sys
 from fractions import Fraction
 
-from bodies import NotCovered, Plan, orientation
+from bodies import Plan, orientation
+from covered import NotCovered
 from roots import Undecided
 from tiling import Refused, Tiling, require
 

@@ -12,8 +12,9 @@ import subprocess
 import sys
 import time
 
-from bodies import Plan, displaced, random_between
+from bodies import Plan, displaced, pieces_between, random_between
 from checker import check
+from covered import NotCovered
 
 
 def difference(said, proved, reason):
@@ -61,10 +62,24 @@ def check_what_is_not_covered(root):
     assert subprocess.run(asked, stdout=subprocess.DEVNULL).returncode == 3
 
 
+def check_keyframes():
+    """What turns is not covered, also where it is written in degrees."""
+    keys = [{"t": 0, "x": 0, "y": 0}, {"t": 1, "x": 0.1, "y": 2}, {"t": 2, "x": 1, "y": 2}]
+    pieces = [(p.x, p.y, p.until) for p in pieces_between({"keyframes": keys}, 0, 2.5)]
+    assert pieces == [([0, 0.1], [0, 2], 1), ([-0.8, 0.9], [2], 2), ([1], [2], float("inf"))], pieces
+    for angle in (90, 10):
+        try:
+            pieces_between({"keyframes": [{"t": 0, "angle_deg": angle}]}, 0, 1)
+        except NotCovered:
+            continue
+        raise AssertionError("a body that is turned is taken for one that is not")
+
+
 def main():
     program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "400"
     check_vectors(root)
     check_what_is_not_covered(root)
+    check_keyframes()
     lines = subprocess.run([program, root, logs], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     began, counts, bad, plan, text = time.process_time(), collections.Counter(), 0, None, ""
     for line in lines:

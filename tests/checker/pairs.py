@@ -140,7 +140,8 @@ class Pair:
 
         def sample(x, y):
             f = self.linear(leg, of_p, parts, x, y)
-            f.value = f.value[0] + more, f.value[1] + (2 if more else 0)
+            if more:
+                f.shift(more)
             return f
 
         return keeps_sign(sample, wanted, a, b)

@@ -9,8 +9,8 @@ import sys
 from fractions import Fraction
 
 from balls import ONE, Undecided, add, exact, first_change, keeps_sign, mul, root, sign
-from bodies import NotCovered
 from checker import Bytes, checksum
+from covered import NotCovered
 from pairs import Pair, crossing, inside_the_other, product
 from tiling import Refused, require
 from windows import Windows

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from bodies import NotCovered
+from covered import NotCovered
 from separations import check
 from world import Scene
 

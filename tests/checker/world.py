@@ -1,15 +1,19 @@
 """A scene in the terms of a log of separations: fingerprint, rings, chains, pairs. See docs/separation-logs.md.
 
-The scene must be valid; motions are given as pieces (`taut` writes any motion so)."""
+The scene must be valid."""
 
+import copy
 import hashlib
 import math
 import struct
 from fractions import Fraction
 
-from balls import (ONE, J1, between, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jroot, jsub,
-                   jturn)
-from bodies import INFINITE, NotCovered, displaced, given_pieces, is_clockwise, made_between, number, trimmed
+import cosines
+from balls import (J1, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jpolynomial_about_middle,
+                   jroot, jsub, jturn)
+from bodies import INFINITE, displaced, given_pieces, is_clockwise, made_between, number, trimmed
+from covered import NotCovered
+from keyframes import compiled
 
 MASK = (1 << 64) - 1
 
@@ -29,7 +33,7 @@ class Piece:
 
     def __init__(self, json):
         if set(json) - {"x", "y", "until", "rotation", "pivot", "orbit"}:
-            raise NotCovered("a motion that is not given by pieces")
+            raise NotCovered("a motion of an unknown form")
         self.x, self.y = trimmed(json.get("x", [])), trimmed(json.get("y", []))
         self.until = float(json.get("until", INFINITE))
         self.kind, self.rotation = 0, ()
@@ -77,30 +81,38 @@ class Piece:
 
     def other_turn(self, t):
         """The rotation, unless it is given by an angle."""
+        if self.kind == 4:
+            cosine = jpolynomial_about_middle(self.turn[0], t)
+            return cosine, jroot(jsub(J1, jmul(cosine, cosine)))
         c = [jpolynomial(p, t) for p in self.turn]
         if self.kind == 2:
             far = jinverse(jroot(jadd(jmul(c[0], c[0]), jmul(c[1], c[1]))))
             return jmul(c[0], far), jmul(c[1], far)
         square = jmul(c[0], c[0])
-        if self.kind == 3:
-            below = jinverse(jadd(J1, square))
-            return jmul(jsub(J1, square), below), jmul(jadd(c[0], c[0]), below)
-        return c[0], jroot(jsub(J1, square))
+        below = jinverse(jadd(J1, square))
+        return jmul(jsub(J1, square), below), jmul(jadd(c[0], c[0]), below)
+
+    def until_then(self, until, turned):
+        """The same up to another time, or for ever if None; where its cosine is 1 or -1 it rests."""
+        part = copy.copy(self)
+        if until is not None:
+            part.until = until
+        if turned != "cosine":
+            part.kind, part.rotation = 2, ((1.0 if turned == "not turned" else -1.0,), ())
+        return part
 
 
-def refuse_cut_cosines(pieces, start, end):
-    """Those that reach 1 or -1, or nearly, are cut: not here."""
-    t = start
+def cut_at_extremes(pieces, start, end):
+    """Those whose rotations are given by cosines: between two cuts these stay below 1, or the body rests."""
+    out, t = [], start
     for piece in pieces:
         until = min(piece.until, end)
         if piece.kind == 4:
-            a, b, parts = exact(t), exact(until), 64
-            for k in range(parts):
-                stretch = between(a + (b - a) * k // parts, a + (b - a) * (k + 1) // parts + 1)
-                v = jpolynomial(piece.turn[0], stretch)[0]
-                if abs(v[0]) + v[1] >= ONE - (ONE >> 20):
-                    raise NotCovered("a cosine that comes near 1")
+            out += [piece.until_then(*part) for part in cosines.pieces(list(piece.rotation[0]) or [0.0], t, until)]
+        else:
+            out.append(piece)
         t = until
+    return out
 
 
 class Ring:
@@ -173,7 +185,8 @@ class Scene:
         self.exponent = -math.frexp(largest)[1]
         for k, rings in enumerate(given):
             self.bodies.append(Body([Ring(r[0], self.exponent, *r[1:]) for r in rings], k))
-            self.own.append(made_between(Piece, given_pieces(json["bodies"][k].get("motion")), self.start, self.end))
+            self.own.append(made_between(Piece, given_pieces(compiled(json["bodies"][k].get("motion"), self.start, self.end)),
+                                          self.start, self.end))
         self._find_ignored(json)
         self.hashed = self._hashed(json, given)
         self._find_chains()
@@ -237,15 +250,15 @@ class Scene:
         return hashlib.sha256(name + bytes([closed]) + self.hashed).digest()
 
     def _find_chains(self):
-        for pieces in self.own:
+        moved = [cut_at_extremes(pieces, self.start, self.end) for pieces in self.own]
+        for pieces in moved:
             for piece in pieces:
                 piece.scale(self.exponent)
-            refuse_cut_cosines(pieces, self.start, self.end)
         for k in range(len(self.bodies)):
             chain = []
             while k >= 0:
-                if not all(piece.rests() for piece in self.own[k]):
-                    chain.insert(0, self.own[k])
+                if not all(piece.rests() for piece in moved[k]):
+                    chain.insert(0, moved[k])
                 k = self.parents[k]
             self.chains.append(chain)
         self.keys = [tuple(tuple((p.until, p.key()) for p in motion) for motion in chain) for chain in self.chains]

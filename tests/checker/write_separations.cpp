@@ -59,8 +59,53 @@ Scene crowd(Rng& rng) {
   return scene;
 }
 
+Polygon blade(Rng& rng) {
+  const double length = rng.real(0.5, 2), width = rng.real(0.1, 0.5);
+  return {{-0.2, -width}, {length, -width / 2}, {length, width / 2}, {-0.2, width}};
+}
+
+/// Blades that swing to where the cosine of their angle is 1 or -1 and back, or begin or end there, or stop for a
+/// while.
+Scene swinging(Rng& rng) {
+  Scene scene;
+  scene.start = -1;
+  scene.end = 1;
+  const int bodies = rng.between(2, 4);
+  for (int i = 0; i < bodies; ++i) {
+    const double h = rng.between(-45, 45) / 64.0, k = rng.between(5, 16) / 16.0;
+    Coefficients cosine;
+    switch (rng.below(6)) {
+      case 0:  // touches 1 at h
+        cosine = {1 - k * h * h, 2 * k * h, -k};
+        break;
+      case 1:  // comes to 1 at the end, with infinite speed
+        cosine = {0.5, 0.5};
+        break;
+      case 2:  // at 1 at both ends
+        cosine = {0, 0, 1};
+        break;
+      case 3:  // comes near 1
+        cosine = {1 - k * h * h - std::exp2(rng.real(-48, -4)), 2 * k * h, -k};
+        break;
+      case 4:  // from -1 to 1 and back between
+        cosine = {0, -3, 0, 4};
+        break;
+      default:  // touches -1 at 0 to order four
+        cosine = {-1, 0, 0, 0, k};
+    }
+    MotionPiece piece;
+    piece.x = {2.0 * i + rng.real(-0.3, 0.3), rng.real(-0.4, 0.4)};
+    piece.y = {rng.real(-1, 1), rng.real(-0.4, 0.4)};
+    piece.rotation = CosineRotation{cosine};
+    scene.bodies.push_back({"b" + std::to_string(i), blade(rng), {{piece}}});
+    if (i > 0 && rng.chance(0.2)) scene.bodies.back().relative_to = "b0";
+  }
+  return scene;
+}
+
 Scene drawn_world(Rng& rng, std::uint64_t number) {
   if (number % 8 == 7) return crowd(rng);
+  if (number % 8 == 5) return swinging(rng);
   if (number % 4 == 2) return scene_of(large_world(number).world);
   if (number % 4 == 3) {
     SceneOptions options;
@@ -156,8 +201,47 @@ const char* damage(Rng& rng, const Scene& scene, std::string& bytes) {
   }
 }
 
-/// The scene, its log, and damaged ones; true if there is one.
-bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance) {
+std::string number_of(double x) { return fmt::format("{}", x); }
+
+/// A motion written in degrees.
+std::string motion_text(Rng& rng, int i) {
+  const auto real = [&rng](double most) { return number_of(rng.real(-most, most)); };
+  const auto angle = [&] { return rng.chance(0.4) ? number_of(90 * rng.between(-3, 3)) : real(200); };
+  const double x = 3.0 * i;
+  if (rng.chance(0.2))
+    return fmt::format(R"({{"sweep":{{"pivot":[{},{}],"from_deg":{},"to_deg":{}}}}})", number_of(x), real(1), angle(),
+                       angle());
+  if (rng.chance(0.2))
+    return fmt::format(R"({{"velocity":[{},{}],"spin_deg":{},"pivot":[{},{}]}})", real(1), real(1), angle(), real(1),
+                       real(1));
+  std::string keys;
+  for (int k = 0, n = rng.between(1, 4); k < n; ++k) {
+    const std::string t = number_of(0.1 + 0.3 * k);
+    if (k > 0) keys += ",";
+    if (k > 0 && rng.chance(0.4)) {
+      keys += fmt::format(R"({{"t":{},"{}":{{"center":[{},{}],"deg":{}}}}})", t, rng.chance(0.5) ? "turn" : "arc",
+                          number_of(x), real(1), rng.chance(0.1) ? "0" : angle());
+    } else {
+      keys += fmt::format(R"({{"t":{},"x":{},"y":{},"angle_deg":{}}})", t, number_of(x + rng.real(-1, 1)), real(1),
+                          rng.chance(0.3) ? "30" : angle());
+    }
+  }
+  return fmt::format(R"({{"keyframes":[{}],"pivot":[{},{}]}})", keys, real(0.5), real(0.5));
+}
+
+/// A scene as people write it.
+std::string written_world(Rng& rng) {
+  std::string bodies;
+  for (int i = 0, n = rng.between(2, 4); i < n; ++i) {
+    const std::string w = number_of(rng.real(0.2, 1.2));
+    bodies += fmt::format(R"({}{{"name":"b{}","polygon":[[0,0],[{},0],[{},{}],[0,{}]],"motion":{}}})", i ? "," : "", i,
+                          w, w, w, w, motion_text(rng, i));
+  }
+  return fmt::format(R"({{"format":"taut-scene/1","time":[0,1],"bodies":[{}]}})", bodies);
+}
+
+/// The scene, its log, and damaged ones; true if there is one. `text`: as it was written, if it was.
+bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance, std::string text = {}) {
   std::ostringstream out;
   CheckOptions options;
   options.touch = touch;
@@ -175,7 +259,7 @@ bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance) {
   }
   const std::string log = out.str();
   if (log.size() < 52 || log.size() > most_bytes) return false;
-  std::string text = write_scene(scene);
+  if (text.empty()) text = write_scene(scene);
   std::replace(text.begin(), text.end(), '\n', ' ');
   fmt::print("{{\"scene\":{}}}\n", text);
   print_line(scene, log, "");
@@ -214,8 +298,16 @@ int write_all(const fs::path& root, int logs) {
       for (const Touch touch : {Touch::open, Touch::closed}) print(read_scene(file.string()), touch);
     }
   }
-  for (std::uint64_t number = 1; written < logs; ++number)
-    print(drawn_world(rng, number), rng.chance(0.5) ? Touch::closed : Touch::open);
+  for (std::uint64_t number = 1; written < logs; ++number) {
+    const Touch touch = rng.chance(0.5) ? Touch::closed : Touch::open;
+    if (number % 8 == 6) {
+      const std::string text = written_world(rng);
+      const Scene scene = parse_scene(text);
+      written += print_world(rng, scene, touch, drawn_clearance(rng, scene), text);
+    } else {
+      print(drawn_world(rng, number), touch);
+    }
+  }
   return 0;
 }
 

@@ -8,11 +8,13 @@
 
 #include "check/run.hpp"
 #include "generators/generators.hpp"
+#include "geometry/prepared_shape.hpp"
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
 #include "relative/leg.hpp"
 #include "relative/make_legs.hpp"
 #include "support/effort.hpp"
+#include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "support/same_answer.hpp"
@@ -186,6 +188,66 @@ TEST(PreparedShape, StandsForItsPolygonEverywhere) {
   Scene nothing = bare;
   nothing.bodies[0].polygon.clear();
   EXPECT_THROW(check(nothing), InputError);
+}
+
+/// Bodies of one polygon, prepared; those of several parts stay as they are.
+Scene prepared_world(Scene scene) {
+  for (Body& body : scene.bodies) {
+    if (!body.parts.empty()) continue;
+    body.prepared = prepare(body.polygon, body.name);
+    body.polygon.clear();
+  }
+  return scene;
+}
+
+TEST(PreparedShape, WorldsOfThemHaveTheAnswersOfTheBarePolygons) {
+  std::uint64_t contacts = 0, known = 0;
+  for (std::uint64_t number = 0; number < effort(150); ++number) {
+    SCOPED_TRACE("world " + std::to_string(number));
+    const Scene scene = scene_of(random_world(number)), world = prepared_world(scene);
+    for (const Body& body : world.bodies) known += body.prepared != nullptr;
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      CheckOptions options;
+      options.touch = touch;
+      const Answer bare = check(scene, options);
+      contacts += bare.contact.has_value();
+      // Again from what the shapes have kept.
+      for (int round = 0; round < 2; ++round) ASSERT_NO_FATAL_FAILURE(expect_same_answer(bare, check(world, options)));
+    }
+  }
+  EXPECT_GT(contacts, enough(80));
+  EXPECT_GT(known, enough(150));
+}
+
+/// More bodies of one shape than it keeps.
+TEST(PreparedShape, IsSharedByManyBodiesOfAWorld) {
+  const auto shape = prepare({{0, 0}, {1, 0.1}, {0.3, 0.4}, {0.2, 1}}, "shape");
+  Scene scene, bare;
+  scene.end = 1;
+  for (int i = 0; i < 90; ++i) {
+    MotionPiece piece;
+    piece.x = {1.5 * (i % 10), i % 3 - 1.0};
+    piece.y = {1.5 * (i / 10), i % 4 - 1.5};
+    piece.rotation = AngleRotation{{0, 0.3 * (i % 7)}};
+    Body body;
+    body.name = std::to_string(i);
+    body.motion.pieces = {piece};
+    body.prepared = shape;
+    scene.bodies.push_back(body);
+  }
+  bare = scene;
+  for (Body& body : bare.bodies) {
+    body.prepared = nullptr;
+    body.polygon = shape->polygon();
+  }
+  for (int round = 0; round < 2; ++round) expect_same_answer(check(bare), check(scene));
+}
+
+TEST(PreparedShape, OfAnotherPolygonIsRefusedInWorlds) {
+  Scene scene;
+  for (const char* name : {"a", "b", "c"}) scene.bodies.push_back({name, {{0, 0}, {1, 0}, {0, 1}}, {}});
+  scene.bodies[1].prepared = prepare({{0, 0}, {2, 0}, {0, 1}}, "b");
+  EXPECT_THROW(check(scene), InputError);
 }
 
 TEST(PreparedShape, OfAnotherPolygonIsRefused) {

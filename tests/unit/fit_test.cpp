@@ -105,6 +105,13 @@ TEST(Fit, MovesEveryEdgeByBetweenOnceAndTwice) {
   EXPECT_GE(refused, static_cast<int>(enough(1)));
 }
 
+/// A waist that is thinner than what is taken off on both sides: the ring would meet itself, not close to where it was.
+TEST(Fit, RefusesWhatWouldMeetItself) {
+  const Polygon waist{{0, 0}, {2.13, 0}, {1.07, 0.97}, {1.13, 1.03}, {2.17, 2}, {0, 2}, {1.01, 1.03}, {1.01, 0.97}};
+  EXPECT_NO_THROW(fitted(two(waist, block(9, 0, 1, 1)), 0.01));
+  for (const double fit : {0.05, 0.1, 0.2}) EXPECT_THROW(fitted(two(waist, block(9, 0, 1, 1)), fit), InputError) << fit;
+}
+
 /// What is free stays free, and the gap grows by between two and four fits where faces look at each other.
 TEST(Fit, GapsGrow) {
   const Scene scene = two(block(0, 0, 1, 1), block(1.5, 0, 1, 1));
