@@ -70,33 +70,40 @@ std::vector<Situation> placements(int n) {
   return out;
 }
 
-}  // namespace
-
-void study_compactness(Output& output) {
-  Table table("compactness", {"family", "n", "kappa_lower", "kappa_upper", "active_set", "pq_edges_hulls",
-                              "proof_bound", "share_of_bound", "active_per_kappa_log"});
-  double largest = 0, largest_constant = 0;
-  std::string where, constant_where;
-  for (int n = 16; n <= 16384; n *= 2) {
-    for (const Situation& placement : placements(n)) {
-      const Scene& scene = placement.scene;
-      const auto vertices = static_cast<double>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
-      const Separator found = separator(scene, scene.start);
-      const Simulation simulation(scene);
-      const auto active = static_cast<double>(simulation.certificates());
-      const double kappa = found.minimum_link.lower;
-      const double bound = 4 * (2 * kappa * (2 + std::log2(vertices) - std::log2(kappa)) + 2 * kappa);
-      const double constant = active / (kappa * (1 + std::log2(vertices / kappa)));
-      const std::string place = fmt::format("{}, n = {}", placement.family, vertices);
-      if (active / bound > largest) largest = active / bound, where = place;
-      if (constant > largest_constant) largest_constant = constant, constant_where = place;
-      table.add({"\"" + placement.family + "\"", cell(vertices), cell(found.minimum_link.lower),
-                 cell(found.minimum_link.upper), cell(active),
-                 cell(found.moving.bichromatic_edges[0] + found.moving.bichromatic_edges[1]), cell(bound),
-                 cell(active / bound, 3), cell(constant, 3)});
-    }
+/// The largest value of something, and where it was.
+struct Largest {
+  double value = 0;
+  std::string where;
+  void see(double v, const std::string& place) {
+    if (v > value) value = v, where = place;
   }
-  output.write(table);
+};
+
+struct Extremes {
+  Largest share_of_bound, constant;
+};
+
+/// Adds the row of a placement.
+void measure(const Situation& placement, Table& table, Extremes& extremes) {
+  const Scene& scene = placement.scene;
+  const auto vertices = static_cast<double>(scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size());
+  const Separator found = separator(scene, scene.start);
+  const Simulation simulation(scene);
+  const auto active = static_cast<double>(simulation.certificates());
+  const double kappa = found.minimum_link.lower;
+  const double bound = 4 * (2 * kappa * (2 + std::log2(vertices) - std::log2(kappa)) + 2 * kappa);
+  const double constant = active / (kappa * (1 + std::log2(vertices / kappa)));
+  const std::string place = fmt::format("{}, n = {}", placement.family, vertices);
+  extremes.share_of_bound.see(active / bound, place);
+  extremes.constant.see(constant, place);
+  table.add({"\"" + placement.family + "\"", cell(vertices), cell(found.minimum_link.lower),
+             cell(found.minimum_link.upper), cell(active),
+             cell(found.moving.bichromatic_edges[0] + found.moving.bichromatic_edges[1]), cell(bound),
+             cell(active / bound, 3), cell(constant, 3)});
+}
+
+/// The table's rows over what they are compared with, a series for each family.
+Plot plot_of(const Table& table, double largest_constant) {
   Plot plot;
   plot.title = "Active set and the size of a separator (Lemma 2.4)";
   plot.x = {"kappa log2(2n / kappa)", 10};
@@ -117,21 +124,32 @@ void study_compactness(Output& output) {
     least = std::min(least, x);
   }
   for (const std::string& family : order) plot.series.push_back(by_family[family]);
+  // A straight line through 0, of so many certificates for each unit of x.
+  const auto line = [&](const std::string& label, double slope, int colour) {
+    plot.series.push_back({label, {{least, slope * least}, {most, slope * most}}, true, false, true, colour});
+  };
   // 4 (2 kappa (2 + L) + 2 kappa) with L = log2(n/kappa) is 8 kappa (3 + L), between 8 and 24 times kappa (1 + L).
-  Series bound{"the proof allows 8 x and more", {{least, 8 * least}, {most, 8 * most}}, true, false, true, 6};
-  Series seen{fmt::format("largest seen: {:.2f} x", largest_constant),
-              {{least, largest_constant * least}, {most, largest_constant * most}},
-              true,
-              false,
-              true,
-              7};
-  plot.series.push_back(bound);
-  plot.series.push_back(seen);
-  output.write("compactness", plot);
+  line("the proof allows 8 x and more", 8, 6);
+  line(fmt::format("largest seen: {:.2f} x", largest_constant), largest_constant, 7);
+  return plot;
+}
+
+}  // namespace
+
+void study_compactness(Output& output) {
+  Table table("compactness", {"family", "n", "kappa_lower", "kappa_upper", "active_set", "pq_edges_hulls",
+                              "proof_bound", "share_of_bound", "active_per_kappa_log"});
+  Extremes extremes;
+  for (int n = 16; n <= 16384; n *= 2) {
+    for (const Situation& placement : placements(n)) measure(placement, table, extremes);
+  }
+  output.write(table);
+  output.write("compactness", plot_of(table, extremes.constant.value));
   output.note(
       fmt::format("compactness: {} placements; largest active set / (kappa (1 + log2(n/kappa))) = {:.3f} ({}); largest "
                   "share of the proof's bound = {:.3f} ({})",
-                  table.rows(), largest_constant, constant_where, largest, where));
+                  table.rows(), extremes.constant.value, extremes.constant.where, extremes.share_of_bound.value,
+                  extremes.share_of_bound.where));
 }
 
 }  // namespace taut::paper

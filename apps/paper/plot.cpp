@@ -72,17 +72,27 @@ std::string stroke(const Series& s, const char* colour) {
                      s.dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
 
-}  // namespace
-
-std::string draw(const Plot& plot) {
+/// The plot's series as they are drawn: each with a colour, and without points that a logarithm does not have.
+std::vector<Series> drawn_series(const Plot& plot) {
   std::vector<Series> series = plot.series;
-  double low_x = INFINITY, high_x = 0, low_y = INFINITY, high_y = 0;
   int next_colour = 0;
   for (Series& s : series) {
     if (s.colour < 0) s.colour = next_colour++;
     s.points.erase(
         std::remove_if(s.points.begin(), s.points.end(), [](const auto& p) { return !(p.first > 0 && p.second > 0); }),
         s.points.end());
+  }
+  return series;
+}
+
+/// Where points are in the picture.
+struct Scales {
+  Scale x, y;
+};
+
+Scales scales_of(const Plot& plot, const std::vector<Series>& series) {
+  double low_x = INFINITY, high_x = 0, low_y = INFINITY, high_y = 0;
+  for (const Series& s : series) {
     for (const auto& [x, y] : s.points) {
       low_x = std::min(low_x, x);
       high_x = std::max(high_x, x);
@@ -91,24 +101,25 @@ std::string draw(const Plot& plot) {
     }
   }
   if (!(low_x <= high_x)) low_x = low_y = 1, high_x = high_y = 10;
-  const double legend_width = 250, w = plot.width + legend_width, h = plot.height;
-  const Scale sx(plot.x, low_x, high_x, left, plot.width - right), sy(plot.y, low_y, high_y, h - bottom, top);
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-      "<text x=\"{2}\" y=\"24\" font-size=\"15\" fill=\"#222\">{3}</text>\n",
-      w, h, left, io::escape_xml(plot.title));
-  for (const double v : sx.ticks()) {
+  return {Scale(plot.x, low_x, high_x, left, plot.width - right),
+          Scale(plot.y, low_y, high_y, plot.height - bottom, top)};
+}
+
+/// Ticks with their lines, the axes and their labels.
+std::string axes_text(const Plot& plot, const Scales& at) {
+  const double h = plot.height;
+  std::string out;
+  for (const double v : at.x.ticks()) {
     out += fmt::format(
         "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#e4e4e4\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\" "
         "fill=\"#444\">{4}</text>\n",
-        sx(v), top, h - bottom, h - bottom + 18, tick_text(v));
+        at.x(v), top, h - bottom, h - bottom + 18, tick_text(v));
   }
-  for (const double v : sy.ticks()) {
+  for (const double v : at.y.ticks()) {
     out += fmt::format(
         "<path d=\"M{1} {0:.1f}H{2}\" stroke=\"#e4e4e4\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\" "
         "fill=\"#444\">{5}</text>\n",
-        sy(v), left, plot.width - right, left - 8, sy(v) + 4, tick_text(v));
+        at.y(v), left, plot.width - right, left - 8, at.y(v) + 4, tick_text(v));
   }
   out += fmt::format("<path d=\"M{0} {1}V{2}H{3}\" fill=\"none\" stroke=\"#777\"/>\n", left, top, h - bottom,
                      plot.width - right);
@@ -117,21 +128,47 @@ std::string draw(const Plot& plot) {
   out += fmt::format(
       "<text transform=\"translate(20 {:.0f}) rotate(-90)\" text-anchor=\"middle\" fill=\"#222\">{}</text>\n",
       (top + h - bottom) / 2, io::escape_xml(plot.y.label));
+  return out;
+}
+
+std::string curve_text(const Series& s, const Scales& at) {
+  const char* colour = palette[s.colour % colours];
+  std::string out, path;
+  for (const auto& [x, y] : s.points)
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at.x(x), at.y(y));
+  if (s.line && !path.empty()) out += fmt::format("<path d=\"{}\" {}/>\n", path, stroke(s, colour));
+  if (s.marks) {
+    for (const auto& [x, y] : s.points) out += mark(s.colour, at.x(x), at.y(y), colour);
+    out += "\n";
+  }
+  return out;
+}
+
+/// A series' line of the legend.
+std::string legend_text(const Series& s, double x, double y) {
+  const char* colour = palette[s.colour % colours];
+  std::string out;
+  if (s.line) out += fmt::format("<path d=\"M{} {}h24\" {}/>", x, y, stroke(s, colour));
+  if (s.marks) out += mark(s.colour, x + 12, y, colour);
+  return out + fmt::format("<text x=\"{}\" y=\"{}\" fill=\"#333\">{}</text>\n", x + 32, y + 4, io::escape_xml(s.label));
+}
+
+}  // namespace
+
+std::string draw(const Plot& plot) {
+  const std::vector<Series> series = drawn_series(plot);
+  const Scales at = scales_of(plot, series);
+  const double legend_width = 250;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+      "<text x=\"{2}\" y=\"24\" font-size=\"15\" fill=\"#222\">{3}</text>\n",
+      plot.width + legend_width, double(plot.height), left, io::escape_xml(plot.title));
+  out += axes_text(plot, at);
   double legend_y = top + 8;
   for (const Series& s : series) {
-    const char* colour = palette[s.colour % colours];
-    std::string path;
-    for (const auto& [x, y] : s.points) path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", sx(x), sy(y));
-    if (s.line && !path.empty()) out += fmt::format("<path d=\"{}\" {}/>\n", path, stroke(s, colour));
-    if (s.marks) {
-      for (const auto& [x, y] : s.points) out += mark(s.colour, sx(x), sy(y), colour);
-      out += "\n";
-    }
-    const double lx = plot.width + 4;
-    if (s.line) out += fmt::format("<path d=\"M{} {}h24\" {}/>", lx, legend_y, stroke(s, colour));
-    if (s.marks) out += mark(s.colour, lx + 12, legend_y, colour);
-    out += fmt::format("<text x=\"{}\" y=\"{}\" fill=\"#333\">{}</text>\n", lx + 32, legend_y + 4,
-                       io::escape_xml(s.label));
+    out += curve_text(s, at);
+    out += legend_text(s, plot.width + 4, legend_y);
     legend_y += legend_row;
   }
   return out + "</svg>\n";

@@ -24,8 +24,13 @@ std::size_t Table::index(const std::string& column) const {
 }
 
 std::string Table::csv() const {
-  std::string out = fmt::format("{}\n", fmt::join(columns_, ","));
-  for (const auto& row : rows_) out += fmt::format("{}\n", fmt::join(row, ","));
+  std::string out;
+  const auto add_line = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + cells[i];
+    out += '\n';
+  };
+  add_line(columns_);
+  for (const auto& row : rows_) add_line(row);
   return out;
 }
 

@@ -1,7 +1,7 @@
 // The manual page, in the macros of man(7).
 #include <fmt/format.h>
 
-#include "command_model.hpp"
+#include "manual.hpp"
 
 namespace taut::cli {
 

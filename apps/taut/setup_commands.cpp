@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "command_model.hpp"
 #include "commands.hpp"
+#include "manual.hpp"
 
 namespace taut::cli {
 

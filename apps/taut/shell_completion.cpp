@@ -1,7 +1,7 @@
 // Completions for three shells. Where a word is wanted, the shell offers the words; where a file, files.
 #include <fmt/format.h>
 
-#include "command_model.hpp"
+#include "manual.hpp"
 #include "taut/error.hpp"
 
 namespace taut::cli {

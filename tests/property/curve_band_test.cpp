@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "curve/banded_part.hpp"
@@ -35,8 +36,11 @@ LongPoint mixed(const std::vector<std::pair<Long, Point>>& terms) {
   return sum;
 }
 
+/// A curve by its parameter, from 0 to 1.
+using Formula = std::function<LongPoint(const Long&)>;
+
 /// The ellipse's arc through its centre and angles: the formulas of SVG 2, with its own sine and arc tangent.
-LongPoint on_arc(const Point& from, const ArcTo& arc, const Long& u) {
+Formula arc_formula(const Point& from, const ArcTo& arc) {
   const Long pi = boost::multiprecision::acos(Long(-1)), phi = Long(arc.rotation_deg) * pi / 180;
   const Long c = cos(phi), s = sin(phi), hx = (Long(from.x) - arc.to.x) / 2, hy = (Long(from.y) - arc.to.y) / 2;
   const Long x = c * hx + s * hy, y = c * hy - s * hx;
@@ -54,23 +58,48 @@ LongPoint on_arc(const Point& from, const ArcTo& arc, const Long& u) {
   Long angle = atan2((-y - cy) / ry, (-x - cx) / rx) - begin;
   if (arc.sweep && angle < 0) angle += 2 * pi;
   if (!arc.sweep && angle > 0) angle -= 2 * pi;
-  const Long t = begin + u * angle, px = cx + rx * cos(t), py = cy + ry * sin(t);
-  return {c * px - s * py + (Long(from.x) + arc.to.x) / 2, s * px + c * py + (Long(from.y) + arc.to.y) / 2};
+  const LongPoint middle{(Long(from.x) + arc.to.x) / 2, (Long(from.y) + arc.to.y) / 2};
+  return [=](const Long& u) {
+    const Long t = begin + u * angle, px = cx + rx * cos(t), py = cy + ry * sin(t);
+    return LongPoint{c * px - s * py + middle.x, s * px + c * py + middle.y};
+  };
 }
 
-LongPoint point_on(const Point& from, const CurveSegment& segment, const Long& u) {
-  const Long v = 1 - u;
-  if (const auto* arc = std::get_if<ArcTo>(&segment)) return on_arc(from, *arc, u);
-  if (const auto* q = std::get_if<QuadraticTo>(&segment))
-    return mixed({{v * v, from}, {2 * v * u, q->control}, {u * u, q->to}});
-  if (const auto* c = std::get_if<CubicTo>(&segment))
-    return mixed({{v * v * v, from}, {3 * v * v * u, c->first}, {3 * v * u * u, c->second}, {u * u * u, c->to}});
-  return mixed({{v, from}, {u, end_of(segment)}});
+Formula formula_of(const Point& from, const CurveSegment& segment) {
+  if (const auto* arc = std::get_if<ArcTo>(&segment)) return arc_formula(from, *arc);
+  return [=](const Long& u) {
+    const Long v = 1 - u;
+    if (const auto* q = std::get_if<QuadraticTo>(&segment))
+      return mixed({{v * v, from}, {2 * v * u, q->control}, {u * u, q->to}});
+    if (const auto* c = std::get_if<CubicTo>(&segment))
+      return mixed({{v * v * v, from}, {3 * v * v * u, c->first}, {3 * v * u * u, c->second}, {u * u * u, c->to}});
+    return mixed({{v, from}, {u, end_of(segment)}});
+  };
+}
+
+std::vector<Formula> formulas_of(const Outline& outline) {
+  std::vector<Formula> formulas;
+  Point from = outline.start;
+  for (const auto& segment : curve::closed_segments(outline)) {
+    formulas.push_back(formula_of(from, segment));
+    from = end_of(segment);
+  }
+  return formulas;
 }
 
 /// Positive to the left of the line from a to b.
 Long side_of(const Point& a, const Point& b, const LongPoint& p) {
   return (Long(b.x) - a.x) * (p.y - a.y) - (Long(b.y) - a.y) * (p.x - a.x);
+}
+
+/// True only if the point is well to the left of the line from a to b, or to the right for a sign of -1. In doubles,
+/// whose errors, the point's own included, are below 2^-50 of the same products without signs: most points are that
+/// clear.
+bool clearly_beside(const Point& a, const Point& b, const LongPoint& p, int sign) {
+  const Point q{p.x.convert_to<double>(), p.y.convert_to<double>()};
+  const double reach = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(q.x), std::fabs(q.y)});
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return sign * (dx * (q.y - a.y) - dy * (q.x - a.x)) > 0x1p-48 * (std::fabs(dx) + std::fabs(dy)) * reach;
 }
 
 /// A closed curve around a point, of segments of all kinds; it may meet itself, and is no outline then.
@@ -122,8 +151,10 @@ void expect_between_walls(const curve::Band& band, std::size_t k, const LongPoin
     std::vector<Point> wall{from};
     wall.insert(wall.end(), corners.begin(), corners.end());
     wall.push_back(to);
-    for (std::size_t i = 0; i + 1 < wall.size(); ++i)
+    for (std::size_t i = 0; i + 1 < wall.size(); ++i) {
+      if (clearly_beside(wall[i], wall[i + 1], p, sign)) continue;
       ASSERT_GE(sign * side_of(wall[i], wall[i + 1], p), -Long(std::ldexp(size * size, -190)));
+    }
   };
   expect(band.gate(k).right, cell.right, band.gate(k + 1).right, 1);
   expect(band.gate(k).left, cell.left, band.gate(k + 1).left, -1);
@@ -143,17 +174,14 @@ TEST(CurveBand, WallsHaveTheCurveBetweenThem) {
     }
     ++outlines;
     curve::Band& band = part->band(0);
-    const auto segments = curve::closed_segments(outline);
-    std::vector<Point> starts{outline.start};
-    for (const auto& s : segments) starts.push_back(end_of(s));
+    const std::vector<Formula> formulas = formulas_of(outline);
     for (int level = 0; level < 8; ++level) {
       for (int i = 0; i < 150; ++i) {
         const auto k = static_cast<std::size_t>(unit(random) * static_cast<double>(band.cells().size()));
         const curve::Piece& piece = band.cells()[k].piece;
         // Of arcs, a parameter is an angle's share, known in doubles.
         const double u = piece.from + (0.001 + 0.998 * unit(random)) * (piece.to - piece.from);
-        const auto segment = static_cast<std::size_t>(piece.segment);
-        expect_between_walls(band, k, point_on(starts[segment], segments[segment], u));
+        expect_between_walls(band, k, formulas[static_cast<std::size_t>(piece.segment)](u));
         ++points;
       }
       if (HasFatalFailure()) FAIL() << write_path({{outline, {}}}) << " at level " << level;

@@ -1,4 +1,4 @@
-#include "command_model.hpp"
+#include "command_line/command_model.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -32,10 +32,4 @@ struct CommandModel {
 
 CommandModel command_model(const Command& taut);
 
-/// The text of `taut completion SHELL`, for "bash", "zsh" or "fish".
-std::string completion(const CommandModel& taut, const std::string& shell);
-
-/// The manual page in man(7) macros.
-std::string manual(const CommandModel& taut, const std::string& version);
-
 }  // namespace taut::cli
