@@ -8,8 +8,8 @@ namespace taut {
 /// Is it more, or less, than two bodies of one polygon each that are seen from the world's frame?
 bool is_world(const Scene& scene);
 
-/// Throws InputError unless the polygon of a body without parts is valid. That of a prepared shape is; then the body has
-/// no other.
+/// Throws InputError unless the polygon of a body without parts is valid. That of a prepared shape is; then the body
+/// has no other.
 void validate_polygon_of(const Body& body);
 
 /// Throws InputError unless the bodies' names differ, every ring is valid and lies as it must, parents and ignored
