@@ -37,6 +37,19 @@ DyadicPolynomial halved(const DyadicPolynomial& p) {
   return out;
 }
 
+/// By Horner's scheme, from the highest power down: what is left at the end is the value.
+std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root) {
+  if (p.empty()) return std::nullopt;
+  DyadicPolynomial quotient(p.size() - 1);
+  Dyadic carried;
+  for (std::size_t k = p.size(); k-- > 0;) {
+    carried = p[k] + root * carried;
+    if (k > 0) quotient[k - 1] = carried;
+  }
+  if (!carried.is_zero()) return std::nullopt;
+  return quotient;
+}
+
 /// With integer coefficients a root has integer coefficients, too (Gauss): found from the highest power down.
 std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p) {
   if (p.empty()) return DyadicPolynomial();

@@ -78,6 +78,8 @@ DyadicPolynomial operator+(const DyadicPolynomial& p, const DyadicPolynomial& q)
 DyadicPolynomial operator*(const DyadicPolynomial& p, const DyadicPolynomial& q);
 /// Half of each coefficient.
 DyadicPolynomial halved(const DyadicPolynomial& p);
+/// p / (t - root), if p is zero there, and not everywhere.
+std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root);
 /// A polynomial whose square this is, if there is one with rational coefficients.
 std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p);
 

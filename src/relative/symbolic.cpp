@@ -39,7 +39,19 @@ std::size_t SymbolicLeg::factor_of(const DyadicPolynomial& factor) {
   return i;
 }
 
+/// What is 1 - c^2 where a cosine c begins or ends at 1 is zero there: such zeros are divided out.
 int SymbolicLeg::sign_over(const DyadicPolynomial& p) const {
+  DyadicPolynomial within = p;
+  int sign = 1;
+  while (auto rest = without_root(within, Dyadic::exact(start_))) within = std::move(*rest);
+  while (auto rest = without_root(within, Dyadic::exact(end_))) {
+    within = std::move(*rest);
+    sign = -sign;
+  }
+  return sign * sign_with_ends(within);
+}
+
+int SymbolicLeg::sign_with_ends(const DyadicPolynomial& p) const {
   BallPolynomial<Real320> balls;
   if (p.size() > balls.capacity) return 0;
   for (const Dyadic& c : p) balls.push_back(ball_of<Real320>(c));

@@ -37,10 +37,14 @@ class SymbolicLeg {
   int root_of(const DyadicPolynomial& square, bool clamped);
   int angle_of(const DyadicPolynomial& angle);
   std::size_t factor_of(const DyadicPolynomial& factor);
-  /// The sign that the polynomial certainly has all over the leg; 0 if that is not shown easily.
+  /// The sign that the polynomial certainly has all over the leg, but for the ends, where it may be zero; 0 if that is
+  /// not shown easily.
   int sign_over(const DyadicPolynomial& p) const;
 
  private:
+  /// The same with the ends.
+  int sign_with_ends(const DyadicPolynomial& p) const;
+
   double start_, end_;
   std::vector<Root> roots_;
   std::vector<DyadicPolynomial> angles_{{}};  ///< number 0 is none

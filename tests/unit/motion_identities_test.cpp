@@ -76,26 +76,52 @@ bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const Form& triple) 
   return true;
 }
 
-TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
-  Rng rng(11);
-  int vanish = 0, missed = 0;
-  for (std::uint64_t i = 0; i < effort(8000); ++i) {
-    MotionPiece p = lattice_piece(rng), q = rng.chance(0.2) ? p : lattice_piece(rng);
-    if (rng.chance(0.3)) q.x = p.x, q.y = p.y;
+/// What was found to vanish, and what was not though it does.
+struct Vanishing {
+  int found = 0, missed = 0;
+
+  /// Of one triple of the triangles.
+  void look(const MotionPiece& p, const MotionPiece& q, Rng& rng) {
     const PairGeometry g = lattice_triangles(rng);
     const Leg leg = Leg::motion(p, q, 0, 1);
-    if (leg.translation) continue;
+    if (leg.translation) return;
     const int a = rng.below(3), b = (a + 1) % 3, other = rng.below(3);
     const bool pp = rng.chance(0.5);
     const Form triple = pp ? Form{VertexId(a), VertexId(b), VertexId(3 + other), true}
                            : Form{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
     const bool seems = seems_to_vanish(leg, g, triple), does = vanishes_before_displacement(leg, g, triple);
-    ASSERT_FALSE(does && !seems) << i;
-    vanish += does;
+    ASSERT_FALSE(does && !seems);
+    found += does;
     missed += seems && !does;
   }
-  EXPECT_GT(vanish, static_cast<int>(enough(400)));
-  EXPECT_EQ(missed, 0);
+};
+
+TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
+  Rng rng(11);
+  Vanishing seen;
+  for (std::uint64_t i = 0; i < effort(8000); ++i) {
+    MotionPiece p = lattice_piece(rng), q = rng.chance(0.2) ? p : lattice_piece(rng);
+    if (rng.chance(0.3)) q.x = p.x, q.y = p.y;
+    ASSERT_NO_FATAL_FAILURE(seen.look(p, q, rng)) << i;
+  }
+  EXPECT_GT(seen.found, static_cast<int>(enough(400)));
+  EXPECT_EQ(seen.missed, 0);
+}
+
+/// Sines that are zero at the ends of the leg, where the squares of their roots are no longer positive.
+TEST(FrameIdentities, OfCosinesThatBeginOrEndAtOne) {
+  const std::vector<Coefficients> cosines{{0, 1}, {0, -1}, {1, -1}, {-1, 1}, {-1, 2}, {1, -2}, {1, 0, -1}, {0.5, 0.5}};
+  Rng rng(12);
+  Vanishing seen;
+  for (std::uint64_t i = 0; i < effort(8000); ++i) {
+    MotionPiece p, q;
+    p.rotation = CosineRotation{cosines[static_cast<std::size_t>(rng.below(8))]};
+    q.rotation = CosineRotation{cosines[static_cast<std::size_t>(rng.below(8))]};
+    q.x = small_coefficients(rng, rng.between(0, 2));
+    ASSERT_NO_FATAL_FAILURE(seen.look(p, q, rng)) << i;
+  }
+  EXPECT_GT(seen.found, static_cast<int>(enough(300)));
+  EXPECT_EQ(seen.missed, 0);
 }
 
 /// The functions of an identity are not zero by themselves.
@@ -127,6 +153,22 @@ TEST(Dyadic, SquareRootsOfPolynomials) {
     if (p.empty()) continue;
     EXPECT_FALSE(square_root(square + DyadicPolynomial{Dyadic::exact(0x1p-80)}) && p.size() > 1);
     EXPECT_FALSE(square_root(-square));
+  }
+}
+
+TEST(Dyadic, RootsAreDividedOutOfPolynomials) {
+  Rng rng(4);
+  for (int i = 0; i < 300; ++i) {
+    DyadicPolynomial p;
+    for (int k = rng.between(1, 5); k > 0; --k) p.push_back(Dyadic::exact(rng.between(-9, 9) * 0x1p-3));
+    trim(p);
+    const Dyadic root = Dyadic::exact(rng.between(-20, 20) * 0x1p-4);
+    const DyadicPolynomial product = p * DyadicPolynomial{-root, Dyadic::exact(1)};
+    const auto rest = without_root(product, root);
+    ASSERT_EQ(rest.has_value(), !p.empty());
+    if (p.empty()) continue;
+    EXPECT_TRUE(*rest == p);
+    EXPECT_FALSE(without_root(product + DyadicPolynomial{Dyadic::exact(0x1p-80)}, root));
   }
 }
 
