@@ -32,9 +32,11 @@ WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineCho
 WorldSearch::~WorldSearch() = default;
 
 WindowedPair& WorldSearch::pair(int a, int b) {
-  std::unique_ptr<WindowedPair>& place = pairs_[{std::min(a, b), std::max(a, b)}];
-  if (!place) place = windowed_pair(engine_, plan_, a, b, inwards_, budget_);
-  return *place;
+  const std::pair<int, int> key(std::min(a, b), std::max(a, b));
+  auto known = pairs_.find(key);
+  // Made first: a limit may end that.
+  if (known == pairs_.end()) known = pairs_.emplace(key, windowed_pair(engine_, plan_, a, b, inwards_, budget_)).first;
+  return *known->second;
 }
 
 bool WorldSearch::start() {

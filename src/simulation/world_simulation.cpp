@@ -52,9 +52,13 @@ void WorldSimulation::open_window() {
 }
 
 KineticPair& WorldSimulation::pair(const Key& key) {
-  std::unique_ptr<KineticPair>& place = pairs_[key];
-  if (!place) place = std::make_unique<KineticPair>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
-  return *place;
+  auto known = pairs_.find(key);
+  if (known == pairs_.end()) {
+    // Made first: a limit may end that.
+    auto fresh = std::make_unique<KineticPair>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
+    known = pairs_.emplace(key, std::move(fresh)).first;
+  }
+  return *known->second;
 }
 
 /// Do any two bodies overlap, or touch?
