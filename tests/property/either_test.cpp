@@ -126,8 +126,8 @@ TEST(Either, AnswersDoNotDependOnWhatIsKept) {
       // Some injections spoil a scene.
     }
   }
-  EXPECT_GT(by_kinetic, 20u);
-  EXPECT_GT(by_spacetime, 20u);
+  EXPECT_GT(by_kinetic, enough(20));
+  EXPECT_GT(by_spacetime, enough(20));
 }
 
 }  // namespace
