@@ -116,8 +116,7 @@ class ClearanceSearch {
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
     if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
     const Leg& leg = search.legs()[contact.leg];
-    const Contact said = Witness(search.plan, search.geometry, false)
-                             .contact({contact.vertex, contact.edge, contact.lo, contact.hi}, leg);
+    const Contact said = Witness(search.plan, search.geometry, false).contact(contact.found, leg);
     found.time = said.time;
     found.points = {said.point, said.point};
     return true;

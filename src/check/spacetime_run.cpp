@@ -86,7 +86,7 @@ class SpacetimeQuestion {
       answer.free_until = scene_.end;
     } else if (found.outcome == SpacetimeResult::contact) {
       answer.outcome = Outcome::contact;
-      answer.contact = witness().contact({found.vertex, found.edge, found.lo, found.hi}, legs_[found.leg]);
+      answer.contact = witness().contact(found.found, legs_[found.leg]);
       answer.contact->time.lo = std::max(answer.contact->time.lo, scene_.start);
       answer.free_until = answer.contact->time.lo;
     } else {

@@ -350,7 +350,7 @@ void Engine::process(CertificateId id, double limit) {
   // failure is known to come, though its enclosure may reach further.
   parameter_ = std::max(parameter_, collides ? c.lo : std::min(now.hi, limit));
   if (collides) {
-    contact_ = EngineContact{report.hitting, map_.origin(report.hit), c.lo, c.hi};
+    contact_ = FoundContact{report.hitting, map_.origin(report.hit), c.lo, c.hi, solver_.known_precisely(c)};
     state_ = EngineState::contact;
     if (observer_) observer_->on_event(event);
     return;

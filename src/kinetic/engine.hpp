@@ -9,16 +9,10 @@
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
 #include "kinetic/settled.hpp"
+#include "sign/found_contact.hpp"
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut {
-
-/// A vertex of one polygon on an edge of the other.
-struct EngineContact {
-  VertexId vertex;
-  VertexId edge;  ///< by its first vertex, counterclockwise
-  double lo = 0, hi = 0;
-};
 
 /// One processed event, for observers.
 struct EngineEvent {
@@ -59,7 +53,7 @@ class Engine {
 
   EngineState state() const { return state_; }
   const std::optional<Overlap>& overlap() const { return overlap_; }
-  const std::optional<EngineContact>& contact() const { return contact_; }
+  const std::optional<FoundContact>& contact() const { return contact_; }
   const PairGeometry& geometry() const { return geometry_; }
   const PlanarMap& map() const { return map_; }
   const Leg& leg() const { return legs_[current_]; }
@@ -163,7 +157,7 @@ class Engine {
   double reached_ = 0;  ///< a lower bound of the last event's time
   EngineState state_ = EngineState::running;
   std::optional<Overlap> overlap_;
-  std::optional<EngineContact> contact_;
+  std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;
   std::size_t active_ = 0, initial_ = 0, max_active_ = 0;
   RootState initial_root_ = RootState::disjoint;

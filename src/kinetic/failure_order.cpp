@@ -69,6 +69,11 @@ Now FailureSolver::event(const Certificate& c) const {
   return now;
 }
 
+std::optional<PreciseTime> FailureSolver::known_precisely(const Certificate& c) const {
+  if (c.precise < 0) return std::nullopt;
+  return pool_[static_cast<std::size_t>(c.precise)];
+}
+
 void FailureSolver::tighten(Certificate& c) {
   const double few_ulps = 0x1p-54 * std::fabs(c.hi);
   if (c.hi - c.lo <= 8 * few_ulps) return;

@@ -79,6 +79,8 @@ class FailureSolver {
   VertexId middle(VertexId u, VertexId v, VertexId w, Now& now);
   /// The present as the failure of c.
   Now event(const Certificate& c) const;
+  /// The isolated failure of c, where a stage beyond doubles has looked at it.
+  std::optional<PreciseTime> known_precisely(const Certificate& c) const;
   /// The failure time of c within a few ulps.
   void tighten(Certificate& c);
 

@@ -135,9 +135,9 @@ VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
 }
 
 void RingEngines::note_contact(const Run& run) {
-  const EngineContact& found = *run.engine->contact();
-  const Found here{{in_pair(run, found.vertex, false), in_pair(run, found.edge, true), found.lo, found.hi},
-                   run.engine->leg_index()};
+  Found here{*run.engine->contact(), run.engine->leg_index()};
+  here.contact.vertex = in_pair(run, here.contact.vertex, false);
+  here.contact.edge = in_pair(run, here.contact.edge, true);
   if (!contact_ || comes_before(here, *contact_)) contact_ = here;
 }
 

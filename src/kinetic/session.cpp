@@ -72,8 +72,7 @@ VertexRef Session::input_vertex(VertexId v) const { return witness().vertex(v); 
 Point Session::world(VertexId v) const { return witness().world(v, engine_->leg(), engine_->parameter()); }
 
 void Session::note_contact() {
-  const EngineContact& found = *engine_->contact();
-  contact_ = witness().contact({found.vertex, found.edge, found.lo, found.hi}, engine_->leg());
+  contact_ = witness().contact(*engine_->contact(), engine_->leg());
   // The start is exact: a contact found there cannot be earlier.
   contact_->time.lo = std::max(contact_->time.lo, start_);
 }

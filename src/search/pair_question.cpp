@@ -85,8 +85,8 @@ void PairQuestion::note(const spacetime::SpacetimeResult& found) {
   const Leg& leg = search_.legs()[found.leg];
   PairResult result = result_;
   if (found.outcome == spacetime::SpacetimeResult::contact) {
-    result = contact_of(result_, Witness(search_.plan, search_.geometry, inwards_), leg, found.leg,
-                        {found.vertex, found.edge, found.lo, found.hi}, start_);
+    result =
+        contact_of(result_, Witness(search_.plan, search_.geometry, inwards_), leg, found.leg, found.found, start_);
   } else {
     result.outcome = Outcome::undecided;
     result.reason = found.reason;

@@ -4,16 +4,10 @@
 #include <functional>
 
 #include "pair/pair_plan.hpp"
+#include "sign/found_contact.hpp"
 #include "taut/check.hpp"
 
 namespace taut {
-
-/// Where and when an engine found a vertex on an edge: the edge by its first vertex, and an enclosure of the leg's
-/// parameter.
-struct FoundContact {
-  VertexId vertex, edge;
-  double lo = 0, hi = 0;
-};
 
 /// An enclosure of the leg's parameter, for displaced bodies or for those given.
 struct ContactBracket {

@@ -19,7 +19,7 @@ class ClosingInstant {
         root_(leg_, *instant.geometry,
               {instant.contact.edge, instant.geometry->next(instant.contact.edge), instant.contact.vertex,
                instant.geometry->in_p(instant.contact.edge)}),
-        parameter_(PreciseTime::between(instant.contact.lo, instant.contact.hi)) {}
+        parameter_(instant.contact.at.value_or(PreciseTime::between(instant.contact.lo, instant.contact.hi))) {}
 
   /// What a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
   void refine(int stage, double enough) { root_.refine(-1, parameter_, stage, enough); }

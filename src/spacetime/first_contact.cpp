@@ -132,10 +132,9 @@ namespace {
 
 void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& result) {
   result.outcome = SpacetimeResult::contact;
-  result.vertex = found.pair.vertex;
-  result.edge = found.pair.edge;
+  result.found = {found.pair.vertex, found.pair.edge, found.lo, std::min(found.hi, end)};
+  if (found.precise.stage >= 0) result.found.at = found.precise;
   result.lo = found.lo;
-  result.hi = std::min(found.hi, end);
   result.leg = leg;
 }
 

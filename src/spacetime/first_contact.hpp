@@ -24,13 +24,11 @@ struct SpacetimeResult {
     undecided,  ///< the precision of the last stage did not suffice, or the run was interrupted
   };
   Outcome outcome = undecided;
-  /// Of a contact: the vertex, the edge by its first vertex, the leg, and an enclosure of its parameter. No contact
-  /// certainly happens before `lo` on that leg, or on the legs before it.
-  VertexId vertex, edge;
-  double lo = 0, hi = 0;
+  FoundContact found;  ///< if it is one
+  /// No contact happens before `lo` on leg `leg`, or on the legs before it.
   std::size_t leg = 0;
-  /// If undecided: why; and no contact happens before `lo` on leg `leg`.
-  std::string reason;
+  double lo = 0;
+  std::string reason;  ///< if undecided: why
   /// Pairs of boxes looked at, and roots isolated in doubles.
   std::uint64_t pairs = 0, roots = 0;
   StageCounts stages;  ///< which told where doubles did not

@@ -77,6 +77,9 @@ TEST(Corpus, WorldsAndTheirClearances) {
       if (answer.contact) {
         EXPECT_NEAR(answer.contact->time.lo, expected["t"].get<double>(), 1e-9);
       }
+      options.engine = EngineChoice::kinetic;
+      EXPECT_EQ(check(scene, options).outcome, answer.outcome);
+      options.engine = EngineChoice::spacetime;
       std::ostringstream log;
       const Answer proved = prove(scene, log, options);
       const bool finished = proved.reason.find("its proof was not finished") == std::string::npos;

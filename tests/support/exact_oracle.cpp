@@ -182,18 +182,39 @@ class LegSearch {
       Wide hull = events[k].root.at;
       while (end < events.size() && !hull.before(events[end].root.at)) hull = Wide::hull(hull, events[end++].root.at);
       if (!open_) return conclude(events, k, end);
-      if (pending_ && hull.exact_lo() > from && overlap_between(from, hull.exact_lo())) return true;
+      if (pending_ && hull.exact_lo() > from && overlap_between(from, hull.exact_lo())) {
+        for (std::size_t i = k; i < end; ++i) around_.push_back(events[i].pair);
+        return deep_between(from, hull.exact_lo());
+      }
       ExactAnswer& answer = *answer_;
       answer = {};
+      around_.clear();
       conclude(events, k, end);
       pending_ = true;
       pending_until_ = from = hull.exact_hi();
       k = end;
     }
     if (!pending_ || from >= hi) return false;
-    if (overlap_between(from, hi)) return true;
+    if (overlap_between(from, hi)) return deep_between(from, hi);
     pending_ = false;
     return false;
+  }
+
+  /// Bodies that overlap by less than the displacement may miss each other displaced. Every vertex that crossed an edge
+  /// just before this overlap, or crosses one just after it, is farther than that from the edge's line meanwhile.
+  bool deep_between(const Rational& lo, const Rational& hi) {
+    const Rational u(lo + (hi - lo) * Rational(0.4142135));
+    Precision at(3 * time_bits);
+    for (const VertexEdge& pair : around_) {
+      const Wide height = leg_.coefficient({pair, What::height}, Wide::of(u), 0);
+      const double distance = std::max(std::fabs(height.lo()), std::fabs(height.hi())) / unit_of(pair, u);
+      if (height.sign() != 0 && distance <= shift_) throw Beyond{"bodies that overlap by less than the displacement"};
+    }
+    return true;
+  }
+  /// The height of a vertex one unit above an edge.
+  double unit_of(const VertexEdge& pair, const Rational& u) const {
+    return leg_.length(pair.side, pair.edge) * leg_.frame(pair.side, Narrow::of(u)).r.c[0].hi();
   }
 
   void find_events(int k, const Rational& lo, const Rational& hi, std::vector<Event>& events) {
@@ -233,6 +254,7 @@ class LegSearch {
       hull = Wide::hull(hull, events[k].root.at);
       weigh(events[k]);
       meet(events[k].pair);
+      around_.push_back(events[k].pair);
     }
     answer.time = leg_.time(hull);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -247,8 +269,7 @@ class LegSearch {
     const double u = e.root.at.lo();
     const Wide coefficient = leg_.coefficient(e.root.function, e.root.at, m);
     const double size = std::max(std::fabs(coefficient.lo()), std::fabs(coefficient.hi()));
-    const Narrow unit = leg_.frame(e.pair.side, Narrow::of(e.root.at.exact_lo())).r.c[0];
-    const double height = size / (leg_.length(e.pair.side, e.pair.edge) * unit.hi());
+    const double height = size / unit_of(e.pair, e.root.at.exact_lo());
     const double way = std::pow(shift_ / height, 1.0 / m);
     const Wide t = leg_.time(Wide(u));
     for (const double side : {-way, way}) {
@@ -273,6 +294,7 @@ class LegSearch {
     if (touching_pairs.empty()) return false;
     Precision precision(2 * time_bits);
     *answer_ = {};
+    around_.clear();
     for (const VertexEdge& pair : touching_pairs) meet(pair);
     answer_->verdict = Verdict::contact;
     answer_->time = leg_.time(Wide::of(leg_.from()));
@@ -293,6 +315,8 @@ class LegSearch {
   /// Open reading: the bodies touch at the answer's time, and what follows is not known yet.
   bool pending_ = false;
   Rational pending_until_;
+  /// Those that met at the answer's time.
+  std::vector<VertexEdge> around_;
   bool assumed_ = false;
 };
 

@@ -6,6 +6,10 @@
 namespace taut::testing {
 namespace {
 
+bool same_place(const Keyframe& a, const Keyframe& b) {
+  return a.way == Way::straight && a.x == b.x && a.y == b.y && a.angle_deg == b.angle_deg;
+}
+
 double twice_area(const Polygon& p) {
   double twice = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -132,8 +136,13 @@ std::optional<MadeWorld> seen_from_a_moving_frame(Rng& rng, const MadeWorld& wor
   MadeWorld seen = world;
   for (MadeBody& body : seen.bodies) {
     if (body.parent >= 0) continue;
-    if (body.keyframes.empty()) {
+    // One that rests does so by two keyframes, whichever it had: bodies that rest move as one then, too, and are not
+    // asked about.
+    const auto rests = [&](const Keyframe& k) { return same_place(k, body.keyframes.front()); };
+    if (std::all_of(body.keyframes.begin(), body.keyframes.end(), rests)) {
       body.keyframes.resize(2);
+      body.keyframes[0].t = 0;
+      body.keyframes[1] = body.keyframes[0];
       body.keyframes[1].t = world.end;
     }
     for (Keyframe& k : body.keyframes) {
