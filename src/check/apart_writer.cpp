@@ -33,6 +33,15 @@ std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const pro
   return all;
 }
 
+/// Is the edge's other side farther than the vertex comes within the window? Beside an infinite speed that may be known
+/// where no window is so short that doubles tell of signs in it.
+bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
+  const auto at = [&g](VertexId v) { return Vector{g.point(v).x, g.point(v).y}; };
+  const Vector v = at(i.vertex), edge = at(g.next(i.edge)) - at(i.edge);
+  const double way = half * size(sight.shift_rate + sight.turn_rate * v);
+  return margin > 2 * size(edge) * (way + sight.shift_error + sight.turn_error * size(v));
+}
+
 }  // namespace
 
 void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time) {
@@ -99,14 +108,14 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
 
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time) {
   const proof::MotionWindow window = windows_.at(time);
-  const auto onto_p = reason(pair_.onto_p(ranges), window.from_p(), time);
+  const auto onto_p = reason(pair_.onto_p(ranges), window.from_p(), window.half(), time);
   if (!onto_p) return std::nullopt;
-  const auto onto_q = reason(pair_.onto_q(ranges), window.from_q(), time);
+  const auto onto_q = reason(pair_.onto_q(ranges), window.from_q(), window.half(), time);
   if (!onto_q) return std::nullopt;
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
-std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::Sight& sight,
+std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::Sight& sight, double half,
                                          const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
   const auto candidates = margins(pair_.geometry, incidence, sight);
@@ -115,8 +124,10 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
     if (margin < -doubt) break;
     if (proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end)) return why;
   }
-  // Shorter windows make more of doubles, but not where the largest margin is none in them.
-  if (candidates[0].first > doubtful * (1 + sight.size) && time.divisible()) return std::nullopt;
+  // Shorter windows make more of doubles, but not where the largest margin is none in them, or is plain already.
+  const auto& [widest, plain] = candidates[0];
+  if (is_far(widest, pair_.geometry, incidence, sight, half) && stays_aside(incidence, plain, time, end)) return plain;
+  if (widest > doubtful * (1 + sight.size) && time.divisible()) return std::nullopt;
   for (const auto& [margin, why] : candidates) {
     if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
   }

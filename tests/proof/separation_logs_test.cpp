@@ -336,6 +336,16 @@ TEST(SeparationLogs, OfCornersThatPassWhileTurning) {
   EXPECT_EQ(verify(scene, log).outcome, Outcome::free);
 }
 
+/// Beside an infinite speed no window is so short that doubles tell of signs in it: what is plain there is said of long
+/// windows, not of each one between two doubles (74,350 bytes).
+TEST(SeparationLogs, AreShortBesideAnInfiniteSpeed) {
+  const Scene scene = read_scene("tests/corpus/infinite_speed_in_a_contact_of_order_six.json");
+  std::stringstream log;
+  ASSERT_EQ(prove(scene, log, by_spacetime(Touch::open)).outcome, Outcome::free);
+  EXPECT_LT(log.str().size(), 1000);
+  EXPECT_EQ(verify(scene, log).outcome, Outcome::free);
+}
+
 /// Two bars in the shape of a plus: no vertex is on an edge, or inside the other body, and still they overlap. A log of
 /// all that separations can say of them is not a proof.
 std::string log_without_incidences(const Scene& scene, Touch touch) {

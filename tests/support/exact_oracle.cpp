@@ -250,6 +250,7 @@ class LegSearch {
     answer.verdict = Verdict::contact;
     Precision precision(2 * time_bits);
     Wide hull = events[from].root.at;
+    way_ = 0;
     for (std::size_t k = from; k < to; ++k) {
       hull = Wide::hull(hull, events[k].root.at);
       weigh(events[k]);
@@ -259,9 +260,25 @@ class LegSearch {
     answer.time = leg_.time(hull);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const int i = static_cast<int>(k);
-      if (state(i, What::height) == zero && on_edge(i, events[from].root)) meet(pairs_[k]);
+      const Root& first = events[from].root;
+      if (state(i, What::height) == zero ? on_edge(i, events[from].root) : within_shift(pairs_[k], first.at)) {
+        meet(pairs_[k]);
+      }
     }
     return true;
+  }
+
+  /// Displaced, these two may be those that meet.
+  bool within_shift(const VertexEdge& pair, const Wide& u) const {
+    const double near = shift_ * unit_of(pair, u.exact_lo());
+    // A little before or after, too, as far as the displacement moves the instant.
+    const auto not_below = [&](What what, int sign) {
+      const Wide value = leg_.coefficient({pair, what}, u, 0), slope = leg_.coefficient({pair, what}, u, 1);
+      const double most = sign > 0 ? value.hi() : -value.lo();
+      return most + way_ * std::max(std::fabs(slope.lo()), std::fabs(slope.hi())) >= -near;
+    };
+    return not_below(What::height, 1) && not_below(What::height, -1) && not_below(What::past_a, 1) &&
+           not_below(What::past_b, -1);
   }
 
   void weigh(Event& e) {
@@ -271,6 +288,7 @@ class LegSearch {
     const double size = std::max(std::fabs(coefficient.lo()), std::fabs(coefficient.hi()));
     const double height = size / unit_of(e.pair, e.root.at.exact_lo());
     const double way = std::pow(shift_ / height, 1.0 / m);
+    way_ = std::max(way_, way);
     const Wide t = leg_.time(Wide(u));
     for (const double side : {-way, way}) {
       Precision precision(2 * time_bits);
@@ -315,6 +333,8 @@ class LegSearch {
   /// Open reading: the bodies touch at the answer's time, and what follows is not known yet.
   bool pending_ = false;
   Rational pending_until_;
+  /// By how much the displacement may move the parameter of the answer's instant.
+  double way_ = 0;
   /// Those that met at the answer's time.
   std::vector<VertexEdge> around_;
   bool assumed_ = false;

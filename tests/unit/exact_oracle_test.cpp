@@ -162,6 +162,28 @@ TEST(ExactOracle, OverlapsByLessThanTheDisplacementAreBeyondIt) {
   expect_contact(scene(p, needle, {{3, 1}, {-3, -1}, turn, INFINITY, pivot}, 1), Touch::open, 3.637978807078478e-12);
 }
 
+/// A needle's tip comes to a corner that turns away with nearly infinite speed, and meets the face beside it 9e-48 from
+/// the corner. Displaced, by far less, it meets the other face, 2e-55 earlier.
+TEST(ExactOracle, NamesWhatMayMeetWhenDisplaced) {
+  const double e = 1.430511474609375e-06;
+  Scene s = scene({{-7, 7},
+                   {-7 + e, 7 + e},
+                   {-14 + e, 14 + e},
+                   {-14 - e, 14 - e},
+                   {7 - e, -7 - e},
+                   {7 + e, -7 + e},
+                   {e, e},
+                   {0, 0}},
+                  {{9, 0x1p-14}, {0, 0}, {18, 0}}, {{}, {}, CosineRotation{{0, 2, -1}}, INFINITY, {18, 0}}, 1);
+  s.bodies[0].motion = {
+      {MotionPiece{{18, 7, 0, 0, -7}, {0, -7, 0, 0, 7}, CosineRotation{{-1, 1}}, INFINITY, {-7 + e, 7 + e}}}};
+  const ExactAnswer a = first_contact(s, Touch::closed);
+  ASSERT_EQ(a.verdict, Verdict::contact);
+  EXPECT_TRUE(meets(a, 1, 2, 1));
+  EXPECT_TRUE(meets(a, 1, 2, 2));
+  EXPECT_FALSE(meets(a, 1, 2, 4));
+}
+
 /// Wedges of half a degree that slide face along face.
 TEST(ExactOracle, Blades) {
   const Polygon q{{10, 0}, {0, 0}, {10, -0.2}};
