@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "sign/fast_line.hpp"
+#include "sign/search_from_end.hpp"
 #include "tiling/root_faces.hpp"
 
 namespace taut {
@@ -129,10 +130,31 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& functio
   const double t = from.last().floor();
   if (t >= leg().end) return holds_until(c, leg().end);
   const double to = clock_.cell(std::max(t, leg().start)).end;
+  if (advance_beside_end(c, function, from, to)) return;
   if (const auto found = function.first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
     holds_until(c, to);
+  }
+}
+
+/// Towards an instant of infinite speed segments become shorter and shorter. A search that is made from that instant
+/// takes about as long for all of the time beside it as for one of them.
+bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from,
+                                       double segment_end) {
+  const double to = end_of_neighbourhood(leg(), from.last().floor());
+  if (to <= segment_end || hopeless_beside_end_) return false;
+  try {
+    if (const auto found = function.first_failure(c.sign, from, to)) {
+      set_isolated(c, *found);
+    } else {
+      holds_until(c, to);
+    }
+    return true;
+  } catch (const Undecidable&) {
+    // Something later, which may not matter.
+    hopeless_beside_end_ = true;
+    return false;
   }
 }
 

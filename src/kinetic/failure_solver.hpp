@@ -47,6 +47,7 @@ class FailureSolver {
   void enter(const Leg& leg) {
     clock_.reset(leg);
     memory_.reset(leg);
+    hopeless_beside_end_ = false;
   }
   const Leg& leg() const { return clock_.leg(); }
   const StageCounts& stages() const { return memory_.stages; }
@@ -90,6 +91,7 @@ class FailureSolver {
   void advance_from(Certificate& c, double t);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
+  bool advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double segment_end);
   bool pass_turn(Certificate& c, const PreciseTime& from);
   bool isolate_on_leg(Certificate& c, const PreciseTime& t);
   bool start_in_doubles(Certificate& c, const Now& now);
@@ -108,6 +110,7 @@ class FailureSolver {
   LegClock clock_;
   FrameMemory memory_;
   FastRoots fast_{clock_, memory_.stages};
+  bool hopeless_beside_end_ = false;  ///< on this leg
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;
 };

@@ -69,22 +69,15 @@ class PreciseFunction {
   }
   /// Taylor's formula in s about a singular end: the terms, but for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
-    count_work(work_of_series());
-    const auto f = frame_series(leg_, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
+    const auto& f = models().template from_end<Real>().terms(leg_, end, direction);
+    count_work(work_of_combination);
     BallPolynomial<Real> sum;
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
     return sum;
   }
   /// and the last one, which makes it right for all s from the end to `farthest`.
-  Ball<Real> last_term_from_end(double end, double direction, const Ball<Real>& farthest) const {
-    count_work(work_of_series());
-    const Ball<Real> over = hull(Ball<Real>::exact(0), farthest);
-    return coefficient_of(frame_series(leg_, TimeFromEnd<Real>{end, direction, over}), last_from_end);
-  }
-  BallPolynomial<Real> from_end(double end, double direction, const Ball<Real>& farthest) const {
-    BallPolynomial<Real> p = terms_from_end(end, direction);
-    p.push_back(last_term_from_end(end, direction, farthest));
-    return p;
+  Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
+    return combined(models().template from_end<Real>().last(leg_, end, direction, farthest));
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
@@ -92,12 +85,16 @@ class PreciseFunction {
     if (is_polynomial()) return polynomial_value(polynomial_, t);
     const FrameValues<Real> f = frame_values(leg_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
+    return sum_of(v);
+  }
+
+ private:
+  Ball<Real> combined(const FrameValues<Real>& frame) const { return sum_of(pp_ ? frame.for_pp : frame.for_qq); }
+  Ball<Real> sum_of(const std::array<Ball<Real>, 5>& v) const {
     Ball<Real> sum = v[0] * coefficients_[0];
     for (std::size_t i = 1; i < 5; ++i) sum = sum + v[i] * coefficients_[i];
     return sum;
   }
-
- private:
   template <int N>
   Ball<Real> coefficient_of(const FrameOf<Series<Real, N>>& frame, std::size_t k) const {
     const std::array<Series<Real, N>, 5>& f = pp_ ? frame.for_pp : frame.for_qq;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "numeric/root_isolation.hpp"
@@ -46,8 +47,7 @@ class SearchFromEnd {
   /// itself are far worse there, where terms cancel; far from the end they are the better ones.
   class Expanded {
    public:
-    Expanded(const SearchFromEnd& whole, const Real& farthest)
-        : whole_(whole), farthest_(whole.direction_ > 0 ? farthest : Real(-farthest)) {}
+    Expanded(const SearchFromEnd& whole, const Real& farthest) : whole_(whole), farthest_(in_few_bits(farthest)) {}
 
     Jet<Real> operator()(const Ball<Real>& s) const {
       const Jet<Real> near_end = polynomial_range(about_end(s), s);
@@ -64,26 +64,33 @@ class SearchFromEnd {
     BallPolynomial<Real> about_end(const Ball<Real>& s) const {
       const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
       std::size_t level = 0;
-      Real farthest = farthest_;
-      while (level + 1 < levels && reach < farthest * step) {
-        farthest = farthest * step;
+      double farthest = farthest_;
+      while (level + 1 < levels && reach < Real(farthest * step)) {
+        farthest *= step;
         ++level;
       }
       if (!terms_) terms_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
       if (!last_[level]) {
-        const Ball<Real> to(whole_.direction_ > 0 ? farthest : Real(-farthest), 0.0);
-        last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, to);
+        last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, whole_.direction_ * farthest);
       }
       BallPolynomial<Real> p = *terms_;
       p.push_back(*last_[level]);
       return p;
     }
 
+    /// A little more than the magnitude: searches that begin or end near each other share what they go by.
+    static double in_few_bits(const Real& s) {
+      const double most = RealTraits<Real>::magnitude(s);
+      if (!(most > 0x1p-900)) return 0x1p-900;
+      const int unit = std::ilogb(most) - 5;
+      return std::ldexp(std::ceil(std::ldexp(most, -unit)), unit);
+    }
+
     static constexpr std::size_t levels = 24;  ///< beyond them the last one does
     static constexpr double step = 0x1p-4;
 
     const SearchFromEnd& whole_;
-    Real farthest_;  ///< from the end
+    double farthest_;  ///< from the end
     mutable std::optional<BallPolynomial<Real>> terms_;
     mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ
   };
@@ -114,6 +121,14 @@ class SearchFromEnd {
 
 /// How near to a singular end of the leg a search is made from there.
 inline double reach_of_end(const Leg& leg) { return (leg.end - leg.start) / 16; }
+
+/// Up to when a search from that instant on is made from a singular end; the instant itself if it is not.
+inline double end_of_neighbourhood(const Leg& leg, double from) {
+  const double reach = reach_of_end(leg);
+  if (from >= leg.end - reach && leg.singular_at(leg.end)) return leg.end;
+  if (from < leg.start + reach && leg.singular_at(leg.start)) return leg.start + reach;
+  return from;
+}
 
 /// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
 /// motion is smooth enough over [from, to].

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -31,6 +32,29 @@ struct TaylorFrame {
   }
 };
 
+/// The frame functions by Taylor's formula in s, the root of the distance from an end at which the leg is singular (see
+/// TimeFromEnd), where they are smooth.
+template <class Real>
+class FramesFromEnd {
+ public:
+  /// The terms but for the last one.
+  const FrameOf<SeriesFromEnd<Real>>& terms(const Leg& leg, double end, double direction);
+  /// The last one, which makes the formula right for all s from the end to `farthest`.
+  const FrameValues<Real>& last(const Leg& leg, double end, double direction, double farthest);
+
+ private:
+  static constexpr std::size_t most_kept = 64;
+  struct Last {
+    double end, direction, farthest;
+    FrameValues<Real> frame;
+  };
+
+  double end_ = 0, direction_ = 0;  ///< of the terms; 0 if there are none
+  FrameOf<SeriesFromEnd<Real>> terms_;
+  std::vector<Last> last_;
+  std::size_t next_ = 0;  ///< which is replaced next
+};
+
 /// Those of one leg that were asked for last, at each precision.
 class TaylorFrames {
  public:
@@ -48,6 +72,11 @@ class TaylorFrames {
   /// A new one that serves; t.rad > 0.
   template <class Real>
   const TaylorFrame<Real>& make(const Leg& leg, const Ball<Real>& t);
+  template <class Real>
+  FramesFromEnd<Real>& from_end() {
+    std::optional<FramesFromEnd<Real>>& frames = std::get<Kept<Real>>(kept_).from_end;
+    return frames ? *frames : frames.emplace();
+  }
 
  private:
   static constexpr std::size_t most_kept = 24;
@@ -56,6 +85,7 @@ class TaylorFrames {
   struct Kept {
     std::vector<TaylorFrame<Real>> models;
     std::size_t next = 0;  ///< which is replaced next
+    std::optional<FramesFromEnd<Real>> from_end;
   };
   template <class Real>
   const Kept<Real>& kept() const {

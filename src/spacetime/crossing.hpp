@@ -1,6 +1,7 @@
 // A vertex that crosses an edge: the roots that may be contacts, at any precision.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "base/errors.hpp"
@@ -16,6 +17,8 @@ struct VertexEdge {
   Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
   Form from_start(const PairGeometry& g) const { return line(g).along(); }
   Form from_end(const PairGeometry& g) const { return line(g).back(); }
+
+  std::uint64_t number() const { return std::uint64_t{vertex.value} << 32 | edge.value; }
 };
 
 /// An instant at which the vertex passes through the edge, from outside to inside unless `out`: the only one in [lo,

@@ -5,15 +5,10 @@
 
 namespace taut::spacetime {
 
-double CrossingsBesideEnd::neighbourhood(double from) const {
-  const double reach = reach_of_end(leg_);
-  if (from >= leg_.end - reach && leg_.singular_at(leg_.end)) return leg_.end;
-  if (from < leg_.start + reach && leg_.singular_at(leg_.start)) return leg_.start + reach;
-  return from;
-}
+bool CrossingsBesideEnd::is_near(double t) const { return end_of_neighbourhood(leg_, t) > t; }
 
 const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdge& pair, double from, double until) {
-  Foreseen& known = known_[key(pair)];
+  Foreseen& known = known_[pair.number()];
   if (!known.hopeless && !known.tells(from)) {
     try {
       known.crossing = precise_.first(pair, from, until);
@@ -27,7 +22,7 @@ const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdg
 }
 
 std::optional<Crossing> CrossingsBesideEnd::first(const VertexEdge& pair, double from, double to) {
-  const double until = neighbourhood(from);
+  const double until = end_of_neighbourhood(leg_, from);
   const Foreseen* known = until > from ? foreseen(pair, from, until) : nullptr;
   if (!known) return precise_.first(pair, from, to);
   if (known->crossing && within(*known->crossing, to)) return known->crossing;

@@ -19,17 +19,16 @@ class CrossingsBesideEnd {
   CrossingsBesideEnd(const Leg& leg, Ways ways, PreciseCrossings& precise)
       : leg_(leg), ways_(ways), precise_(precise) {}
 
-  bool is_near(double t) const { return neighbourhood(t) > t; }
+  bool is_near(double t) const;
   /// Has the pair been asked about from there, or before?
   bool tells(const VertexEdge& pair, double t) const {
-    const auto known = known_.find(key(pair));
+    const auto known = known_.find(pair.number());
     return known != known_.end() && !known->second.hopeless && known->second.tells(t);
   }
   /// The pair's first crossing in (from, to]. Throws Undecidable.
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
 
  private:
-  static std::uint64_t key(const VertexEdge& pair) { return std::uint64_t{pair.vertex.value} << 32 | pair.edge.value; }
   /// What is known of a pair from an instant on, up to where the neighbourhood of the end ends.
   struct Foreseen {
     double from = 0, to = 0;
@@ -38,8 +37,6 @@ class CrossingsBesideEnd {
     bool tells(double t) const { return from <= t && t < to && !(crossing && crossing->hi <= t); }
   };
 
-  /// Up to when a search from there is made from a singular end; `from` itself if it is not.
-  double neighbourhood(double from) const;
   /// Nothing if it is hopeless.
   const Foreseen* foreseen(const VertexEdge& pair, double from, double until);
   /// Each crossing belongs to one stretch of those that divide time, if all are looked for. A first contact that may

@@ -48,7 +48,7 @@ class LegSearch {
   void count(SpacetimeResult& result) {
     result.pairs += looks_;
     result.roots += leaves_.roots();
-    (result.stages += leaves_.precise().stages()) += flat_sides_.stages();
+    (result.stages += leaves_.stages()) += flat_sides_.stages();
   }
 
   const double shortest;

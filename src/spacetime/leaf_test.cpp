@@ -33,7 +33,18 @@ int sign_between(const FastFunction& f, FrameWindow& window, double lo, double h
 
 LeafTest::Functions LeafTest::functions(const VertexEdge& pair) const {
   const auto of = [this](const Form& form) { return FastFunction::level_zero(leg_, geometry_, form); };
-  return {of(pair.line(geometry_)), of(pair.from_start(geometry_)), of(pair.from_end(geometry_))};
+  const auto sliding = first_orders_.find(pair.number());
+  const bool slides = sliding != first_orders_.end() && sliding->second;
+  return {slides ? *sliding->second : of(pair.line(geometry_)), of(pair.from_start(geometry_)),
+          of(pair.from_end(geometry_))};
+}
+
+const FastFunction* LeafTest::first_order(const VertexEdge& pair) {
+  const auto [at, is_new] = first_orders_.try_emplace(pair.number());
+  std::optional<FastFunction>& function = at->second;
+  if (is_new && !FastFunction::level_one(leg_, geometry_, pair.line(geometry_), function.emplace())) function.reset();
+  if (is_new && function) stages_.add(Stage::first_order);
+  return function ? &*function : nullptr;
 }
 
 bool LeafTest::excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const {
@@ -88,7 +99,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     return beside_end_.first(pair, t, limit);
   }
   if (beside_end_.tells(pair, t)) return beside_end_.first(pair, t, limit);
-  const Functions f = functions(pair);
+  Functions f = functions(pair);
   int steps = 0;
   for (double stride = window.length() * first_stride; t < limit;) {
     interruption_point();
@@ -121,6 +132,10 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     const double next = below(t + step);
     if (step > least_step * window.length() && next > t) {
       t = next;
+      continue;
+    }
+    if (const FastFunction* sliding = f.line.level1 ? nullptr : first_order(pair)) {
+      f.line = *sliding;
       continue;
     }
     if (beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);

@@ -1,7 +1,9 @@
 // Does a vertex cross an edge? In doubles with error bounds, step by step; in multi-precision where these get stuck.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 
 #include "spacetime/course.hpp"
 #include "spacetime/crossing.hpp"
@@ -18,6 +20,10 @@ class LeafTest {
   /// The pair's first crossing in (t, limit], which lies within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
   PreciseCrossings& precise() { return precise_; }
+  StageCounts stages() const {
+    StageCounts sum = stages_;
+    return sum += precise_.stages();
+  }
   std::uint64_t roots() const { return roots_; }
 
  private:
@@ -26,6 +32,7 @@ class LeafTest {
     FastFunction line, from_start, from_end;
   };
   Functions functions(const VertexEdge& pair) const;
+  const FastFunction* first_order(const VertexEdge& pair);
   bool excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const;
   bool isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
                double& falls_until);
@@ -37,6 +44,10 @@ class LeafTest {
   Ways ways_;
   PreciseCrossings precise_;
   CrossingsBesideEnd beside_end_;
+  /// Of pairs that doubles once did not tell about: the line's function in the first order of the displacement, if it
+  /// is zero without it, as where a vertex slides along an edge.
+  std::unordered_map<std::uint64_t, std::optional<FastFunction>> first_orders_;
+  StageCounts stages_;  ///< where that told
   std::uint64_t roots_ = 0;
 };
 

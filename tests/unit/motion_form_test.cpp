@@ -150,17 +150,24 @@ TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     // At the end itself everything is finite, where in t the slope is not.
     const Jet<Real320> there = f(TimeFromEnd<Real320>{end, direction, Ball<Real320>::exact(0)});
     EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
-    // The polynomial about the end holds the function everywhere up to there.
-    const double near = direction * 0.05;
-    const BallPolynomial<Real320> polynomial = f.from_end(end, direction, Ball<Real320>::exact(near));
-    for (const double share : {0.0, 0.01, 0.5, 1.0}) {
-      const Ball<Real320> at = Ball<Real320>::exact(near * share);
-      const Jet<Real320> expanded = polynomial_range(polynomial, at);
-      const Jet<Real320> direct = f(TimeFromEnd<Real320>{end, direction, at});
-      EXPECT_EQ((expanded.v - direct.v).sign(), 0);
-      EXPECT_EQ((expanded.d - direct.d).sign(), 0);
-      EXPECT_EQ((expanded.dd - direct.dd).sign(), 0);
-      EXPECT_LT(expanded.v.rad, share < 0.1 ? 1e-20 : 1e-3);
+    // The polynomial about the end holds the function everywhere up to there, also of another form, for which the
+    // frame functions are known already.
+    TaylorFrames shared;
+    for (const unsigned vertex : {6U, 4U}) {
+      const PreciseFunction<Real320> h(leg, g, Form::of(g, VertexId(0), VertexId(1), VertexId(vertex)), &shared);
+      for (const double near : {direction * 0.05, direction * 0.01}) {
+        BallPolynomial<Real320> polynomial = h.terms_from_end(end, direction);
+        polynomial.push_back(h.last_term_from_end(end, direction, near));
+        for (const double share : {0.0, 0.01, 0.5, 1.0}) {
+          const Ball<Real320> at = Ball<Real320>::exact(near * share);
+          const Jet<Real320> expanded = polynomial_range(polynomial, at);
+          const Jet<Real320> direct = h(TimeFromEnd<Real320>{end, direction, at});
+          EXPECT_EQ((expanded.v - direct.v).sign(), 0);
+          EXPECT_EQ((expanded.d - direct.d).sign(), 0);
+          EXPECT_EQ((expanded.dd - direct.dd).sign(), 0);
+          EXPECT_LT(expanded.v.rad, share < 0.1 ? 1e-20 : 1e-3);
+        }
+      }
     }
   }
 }
