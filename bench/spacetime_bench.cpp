@@ -48,7 +48,8 @@ struct Certified {
   std::string fault() const {
     if (result.outcome == SpacetimeResult::undecided) return result.reason;
     const Leg& leg = legs[result.leg];
-    return bench::fault(wanted, result.outcome == SpacetimeResult::contact, leg.time(result.lo), leg.time(result.hi));
+    return bench::fault(wanted, result.outcome == SpacetimeResult::contact, leg.time(result.lo),
+                        leg.time(result.found.hi));
   }
 };
 

@@ -1,112 +1,37 @@
 #include "import/svg_path.hpp"
 
-#include <cctype>
 #include <cmath>
-#include <cstring>
+#include <initializer_list>
 
-#include "import/svg_values.hpp"
-#include "io/text_file.hpp"
-#include "taut/error.hpp"
+#include "io/path_data.hpp"
 
 namespace taut::drawing {
 
 namespace {
 
-class PathReader {
+/// The points of a subpath, where the element is placed.
+class Tracer {
  public:
-  PathReader(const std::string& data, const std::string& place, const Affine& where, Flattener& flattener)
-      : data_(data), place_(place), scanner_(data), where_(where), flattener_(flattener) {}
+  Tracer(const Affine& where, Flattener& flattener) : where_(where), flattener_(flattener) {}
 
-  std::vector<Chain> read() {
-    char command = 0;
-    while (!scanner_.at_end()) {
-      const char letter = scanner_.letter();
-      if (letter != 0 && !std::strchr("MmLlHhVvCcSsQqTtAaZz", letter)) fail("a command that SVG does not have");
-      if (letter == 0 && (command == 0 || command == 'Z' || command == 'z')) fail("expected a command");
-      if (command == 0 && letter != 'M' && letter != 'm') fail("a path begins with M or m");
-      if (letter != 0) command = letter;
-      step(command);
-      // Further pairs after a move are lines.
-      if (command == 'M') command = 'L';
-      if (command == 'm') command = 'l';
+  Chain trace(const io::Subpath& path, const std::string& place) {
+    at_ = path.outline.start;
+    chain_ = {{where_(at_)}, path.closed, place};
+    for (const CurveSegment& segment : path.outline.segments) {
+      std::visit(*this, segment);
+      at_ = end_of(segment);
     }
-    return std::move(chains_);
+    return std::move(chain_);
   }
 
- private:
-  void step(char command) {
-    const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(command)));
-    base_ = kind == command ? Point{} : at_;
-    if (kind == 'Z') return close();
-    if (kind == 'M') return move(point());
-    if (kind == 'L') line(point());
-    if (kind == 'H') line({number() + base_.x, at_.y});
-    if (kind == 'V') line({at_.x, number() + base_.y});
-    if (kind == 'C' || kind == 'S') {
-      const Point a = kind == 'C' ? point() : mirrored('C'), b = point();
-      curve({a, b}, point());
-    }
-    if (kind == 'Q' || kind == 'T') {
-      const Point a = kind == 'Q' ? point() : mirrored('Q');
-      curve({a}, point());
-    }
-    if (kind == 'A') arc();
-    last_ = kind == 'S' ? 'C' : kind == 'T' ? 'Q' : kind;
-  }
-
-  void move(const Point& p) {
-    start_ = at_ = p;
-    open_ = false;
-    last_ = 'M';
-  }
-
-  void close() {
-    if (open_) chains_.back().closed = true;
-    at_ = start_;
-    open_ = false;
-    last_ = 'Z';
-  }
-
-  /// The points of the present subpath, which begins where the pen is.
-  std::vector<Point>& points() {
-    if (!open_) chains_.push_back({{where_(at_)}, false, place_});
-    open_ = true;
-    return chains_.back().points;
-  }
-
-  void line(const Point& to) {
-    points().push_back(where_(to));
-    at_ = to;
-  }
-
-  void curve(const std::vector<Point>& inner, const Point& to) {
-    std::vector<ControlPoint> control;
-    const auto add = [&](const Point& p) {
-      const Point placed = where_(p);
-      control.push_back({placed.x, placed.y, 1});
-    };
-    add(at_);
-    for (const Point& p : inner) add(p);
-    add(to);
-    flattener_.bezier(points(), control);
-    control_ = inner.back();
-    at_ = to;
-  }
-
-  /// The last curve's control point, on the other side of its end.
-  Point mirrored(char kind) const {
-    if (last_ != kind) return at_;
-    return {2 * at_.x - control_.x, 2 * at_.y - control_.y};
-  }
-
+  void operator()(const LineTo& line) { chain_.points.push_back(where_(line.to)); }
+  void operator()(const QuadraticTo& q) { bezier({at_, q.control, q.to}); }
+  void operator()(const CubicTo& c) { bezier({at_, c.first, c.second, c.to}); }
   /// As section B.2.4 of SVG 2 has it.
-  void arc() {
-    double rx = std::fabs(number()), ry = std::fabs(number());
-    const Affine turn = rotation(number());
-    const bool large = flag(), sweep = flag();
-    const Point to = point();
-    if (to == at_) return;
-    if (rx == 0 || ry == 0) return line(to);
+  void operator()(const ArcTo& arc) {
+    double rx = arc.rx, ry = arc.ry;
+    const Affine turn = rotation(arc.rotation_deg);
+    const Point to = arc.to;
     // In the frame of the axes, half the way from the end to the start.
     const Point half{(at_.x - to.x) / 2, (at_.y - to.y) / 2};
     const double x = turn.a * half.x + turn.b * half.y, y = turn.c * half.x + turn.d * half.y;
@@ -116,54 +41,33 @@ class PathReader {
       ry *= reach;
     }
     const double left = std::max(0.0, 1 / (std::min(reach, 1.0) * std::min(reach, 1.0)) - 1);
-    const double factor = (large == sweep ? -1 : 1) * (reach < 1 ? std::sqrt(left) : 0);
+    const double factor = (arc.large == arc.sweep ? -1 : 1) * (reach < 1 ? std::sqrt(left) : 0);
     const double cx = factor * rx * y / ry, cy = -factor * ry * x / rx;
     const Point shift = turn.turn({cx, cy});
     const Point centre{shift.x + (at_.x + to.x) / 2, shift.y + (at_.y + to.y) / 2};
     const double from = std::atan2((y - cy) / ry, (x - cx) / rx);
     double angle = std::atan2((-y - cy) / ry, (-x - cx) / rx) - from;
     constexpr double full_angle = 2 * 3.14159265358979323846;
-    if (sweep && angle < 0) angle += full_angle;
-    if (!sweep && angle > 0) angle -= full_angle;
-    flattener_.arc(points(), where_(centre), where_.turn(turn.turn({rx, 0})), where_.turn(turn.turn({0, ry})), from,
-                   angle, where_(to));
-    at_ = to;
+    if (arc.sweep && angle < 0) angle += full_angle;
+    if (!arc.sweep && angle > 0) angle -= full_angle;
+    flattener_.arc(chain_.points, where_(centre), where_.turn(turn.turn({rx, 0})), where_.turn(turn.turn({0, ry})),
+                   from, angle, where_(to));
   }
 
-  double number() {
-    const auto value = scanner_.number();
-    if (!value) fail("expected a number");
-    return *value;
+ private:
+  void bezier(std::initializer_list<Point> points) {
+    std::vector<ControlPoint> control;
+    for (const Point& p : points) {
+      const Point placed = where_(p);
+      control.push_back({placed.x, placed.y, 1});
+    }
+    flattener_.bezier(chain_.points, control);
   }
 
-  bool flag() {
-    const auto value = scanner_.flag();
-    if (!value) fail("expected a flag of an arc, 0 or 1");
-    return *value;
-  }
-
-  Point point() {
-    const double x = number(), y = number();
-    return {base_.x + x, base_.y + y};
-  }
-
-  [[noreturn]] void fail(const std::string& problem) const {
-    const std::size_t here = scanner_.position();
-    throw InputError(place_,
-                     "the path's data cannot be read: " + problem + " at character " + std::to_string(here + 1) +
-                         ", before \"" + io::excerpt(data_.substr(here), 20) + "\"",
-                     "write M, L, H, V, C, S, Q, T, A and Z with their numbers, or save the drawing again");
-  }
-
-  const std::string& data_;
-  const std::string& place_;
-  NumberScanner scanner_;
-  Affine where_;
+  const Affine& where_;
   Flattener& flattener_;
-  std::vector<Chain> chains_;
-  Point at_, start_, control_, base_;
-  char last_ = 0;
-  bool open_ = false;  ///< is there a subpath that what comes next continues?
+  Chain chain_;
+  Point at_;
 };
 
 }  // namespace
@@ -171,7 +75,11 @@ class PathReader {
 std::vector<Chain> read_path(const XmlElement& element, const Affine& where, Flattener& flattener) {
   const std::string* data = element.find("d");
   if (!data) return {};
-  return PathReader(*data, element.place, where, flattener).read();
+  std::vector<Chain> chains;
+  for (const io::Subpath& path : io::read_path_data(*data, element.place)) {
+    chains.push_back(Tracer(where, flattener).trace(path, element.place));
+  }
+  return chains;
 }
 
 }  // namespace taut::drawing

@@ -49,12 +49,6 @@ std::optional<double> NumberScanner::number() {
   return std::nullopt;
 }
 
-std::optional<bool> NumberScanner::flag() {
-  skip();
-  if (position_ >= text_.size() || (text_[position_] != '0' && text_[position_] != '1')) return std::nullopt;
-  return text_[position_++] == '1';
-}
-
 char NumberScanner::letter() {
   skip();
   if (position_ >= text_.size()) return 0;

@@ -17,8 +17,6 @@ class NumberScanner {
   explicit NumberScanner(const std::string& text) : text_(text) {}
   /// The next number, which is finite; nothing if there is none.
   std::optional<double> number();
-  /// A flag of an arc: 0 or 1, after which the next number may follow at once.
-  std::optional<bool> flag();
   /// The next letter or bracket; 0 if a number follows, or nothing.
   char letter();
   bool at_end();

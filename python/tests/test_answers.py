@@ -2,9 +2,7 @@ import dataclasses
 import pathlib
 import re
 import shutil
-import signal
 import subprocess
-import sys
 import threading
 import time
 
@@ -137,20 +135,10 @@ def test_the_command_accepts_a_proof(taut, tmp_path):
 
 
 @pytest.mark.parametrize("call", ["check(scene)", "check(scene, engine='spacetime')", "prove(scene)"])
-def test_control_c_ends_a_check(call):
+def test_control_c_ends_a_check(call, interrupt):
     program = LONG + f"print('begun', flush=True)\ntaut2d.{call}\n"
-    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    try:
-        assert child.stdout.readline() == "begun\n"
-        time.sleep(0.5)
-        assert child.poll() is None, child.stderr.read()
-        sent = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        _, errors = child.communicate(timeout=30)
-        assert time.monotonic() - sent < 1
-        assert errors.rstrip().endswith("KeyboardInterrupt")
-    finally:
-        child.kill()
+    _, errors = interrupt(program)
+    assert errors.rstrip().endswith("KeyboardInterrupt")
 
 
 def test_checks_run_in_several_threads():

@@ -1,9 +1,5 @@
 import pathlib
 import random
-import signal
-import subprocess
-import sys
-import time
 
 import pytest
 import taut2d
@@ -145,7 +141,7 @@ def test_the_first_row_at_fault_is_named_by_any_number_of_threads():
         taut2d.check_many(DROP, {"hammer": values}, threads=0)
 
 
-def test_control_c_ends_many_checks():
+def test_control_c_ends_many_checks(interrupt):
     program = """
 import numpy, taut2d
 square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
@@ -154,18 +150,8 @@ rows = taut2d.VelocityRows(numpy.zeros((10**6, 2)), 360)
 print("begun", flush=True)
 taut2d.check_many(scene, {"a": rows, "b": rows})
 """
-    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    try:
-        assert child.stdout.readline() == "begun\n"
-        time.sleep(0.5)
-        assert child.poll() is None, child.stderr.read()
-        sent = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        _, errors = child.communicate(timeout=30)
-        assert time.monotonic() - sent < 1
-        assert errors.rstrip().endswith("KeyboardInterrupt")
-    finally:
-        child.kill()
+    _, errors = interrupt(program)
+    assert errors.rstrip().endswith("KeyboardInterrupt")
 
 
 def test_a_shape_is_what_it_was_made_of():

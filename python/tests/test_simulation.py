@@ -1,9 +1,5 @@
 import pathlib
-import signal
-import subprocess
-import sys
 import threading
-import time
 
 import pytest
 import taut2d
@@ -181,7 +177,7 @@ def test_threads_take_turns():
     assert simulation.advance_to(1) == "finished" and simulation.events == taut2d.check(scene, engine="kinetic").events
 
 
-def test_control_c_leaves_it_undecided():
+def test_control_c_leaves_it_undecided(interrupt):
     program = """
 import taut2d
 ring = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
@@ -193,15 +189,5 @@ try:
 except KeyboardInterrupt:
     print(simulation.state, simulation.time > 0, simulation.reason)
 """
-    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    try:
-        assert child.stdout.readline() == "begun\n"
-        time.sleep(0.5)
-        assert child.poll() is None, child.stderr.read()
-        sent = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        printed, errors = child.communicate(timeout=30)
-        assert time.monotonic() - sent < 1
-        assert printed.startswith("undecided True ") and errors == ""
-    finally:
-        child.kill()
+    printed, errors = interrupt(program)
+    assert printed.startswith("undecided True ") and errors == ""

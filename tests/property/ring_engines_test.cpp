@@ -33,9 +33,9 @@ void expect_other_engine_agrees(const WorldPlan& world, bool inwards, const Ring
   ASSERT_EQ(kinetic.outcome == Outcome::contact, other.outcome == spacetime::SpacetimeResult::contact);
   if (!kinetic.found) return;
   EXPECT_EQ(kinetic.found->leg, other.leg);
-  EXPECT_EQ(kinetic.found->contact.vertex, other.vertex);
-  EXPECT_EQ(kinetic.found->contact.edge, other.edge);
-  EXPECT_LE(kinetic.found->contact.lo, other.hi);
+  EXPECT_EQ(kinetic.found->contact.vertex, other.found.vertex);
+  EXPECT_EQ(kinetic.found->contact.edge, other.found.edge);
+  EXPECT_LE(kinetic.found->contact.lo, other.found.hi);
   EXPECT_LE(other.lo, kinetic.found->contact.hi);
 }
 

@@ -31,18 +31,18 @@ bool same(const Ref& f, int body, int index) {
 /// The enclosures overlap, or nearly; and where they are those of one pair, it is the same pair.
 void compare_contacts(const PairPlan& plan, const PairGeometry& g, const Leg& leg, const SpacetimeResult& second,
                       const Contact& first, Counts& counts) {
-  const double lo = leg.time(second.lo), hi = leg.time(second.hi);
+  const double lo = leg.time(second.lo), hi = leg.time(second.found.hi);
   const double scale = std::max(1.0, std::fabs(hi));
   EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
   EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
   EXPECT_LE(hi - lo, 1e-11 * scale);
   const auto side = [&](VertexId v) { return g.in_p(v) ? 0u : 1u; };
   const auto local = [&](VertexId v) { return g.in_p(v) ? v.value : v.value - g.np; };
-  const BodyMap &vertex = plan.maps[side(second.vertex)], &edge = plan.maps[side(second.edge)];
-  const bool agree = same(first.vertex, vertex.body, vertex.vertex(local(second.vertex))) &&
-                     same(first.edge, edge.body, edge.edge(local(second.edge)));
+  const BodyMap &vertex = plan.maps[side(second.found.vertex)], &edge = plan.maps[side(second.found.edge)];
+  const bool agree = same(first.vertex, vertex.body, vertex.vertex(local(second.found.vertex))) &&
+                     same(first.edge, edge.body, edge.edge(local(second.found.edge)));
   if (!agree) ++counts.other_pair;
-  EXPECT_TRUE(agree) << "vertex " << second.vertex.value << " edge " << second.edge.value;
+  EXPECT_TRUE(agree) << "vertex " << second.found.vertex.value << " edge " << second.found.edge.value;
 }
 
 void compare(const Scene& scene, Touch touch, Counts& counts) {
