@@ -128,7 +128,7 @@ expect 2 '' '--body: there is no body "car"' cells primitive.json --resolution 1
 expect 2 '' 'the resolution is not a positive number' cells primitive.json --resolution 0
 expect 2 '' 'resolution' cells primitive.json
 sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
-expect 2 '' 'broken.svg:2:17: the path.s data cannot be read' import broken.svg
+expect 2 '' 'broken.svg:2:17: this is no command of a path, at character 13' import broken.svg
 echo '<svg><text>a</text></svg>' >empty.svg
 expect 2 '' 'empty.svg: nothing in the file encloses an area; skipped: <text>' import empty.svg
 
