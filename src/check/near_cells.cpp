@@ -5,27 +5,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/box_list.hpp"
 #include "geometry/vector.hpp"
 #include "pair/ring_set.hpp"
 #include "taut/pose.hpp"
 
 namespace taut {
 namespace {
-
-struct NearBox {
-  double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
-  void add(const NearBox& b) {
-    lo_x = std::min(lo_x, b.lo_x);
-    lo_y = std::min(lo_y, b.lo_y);
-    hi_x = std::max(hi_x, b.hi_x);
-    hi_y = std::max(hi_y, b.hi_y);
-  }
-  double distance_to(const NearBox& b) const {
-    const double x = std::max({0.0, lo_x - b.hi_x, b.lo_x - hi_x});
-    const double y = std::max({0.0, lo_y - b.hi_y, b.lo_y - hi_y});
-    return std::sqrt(x * x + y * y);
-  }
-};
 
 /// A cell, or an edge of a polygon, where its body is.
 struct PosedCell {
@@ -34,7 +20,7 @@ struct PosedCell {
   double thickness = 0;
   int* mark = nullptr;  ///< of a cell that can become finer
   bool marked = false;
-  NearBox box;  ///< around it, with room for its thickness
+  AxisBox box;  ///< around it, with room for its thickness
 };
 
 double distance_to_edge(Vector p, Vector a, Vector b) {
@@ -83,14 +69,15 @@ class PosedCells {
         for (const Polygon& hole : part.holes) add_ring(hole);
       }
     }
-    around_.resize(4 * cells_.size());
-    build(1, 0, cells_.size());
+    std::vector<AxisBox> boxes;
+    for (const PosedCell& cell : cells_) boxes.push_back(cell.box);
+    around_ = BoxList(boxes);
   }
 
   /// Visits pairs of cells whose boxes are no farther from each other than `reach`.
   template <class Visit>
   static void near(PosedCells& a, PosedCells& b, double reach, const Visit& visit) {
-    across(a, {1, 0, a.cells_.size()}, b, {1, 0, b.cells_.size()}, reach, visit);
+    a.around_.near(b.around_, reach, [&](std::size_t i, std::size_t k) { visit(a.cells_[i], b.cells_[k]); });
   }
 
   Vector posed(const Point& p) const {
@@ -100,15 +87,6 @@ class PosedCells {
   std::size_t size() const { return cells_.size(); }
 
  private:
-  struct Run {
-    std::size_t node, lo, hi;
-    std::size_t size() const { return hi - lo; }
-    Run half(bool second) const {
-      const std::size_t middle = (lo + hi) / 2;
-      return second ? Run{2 * node + 1, middle, hi} : Run{2 * node, lo, middle};
-    }
-  };
-
   void add_ring(const Polygon& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) add({ring[i], ring[(i + 1) % ring.size()]}, 0, nullptr);
   }
@@ -120,35 +98,14 @@ class PosedCells {
     for (const Point& p : corners) {
       const Vector at = posed(p);
       cell.corners.push_back(at);
-      cell.box.add({at.x - thickness, at.y - thickness, at.x + thickness, at.y + thickness});
+      cell.box.add(AxisBox{at.x - thickness, at.y - thickness, at.x + thickness, at.y + thickness});
     }
     cells_.push_back(std::move(cell));
   }
 
-  const NearBox& build(std::size_t node, std::size_t lo, std::size_t hi) {
-    if (hi - lo == 1) return around_[node] = cells_[lo].box;
-    const std::size_t middle = (lo + hi) / 2;
-    NearBox box = build(2 * node, lo, middle);
-    box.add(build(2 * node + 1, middle, hi));
-    return around_[node] = box;
-  }
-
-  template <class Visit>
-  static void across(PosedCells& a, const Run& i, PosedCells& b, const Run& k, double reach, const Visit& visit) {
-    if (a.around_[i.node].distance_to(b.around_[k.node]) > reach) return;
-    if (i.size() == 1 && k.size() == 1) return visit(a.cells_[i.lo], b.cells_[k.lo]);
-    for (const bool second : {false, true}) {
-      if (i.size() >= k.size()) {
-        across(a, i.half(second), b, k, reach, visit);
-      } else {
-        across(a, i, b, k.half(second), reach, visit);
-      }
-    }
-  }
-
   const BodyPose& pose_;
   std::vector<PosedCell> cells_;
-  std::vector<NearBox> around_;
+  BoxList around_;
 };
 
 /// Three points on a curve, its ends and its middle, or on an edge.
