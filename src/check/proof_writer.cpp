@@ -45,7 +45,8 @@ double ProofWriter::about(const EngineEvent& event) const {
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
   if (event.hi - event.lo > proof::nearness(leg.start, leg.end)) {
     const PreciseTriple f(leg, *geometry_, Form::of(*geometry_, event.u, event.v, event.w));
-    if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), 0)) f.refine(before, t, 0);
+    if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), Stage::precise))
+      f.refine(before, t, Stage::precise);
   }
   const double lo = t.floor(), hi = t.ceiling();
   return lo + (hi - lo) / 2;

@@ -21,7 +21,7 @@ bool FailureSolver::known_before(const Certificate& a, const Certificate& b) con
 }
 
 /// One stage further for one certificate.
-void FailureSolver::sharpen(Certificate& c, int stage) {
+void FailureSolver::sharpen(Certificate& c, Stage stage) {
   if (c.precise < 0) precise_slot(c) = PreciseTime::between(c.lo, c.hi);
   PreciseTime& t = pool_[static_cast<std::size_t>(c.precise)];
   precise_of(c).refine(c.sign, t, stage);
@@ -32,10 +32,10 @@ void FailureSolver::sharpen(Certificate& c, int stage) {
 
 void FailureSolver::separate(Certificate& a, Certificate& b) {
   const auto stage_of = [this](const Certificate& c) {
-    return c.precise < 0 ? -1 : pool_[static_cast<std::size_t>(c.precise)].stage;
+    return c.precise < 0 ? Stage::doubles : pool_[static_cast<std::size_t>(c.precise)].stage;
   };
-  const int stage = std::min(stage_of(a), stage_of(b)) + 1;
-  if (stage >= precise_stages) throw Undecidable{"the order of two events"};
+  const Stage stage = next_precise(std::min(stage_of(a), stage_of(b)));
+  if (stage > last_stage) throw Undecidable{"the order of two events"};
   if (stage_of(a) < stage) sharpen(a, stage);
   if (stage_of(b) < stage) sharpen(b, stage);
 }
@@ -45,7 +45,7 @@ bool FailureSolver::fails_by(Certificate& c, double t) {
   if (c.sign * v.value > v.error) return false;
   if (-c.sign * v.value > v.error) return true;
   const PreciseTriple f = precise_of(c);
-  const auto sign = [&](int stage) { return f.sign_at(PreciseTime::between(t, t), stage); };
+  const auto sign = [&](Stage stage) { return f.sign_at(PreciseTime::between(t, t), stage); };
   return told("whether an event falls on the end of the interval", sign) != c.sign;
 }
 
@@ -78,7 +78,7 @@ void FailureSolver::tighten(Certificate& c) {
   const double few_ulps = 0x1p-54 * std::fabs(c.hi);
   if (c.hi - c.lo <= 8 * few_ulps) return;
   PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
-  if (!precise_of(c).refine(c.sign, t, 0, few_ulps)) return;
+  if (!precise_of(c).refine(c.sign, t, Stage::precise, few_ulps)) return;
   c.lo = std::max(c.lo, t.floor());
   c.hi = std::min(c.hi, t.ceiling());
 }

@@ -174,7 +174,7 @@ bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
     if (valley) holds_until(c, place->until);
     return valley;
   }
-  const auto before = tie.root_beside(*turn, -1, 0), after = tie.root_beside(*turn, 1, 0);
+  const auto before = tie.root_beside(*turn, -1, Stage::precise), after = tie.root_beside(*turn, 1, Stage::precise);
   if (!before || !after) return false;
   // It holds before the first root and after the second one of a valley, and between those of a hill.
   if (valley && after->certainly_before(from)) {

@@ -99,7 +99,7 @@ class FailureSolver {
   bool start_on_line(Certificate& c, const Now& now);
   void set_isolated(Certificate& c, const PreciseTime& t);
   void holds_until(Certificate& c, double t);
-  void sharpen(Certificate& c, int stage);
+  void sharpen(Certificate& c, Stage stage);
   PreciseTime& precise_slot(Certificate& c);
   PreciseTime& precise_now(Now& now) const;
   /// The sign of a form at `now`: fast if possible, else precise.

@@ -4,19 +4,20 @@
 // what remains when the last one is silent. That walk is written here alone.
 #pragma once
 
+#include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "base/errors.hpp"
-#include "numeric/real.hpp"
 #include "numeric/root_isolation.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut {
 
-/// ask(stage) from the first stage on, until the answer is not empty, or not zero; else that empty answer.
+/// ask(stage) from the first stage at high precision on, until the answer is not empty, or not zero; else that empty
+/// answer.
 template <class Ask>
-auto first_told(const Ask& ask) -> decltype(ask(0)) {
-  for (int stage = 0; stage < precise_stages; ++stage) {
+auto first_told(const Ask& ask) -> decltype(ask(Stage::precise)) {
+  for (Stage stage = Stage::precise; stage <= last_stage; stage = next_precise(stage)) {
     if (auto answer = ask(stage)) return answer;
   }
   return {};
@@ -24,7 +25,7 @@ auto first_told(const Ask& ask) -> decltype(ask(0)) {
 
 /// The same, where someone has to tell; `what` is the question for the user.
 template <class Ask>
-auto told(const char* what, const Ask& ask) -> decltype(ask(0)) {
+auto told(const char* what, const Ask& ask) -> decltype(ask(Stage::precise)) {
   auto answer = first_told(ask);
   if (!answer) throw Undecidable{what};
   return answer;
@@ -33,13 +34,14 @@ auto told(const char* what, const Ask& ask) -> decltype(ask(0)) {
 /// The sign of a ball given as a function of a number of its type; 0 if no stage tells.
 template <class Quantity>
 int told_sign(const Quantity& quantity) {
-  return first_told([&](int stage) { return with_stage(stage, [&](auto zero) { return quantity(zero).sign(); }); });
+  return first_told([&](Stage stage) { return with_stage(stage, [&](auto zero) { return quantity(zero).sign(); }); });
 }
 
 /// `ask(zero, stage)` where a stage that cannot tell throws PrecisionExhausted; nothing if none can.
 template <class Ask>
-auto at_some_stage(const Ask& ask, int first = 0) -> std::optional<decltype(ask(double{}, 0))> {
-  for (int stage = first; stage < precise_stages; ++stage) {
+auto at_some_stage(const Ask& ask, Stage first = Stage::precise)
+    -> std::optional<decltype(ask(double{}, Stage::precise))> {
+  for (Stage stage = std::max(first, Stage::precise); stage <= last_stage; stage = next_precise(stage)) {
     try {
       return with_stage(stage, [&](auto zero) { return ask(zero, stage); });
     } catch (const PrecisionExhausted&) {

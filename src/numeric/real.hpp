@@ -22,15 +22,6 @@ inline constexpr int precise_stages = static_cast<int>(std::tuple_size_v<Precisi
 /// The widest type: every number of a narrower stage converts to it exactly.
 using RealMax = std::tuple_element_t<precise_stages - 1, Precisions>;
 
-/// Runs the generic lambda with a value of the number type of a stage (an index into Precisions).
-template <int Stage = 0, class Action>
-auto with_stage(int stage, const Action& action) {
-  if constexpr (Stage + 1 < precise_stages) {
-    if (stage > Stage) return with_stage<Stage + 1>(stage, action);
-  }
-  return action(std::tuple_element_t<Stage, Precisions>());
-}
-
 /// Absolute error added by every operation on balls, so that underflow (of a double, or of a radius) is harmless.
 /// Coordinates are scaled to about 1, and the smallest quantity that ever decides is the square of the displacement,
 /// about 2^-400.

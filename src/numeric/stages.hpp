@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 
 #include "numeric/real.hpp"
 
@@ -26,6 +27,20 @@ constexpr Stage stage_of_precision(int precision) {
 }
 
 inline constexpr int stage_count = static_cast<int>(Stage::precise) + precise_stages;
+inline constexpr Stage last_stage = stage_of_precision(precise_stages - 1);
+/// The next one at high precision; beyond the last one there is none.
+constexpr Stage next_precise(Stage stage) {
+  return stage < Stage::precise ? Stage::precise : static_cast<Stage>(static_cast<int>(stage) + 1);
+}
+
+/// Runs the generic lambda with a value of the number type of a stage at high precision.
+template <int Precision = 0, class Action>
+auto with_stage(Stage stage, const Action& action) {
+  if constexpr (Precision + 1 < precise_stages) {
+    if (stage > stage_of_precision(Precision)) return with_stage<Precision + 1>(stage, action);
+  }
+  return action(std::tuple_element_t<Precision, Precisions>());
+}
 
 struct StagedSign {
   int sign = 0;

@@ -186,9 +186,9 @@ int Placement::precise_sign(const char* what, const Quantity& quantity) const {
     return sign;
   };
   if (const int s = told_by(Stage::fixed, quantity(FixedBall()).sign())) return s;
-  return told(what, [&](int stage) {
+  return told(what, [&](Stage stage) {
     const auto sign = [&](auto zero) { return quantity(Ball<decltype(zero)>()).sign(); };
-    return told_by(stage_of_precision(stage), with_stage(stage, sign));
+    return told_by(stage, with_stage(stage, sign));
   });
 }
 

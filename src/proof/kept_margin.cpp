@@ -18,7 +18,7 @@ bool stays_negative(const Function& f, double from, double to) {
 
 bool KeptMargin::vertices(const RangePair& edges, double from, double to) const {
   const VertexId a = pair_.onto_q(edges).vertex, c = pair_.onto_p(edges).vertex;
-  return at_some_stage([&](auto zero, int) {
+  return at_some_stage([&](auto zero, Stage) {
            using Real = decltype(zero);
            return stays_negative<Real>(VertexCloseness<Real>(leg_, pair_.geometry, a, c, margin_), from, to);
          })
@@ -28,7 +28,7 @@ bool KeptMargin::vertices(const RangePair& edges, double from, double to) const 
 bool KeptMargin::aside(Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from, double to) const {
   if (why > Aside::behind_second) return false;
   if (why != Aside::right) return stays_aside(pair_.geometry, lifetimes, incidence, why, from, Instant::exactly(to));
-  return at_some_stage([&](auto zero, int) {
+  return at_some_stage([&](auto zero, Stage) {
            using Real = decltype(zero);
            const LineCloseness<Real> line(leg_, pair_.geometry, incidence.line(pair_.geometry), margin_);
            return stays_negative<Real>(line, from, to);
@@ -38,7 +38,7 @@ bool KeptMargin::aside(Lifetimes& lifetimes, const Incidence& incidence, Aside w
 
 bool closer_at(const PairGeometry& g, const Leg& leg, double margin, const Incidence& pair, bool is_edge,
                const FineInstant& at) {
-  return at_some_stage([&](auto zero, int) {
+  return at_some_stage([&](auto zero, Stage) {
            using Real = decltype(zero);
            using B = Ball<Real>;
            const B t = B::exact(at[0]) + B::exact(at[1]) + B::exact(at[2]);

@@ -22,7 +22,7 @@ constexpr int patience = 1000;
 
 }  // namespace
 
-bool Lifetimes::at_stage(const Instant& i, int stage, PreciseTime& t) const {
+bool Lifetimes::at_stage(const Instant& i, Stage stage, PreciseTime& t) const {
   t = i.enclosure();
   return i.refine(leg(), geometry_, stage, t);
 }
@@ -131,7 +131,7 @@ bool Lifetimes::holds_in_doubles(const SignedForm& form, const Instant& until, b
 
 bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bool own) {
   const PreciseTriple f = precise(form.form);
-  return *told("whether a corner lasts until an event", [&](int stage) -> std::optional<bool> {
+  return *told("whether a corner lasts until an event", [&](Stage stage) -> std::optional<bool> {
     PreciseTime birth, end;
     if (!at_stage(form.birth, stage, birth) || !at_stage(until, stage, end)) return std::nullopt;
     birth.stage = stage;
@@ -151,7 +151,7 @@ bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bo
 bool Lifetimes::behind_at_roots(const Form& line, double from, double to) const {
   const PreciseTriple f = precise(line), along = precise(line.along()), back = precise(line.back());
   const auto is_behind = [&](PreciseTime root, int sign) {
-    return *told("whether a vertex is behind the end of an edge", [&](int stage) -> std::optional<bool> {
+    return *told("whether a vertex is behind the end of an edge", [&](Stage stage) -> std::optional<bool> {
       f.refine(sign, root, stage);
       const int a = along.sign_at(root, stage), b = back.sign_at(root, stage);
       if (a < 0 || b < 0) return true;
@@ -159,7 +159,7 @@ bool Lifetimes::behind_at_roots(const Form& line, double from, double to) const 
     });
   };
   PreciseTime at = PreciseTime::between(from, from);
-  int sign = told("on which side of a line a vertex is", [&](int stage) { return f.sign_at(at, stage); });
+  int sign = told("on which side of a line a vertex is", [&](Stage stage) { return f.sign_at(at, stage); });
   while (const std::optional<PreciseTime> root = f.first_failure(sign, at, to)) {
     if (!is_behind(*root, sign)) return false;
     at = *root;
@@ -181,7 +181,7 @@ Instant Lifetimes::failure(const Corner& c, double about) {
   if (enclose(FastFunction::level_zero(leg(), geometry_, t), c.sign, root) && root.hi <= leg().end) return root;
   const PreciseTriple f = precise(t);
   const double last = std::min(leg().end, about + nearness(leg().start, leg().end));
-  const auto found = told("the instant of an event", [&](int stage) -> std::optional<PreciseTime> {
+  const auto found = told("the instant of an event", [&](Stage stage) -> std::optional<PreciseTime> {
     PreciseTime birth;
     if (!at_stage(c.birth, stage, birth)) return std::nullopt;
     birth.stage = stage;
@@ -198,7 +198,7 @@ Instant Lifetimes::failure(const Corner& c, double about) {
 
 Instant Lifetimes::tightened(Instant event) const {
   PreciseTime t;
-  if (!at_stage(event, 0, t)) return event;
+  if (!at_stage(event, Stage::precise, t)) return event;
   event.lo = std::max(event.lo, t.floor());
   event.hi = std::min(event.hi, t.ceiling());
   return event;
@@ -214,7 +214,7 @@ bool Lifetimes::is_near(const Instant& event, double about) const {
 bool Lifetimes::in_order(const Instant& a, const Instant& b) {
   if (a.hi <= b.lo) return true;
   if (b.event && a.concerns(b.u, b.v, b.w)) return b.hi >= a.lo;
-  return *told("the order of two events", [&](int stage) -> std::optional<bool> {
+  return *told("the order of two events", [&](Stage stage) -> std::optional<bool> {
     PreciseTime x, y;
     if (!at_stage(a, stage, x) || !at_stage(b, stage, y)) return std::nullopt;
     if (x.not_after(y)) return true;

@@ -60,7 +60,7 @@ class Lifetimes {
   Form form(VertexId u, VertexId v, VertexId w) const { return Form::of(geometry_, u, v, w); }
   PreciseTriple precise(const Form& f) const { return {leg(), geometry_, f}; }
   /// The instant at a stage; false if that cannot enclose it.
-  bool at_stage(const Instant& i, int stage, PreciseTime& t) const;
+  bool at_stage(const Instant& i, Stage stage, PreciseTime& t) const;
   bool enclose(const FastFunction& f, int sign, Instant& root);
   bool falls_to_root(const FastFunction& f, int sign, const Instant& root, double& since);
   bool holds_back(const FastFunction& f, const SignedForm& form, double& t);

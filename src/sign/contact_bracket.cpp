@@ -58,7 +58,7 @@ class Side {
 
   int operator()(double t) const {
     const PreciseTime now = PreciseTime::between(t, t);
-    return first_told([&](int stage) { return function_.sign_at(now, stage); });
+    return first_told([&](Stage stage) { return function_.sign_at(now, stage); });
   }
 
  private:

@@ -54,7 +54,7 @@ int ExactLine::sign_over(const PreciseTime& t) const {
   }
 }
 
-std::optional<PreciseTime> ExactLine::root(int stage, double enough) const {
+std::optional<PreciseTime> ExactLine::root(Stage stage, double enough) const {
   constexpr std::size_t digits = 5;
   NearlyExact<start_terms + 2 * slope_terms * digits> rest;  // -start - slope * quotient
   begin(rest, -1);

@@ -27,7 +27,7 @@ class ExactLine {
   int sign_over(const PreciseTime& t) const;
   /// The instant at which it is zero, to about 2^-265 of its size, or to `enough`; nothing if that is not known.
   /// Requires a slope.
-  std::optional<PreciseTime> root(int stage, double enough = 0) const;
+  std::optional<PreciseTime> root(Stage stage, double enough = 0) const;
 
  private:
   static constexpr std::size_t slope_terms = 32, start_terms = ExactNumber::capacity;

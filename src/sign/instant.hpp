@@ -35,7 +35,7 @@ struct Instant {
   /// What is known of it so far.
   PreciseTime enclosure() const { return known ? *known : PreciseTime::between(lo, hi); }
   /// Encloses it, t, as well as a stage can; false if that does not do.
-  bool refine(const Leg& leg, const PairGeometry& g, int stage, PreciseTime& t, FrameMemory* memory = nullptr) const {
+  bool refine(const Leg& leg, const PairGeometry& g, Stage stage, PreciseTime& t, FrameMemory* memory = nullptr) const {
     return !event || PreciseTriple(leg, g, Form::of(g, u, v, w), memory).refine(sign, t, stage);
   }
 };
@@ -44,7 +44,7 @@ struct Instant {
 inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t,
                    FrameMemory* memory = nullptr) {
   const PreciseTriple f(leg, g, form, memory);
-  return first_told([&](int stage) { return instant.refine(leg, g, stage, t, memory) ? f.sign_at(t, stage) : 0; });
+  return first_told([&](Stage stage) { return instant.refine(leg, g, stage, t, memory) ? f.sign_at(t, stage) : 0; });
 }
 
 /// Of three vertices that are on one line, the middle one: sign(form) tells the sign of a form at that instant.

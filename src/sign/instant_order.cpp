@@ -22,7 +22,7 @@ class ClosingInstant {
         parameter_(instant.contact.at.value_or(PreciseTime::between(instant.contact.lo, instant.contact.hi))) {}
 
   /// What a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
-  void refine(int stage, double enough) { root_.refine(-1, parameter_, stage, enough); }
+  void refine(Stage stage, double enough) { root_.refine(-1, parameter_, stage, enough); }
   const PreciseTime& parameter() const { return parameter_; }
   /// Of the world.
   PreciseTime time() const { return leg_.bridge ? PreciseTime::between(leg_.joint, leg_.joint) : parameter_; }
@@ -41,7 +41,7 @@ int order_of(const ContactInstant& a, const ContactInstant& b) {
   const auto order = [&] { return one_bridge ? x.parameter().is_first(y.parameter()) : x.time().is_first(y.time()); };
   std::optional<bool> a_first = order();
   if (!a_first) {
-    a_first = first_told([&](int stage) {
+    a_first = first_told([&](Stage stage) {
       x.refine(stage, 0);
       y.refine(stage, 0);
       return order();
@@ -66,7 +66,7 @@ class Rival {
   std::size_t index() const { return index_; }
   const RealMax& lo() const { return lo_; }
   const RealMax& hi() const { return hi_; }
-  void refine(int stage) {
+  void refine(Stage stage) {
     if (!root_) return;
     root_->refine(stage, sway_);
     const PreciseTime t = root_->time();
@@ -101,7 +101,7 @@ std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& con
   if (left.size() < 2) return left;
   std::vector<Rival> rivals;
   for (const std::size_t i : left) rivals.emplace_back(i, contacts[i]);
-  for (int stage = 0; stage < precise_stages && rivals.size() > 1; ++stage) {
+  for (Stage stage = Stage::precise; stage <= last_stage && rivals.size() > 1; stage = next_precise(stage)) {
     for (Rival& rival : rivals) rival.refine(stage);
     keep_first(rivals);
   }

@@ -3,21 +3,22 @@
 
 #include <optional>
 
-#include "numeric/real.hpp"
 #include "numeric/short_sum.hpp"
+#include "numeric/stages.hpp"
 
 namespace taut {
 
 /// An instant, enclosed. Both ends are sums of a few doubles where that is enough, else high-precision numbers.
 class PreciseTime {
  public:
-  /// The index into Precisions of the precision at which it was found, -1 for doubles.
-  int stage = -1;
+  /// At which it was found: doubles, or one at high precision.
+  Stage stage = Stage::doubles;
 
-  PreciseTime() : PreciseTime(ShortSum(), ShortSum(), -1) {}
-  PreciseTime(const ShortSum& lo, const ShortSum& hi, int found) : stage(found), has_sums_(true), from_(lo), to_(hi) {}
-  PreciseTime(const RealMax& lo, const RealMax& hi, int found) : stage(found), has_sums_(false), lo_(lo), hi_(hi) {}
-  static PreciseTime between(double lo, double hi) { return {ShortSum(lo), ShortSum(hi), -1}; }
+  PreciseTime() : PreciseTime(ShortSum(), ShortSum(), Stage::doubles) {}
+  PreciseTime(const ShortSum& lo, const ShortSum& hi, Stage found)
+      : stage(found), has_sums_(true), from_(lo), to_(hi) {}
+  PreciseTime(const RealMax& lo, const RealMax& hi, Stage found) : stage(found), has_sums_(false), lo_(lo), hi_(hi) {}
+  static PreciseTime between(double lo, double hi) { return {ShortSum(lo), ShortSum(hi), Stage::doubles}; }
   /// The end of the enclosure alone.
   PreciseTime last() const { return has_sums_ ? PreciseTime(to_, to_, stage) : PreciseTime(hi_, hi_, stage); }
 

@@ -73,16 +73,16 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
   }
 }
 
-int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
+int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   if (t.has_sums()) {
     const ExactLine* const exact = line();
     if (const int sign = exact ? exact->sign_over(t) : 0) return told_by(Stage::exact, sign);
-    if (stage == 0) {
+    if (stage == Stage::precise) {
       const std::optional<TieForm> tie = near(t);
       if (const int sign = tie ? tie->sign_over(t) : 0) return told_by(Stage::fixed, sign);
     }
   }
-  return told_by(stage_of_precision(stage), with_stage(stage, [&](auto zero) {
+  return told_by(stage, with_stage(stage, [&](auto zero) {
                    using Real = decltype(zero);
                    return function<Real>().value(as_ball<Real>(t)).sign();
                  }));
@@ -90,12 +90,12 @@ int PreciseTriple::sign_at(const PreciseTime& t, int stage) const {
 
 /// Of a function that is a line: when it changes its sign.
 PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTime& from, double to) const {
-  if (from.stage > 0) return {};
+  if (from.stage > Stage::precise) return {};
   const ExactLine* const exact = line();
   if (!exact) return {};
   // The sign holds just after `from`.
   if (exact->slope_sign() != -sign) return {true, std::nullopt};
-  const std::optional<PreciseTime> root = exact->root(0);
+  const std::optional<PreciseTime> root = exact->root(Stage::precise);
   if (!root) return {};
   const ShortSum end(to);
   if (root->sum_lo().compare(end) > 0) return {true, std::nullopt};
@@ -111,14 +111,14 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     return first_failure(sign, rest, to);
   }
   const int end = singular_end(leg_, from, to);
-  if (end != 0 && from.stage <= 0) {
+  if (end != 0 && from.stage <= Stage::precise) {
     // In the distance's root the motion is so smooth that doubles nearly always do.
     const PreciseFunction<double> f(leg_, geometry_, form_);
-    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, -1)) {
+    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, Stage::doubles)) {
       return *told_by(Stage::doubles, answer);
     }
   }
-  const auto search = [&](auto zero, int stage) -> std::optional<PreciseTime> {
+  const auto search = [&](auto zero, Stage stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
@@ -129,19 +129,19 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     refine_root(f, sign, *root, 0);
     return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
   };
-  const auto counted = [&](auto zero, int stage) {
+  const auto counted = [&](auto zero, Stage stage) {
     auto answer = search(zero, stage);
-    told_by(stage_of_precision(stage), true);
+    told_by(stage, true);
     return answer;
   };
-  const auto found = at_some_stage(counted, std::max(from.stage, 0));
+  const auto found = at_some_stage(counted, from.stage);
   if (!found) throw Undecidable{"the failure time of a certificate"};
   return *found;
 }
 
-bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) const {
+bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough) const {
   if (t.stage >= stage) return true;
-  if (stage == 0) {
+  if (stage == Stage::precise) {
     const ExactLine* const exact = line();
     if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
       t = *told_by(Stage::exact, root);
@@ -163,7 +163,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, int stage, double enough) c
       return false;
     }
     t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
-    return told_by(stage_of_precision(stage), true);
+    return told_by(stage, true);
   });
 }
 

@@ -20,13 +20,13 @@ class PreciseTriple {
       : leg_(leg), geometry_(geometry), form_(form), memory_(memory) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
-  int sign_at(const PreciseTime& t, int stage) const;
+  int sign_at(const PreciseTime& t, Stage stage) const;
   /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
   /// tell. Throws Undecidable.
   std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
   /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
   /// the root. False if the stage cannot.
-  bool refine(int sign, PreciseTime& t, int stage, double enough = 0) const;
+  bool refine(int sign, PreciseTime& t, Stage stage, double enough = 0) const;
 
  private:
   struct LineFailure {

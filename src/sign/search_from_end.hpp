@@ -25,7 +25,7 @@ class SearchFromEnd {
   Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
 
   /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
-  std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, int stage) const {
+  std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
     const Real a = first.lower(), b = last.upper();
     auto root = search(sign, a, b);
@@ -151,7 +151,7 @@ inline std::optional<double> division(const Leg& leg, const PreciseTime& from, d
 /// Nothing if this precision does not tell.
 template <class Real>
 std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
-                                                          int sign, const PreciseTime& from, double to, int stage) {
+                                                          int sign, const PreciseTime& from, double to, Stage stage) {
   try {
     return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end).first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {

@@ -69,7 +69,7 @@ int TieForm::sign_over(const PreciseTime& t) const {
   return about > 0 ? 1 : -1;
 }
 
-std::optional<PreciseTime> TieForm::root(int sign, int stage, double enough) const {
+std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) const {
   if (!(steep_.least > 0) || (steep_.signed_about > 0) != (sign < 0)) return std::nullopt;
   FixedBall h;
   double error = INFINITY;
@@ -86,7 +86,7 @@ std::optional<PreciseTime> TieForm::root(int sign, int stage, double enough) con
 }
 
 /// The enclosure of what is no farther than `error` from h.
-std::optional<PreciseTime> TieForm::around(const Fixed& h, double error, int stage) const {
+std::optional<PreciseTime> TieForm::around(const Fixed& h, double error, Stage stage) const {
   if (!(std::fabs(h.approximate()) * up + error < reach_)) return std::nullopt;
   const FixedBall about = FixedBall::exact(about_);
   if (about.rad() > 0) return std::nullopt;
@@ -128,7 +128,7 @@ std::optional<TieForm::Turn> TieForm::turn() const {
   return Turn{h, v.sign(), bend > 0 ? 1 : -1, std::sqrt(2 * std::fabs(v.about() / bend))};
 }
 
-std::optional<PreciseTime> TieForm::root_beside(const Turn& turn, int side, int stage) const {
+std::optional<PreciseTime> TieForm::root_beside(const Turn& turn, int side, Stage stage) const {
   const double error = 0x1p-24 * turn.half_gap;
   const Fixed root = turn.at + Fixed(side * turn.half_gap);
   // The value has the turn's sign on the near side of the root, and the other one beyond.

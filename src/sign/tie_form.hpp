@@ -20,7 +20,7 @@ class TieForm {
   int sign_over(const PreciseTime& t) const;
   /// The root within the frame's reach, if the form has the sign `sign` before it and is monotone all over there; no
   /// better enclosed than `enough`. Nothing if that is not known.
-  std::optional<PreciseTime> root(int sign, int stage, double enough) const;
+  std::optional<PreciseTime> root(int sign, Stage stage, double enough) const;
 
   /// Where the function turns: as symmetric mechanisms touch zero without the displacement.
   struct Turn {
@@ -32,7 +32,7 @@ class TieForm {
   /// The only one within reach, if there is no other for certain, and its value's sign is known.
   std::optional<Turn> turn() const;
   /// The root before it (-1) or after it (1), if the two signs differ.
-  std::optional<PreciseTime> root_beside(const Turn& turn, int side, int stage) const;
+  std::optional<PreciseTime> root_beside(const Turn& turn, int side, Stage stage) const;
 
  private:
   /// A double and a bound of its error.
@@ -44,7 +44,7 @@ class TieForm {
   void set_steepness();
   FixedBall value(const FixedBall& h) const;
   FixedBall slope(const FixedBall& h) const;
-  std::optional<PreciseTime> around(const Fixed& h, double error, int stage) const;
+  std::optional<PreciseTime> around(const Fixed& h, double error, Stage stage) const;
 
   double about_, reach_;
   std::array<double, TieFrame::terms + 1> power_;  ///< of the reach

@@ -83,7 +83,7 @@ auto decided(const char* what, const Ask& ask) {
 }  // namespace
 
 std::optional<Approach> PreciseApproaches::first(const VertexPeer& pair, double from, double to) const {
-  return decided("whether two bodies come as close as the clearance", [&](auto zero, int stage) {
+  return decided("whether two bodies come as close as the clearance", [&](auto zero, Stage stage) {
     using Real = decltype(zero);
     return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
       std::optional<Approach> found;
@@ -98,7 +98,7 @@ std::optional<Approach> PreciseApproaches::first(const VertexPeer& pair, double 
 }
 
 bool PreciseApproaches::close_at(const VertexPeer& pair, double t) const {
-  return decided("whether two bodies are closer than the clearance", [&](auto zero, int) {
+  return decided("whether two bodies are closer than the clearance", [&](auto zero, Stage) {
     using Real = decltype(zero);
     return with_functions<Real>(leg_, geometry_, pair, margin_, [&](const auto& f, const auto& counts) {
       const Ball<Real> at = Ball<Real>::exact(t);
@@ -116,8 +116,8 @@ int PreciseApproaches::side(const VertexPeer& pair, double t) const {
 }
 
 /// What a stage cannot improve stays as it is.
-void PreciseApproaches::refine(Approach& a, int stage) const {
-  if (a.precise.stage < 0 || a.precise.stage >= stage) return;
+void PreciseApproaches::refine(Approach& a, Stage stage) const {
+  if (a.precise.stage < Stage::precise || a.precise.stage >= stage) return;
   with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     with_functions<Real>(leg_, geometry_, a.pair, margin_, [&](const auto& f, const auto&) {
@@ -133,7 +133,7 @@ void PreciseApproaches::refine(Approach& a, int stage) const {
 }
 
 bool PreciseApproaches::before(Approach& a, Approach& b) const {
-  const auto order = first_told([&](int stage) {
+  const auto order = first_told([&](Stage stage) {
     refine(a, stage);
     refine(b, stage);
     return a.precise.is_first(b.precise);

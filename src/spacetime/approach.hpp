@@ -19,7 +19,7 @@ struct VertexPeer {
 struct Approach {
   VertexPeer pair;
   double lo = 0, hi = 0;
-  PreciseTime precise;  ///< within [lo, hi]; with stage -1 that of the search's beginning
+  PreciseTime precise;  ///< within [lo, hi]; with doubles that of the search's beginning
 };
 
 /// For one leg that is no bridge. All members throw Undecidable where the last stage does not suffice.
@@ -42,7 +42,7 @@ class PreciseApproaches {
   int side(const VertexPeer& pair, double t) const;
 
  private:
-  void refine(Approach& a, int stage) const;
+  void refine(Approach& a, Stage stage) const;
 
   const PairGeometry& geometry_;
   const Leg& leg_;

@@ -11,7 +11,7 @@ namespace taut::spacetime {
 namespace {
 
 int sign_at(const PreciseTriple& f, const PreciseTime& t) {
-  return told("whether a vertex crosses an edge", [&](int stage) { return f.sign_at(t, stage); });
+  return told("whether a vertex crosses an edge", [&](Stage stage) { return f.sign_at(t, stage); });
 }
 
 void store(const PreciseTime& t, Crossing& c) {
@@ -40,8 +40,8 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
 }
 
 /// What a stage cannot improve stays as it is.
-void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
-  PreciseTime t = c.precise.stage < 0 ? PreciseTime::between(c.lo, c.hi) : c.precise;
+void PreciseCrossings::refine(Crossing& c, int sign, Stage stage) {
+  PreciseTime t = c.precise.stage < Stage::precise ? PreciseTime::between(c.lo, c.hi) : c.precise;
   if (t.stage >= stage) return;
   if (!triple(c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
   store(t, c);
@@ -50,7 +50,7 @@ void PreciseCrossings::refine(Crossing& c, int sign, int stage) {
 Beside PreciseCrossings::beside(Crossing& root, int sign) {
   const PreciseTriple from_start = triple(root.pair.from_start(geometry_));
   const PreciseTriple from_end = triple(root.pair.from_end(geometry_));
-  const auto ask = [&](int stage) -> std::optional<Beside> {
+  const auto ask = [&](Stage stage) -> std::optional<Beside> {
     refine(root, sign, stage);
     const int a = from_start.sign_at(root.precise, stage), b = from_end.sign_at(root.precise, stage);
     if (a < 0 || b < 0) return Beside::no;
@@ -63,7 +63,7 @@ Beside PreciseCrossings::beside(Crossing& root, int sign) {
 bool PreciseCrossings::before(Crossing& a, Crossing& b) {
   if (a.hi < b.lo) return true;
   if (b.hi < a.lo) return false;
-  const auto order = [&](int stage) {
+  const auto order = [&](Stage stage) {
     refine(a, -1, stage);
     refine(b, -1, stage);
     return a.precise.is_first(b.precise);
@@ -72,7 +72,7 @@ bool PreciseCrossings::before(Crossing& a, Crossing& b) {
 }
 
 void PreciseCrossings::tighten(Crossing& c) {
-  if (c.hi - c.lo > 0x1p-51 * std::fabs(c.hi)) refine(c, c.out ? 1 : -1, 0);
+  if (c.hi - c.lo > 0x1p-51 * std::fabs(c.hi)) refine(c, c.out ? 1 : -1, Stage::precise);
 }
 
 }  // namespace taut::spacetime

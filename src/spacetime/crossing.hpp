@@ -56,7 +56,7 @@ class PreciseCrossings {
   const StageCounts& stages() const { return memory_.stages; }
 
  private:
-  void refine(Crossing& c, int sign, int stage);
+  void refine(Crossing& c, int sign, Stage stage);
   PreciseTriple triple(const Form& form) { return {leg_, geometry_, form, &memory_}; }
 
   const PairGeometry& geometry_;

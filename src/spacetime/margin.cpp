@@ -94,7 +94,7 @@ void note_approach(const Approach& found, MarginResult& result) {
   result.lo = found.lo;
   result.hi = found.hi;
   result.pair = found.pair;
-  result.at_once = found.precise.stage < 0;
+  result.at_once = found.precise.stage < Stage::precise;
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ std::array<Stage, stage_count> all_stages() {
 std::string name_of(Stage stage) {
   constexpr const char* names[] = {"doubles", "first_order", "exact", "fixed"};
   if (stage < Stage::precise) return names[static_cast<int>(stage)];
-  return "bits_" + with_stage(static_cast<int>(stage) - static_cast<int>(Stage::precise),
-                              [](auto zero) { return std::to_string(RealTraits<decltype(zero)>::bits); });
+  return "bits_" + with_stage(stage, [](auto zero) { return std::to_string(RealTraits<decltype(zero)>::bits); });
 }
 
 std::map<std::string, Tally> tallies(const Json& json) {

@@ -34,7 +34,7 @@ struct QueueSetting {
       ExactSum<2> from;
       from.add(c.lo);
       from.add((1 + rng.below(5)) * 0x1p-80);
-      pool[i] = PreciseTime(ShortSum::of(from), ShortSum(c.lo + 1), 0);
+      pool[i] = PreciseTime(ShortSum::of(from), ShortSum(c.lo + 1), Stage::precise);
     }
     queue.update(CertificateId(i));
     inside[i] = c.lo != never;

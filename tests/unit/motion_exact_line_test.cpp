@@ -42,7 +42,7 @@ TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
       const Measure measure = any_measure(rng);
       const ExactLine line(s.leg, s.geometry, triple.measured(measure));
       if (line.slope_sign() == 0) continue;
-      const auto root = line.root(0);
+      const auto root = line.root(Stage::precise);
       ASSERT_TRUE(root);
       ++roots;
       const PreciseFunction<Real960> f(s.leg, s.geometry, triple.measured(measure));
@@ -59,7 +59,7 @@ TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
       EXPECT_GT(Real960(std::nextafter(root->floor(), INFINITY)), lo);
       EXPECT_GE(Real960(root->ceiling()), hi);
       // A coarser root is one of the same function.
-      const auto coarse = line.root(0, 1e-10);
+      const auto coarse = line.root(Stage::precise, 1e-10);
       ASSERT_TRUE(coarse);
       EXPECT_FALSE(coarse->certainly_before(*root));
       EXPECT_FALSE(root->certainly_before(*coarse));
@@ -77,7 +77,7 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
       const Form triple = s.triple(rng);
       const PreciseTriple precise(s.leg, s.geometry, triple);
       const PreciseTime start = PreciseTime::between(0, 0);
-      const int sign = precise.sign_at(start, 0);
+      const int sign = precise.sign_at(start, Stage::precise);
       if (sign == 0) continue;
       const auto failure = precise.first_failure(sign, start, 1);
       const PreciseFunction<Real640> f(s.leg, s.geometry, triple);

@@ -46,10 +46,10 @@ TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
   memory.reset(leg);
   const PreciseTriple form(leg, geometry, Form::of(geometry, VertexId(0u), VertexId(1u), VertexId(geometry.np)),
                            &memory);
-  EXPECT_NE(form.sign_at(PreciseTime::between(1, 1), 0), 0);
+  EXPECT_NE(form.sign_at(PreciseTime::between(1, 1), Stage::precise), 0);
   EXPECT_EQ(memory.stages[Stage::exact], 1u);
   const RealMax one = 1.0;
-  EXPECT_NE(form.sign_at(PreciseTime(one, one, 1), 1), 0);
+  EXPECT_NE(form.sign_at(PreciseTime(one, one, stage_of_precision(1)), stage_of_precision(1)), 0);
   EXPECT_EQ(memory.stages[stage_of_precision(1)], 1u);
   EXPECT_EQ(memory.stages.beyond_doubles(), 2u);
 }

@@ -67,19 +67,19 @@ TEST(TieForm, SignsAndRootsAreThoseOf960Bits) {
         // An instant of some doubles nearby.
         const ShortSum at(Fixed(frame->about) + Fixed(rng.real(-1, 1) * frame->reach * 0.4) +
                           Fixed(rng.unit() * 0x1p-150));
-        const int found = tie.sign_over(PreciseTime(at, at, 0));
+        const int found = tie.sign_over(PreciseTime(at, at, Stage::precise));
         if (found != 0) {
           ++signs;
           EXPECT_EQ(found, f.value(Ball<Real960>(Real960(at.real()), 0.0)).sign()) << "seed " << seed;
         }
-        const auto root = tie.root(sign, 0, 0);
+        const auto root = tie.root(sign, Stage::precise, 0);
         if (!root) {
           ++unknown;
           continue;
         }
         ++roots;
         PreciseTime deep = *failure;
-        if (!precise.refine(sign, deep, 2)) continue;
+        if (!precise.refine(sign, deep, last_stage)) continue;
         EXPECT_FALSE(root->certainly_before(deep)) << "seed " << seed;
         EXPECT_FALSE(deep.certainly_before(*root)) << "seed " << seed;
         EXPECT_LE(root->width_of_sums(), 0x1p-180);
@@ -134,7 +134,7 @@ TEST(TieForm, TurnsTellWhetherZeroIsReached) {
           if (!(turn->half_gap < 0.25 * frame->reach)) continue;
           ++reached;
           for (const int side : {-1, 1}) {
-            const auto root = tie.root_beside(*turn, side, 0);
+            const auto root = tie.root_beside(*turn, side, Stage::precise);
             ASSERT_TRUE(root);
             const int before = f.value(Ball<Real960>(root->lo(), 0.0)).sign();
             const int after = f.value(Ball<Real960>(root->hi(), 0.0)).sign();
