@@ -130,7 +130,10 @@ void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& functio
   const double t = from.last().floor();
   if (t >= leg().end) return holds_until(c, leg().end);
   const double to = clock_.cell(std::max(t, leg().start)).end;
-  if (advance_beside_end(c, function, from, to)) return;
+  if (!advance_beside_end(c, function, from, to)) advance_to(c, function, from, to);
+}
+
+void FailureSolver::advance_to(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double to) {
   if (const auto found = function.first_failure(c.sign, from, to)) {
     set_isolated(c, *found);
   } else {
@@ -145,11 +148,7 @@ bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& func
   const double to = end_of_neighbourhood(leg(), from.last().floor());
   if (to <= segment_end || hopeless_beside_end_) return false;
   try {
-    if (const auto found = function.first_failure(c.sign, from, to)) {
-      set_isolated(c, *found);
-    } else {
-      holds_until(c, to);
-    }
+    advance_to(c, function, from, to);
     return true;
   } catch (const Undecidable&) {
     // Something later, which may not matter.

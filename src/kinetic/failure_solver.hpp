@@ -91,6 +91,7 @@ class FailureSolver {
   void advance_from(Certificate& c, double t);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
+  void advance_to(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double to);
   bool advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double segment_end);
   bool pass_turn(Certificate& c, const PreciseTime& from);
   bool isolate_on_leg(Certificate& c, const PreciseTime& t);

@@ -93,6 +93,21 @@ Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing&
   return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
 }
 
+/// Is the next root of the line's function, which has `sign` at t, isolated, and a crossing? If it is none, t passes
+/// it.
+LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, double limit, int sign, double& t,
+                                     Crossing& root) {
+  double falls_until = 0;
+  if (!isolate(window, f, t, limit, sign, root, falls_until)) return Ahead::unknown;
+  Beside at_root = beside(window, f, root);
+  if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
+  root.out = sign > 0;
+  if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
+  // After the root the line's function keeps its new sign until it may turn.
+  t = std::max(root.hi, falls_until);
+  return Ahead::root;
+}
+
 std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
   if (!window.smooth()) {
     if (excluded_in_range(window, pair)) return std::nullopt;
@@ -116,18 +131,9 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       step = on_side;
       Crossing root;
       root.pair = pair;
-      double falls_until = 0;
-      if (isolate(window, f, t, limit, sign, root, falls_until)) {
-        Beside at_root = beside(window, f, root);
-        if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
-        if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) {
-          root.out = sign > 0;
-          return root;
-        }
-        // After the root the line's function keeps its new sign until it may turn.
-        t = std::max(root.hi, falls_until);
-        continue;
-      }
+      const Ahead ahead = look_ahead(window, f, limit, sign, t, root);
+      if (ahead == Ahead::crossing) return root;
+      if (ahead == Ahead::root) continue;
     }
     const double next = below(t + step);
     if (step > least_step * window.length() && next > t) {
