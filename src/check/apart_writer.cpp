@@ -19,11 +19,13 @@ constexpr double patience_of_proofs = 0.75;
 /// A margin as small as this, beside the coordinates, is left to multi-precision.
 constexpr double doubtful = 0x1p-44;
 
+Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
+
 /// What keeps a vertex from an edge in the middle of the window, by about how much, the most first.
 std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
                                                 const proof::Sight& sight) {
-  const auto at = [&g](VertexId v) { return Vector{g.point(v).x, g.point(v).y}; };
-  const Vector a = at(i.edge), b = at(g.next(i.edge)), v = sight.shift + sight.turn * at(i.vertex), edge = b - a;
+  const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), edge = b - a;
+  const Vector v = sight.shift + sight.turn * place(g, i.vertex);
   const double side = dot(turned(edge), v - a);
   std::array<std::pair<double, Aside>, 4> all{{{side, Aside::left},
                                                {-side, Aside::right},
@@ -36,8 +38,7 @@ std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const pro
 /// Is the edge's other side farther than the vertex comes within the window? Beside an infinite speed that may be known
 /// where no window is so short that doubles tell of signs in it.
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
-  const auto at = [&g](VertexId v) { return Vector{g.point(v).x, g.point(v).y}; };
-  const Vector v = at(i.vertex), edge = at(g.next(i.edge)) - at(i.edge);
+  const Vector v = place(g, i.vertex), edge = place(g, g.next(i.edge)) - place(g, i.edge);
   const double way = half * size(sight.shift_rate + sight.turn_rate * v);
   return margin > 2 * size(edge) * (way + sight.shift_error + sight.turn_error * size(v));
 }

@@ -77,7 +77,7 @@ std::optional<PreciseTime> FailureSolver::known_precisely(const Certificate& c) 
 void FailureSolver::tighten(Certificate& c) {
   const double few_ulps = 0x1p-54 * std::fabs(c.hi);
   if (c.hi - c.lo <= 8 * few_ulps) return;
-  PreciseTime t = c.precise >= 0 ? pool_[static_cast<std::size_t>(c.precise)] : PreciseTime::between(c.lo, c.hi);
+  PreciseTime t = known_precisely(c).value_or(PreciseTime::between(c.lo, c.hi));
   if (!precise_of(c).refine(c.sign, t, Stage::precise, few_ulps)) return;
   c.lo = std::max(c.lo, t.floor());
   c.hi = std::min(c.hi, t.ceiling());

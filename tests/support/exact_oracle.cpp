@@ -260,8 +260,8 @@ class LegSearch {
     answer.time = leg_.time(hull);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const int i = static_cast<int>(k);
-      const Root& first = events[from].root;
-      if (state(i, What::height) == zero ? on_edge(i, events[from].root) : within_shift(pairs_[k], first.at)) {
+      Root& first = events[from].root;
+      if (state(i, What::height) == zero ? on_edge(i, first) : within_shift(pairs_[k], first.at)) {
         meet(pairs_[k]);
       }
     }

@@ -38,7 +38,8 @@ struct ExactAnswer {
   /// By how much the time may change if every vertex is displaced by 2^-190 of the coordinates' scale (times what sharp
   /// corners add): the m-th root of that over the m-th coefficient of the distance.
   double sway = 0;
-  /// All that meet at the time of contact.
+  /// All that meet at the time of contact, and those that may be the ones to meet when displaced: so close, within that
+  /// sway.
   std::vector<Meeting> meetings;
   bool assumed = false;
   std::string why;  ///< beyond: what it is beyond
