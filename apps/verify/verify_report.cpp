@@ -25,7 +25,7 @@ std::string contact_time(const Verified& v) {
   const TimeInterval& t = v.contact->time;
   if (v.contact_at == ContactAt::start) return fmt::format("contact at the start, t = {}", t.lo);
   if (v.contact_at == ContactAt::joint)
-    return fmt::format("contact at the joint t = {}, in the jump from one piece of a motion to the next", t.lo);
+    return fmt::format("contact at the joint t = {}, in the jump from one piece of a motion to the next", t.hi);
   return fmt::format("{} within [{}, {}]", v.contact->grazing ? "grazing contact" : "contact", t.lo, t.hi);
 }
 

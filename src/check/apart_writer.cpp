@@ -39,7 +39,8 @@ std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const pro
 /// where no window is so short that doubles tell of signs in it.
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
   const Vector v = place(g, i.vertex), edge = place(g, g.next(i.edge)) - place(g, i.edge);
-  const double way = half * size(sight.shift_rate + sight.turn_rate * v);
+  const double way =
+      half * (size(sight.shift_rate + sight.turn_rate * v) + half / 2 * size(sight.shift_bend + sight.turn_bend * v));
   return margin > 2 * size(edge) * (way + sight.shift_error + sight.turn_error * size(v));
 }
 
@@ -109,26 +110,37 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
 
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time) {
   const proof::MotionWindow window = windows_.at(time);
-  const auto onto_p = reason(pair_.onto_p(ranges), window.from_p(), window.half(), time);
+  const auto onto_p = reason(pair_.onto_p(ranges), window, window.from_p(), time);
   if (!onto_p) return std::nullopt;
-  const auto onto_q = reason(pair_.onto_q(ranges), window.from_q(), window.half(), time);
+  const auto onto_q = reason(pair_.onto_q(ranges), window, window.from_q(), time);
   if (!onto_q) return std::nullopt;
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
-std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::Sight& sight, double half,
-                                         const proof::HalvedTime& time) {
+std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
+                                         const proof::Sight& sight, const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
   const auto candidates = margins(pair_.geometry, incidence, sight);
   const double doubt = doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
-  for (const auto& [margin, why] : candidates) {
-    if (margin < -doubt) break;
-    if (proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end)) return why;
+  const double none = doubtful * (1 + sight.size);
+  std::array<bool, candidates.size()> open{};
+  for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -doubt; ++k) {
+    const auto& [margin, why] = candidates[k];
+    const auto seen = proof::stays_aside_in_windows(pair_.geometry, incidence, why, windows_, time, end);
+    if (seen == true) return why;
+    // Up to a contact it may be so for all that. A margin that is none in doubles may be one by the displacement.
+    open[k] = end.event || (!seen && (margin < none || !time.divisible()));
+  }
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const Aside why = candidates[k].second;
+    if (open[k] && proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end))
+      return why;
   }
   // Shorter windows make more of doubles, but not where the largest margin is none in them, or is plain already.
   const auto& [widest, plain] = candidates[0];
-  if (is_far(widest, pair_.geometry, incidence, sight, half) && stays_aside(incidence, plain, time, end)) return plain;
-  if (widest > doubtful * (1 + sight.size) && time.divisible()) return std::nullopt;
+  if (is_far(widest, pair_.geometry, incidence, sight, window.half()) && stays_aside(incidence, plain, time, end))
+    return plain;
+  if (widest > none && time.divisible()) return std::nullopt;
   for (const auto& [margin, why] : candidates) {
     if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
   }

@@ -25,8 +25,8 @@ class ApartWriter {
   void visit(const proof::RangePair& ranges, const proof::HalvedTime& time);
   void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time);
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time);
-  std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::Sight& sight, double half,
-                                     const proof::HalvedTime& time);
+  std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
+                                     const proof::Sight& sight, const proof::HalvedTime& time);
   bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
                    const Instant& end);
   std::optional<proof::Aside> reason_for_margin(const proof::Incidence& incidence, const proof::Sight& sight,

@@ -20,10 +20,11 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
       return prove_by_tiling(scene, log, options);
     case EngineChoice::spacetime:
       return prove_by_separations(scene, log, options);
-    case EngineChoice::either:
-      // The engine that has answered first will find its proof in about the same time.
-      return run_either(scene, options).engine == EngineName::kinetic ? prove_by_tiling(scene, log, options)
-                                                                      : prove_by_separations(scene, log, options);
+    case EngineChoice::either: {
+      const Answer first = run_either(scene, options);
+      return first.engine == EngineName::kinetic ? prove_by_tiling(scene, log, options)
+                                                 : prove_by_separations(scene, log, options, first);
+    }
     default:
       return agreed(prove_by_tiling(scene, log, options), run_spacetime(scene, options));
   }

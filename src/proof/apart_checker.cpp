@@ -8,7 +8,52 @@ namespace taut::proof {
 
 const MotionWindow& HalvedWindows::at(const HalvedTime& time) {
   if (windows_.size() >= most) windows_.clear();
-  return windows_.try_emplace(time.number, leg_, time.from, time.to).first->second;
+  const auto known = windows_.find(time.number);
+  return known != windows_.end() ? known->second : windows_.emplace(time.number, made(time)).first->second;
+}
+
+/// One over a longer window, if there is one. It is made when there is a second use for it.
+const FrameModel* HalvedWindows::sharp_model(const HalvedTime& time) {
+  for (std::uint64_t number = time.number; number > 0 && !models_.empty(); number /= 2) {
+    if (const auto found = models_.find(number); found != models_.end() && found->second) return &*found->second;
+  }
+  const auto longer = windows_.find(time.number / 2);
+  if (longer == windows_.end() || !longer->second.may_be_sharp()) return nullptr;
+  if (models_.size() >= most_models) models_.clear();
+  const auto [made, is_new] = models_.try_emplace(longer->first);
+  if (is_new) {
+    const FrameModel model = FrameModel::over(leg_, longer->second.from(), longer->second.to());
+    if (model.sharp()) made->second = model;
+  }
+  return made->second ? &*made->second : nullptr;
+}
+
+MotionWindow HalvedWindows::made(const HalvedTime& time) {
+  if (const FrameModel* sharp = leg_.bridge ? nullptr : sharp_model(time)) return {leg_, *sharp, time.from, time.to};
+  return {leg_, time.from, time.to};
+}
+
+namespace {
+
+std::optional<bool> aside_in_halves(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                    HalvedWindows& windows, const HalvedTime& time, int halvings) {
+  const std::optional<bool> seen = stays_aside_in_window(geometry, incidence, why, windows.at(time));
+  if (seen || halvings == 0 || !time.divisible()) return seen;
+  const auto half = [&](const HalvedTime& part) {
+    return aside_in_halves(geometry, incidence, why, windows, part, halvings - 1);
+  };
+  const std::optional<bool> first = half(time.first());
+  if (first == false) return first;
+  const std::optional<bool> second = half(time.second());
+  return second == false ? second : first && second ? first : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<bool> stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                           HalvedWindows& windows, const HalvedTime& time, const Instant& end) {
+  constexpr int most_halvings = 6;
+  return aside_in_halves(geometry, incidence, why, windows, time, end.event ? 0 : most_halvings);
 }
 
 Instant end_of(const HalvedTime& time, const std::optional<Instant>& until) {
@@ -64,7 +109,12 @@ void ApartChecker::check_margin(const RangePair& ranges, std::uint8_t why, const
 
 void ApartChecker::check_incidence(const Incidence& incidence, int why, const HalvedTime& time) {
   if (why >= reasons) throw ProofError("an unknown reason why two edges stay apart");
-  if (!stays_aside(pair_.geometry, lifetimes_, incidence, static_cast<Aside>(why), time.from, end_of(time, until_)))
+  const Instant end = end_of(time, until_);
+  const auto as_said = static_cast<Aside>(why);
+  if (as_said <= Aside::behind_second &&
+      stays_aside_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == true)
+    return;
+  if (!stays_aside(pair_.geometry, lifetimes_, incidence, as_said, time.from, end))
     throw ProofError("a vertex does not stay aside of an edge");
 }
 

@@ -20,7 +20,8 @@ struct HalvedTime {
   HalvedTime second() const { return {middle(), to, 2 * number + 1}; }
 };
 
-/// The windows of one stretch and its halves, each made once.
+/// The windows of one stretch and its halves, each made once. Where a model of the motion leaves out no more than
+/// rounding does, all halves of its window are seen by it: to make one costs as much as to see a hundred.
 class HalvedWindows {
  public:
   explicit HalvedWindows(const Leg& leg) : leg_(leg) {}
@@ -28,11 +29,21 @@ class HalvedWindows {
   const MotionWindow& at(const HalvedTime& time);
 
  private:
+  MotionWindow made(const HalvedTime& time);
+  const FrameModel* sharp_model(const HalvedTime& time);
+
   /// So many are kept.
-  static constexpr std::size_t most = 1 << 14;
+  static constexpr std::size_t most = 1 << 14, most_models = 1 << 9;
   const Leg& leg_;
   std::unordered_map<std::uint64_t, MotionWindow> windows_;
+  std::unordered_map<std::uint64_t, std::optional<FrameModel>> models_;  ///< nothing where it was not sharp
 };
+
+/// Does the vertex stay aside of the edge all over that stretch, for one of the first four reasons? As far as the
+/// motion's second order tells, over the stretch or over parts of it, which are halved a few times at most: not where
+/// a contact is in the stretch, which is between two doubles.
+std::optional<bool> stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                           HalvedWindows& windows, const HalvedTime& time, const Instant& end);
 
 /// One pair on one stretch of one leg. The log has a tree of steps, in preorder: time is halved, or one of the ranges,
 /// until what is left is apart; with a margin that is not 0, farther apart than that, and `until` is none then. Throws

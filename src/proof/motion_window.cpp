@@ -2,104 +2,144 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "relative/frame_model.hpp"
+#include <tuple>
+#include <utility>
 
 namespace taut::proof {
 namespace {
 
 /// Two functions of a frame that are the parts of one vector: about the window's middle, and what that leaves out.
-struct FirstOrder {
-  Vector value, rate;
+struct SecondOrder {
+  Vector value, rate, bend;
   double error = INFINITY;
-};
-
-/// conj(x_P) D, conj(x_Q) D, and c + i s; and how far the frames' scales are from 1.
-struct Motion {
-  FirstOrder seen_from_p, seen_from_q, turn;
-  double scale_error_p = 0, scale_error_q = 0;
-
-  bool bounded() const {
-    return std::isfinite(seen_from_p.error + seen_from_q.error + turn.error + scale_error_p + scale_error_q);
-  }
 };
 
 /// Where a bound is not known, products of it with 0 are not numbers.
 double known(double bound) { return bound >= 0 ? bound : INFINITY; }
 
-FirstOrder from_model(const FrameModel& m, const double* value, const double* slope, int i, double r) {
-  FirstOrder f{{value[i], value[i + 1]}, {slope[i], slope[i + 1]}, 0};
-  for (int k = i; k < i + 2; ++k)
-    f.error += m.error[k] + r * (m.error_d[k] + r / 2 * (std::fabs(m.bend[k]) + m.bend_rad[k]));
+/// Functions i and i + 1 of a model, within r of t.
+SecondOrder from_model(const FrameModel& m, int i, double t, double r) {
+  double value[4], slope[4], second[4];
+  m.evaluate(t, std::min(i, 2), value, slope, second);
+  const int at = i < 4 ? 0 : 2;
+  SecondOrder f{{value[at], value[at + 1]}, {slope[at], slope[at + 1]}, {second[at], second[at + 1]}, 0};
+  for (int k = i; k < i + 2; ++k) {
+    // The model's own bound of how far the second derivative is from that in its middle is the better one there.
+    double spread = m.error_dd[k] + r * m.third[k];
+    if (t == m.middle) spread = std::fmin(spread, m.bend_rad[k]);
+    f.error += m.error[k] + r * (m.error_d[k] + r / 2 * spread);
+  }
   return f;
 }
 
-Motion from_model(const Leg& leg, double from, double to, double middle, double r) {
-  const FrameModel model = FrameModel::over(leg, from, to);
-  double value[FrameModel::functions], slope[FrameModel::functions];
-  model.evaluate(middle, value, slope);
-  return {from_model(model, value, slope, 0, r), from_model(model, value, slope, 2, r),
-          from_model(model, value, slope, 4, r)};
+/// From the frame at the middle, and a bound of the next order over the window.
+SecondOrder from_jets(const Jet<double>& x, const Jet<double>& y, const ThirdSeries& x_over, const ThirdSeries& y_over,
+                      double r) {
+  SecondOrder f{{x.v.mid, y.v.mid}, {x.d.mid, y.d.mid}, {x.dd.mid, y.dd.mid}, 0};
+  const auto third = [](const ThirdSeries& over) { return over.terms > 3 ? over.c[3].magnitude() : 0; };
+  f.error = x.v.rad + y.v.rad +
+            r * (x.d.rad + y.d.rad + r * ((x.dd.rad + y.dd.rad) / 2 + r * (third(x_over) + third(y_over))));
+  return f;
 }
 
-/// Bridges are short, and rare: from the frame at the middle and over all of the window.
-FirstOrder from_jets(const Jet<double>& x, const Jet<double>& y, const Jet<double>& x_over, const Jet<double>& y_over,
-                     double r) {
-  FirstOrder f{{x.v.mid, y.v.mid}, {x.d.mid, y.d.mid}, 0};
+/// The same to first order, for bridges.
+SecondOrder from_jets(const Jet<double>& x, const Jet<double>& y, const Jet<double>& x_over, const Jet<double>& y_over,
+                      double r) {
+  SecondOrder f{{x.v.mid, y.v.mid}, {x.d.mid, y.d.mid}, {}, 0};
   f.error = x.v.rad + y.v.rad + r * (x.d.rad + y.d.rad) + r * r / 2 * (x_over.dd.magnitude() + y_over.dd.magnitude());
   return f;
 }
 
+SecondOrder from_range(const Ball<double>& x, const Ball<double>& y) { return {{x.mid, y.mid}, {}, {}, x.rad + y.rad}; }
+
 double distance_from_one(const Ball<double>& x) { return std::fabs(x.mid - 1) + x.rad; }
 
-Motion from_bridge(const Leg& leg, double from, double to, double middle, double r) {
-  const Frame<double> at = frame(leg, Ball<double>::exact(middle)), over = frame(leg, Ball<double>::between(from, to));
-  const auto& [pp, qq] = at;
-  const auto& [pp_over, qq_over] = over;
-  return {from_jets(pp[1], pp[2], pp_over[1], pp_over[2], r), from_jets(qq[1], qq[2], qq_over[1], qq_over[2], r),
-          from_jets(pp[3], pp[4], pp_over[3], pp_over[4], r), distance_from_one(pp_over[0].v),
-          distance_from_one(qq_over[0].v)};
-}
-
-FirstOrder in_range(const Ball<double>& x, const Ball<double>& y) { return {{x.mid, y.mid}, {0, 0}, x.rad + y.rad}; }
-
-Motion from_range(const Leg& leg, double from, double to) {
-  const auto [pp, qq] = frame_values(leg, Ball<double>::between(from, to));
-  return {in_range(pp[1], pp[2]), in_range(qq[1], qq[2]), in_range(pp[3], pp[4]), distance_from_one(pp[0]),
-          distance_from_one(qq[0])};
-}
-
 /// The leg sees a vertex at v + offset, up to rounding: the offsets become part of the shift.
-Sight sight_of(FirstOrder shift, const FirstOrder& turn, double scale_error, const ExactVector& fixed,
+Sight sight_of(const SecondOrder& shift, const SecondOrder& turn, double scale_error, const ExactVector& fixed,
                const ExactVector& moving, double r) {
   const Vector from{fixed.x, fixed.y}, own{moving.x, moving.y};
   Sight s;
   s.shift = shift.value + turn.value * own - from;
   s.shift_rate = shift.rate + turn.rate * own;
+  s.shift_bend = shift.bend + turn.bend * own;
   s.turn = turn.value;
   s.turn_rate = turn.rate;
-  const double turns = size(turn.value) + r * size(turn.rate);
-  s.size = size(shift.value) + r * size(shift.rate) + turns * (1 + size(own)) + size(from);
+  s.turn_bend = turn.bend;
+  const auto reach = [r](const SecondOrder& f) { return size(f.value) + r * (size(f.rate) + r / 2 * size(f.bend)); };
+  s.size = reach(shift) + reach(turn) * (1 + size(own)) + size(from);
   s.turn_error = known(turn.error);
   s.scale_error = known(scale_error);
   s.shift_error = known(shift.error + turn.error * size(own) + scale_error * size(from));
   return s;
 }
 
+/// conj(x_P) D, conj(x_Q) D, and c + i s; and how far the frames' scales are from 1.
+struct Motion {
+  SecondOrder seen_from_p, seen_from_q, turn;
+  double scale_error_p = 0, scale_error_q = 0;
+
+  static Motion of_model(const FrameModel& m, double middle, double r) {
+    return {from_model(m, 0, middle, r), from_model(m, 2, middle, r), from_model(m, 4, middle, r)};
+  }
+  static Motion of_frame(const Leg& leg, double from, double to, double middle, double r) {
+    const auto [pp, qq] = frame(leg, Ball<double>::exact(middle));
+    const auto [pp_over, qq_over] = frame_to_third_order(leg, Ball<double>::between(from, to));
+    return {from_jets(pp[1], pp[2], pp_over[1], pp_over[2], r), from_jets(qq[1], qq[2], qq_over[1], qq_over[2], r),
+            from_jets(pp[3], pp[4], pp_over[3], pp_over[4], r)};
+  }
+  static Motion of_bridge(const Leg& leg, double from, double to, double middle, double r) {
+    const Frame<double> at = frame(leg, Ball<double>::exact(middle)),
+                        over = frame(leg, Ball<double>::between(from, to));
+    const auto& [pp, qq] = at;
+    const auto& [pp_over, qq_over] = over;
+    return {from_jets(pp[1], pp[2], pp_over[1], pp_over[2], r), from_jets(qq[1], qq[2], qq_over[1], qq_over[2], r),
+            from_jets(pp[3], pp[4], pp_over[3], pp_over[4], r), distance_from_one(pp_over[0].v),
+            distance_from_one(qq_over[0].v)};
+  }
+  static Motion of_range(const Leg& leg, double from, double to) {
+    const auto [pp, qq] = frame_values(leg, Ball<double>::between(from, to));
+    return {from_range(pp[1], pp[2]), from_range(qq[1], qq[2]), from_range(pp[3], pp[4]), distance_from_one(pp[0]),
+            distance_from_one(qq[0])};
+  }
+
+  bool bounded() const {
+    return std::isfinite(seen_from_p.error + seen_from_q.error + turn.error + scale_error_p + scale_error_q);
+  }
+};
+
+/// As P sees Q, and as Q sees P.
+std::pair<Sight, Sight> sights(const Leg& leg, const Motion& given, const MotionWindow& window) {
+  const Motion motion = given.bounded() ? given : Motion::of_range(leg, window.from(), window.to());
+  SecondOrder back = motion.seen_from_q, turn_back = motion.turn;
+  for (Vector* v : {&back.value, &back.rate, &back.bend}) *v = -*v;
+  for (Vector* v : {&turn_back.value, &turn_back.rate, &turn_back.bend}) *v = conj(*v);
+  const double r = window.half();
+  return {sight_of(motion.seen_from_p, motion.turn, motion.scale_error_p, leg.offset_p, leg.offset_q, r),
+          sight_of(back, turn_back, motion.scale_error_q, leg.offset_q, leg.offset_p, r)};
+}
+
 }  // namespace
 
-MotionWindow::MotionWindow(const Leg& leg, double from, double to) : from_(from), to_(to) {
-  const double middle = from + (to - from) / 2;
-  half_ = std::max(to - middle, middle - from) * (1 + 0x1p-50);
-  Motion motion = leg.bridge ? from_bridge(leg, from, to, middle, half_) : from_model(leg, from, to, middle, half_);
-  if (!motion.bounded()) motion = from_range(leg, from, to);
-  from_p_ = sight_of(motion.seen_from_p, motion.turn, motion.scale_error_p, leg.offset_p, leg.offset_q, half_);
-  FirstOrder shift = motion.seen_from_q, turn = motion.turn;
-  shift.value = -shift.value;
-  shift.rate = -shift.rate;
-  turn.value = conj(turn.value);
-  turn.rate = conj(turn.rate);
-  from_q_ = sight_of(shift, turn, motion.scale_error_q, leg.offset_q, leg.offset_p, half_);
+MotionWindow::MotionWindow(double from, double to) : from_(from), to_(to) {
+  middle_ = from + (to - from) / 2;
+  half_ = std::max(to - middle_, middle_ - from) * (1 + 0x1p-50);
+}
+
+MotionWindow::MotionWindow(const Leg& leg, const FrameModel& model, double from, double to) : MotionWindow(from, to) {
+  std::tie(from_p_, from_q_) = sights(leg, Motion::of_model(model, middle_, half_), *this);
+}
+
+MotionWindow::MotionWindow(const Leg& leg, double from, double to) : MotionWindow(from, to) {
+  const Motion motion =
+      leg.bridge ? Motion::of_bridge(leg, from, to, middle_, half_) : Motion::of_frame(leg, from, to, middle_, half_);
+  std::tie(from_p_, from_q_) = sights(leg, motion, *this);
+}
+
+/// What the second order leaves out is about the third root of what the ninth one does.
+bool MotionWindow::may_be_sharp() const {
+  constexpr double share = 0x1p-12;
+  return from_p_.turn_error <= share && from_p_.shift_error <= share * from_p_.size &&
+         from_q_.shift_error <= share * from_q_.size;
 }
 
 }  // namespace taut::proof

@@ -2,25 +2,29 @@
 #pragma once
 
 #include "geometry/vector.hpp"
+#include "relative/frame_model.hpp"
 #include "relative/leg.hpp"
 
 namespace taut::proof {
 
 /// The law: at the window's middle + h, |h| <= half, the moving body's point v is seen at
-///   shift + h shift_rate + (turn + h turn_rate) v + e, where |e| <= shift_error + turn_error |v|,
-/// and the other body's own points at (1 + e') a, where |e'| <= scale_error. |(x, y)| is |x| + |y|. What rounding adds
-/// in a few further operations is covered by 2^-44 of `size`, and of the points.
+///   shift + h shift_rate + h^2/2 shift_bend + (turn + h turn_rate + h^2/2 turn_bend) v + e,
+/// where |e| <= shift_error + turn_error |v|, and the other body's own points at (1 + e') a, where |e'| <= scale_error.
+/// |(x, y)| is |x| + |y|. What rounding adds in a few further operations is covered by 2^-44 of `size`, and of the
+/// points.
 struct Sight {
-  Vector shift, shift_rate, turn, turn_rate;
+  Vector shift, shift_rate, shift_bend, turn, turn_rate, turn_bend;
   double shift_error = 0, turn_error = 0, scale_error = 0;
   double size = 0;  ///< of everything that was added
 };
 
-/// The first order of the motion about the middle, with a bound of the rest: a window half as long has a quarter of the
-/// rest. Where the motion is singular, its range over the window takes the place of both.
+/// The second order of the motion about the middle, with a bound of the rest: a window half as long has an eighth of
+/// it. Where the motion is singular, its range over the window takes the place of all of them.
 class MotionWindow {
  public:
   MotionWindow(const Leg& leg, double from, double to);
+  /// The same from a model over that window, or a longer one, which costs far less. Of a bridge there is none.
+  MotionWindow(const Leg& leg, const FrameModel& model, double from, double to);
 
   double from() const { return from_; }
   double to() const { return to_; }
@@ -28,9 +32,13 @@ class MotionWindow {
   /// Q's points in P's frame, and P's points in Q's frame.
   const Sight& from_p() const { return from_p_; }
   const Sight& from_q() const { return from_q_; }
+  /// Is a model over this window so good, at a guess, that shorter ones would be no better?
+  bool may_be_sharp() const;
 
  private:
-  double from_, to_, half_;
+  MotionWindow(double from, double to);
+
+  double from_, to_, middle_, half_;
   Sight from_p_, from_q_;
 };
 

@@ -12,21 +12,57 @@ double reach(const EdgeRange& r, Vector along, Vector n) {
   return r.half_length * std::fabs(dot(n, along)) + r.half_width * std::fabs(dot(n, turned(along)));
 }
 
-/// Is the moving range beyond the fixed one, by more than a margin, seen along n in the fixed one's frame? Each of its
-/// points moves straight, up to the errors, so that it is nearest at an end of the window; and of a rectangle, a corner
-/// is nearest. n is longer than 1 by rounding only.
+/// The least that lo + (hi - lo) (1 + h / r) / 2 + bend (h^2 - r^2) / 2 is for |h| <= r: what is at least a chord from
+/// lo to hi, and a parabola that is zero at its ends.
+double least_above_chord(double lo, double hi, double bend, double r) {
+  const double slope = (hi - lo) / (2 * r), least = std::fmin(lo, hi);
+  if (!(bend > 0)) return least;
+  // Else the lowest point is not between the ends.
+  if (!(std::fabs(slope) < bend * r)) return least;
+  return (lo + hi) / 2 - bend * r * r / 2 - slope * slope / (2 * bend);
+}
+
+/// Is the moving range beyond the fixed one, by more than a margin, seen along n in the fixed one's frame? Its centre
+/// goes along a parabola, up to the errors. Of a rectangle, a corner is nearest: to first order that is farther in
+/// between than on the chord between the window's ends, and the second order adds no more than at an end. n is longer
+/// than 1 by rounding only.
 bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, const EdgeRange& moving, double margin) {
-  const double edge = dot(n, fixed.centre) + reach(fixed, fixed.along, n);
-  double gap = INFINITY;
-  for (const double h : {-half, half}) {
+  const double edge = dot(n, fixed.centre) + reach(fixed, fixed.along, n), most = half * half / 2;
+  const auto gap_at = [&](double h) {
     const Vector turn{sight.turn.x + h * sight.turn_rate.x, sight.turn.y + h * sight.turn_rate.y};
     const Vector shift{sight.shift.x + h * sight.shift_rate.x, sight.shift.y + h * sight.shift_rate.y};
-    gap = std::fmin(gap, dot(n, shift + turn * moving.centre) - reach(moving, turn * moving.along, n) - edge);
-  }
+    return dot(n, shift + turn * moving.centre) - reach(moving, turn * moving.along, n) - edge;
+  };
+  // Most directions are none in the middle already.
+  if (!(gap_at(0) > margin)) return false;
+  const double bend = dot(n, sight.shift_bend + sight.turn_bend * moving.centre);
+  const double at_ends = most * (bend - reach(moving, sight.turn_bend * moving.along, n));
+  const double gap = least_above_chord(gap_at(-half) + at_ends, gap_at(half) + at_ends, bend, half);
   const double far_fixed = size(fixed.centre) + fixed.radius(), far_moving = size(moving.centre) + moving.radius();
   const double error = sight.shift_error + sight.turn_error * far_moving + sight.scale_error * far_fixed;
   const double added = sight.size * (1 + far_moving) + far_fixed;
   return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
+}
+
+Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
+
+/// Where a vertex is that stays aside of the edge from a to b for one of the first four reasons: the points from which
+/// the way to it has a positive product with the normal.
+struct HalfPlane {
+  Vector normal, from;
+};
+HalfPlane half_plane(Vector a, Vector b, Aside why) {
+  const Vector edge = b - a;
+  switch (why) {
+    case Aside::left:
+      return {turned(edge), a};
+    case Aside::right:
+      return {-turned(edge), a};
+    case Aside::behind_first:
+      return {-edge, a};
+    default:
+      return {edge, b};
+  }
 }
 
 /// One of `step::directions` directions, evenly but not equally spaced: by the tangent of half the angle in each
@@ -132,6 +168,25 @@ bool stays_aside(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i
                   [&](const SignedForm& form) { return lifetimes.holds(form, until, is_own(form.form, until)); });
 }
 
+std::optional<bool> stays_aside_in_window(const PairGeometry& g, const Incidence& i, Aside why,
+                                          const MotionWindow& window) {
+  const Sight& sight = g.in_p(i.edge) ? window.from_p() : window.from_q();
+  const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), v = place(g, i.vertex);
+  const auto [n, from] = half_plane(a, b, why);
+  const double half = window.half(), most = half * half / 2;
+  const Vector at = sight.shift + sight.turn * v - from;
+  const double middle = dot(n, at), way = half * dot(n, sight.shift_rate + sight.turn_rate * v);
+  const double bend = dot(n, sight.shift_bend + sight.turn_bend * v);
+  const double least = least_above_chord(middle - way + most * bend, middle + way + most * bend, bend, half);
+  // What is added to the vertices' coordinates is less than the room; it turns the edge, and moves all three.
+  const double added = sight.size * (1 + size(v)) + size(a) + size(b);
+  const double error = sight.shift_error + sight.turn_error * size(v) + sight.scale_error * (size(a) + size(b));
+  const double doubt =
+      size(n) * (error * (1 + 0x1p-40) + 0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
+  if (least > doubt) return true;
+  return middle < -doubt ? std::optional(false) : std::nullopt;
+}
+
 bool stays_aside_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
                             const Instant& until) {
   if (why == Aside::behind_when_on_line) return false;
@@ -173,8 +228,10 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
 
 double motion_in(const MotionWindow& window, const EdgeRange& q) {
   const Sight& s = window.from_p();
-  return window.half() * (size(s.shift_rate + s.turn_rate * q.centre) + size(s.turn_rate) * q.radius()) +
-         s.shift_error + s.turn_error * (size(q.centre) + q.radius());
+  const double r = window.half();
+  const auto way = [&](Vector shift, Vector turn) { return size(shift + turn * q.centre) + size(turn) * q.radius(); };
+  return r * (way(s.shift_rate, s.turn_rate) + r / 2 * way(s.shift_bend, s.turn_bend)) + s.shift_error +
+         s.turn_error * (size(q.centre) + q.radius());
 }
 
 }  // namespace taut::proof

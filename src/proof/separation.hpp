@@ -66,7 +66,11 @@ KeptForms kept_forms(const PairGeometry& geometry, const Incidence& incidence, A
 /// very instant: there the vertex has come to the other edge. Throws Undecidable.
 bool stays_aside(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from,
                  const Instant& until);
-/// The same, as far as doubles tell.
+/// The same for one of the first four reasons, as far as the motion's second order over the window tells: false where
+/// it is on the other side in the middle; nothing where that is not certain.
+std::optional<bool> stays_aside_in_window(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                          const MotionWindow& window);
+/// The same for any of them, as far as doubles tell.
 bool stays_aside_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why,
                             double from, const Instant& until);
 

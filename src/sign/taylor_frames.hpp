@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -74,8 +74,9 @@ class TaylorFrames {
   const TaylorFrame<Real>& make(const Leg& leg, const Ball<Real>& t);
   template <class Real>
   FramesFromEnd<Real>& from_end() {
-    std::optional<FramesFromEnd<Real>>& frames = std::get<Kept<Real>>(kept_).from_end;
-    return frames ? *frames : frames.emplace();
+    std::unique_ptr<FramesFromEnd<Real>>& frames = std::get<Kept<Real>>(kept_).from_end;
+    if (!frames) frames = std::make_unique<FramesFromEnd<Real>>();
+    return *frames;
   }
 
  private:
@@ -84,8 +85,8 @@ class TaylorFrames {
   template <class Real>
   struct Kept {
     std::vector<TaylorFrame<Real>> models;
-    std::size_t next = 0;  ///< which is replaced next
-    std::optional<FramesFromEnd<Real>> from_end;
+    std::size_t next = 0;                           ///< which is replaced next
+    std::unique_ptr<FramesFromEnd<Real>> from_end;  ///< large, and seldom asked for
   };
   template <class Real>
   const Kept<Real>& kept() const {

@@ -9,6 +9,7 @@
 #include "proof/motion_window.hpp"
 #include "proof/separation.hpp"
 #include "proof/stated_box.hpp"
+#include "sign/precise_triple.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
@@ -108,15 +109,29 @@ void expect_law(const Leg& leg, const Sight& sight, bool from_p, double middle, 
   // Relative to the fixed point, as both are.
   const ExactVectorBall truly = shift + turn * with_offset(leg, !from_p, v) - scale * with_offset(leg, from_p, a);
   const Exact h = Exact::exact(t) - Exact::exact(middle);
-  const ExactVectorBall by{h, Exact::exact(0)};
-  const ExactVectorBall said = exactly(sight.shift) + by * exactly(sight.shift_rate) +
-                               (exactly(sight.turn) + by * exactly(sight.turn_rate)) * exactly(v) - exactly(a);
+  const ExactVectorBall by{h, Exact::exact(0)}, half_square{h * h * 0.5, Exact::exact(0)};
+  const auto second_order = [&](Vector value, Vector rate, Vector bend) {
+    return exactly(value) + by * exactly(rate) + half_square * exactly(bend);
+  };
+  const ExactVectorBall said = second_order(sight.shift, sight.shift_rate, sight.shift_bend) +
+                               second_order(sight.turn, sight.turn_rate, sight.turn_bend) * exactly(v) - exactly(a);
   const double allowed = sight.shift_error + sight.turn_error * size(v) + sight.scale_error * size(a) +
                          0x1p-44 * (sight.size * (1 + size(v)) + size(a));
   if (!std::isfinite(allowed)) return;
   EXPECT_LE(size_of(truly - said), allowed * (1 + 0x1p-30)) << "at " << t;
 }
 
+void expect_window_contains(const Leg& leg, const MotionWindow& window, Rng& rng) {
+  const double from = window.from(), to = window.to(), middle = from + (to - from) / 2;
+  for (const double t : {from, to, middle, from + rng.real(0, 1) * (to - from)}) {
+    if (t < from || t > to) continue;
+    const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, a{rng.real(-1, 1), rng.real(-1, 1)};
+    expect_law(leg, window.from_p(), true, middle, t, v, a);
+    expect_law(leg, window.from_q(), false, middle, t, v, a);
+  }
+}
+
+/// By itself, and by the model of one that is longer.
 void expect_windows_contain(const std::vector<Leg>& legs, Rng& rng) {
   for (const Leg& leg : legs) {
     for (int i = 0; i < 6; ++i) {
@@ -124,14 +139,11 @@ void expect_windows_contain(const std::vector<Leg>& legs, Rng& rng) {
       const double from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length),
                    to = std::min(leg.end, from + length);
       if (!(from >= leg.start && from <= to)) continue;
-      const MotionWindow window(leg, from, to);
-      const double middle = from + (to - from) / 2;
-      for (const double t : {from, to, middle, from + rng.real(0, 1) * (to - from)}) {
-        if (t < from || t > to) continue;
-        const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, a{rng.real(-1, 1), rng.real(-1, 1)};
-        expect_law(leg, window.from_p(), true, middle, t, v, a);
-        expect_law(leg, window.from_q(), false, middle, t, v, a);
-      }
+      expect_window_contains(leg, MotionWindow(leg, from, to), rng);
+      if (leg.bridge) continue;
+      const double before = std::max(leg.start, from - rng.real(0, 1) * length),
+                   after = std::min(leg.end, to + rng.real(0, 1) * length);
+      expect_window_contains(leg, MotionWindow(leg, FrameModel::over(leg, before, after), from, to), rng);
     }
   }
 }
@@ -239,6 +251,141 @@ TEST(SeparationLaws, DirectionsSeparate) {
     }
   }
   EXPECT_GE(separated, static_cast<int>(enough(100)));
+}
+
+/// A reason why a vertex is not on an edge that windows give holds at every instant, by the exact form; where they say
+/// that it is none, it is none at some instant.
+TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
+  int yes = 0, no = 0;
+  for (std::uint64_t seed = 1100; seed < 1100 + effort(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const WorldPlan plan(scene_of(random_world(seed)));
+    const PairPlan pair = plan.pair(0, 1);
+    const PairGeometry g = displaced_pair(pair, seed % 2 == 0);
+    const std::uint32_t nq = g.size() - g.np;
+    for (const Leg& leg : plan.legs(pair)) {
+      const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(12)),
+                   from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length),
+                   to = std::min(from + length, leg.end);
+      const MotionWindow window(leg, from, to);
+      for (int i = 0; i < 20; ++i) {
+        const VertexId p(rng.below(g.np)), q(g.np + rng.below(nq));
+        const proof::Incidence incidence = i % 2 == 0 ? proof::Incidence{q, p} : proof::Incidence{p, q};
+        const auto why = static_cast<proof::Aside>(rng.below(4));
+        const std::optional<bool> said = stays_aside_in_window(g, incidence, why, window);
+        if (!said) continue;
+        const proof::KeptForm kept = kept_forms(g, incidence, why).forms[0];
+        const PreciseTriple form(leg, g, kept.form);
+        const auto holds_at = [&](double t) {
+          PreciseTime at = PreciseTime::between(t, t);
+          return form.sign_at(at, Stage::precise) == kept.sign;
+        };
+        ++(*said ? yes : no);
+        for (int k = 0; *said && k <= 4; ++k) ASSERT_TRUE(holds_at(std::min(to, from + (to - from) * k / 4)));
+        if (!*said) {
+          ASSERT_FALSE(holds_at(from + (to - from) / 2));
+        }
+      }
+    }
+  }
+  EXPECT_GE(std::min(yes, no), static_cast<int>(enough(500)));
+}
+
+/// Where a point of Q is in P's frame at some instants of a window.
+class SampledPath {
+ public:
+  SampledPath(const Leg& leg, double from, double to) {
+    for (int k = 0; k <= samples; ++k) {
+      const auto frames = frame_values(leg, Ball<double>::exact(std::min(to, from + (to - from) * k / samples)));
+      const auto& f = frames.for_pp;
+      poses_.push_back({{f[1].mid, f[2].mid}, {f[3].mid, f[4].mid}});
+    }
+    own_ = {leg.offset_q.x, leg.offset_q.y};
+    base_ = {leg.offset_p.x, leg.offset_p.y};
+  }
+  /// The least and the greatest that the products with n are, of any of these points.
+  std::pair<double, double> extent(Vector n, const std::vector<Vector>& points) const {
+    std::pair<double, double> found{INFINITY, -INFINITY};
+    for (const auto& [shift, turn] : poses_) {
+      for (const Vector v : points) {
+        const double along = dot(n, shift + turn * (v + own_) - base_);
+        found = {std::min(found.first, along), std::max(found.second, along)};
+      }
+    }
+    return found;
+  }
+
+ private:
+  static constexpr int samples = 64;
+  std::vector<std::pair<Vector, Vector>> poses_;
+  Vector own_, base_;
+};
+
+Vector unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// P with an edge of which a vertex stays aside, for that reason, as long as it is beyond `level` in direction n; and Q
+/// with that vertex.
+PairGeometry pair_with_edge(Vector n, double level, double length, proof::Aside why, Vector v) {
+  const Vector from{n.x * level, n.y * level}, along{n.x * length, n.y * length};
+  const Vector edge = why == proof::Aside::left           ? -turned(along)
+                      : why == proof::Aside::right        ? turned(along)
+                      : why == proof::Aside::behind_first ? -along
+                                                          : along;
+  const Vector a = why == proof::Aside::behind_second ? from - edge : from, b = a + edge, c = a + turned(edge);
+  const auto point = [](Vector p) { return DisplacedPoint{p.x, p.y, 0, 0}; };
+  return {std::vector{point(a), point(b), point(c)},
+          std::vector{point(v), point(v + Vector{0.5, 0}), point(v + Vector{0, 0.5})}};
+}
+
+/// Edges and rectangles are put where the way comes to them, or nearly: windows never say that it does not, and where
+/// it stays well off, they seldom fail to see that.
+TEST(SeparationLaws, WindowsSeeWhatWaysComeTo) {
+  int asked = 0, seen = 0;
+  for (std::uint64_t seed = 1300; seed < 1300 + effort(60); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const WorldPlan plan(scene_of(random_world(seed)));
+    for (const Leg& leg : plan.legs(plan.pair(0, 1))) {
+      if (leg.bridge) continue;
+      for (int i = 0; i < 30; ++i) {
+        const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(10)),
+                     from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length);
+        const MotionWindow window(leg, from, std::min(leg.end, from + length));
+        const SampledPath path(leg, window.from(), window.to());
+        const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, n = unit(rng.real(0, 7));
+        const auto why = static_cast<proof::Aside>(rng.below(4));
+        const auto [low, high] = path.extent(n, {v});
+        const double rounding = 1e-10 * (1 + std::fabs(low)), room = 0.2 * (high - low) + rounding;
+        const auto stays_beyond = [&](double level) {
+          return stays_aside_in_window(pair_with_edge(n, level, rng.real(0.1, 1), why, v), {VertexId(3), VertexId(0)},
+                                       why, window) == true;
+        };
+        ASSERT_FALSE(stays_beyond(low + rounding));
+        EdgeRange p, q;
+        p.along = n;
+        p.half_length = rng.real(0, 1);
+        q.centre = v;
+        q.along = unit(rng.real(0, 7));
+        q.half_length = rng.real(0, 1);
+        q.half_width = rng.real(0, q.half_length);
+        std::vector<Vector> corners;
+        for (const double x : {-q.half_length, q.half_length}) {
+          for (const double y : {-q.half_width, q.half_width}) corners.push_back(v + q.along * Vector{x, y});
+        }
+        const auto [near, far] = path.extent(n, corners);
+        const auto separates_from = [&, least = near](double off) {
+          const double level = least + off - p.half_length;
+          p.centre = {n.x * level, n.y * level};
+          return proof::separates(proof::step::along_p, window, p, q);
+        };
+        ASSERT_FALSE(separates_from(rounding));
+        asked += 2;
+        seen += stays_beyond(low - room) + separates_from(-0.2 * (far - near) - rounding);
+      }
+    }
+  }
+  EXPECT_GE(seen, asked / 2);
 }
 
 }  // namespace
