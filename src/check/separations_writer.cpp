@@ -270,7 +270,9 @@ std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, co
                                                          const Answer& answer, Touch touch) {
   const bool inwards = touch == Touch::open;
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
-  const double until = end_of_windows(proved, answer.free_until);
+  // Of two bodies, the only pair has its own section.
+  const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
+                                          : end_of_windows(proved, answer.free_until);
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = headline(answer, results);
   if (named->touching)
