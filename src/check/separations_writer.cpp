@@ -76,7 +76,7 @@ class SeparationsWriter {
   }
 
   /// `until`: the earliest instant at which anything may happen.
-  std::string contact(const PairResult& result, double until) {
+  std::pair<Claim, std::string> contact(const PairResult& result, double until) {
     contact_pair_ = {result.a, result.b};
     const proof::ProvedPair& pair = world_.pair(result.a, result.b);
     const FoundContact& found = *result.found;
@@ -90,13 +90,15 @@ class SeparationsWriter {
     put_u32(out_, static_cast<std::uint32_t>(result.leg));
     put_u32(out_, found.vertex.value);
     put_u32(out_, found.edge.value);
-    for (const double t : {since, about, end, until}) put_f64(out_, t);
+    const bool fine = since[1] != 0 || since[2] != 0;
+    for (std::size_t k = 0; k < (fine ? since.size() : 1); ++k) put_f64(out_, since[k]);
+    for (const double t : {about, end, until}) put_f64(out_, t);
     std::vector<proof::LegStretch> way;
     for (std::size_t i = 0; i < result.leg; ++i) way.push_back({i, pair.legs[i].start, pair.legs[i].end});
     way.push_back({result.leg, leg.start, end});
     section(pair, way, now);
     all_windows(until);
-    return std::move(out_);
+    return {fine ? Claim::fine_contact : Claim::contact, std::move(out_)};
   }
 
  private:
@@ -123,19 +125,30 @@ class SeparationsWriter {
   }
 
   /// The contact as the verifier will find it, and an instant shortly before it since which the vertex is outside.
-  static std::pair<double, Instant> instant(const proof::ProvedPair& pair, proof::Lifetimes& lifetimes,
-                                            const FoundContact& found, double about) {
-    const Leg& leg = lifetimes.leg();
-    for (double share = 0x1p-48;; share *= 0x1p8) {
-      const double since = std::max(leg.start, found.lo - share * (leg.end - leg.start));
-      const proof::Corner corner{found.edge, pair.geometry.next(found.edge), found.vertex, -1, Instant::exactly(since)};
+  static std::pair<proof::FineInstant, Instant> instant(const proof::ProvedPair& pair, proof::Lifetimes& lifetimes,
+                                                        const FoundContact& found, double about) {
+    const auto first_since = [&](const proof::FineInstant& since) -> std::optional<Instant> {
       try {
-        return {since, lifetimes.failure(corner, about)};
+        const VertexId end = pair.geometry.next(found.edge);
+        return lifetimes.failure({found.edge, end, found.vertex, -1, proof::instant_at(since)}, about);
       } catch (const ProofError&) {
         // Too close to the root for a sign, or not close enough for it to be the first.
-        if (share > 0x1p-8) throw Undecidable{"the instant of a contact, for a proof"};
+      } catch (const Undecidable&) {
       }
+      return std::nullopt;
+    };
+    const Leg& leg = lifetimes.leg();
+    for (double share = 0x1p-48; share <= 0x1p-8; share *= 0x1p8) {
+      const proof::FineInstant since{std::max(leg.start, found.lo - share * (leg.end - leg.start)), 0, 0};
+      if (const auto now = first_since(since)) return {since, *now};
     }
+    // It may have come to the outside between the same two doubles.
+    for (double step = 0x1p-200; found.at && step <= 0x1p-48; step *= 0x1p4) {
+      const proof::FineInstant since = proof::nearest_instant(found.at->lo() - step);
+      if (!proof::is_within(since, leg.start, leg.end)) break;
+      if (const auto now = first_since(since)) return {since, *now};
+    }
+    throw Undecidable{"the instant of a contact, for a proof"};
   }
 
   /// The vertex of the pair that the scene calls so, and the edge.
@@ -186,12 +199,7 @@ class SeparationsWriter {
     if (!found) return std::nullopt;
     const RealMax root = found->precise.hi();
     for (double step = 0x1p-150; step < 0x1p-48; step *= 2) {
-      RealMax rest = root + step;
-      proof::FineInstant at{};
-      for (double& part : at) {
-        part = static_cast<double>(rest);
-        rest -= part;
-      }
+      const proof::FineInstant at = proof::nearest_instant(root + step);
       if (is_closer(at)) return at;
     }
     return std::nullopt;
@@ -277,7 +285,7 @@ std::optional<std::pair<Claim, std::string>> body_of_log(const WorldRun& run, co
   const PairResult* named = headline(answer, results);
   if (named->touching)
     return std::pair(Claim::touching, SeparationsWriter(proved, Claim::touching, true).touching(*named));
-  return std::pair(Claim::contact, SeparationsWriter(proved, Claim::contact, inwards).contact(*named, until));
+  return SeparationsWriter(proved, Claim::contact, inwards).contact(*named, until);
 }
 
 }  // namespace

@@ -31,10 +31,11 @@ enum class Record : std::uint8_t {
 
 /// What a log of separations says, the second byte after the fingerprint.
 enum class Claim : std::uint8_t {
-  free,        ///< on the whole interval
-  contact,     ///< pair (u32, u32), leg, vertex, edge (u32 each), four times (f64 each), and the pair's separations
-  touching,    ///< pair (u32, u32): the shapes displaced outwards overlap at the start, and how (u8, u32, u32)
-  free_until,  ///< up to a time (f64)
+  free,          ///< on the whole interval
+  contact,       ///< pair (u32, u32), leg, vertex, edge (u32 each), four times (f64 each), and the pair's separations
+  touching,      ///< pair (u32, u32): the shapes displaced outwards overlap at the start, and how (u8, u32, u32)
+  free_until,    ///< up to a time (f64)
+  fine_contact,  ///< a contact whose first time lies between doubles: the sum of three (f64 each)
 };
 /// Added to a claim (free, contact, free_until) that is about a clearance, which follows as f64 in the scene's units.
 /// That of a contact goes on with the pair (u32, u32), leg, vertex, peer (u32 each), u8 1 if the peer is an edge, an

@@ -1,6 +1,7 @@
 // Features of two bodies that stay farther apart than a margin over a stretch of a leg.
 #pragma once
 
+#include "proof/fine_instant.hpp"
 #include "proof/separation.hpp"
 
 namespace taut::proof {
@@ -24,10 +25,6 @@ class KeptMargin {
   const Leg& leg_;
   double margin_;
 };
-
-/// An instant finer than doubles: their exact sum. Bodies that come to the margin and no closer are displaced, and then
-/// closer for a time that may have no double in it.
-using FineInstant = std::array<double, 3>;
 
 /// Is the incidence's vertex certainly closer than the margin to the edge, or to the other vertex, at that parameter?
 bool closer_at(const PairGeometry& geometry, const Leg& leg, double margin, const Incidence& pair, bool is_edge,

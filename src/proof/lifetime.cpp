@@ -148,7 +148,7 @@ bool Lifetimes::holds_precisely(const SignedForm& form, const Instant& until, bo
   });
 }
 
-bool Lifetimes::behind_at_roots(const Form& line, double from, double to) const {
+bool Lifetimes::behind_at_roots(const Form& line, double from, const Instant& until) const {
   const PreciseTriple f = precise(line), along = precise(line.along()), back = precise(line.back());
   const auto is_behind = [&](PreciseTime root, int sign) {
     return *told("whether a vertex is behind the end of an edge", [&](Stage stage) -> std::optional<bool> {
@@ -158,9 +158,21 @@ bool Lifetimes::behind_at_roots(const Form& line, double from, double to) const 
       return a > 0 && b > 0 ? std::optional(false) : std::nullopt;
     });
   };
+  const bool own = until.concerns(line.a, line.b, line.c);
+  const auto is_over = [&](PreciseTime root, int sign) {
+    return *told("which of two instants is first", [&](Stage stage) -> std::optional<bool> {
+      PreciseTime end;
+      if (!at_stage(until, stage, end)) return std::nullopt;
+      f.refine(sign, root, stage);
+      const std::optional<bool> before = root.is_first(end);
+      // An enclosure of the event holds one root of its own form.
+      return before ? std::optional(!*before) : own ? std::optional(true) : std::nullopt;
+    });
+  };
   PreciseTime at = PreciseTime::between(from, from);
   int sign = told("on which side of a line a vertex is", [&](Stage stage) { return f.sign_at(at, stage); });
-  while (const std::optional<PreciseTime> root = f.first_failure(sign, at, to)) {
+  while (const std::optional<PreciseTime> root = f.first_failure(sign, at, until.hi)) {
+    if (until.event && is_over(*root, sign)) return true;
     if (!is_behind(*root, sign)) return false;
     at = *root;
     sign = -sign;

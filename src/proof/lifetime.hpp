@@ -43,9 +43,9 @@ class Lifetimes {
   bool holds(const SignedForm& form, const Instant& until, bool own);
   /// The same, as far as doubles can tell: nothing is known where they cannot.
   bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own);
-  /// Whenever a vertex is on an edge's line, which is what the form says, from `from` to `to`: is it behind one of the
-  /// edge's ends then? Throws Undecidable.
-  bool behind_at_roots(const Form& line, double from, double to) const;
+  /// Whenever a vertex is on an edge's line, which is what the form says, from `from` on and before `until`, or then if
+  /// that is no event: is it behind one of the edge's ends? Throws Undecidable.
+  bool behind_at_roots(const Form& line, double from, const Instant& until) const;
   /// Is a failure as near to the time that a log gives for it as it has to be? An enclosure in doubles can be wide:
   /// where it does not tell, a finer one does.
   bool is_near(const Instant& event, double about) const;

@@ -162,7 +162,7 @@ KeptForms kept_forms(const PairGeometry& g, const Incidence& i, Aside why) {
 bool stays_aside(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
                  const Instant& until) {
   if (why == Aside::behind_when_on_line) {
-    return !is_own(i.line(g), until) && lifetimes.behind_at_roots(i.line(g), from, until.hi);
+    return lifetimes.behind_at_roots(i.line(g), from, until);
   }
   return all_kept(kept_forms(g, i, why), from,
                   [&](const SignedForm& form) { return lifetimes.holds(form, until, is_own(form.form, until)); });

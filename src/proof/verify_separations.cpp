@@ -49,7 +49,7 @@ class SeparationsVerifier {
  private:
   static Claim claim_of(const Header& header) {
     const std::uint8_t kind = header.kind & ~with_clearance;
-    if (kind > static_cast<std::uint8_t>(Claim::free_until)) throw ProofError("the log's header makes no sense");
+    if (kind > static_cast<std::uint8_t>(Claim::fine_contact)) throw ProofError("the log's header makes no sense");
     return static_cast<Claim>(kind);
   }
 
@@ -58,8 +58,8 @@ class SeparationsVerifier {
     if (!(header_.kind & with_clearance)) return 0;
     result_.clearance = in_.f64();
     const double margin = std::ldexp(result_.clearance, plan_.exponent());
-    if (claim_ == Claim::touching || !(result_.clearance > 0 && std::isfinite(result_.clearance)) ||
-        !(margin > 0x1p-900))
+    if (claim_ == Claim::touching || claim_ == Claim::fine_contact ||
+        !(result_.clearance > 0 && std::isfinite(result_.clearance)) || !(margin > 0x1p-900))
       throw ProofError("a clearance that makes no sense");
     return margin;
   }
@@ -68,6 +68,7 @@ class SeparationsVerifier {
     result_.free_until = scene_.end;
     if (claim_ == Claim::free_until) result_.free_until = in_.f64();
     if (claim_ == Claim::contact) margin_ > 0 ? closer() : contact();
+    if (claim_ == Claim::fine_contact) contact();
     if (claim_ == Claim::touching) touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
@@ -151,7 +152,9 @@ class SeparationsVerifier {
     const ProvedPair& pair = world_.pair(contact_pair_.first, contact_pair_.second);
     const std::uint32_t leg = in_.u32();
     const Incidence hit{read_vertex(pair), read_vertex(pair)};
-    const double since = in_.f64(), about = in_.f64(), end = in_.f64();
+    FineInstant since{in_.f64(), 0, 0};
+    if (claim_ == Claim::fine_contact) since = {since[0], in_.f64(), in_.f64()};
+    const double about = in_.f64(), end = in_.f64();
     result_.free_until = in_.f64();
     if (leg >= pair.legs.size() || pair.geometry.same_body(hit.vertex, hit.edge))
       throw ProofError("a contact that cannot be");
@@ -159,10 +162,10 @@ class SeparationsVerifier {
     Lifetimes lifetimes(pair.geometry);
     lifetimes.enter(last);
     // The material is to the left of its edges.
-    const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, Instant::exactly(since)};
-    if (!(since >= last.start && since <= about)) throw ProofError("a contact before its leg");
+    if (!is_within(since, last.start, last.end)) throw ProofError("a contact outside of its leg");
+    const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, instant_at(since)};
     const Instant now = lifetimes.failure(corner, about);
-    if (!lifetimes.is_near(now, about) || !lifetimes.holds(corner, now))
+    if (!lifetimes.is_near(now, about) || !lifetimes.in_order(corner.birth, now) || !lifetimes.holds(corner, now))
       throw ProofError("the vertex does not come to the edge's line from outside then");
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
@@ -173,19 +176,6 @@ class SeparationsVerifier {
     conclude(pair, hit, last, lifetimes.tightened(now));
   }
 
-  /// The first number is at least as large as the others, and all of it lies on the leg.
-  static bool is_within(const FineInstant& at, double start, double end) {
-    const double rest = std::fabs(at[1]) + std::fabs(at[2]);
-    if (!std::isfinite(at[0]) || !(rest <= 0x1p-40 * (std::fabs(at[0]) + 1))) return false;
-    ExactSum<4> after, before;
-    for (const double x : at) {
-      after.add(x);
-      before.add(x);
-    }
-    after.add(-start);
-    before.add(-end);
-    return after.sign() >= 0 && before.sign() <= 0;
-  }
   static double rounded_up(const FineInstant& at) {
     return at[1] == 0 && at[2] == 0 ? at[0] : at[0] + 2 * (std::fabs(at[1]) + std::fabs(at[2])) + 0x1p-1060;
   }

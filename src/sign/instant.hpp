@@ -16,11 +16,19 @@ struct Instant {
   bool event = false;     ///< it is a root: of the orientation of
   VertexId u, v, w;
   int sign = 0;                              ///< which has this sign before
-  std::shared_ptr<const PreciseTime> known;  ///< set if doubles cannot tell it from other roots of the same corner
+  std::shared_ptr<const PreciseTime> known;  ///< set where doubles cannot tell it from roots of the same corner
 
   static Instant exactly(double t) {
     Instant i;
     i.lo = i.hi = t;
+    return i;
+  }
+  /// An instant that is known to no end.
+  static Instant exactly(const PreciseTime& t) {
+    Instant i;
+    i.lo = t.floor();
+    i.hi = t.ceiling();
+    i.known = std::make_shared<const PreciseTime>(t);
     return i;
   }
   /// The same instant of the same leg?

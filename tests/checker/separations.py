@@ -16,7 +16,7 @@ from tiling import Refused, require
 from windows import Windows
 from world import Scene
 
-FREE, CONTACT, TOUCHING, FREE_UNTIL, CLEARANCE = 0, 1, 2, 3, 16
+FREE, CONTACT, TOUCHING, FREE_UNTIL, FINE_CONTACT, CLEARANCE = 0, 1, 2, 3, 4, 16
 HALVE_TIME, HALVE_P, HALVE_Q, ENDS_APART, LATER = range(5)
 MOST_HALVINGS = 61
 
@@ -123,7 +123,7 @@ class Separations:
             return side != 0 and self.keeps((line, pair.next(line), vertex), -side, a, b)
         if why == 10:
             own = self.until and self.until.three == frozenset((edge, end, vertex))
-            return not own and self.behind_when_on_line(vertex, edge, end, a, self.last(b))
+            return self.behind_when_on_line(vertex, edge, end, a, min(b, self.until.lo) if own else self.last(b))
         line = pair.previous(vertex) if why in (6, 8) else vertex
         return all(self.keeps((line, pair.next(line), x), -1 if why < 8 else 1, a, b) for x in (edge, end))
 
@@ -162,14 +162,14 @@ class Checker(Windows):
         log = self.log
         require(log.take(8) == b"tautprf4", "not a log of version 4")
         fingerprint, touch, claim = log.take(32), log.u8(), log.u8()
-        require(touch <= 1 and claim & ~CLEARANCE <= FREE_UNTIL, "the header")
+        require(touch <= 1 and claim & ~CLEARANCE <= FINE_CONTACT, "the header")
         require(fingerprint == scene.fingerprint(touch), "another scene")
         self.closed, self.claim, self.margin = touch == 1, claim & ~CLEARANCE, 0
         self.inwards = not self.closed or self.claim == TOUCHING
         self.contact_pair, self.count = None, 0
         if claim & CLEARANCE:
             clearance = log.f64()
-            require(self.claim != TOUCHING and 0 < clearance < math.inf, "the clearance")
+            require(self.claim not in (TOUCHING, FINE_CONTACT) and 0 < clearance < math.inf, "the clearance")
             self.margin = exact(Fraction(clearance) * Fraction(2) ** scene.exponent)
             require(self.margin > 0, "the clearance")
 
@@ -206,7 +206,7 @@ class Checker(Windows):
         self.until, found = scene.end, {"outcome": "free"}
         if self.claim == FREE_UNTIL:
             self.until, found = log.f64(), {"outcome": "undecided"}
-        elif self.claim == CONTACT:
+        elif self.claim in (CONTACT, FINE_CONTACT):
             found = self.closer() if self.margin else self.contact()
         elif self.claim == TOUCHING:
             found = self.touching()
@@ -222,10 +222,13 @@ class Checker(Windows):
         self.contact_pair = self.read_pair()
         pair = self.pair(*self.contact_pair)
         k, vertex, edge = log.u32(), self.read_vertex(pair), self.read_vertex(pair)
-        since, about, end, self.until = log.f64(), log.f64(), log.f64(), log.f64()
+        since = tuple(log.f64() for _ in range(3 if self.claim == FINE_CONTACT else 1))
+        about, end, self.until = log.f64(), log.f64(), log.f64()
         require(k < len(pair.legs) and pair.in_p(vertex) != pair.in_p(edge), "a contact that cannot be")
         leg = pair.legs[k]
-        require(leg.start <= since <= about <= leg.end, "a contact outside of its leg")
+        require(all(map(math.isfinite, (*since, about, end))), "not a number")
+        exactly = sum(map(Fraction, since))
+        require(leg.start <= exactly <= leg.end and about <= leg.end, "a contact outside of its leg")
         at = pair.known_contact(leg, vertex, edge, since, about, self.find_contact)
         require(at, "no contact there")
         at = Contact(*at, (edge, pair.next(edge), vertex))
@@ -251,9 +254,10 @@ class Checker(Windows):
             return pair.linear(leg, of_p, parts, a, b)
 
         latest = min(exact(leg.end), math.floor((Fraction(about) + near) * ONE))
-        if not keeps_sign(sample, -1, exact(since), exact(since)):
+        outside = math.ceil(sum(map(Fraction, since)) * ONE)
+        if not keeps_sign(sample, -1, outside, outside):
             return None
-        found = first_change(sample, -1, exact(since), latest)
+        found = first_change(sample, -1, outside, latest)
         return found if found and Fraction(found[1], ONE) >= Fraction(about) - near else None
 
     @staticmethod
