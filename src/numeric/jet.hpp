@@ -124,24 +124,34 @@ void expand_about(BallPolynomial<Real>& c, const Ball<Real>& middle) {
   }
 }
 
-/// The range of a derivative of sum c_k h^k over |h| <= r: even powers are on one side only.
+/// Rounded to doubles.
+template <class Real>
+Ball<double> in_doubles(const Ball<Real>& x) {
+  const double mid = RealTraits<Real>::to_double(x.mid);
+  if (!std::isfinite(mid)) return Ball<double>(0, std::numeric_limits<double>::infinity());
+  return Ball<double>(mid, inflate(x.rad + std::fabs(mid) * 0x1p-52));
+}
+
+/// The range of a derivative of sum c_k h^k over |h| <= r: even powers are on one side only. What varies is a range, of
+/// which a few digits are enough.
 template <class Real>
 Ball<Real> range_about_zero(const BallPolynomial<Real>& c, std::size_t derivative, double r) {
-  using B = Ball<Real>;
+  using B = Ball<double>;
+  if (!(derivative < c.size)) return Ball<Real>::exact(0);
+  double factorial = 1;
+  for (std::size_t i = 2; i <= derivative; ++i) factorial *= static_cast<double>(i);
   B sum = B::exact(0);
   double power = 1;  // r^(k - derivative)
-  for (std::size_t k = derivative; k < c.size; ++k) {
+  for (std::size_t k = derivative + 1; k < c.size; ++k) {
+    power = inflate(power * r);
     double factor = 1;
     for (std::size_t i = 0; i < derivative; ++i) factor *= static_cast<double>(k - i);
-    const std::size_t e = k - derivative;
-    // The range of h^e.
-    B step = B::exact(1);
-    if (e % 2 == 1) step = B(Real(0), power);
-    if (e > 0 && e % 2 == 0) step = B(Real(power / 2), power / 2 * (1 + 0x1p-40));
-    sum = sum + (e == 0 ? c[k] : c[k] * step) * factor;
-    power = inflate(power * r);
+    // The range of h^(k - derivative).
+    const bool odd = (k - derivative) % 2 == 1;
+    const B step = odd ? B(0, power) : B(power / 2, power / 2 * (1 + 0x1p-40));
+    sum = sum + in_doubles(c[k]) * step * factor;
   }
-  return sum;
+  return c[derivative] * factorial + Ball<Real>(Real(sum.mid), sum.rad);
 }
 
 }  // namespace detail
