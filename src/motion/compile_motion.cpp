@@ -98,8 +98,13 @@ void take_the_way(const Keyframe& before, Keyframe& k, const Point& pivot) {
   if (k.way == Way::straight) return;
   const auto [sine, cosine] = sine_and_cosine(k.by_deg);
   const Wide x = Wide(pivot.x) + before.x - k.centre.x, y = Wide(pivot.y) + before.y - k.centre.y;
-  k.x = rounded(cosine * x - sine * y + k.centre.x - pivot.x);
-  k.y = rounded(sine * x + cosine * y + k.centre.y - pivot.y);
+  // The cosine of 60 degrees is exact, and so may a sum be zero: of that, rounding leaves some 2^-960.
+  const Wide noise =
+      (abs(x) + abs(y) + abs(Wide(k.centre.x)) + abs(Wide(k.centre.y)) + abs(Wide(pivot.x)) + abs(Wide(pivot.y))) *
+      0x1p-900;
+  const auto coordinate = [&](const Wide& sum) { return abs(sum) < noise ? 0 : rounded(sum); };
+  k.x = coordinate(cosine * x - sine * y + k.centre.x - pivot.x);
+  k.y = coordinate(sine * x + cosine * y + k.centre.y - pivot.y);
   k.angle_deg = k.way == Way::turn ? before.angle_deg + k.by_deg : before.angle_deg;
 }
 

@@ -71,8 +71,10 @@ def arrival(before, key, pivot):
     by, centre = float(key[way]["deg"]), [Fraction(float(c)) for c in key[way]["center"]]
     sine, cosine = sine_and_cosine(by)
     x, y = (Fraction(p) + Fraction(b) - c for p, b, c in zip(pivot, before, centre))
-    place = [float(cosine * x - sine * y + centre[0] - Fraction(pivot[0])),
-             float(sine * x + cosine * y + centre[1] - Fraction(pivot[1]))]
+    sums = cosine * x - sine * y + centre[0] - Fraction(pivot[0]), sine * x + cosine * y + centre[1] - Fraction(pivot[1])
+    # Sixths of a turn have exact cosines, and a sum may be zero: this much is not known of it.
+    unknown = Fraction(sum(map(abs, (x, y, *centre, *map(Fraction, pivot)))), 1 << 900)
+    place = [float(total) if abs(total) >= unknown else 0.0 for total in sums]
     return (*place, before[2] + by if way == "turn" else before[2])
 
 

@@ -188,6 +188,18 @@ TEST(Sweep, MapsTheTimeToTheAngle) {
   EXPECT_THROW(from_sweep({}, 0, NAN, 0, 1), InputError);
 }
 
+/// The cosine of 60 degrees is one half: where that makes a coordinate zero, no rest of some 2^-960 is left of it,
+/// which validation would refuse.
+TEST(Keyframes, ArcsBySixthsOfATurnEndWhereTheyShould) {
+  for (const double deg : {60.0, -60.0, 300.0, 420.0}) {
+    const Motion motion = from_keyframes({{0, 0.5, 0}, {1, 0, 0, 0, Way::arc, {-0.5, 0}, deg}});
+    EXPECT_EQ(motion.pieces.back().x, Coefficients{}) << deg;
+    EXPECT_NEAR(std::fabs(motion.pieces.back().y.at(0)), std::sqrt(0.75), 1e-15);
+  }
+  const Motion down = from_keyframes({{0, 0, 1}, {1, 0, 0, 0, Way::turn, {0, 0.5}, 120}}, {0, 0.25});
+  EXPECT_EQ(down.pieces.back().y.at(0), -0.125);
+}
+
 /// A door 0.3 above the floor, hung at a point that no double is. It lies on the block beside it; closed, it touches
 /// it.
 TEST(Sweep, APivotRoundsNothing) {
