@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "check/proof_writer.hpp"
 #include "check/prove_curves.hpp"
-#include "check/separations_writer.hpp"
+#include "check/prove_separations.hpp"
 #include "pair/curved_world.hpp"
 #include "pair/validate_world.hpp"
 #include "taut/error.hpp"

@@ -1,18 +1,61 @@
-// Writes down why bodies stay apart. Format: docs/proof-format.md.
+// Writes down why bodies stay apart, for an answer that is known. Format: docs/separation-logs.md.
 #pragma once
 
-#include <iosfwd>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "taut/check.hpp"
+#include "proof/fine_instant.hpp"
+#include "proof/format.hpp"
+#include "proof/proved_world.hpp"
+#include "search/pair_question.hpp"
+#include "taut/clearance.hpp"
 
 namespace taut {
 
-/// By the spacetime engine, for any scene: first the answer, then the log, which is written when it is complete. An
-/// answer for which no log was found is `undecided`. Throws InputError.
-Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options);
+/// What a log says after its header, and after the clearance if there is one.
+struct SeparationsBody {
+  proof::Claim claim;
+  std::string bytes;
+};
 
-/// The same where the answer is known already. What a contact is in the terms of a log is found anew, but that nothing
-/// happens needs no engine.
-Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known);
+/// Writes one log. An answer says that bodies are apart; this finds out why, in the terms in which a verifier looks at
+/// it: which windows of time, which boxes, which directions between ranges of edges. Where nothing of the format says
+/// why, Undecidable is thrown.
+class SeparationsWriter {
+ public:
+  /// The scene must outlive it. The margin is in internal units; 0 if it is about contact.
+  SeparationsWriter(const proof::ProvedScene& scene, bool inwards, double margin = 0)
+      : scene_(scene), world_(scene, inwards, margin) {}
+
+  /// Nothing meets.
+  SeparationsBody free();
+  /// Nothing meets before that time.
+  SeparationsBody free_until(double until);
+  /// Two bodies touch at the start, and nothing overlaps.
+  SeparationsBody touching(const PairResult& result);
+  /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
+  SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
+  /// A contact that was found on these legs; `until` is the earliest instant at which anything may happen.
+  SeparationsBody contact(const PairResult& result, double until);
+
+  const proof::ProvedPair& pair(int a, int b) { return world_.pair(a, b); }
+
+ private:
+  void put_pair(const PairResult& result);
+  void all_windows(double until);
+  void section(const proof::ProvedPair& pair, const std::vector<proof::LegStretch>& stretches,
+               const std::optional<Instant>& until);
+  std::pair<std::size_t, proof::FineInstant> instant_of_closeness(const proof::ProvedPair& pair,
+                                                                  const proof::Incidence& close, bool is_edge,
+                                                                  const TimeInterval& about) const;
+
+  const proof::ProvedScene& scene_;
+  proof::ProvedWorld world_;
+  std::pair<int, int> contact_pair_{-1, -1};
+  std::string out_;
+};
 
 }  // namespace taut

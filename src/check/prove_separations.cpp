@@ -1,0 +1,185 @@
+#include "check/prove_separations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+#include "check/prove_curves.hpp"
+#include "check/separations_writer.hpp"
+#include "check/world_run.hpp"
+#include "numeric/undecided.hpp"
+#include "pair/curved_world.hpp"
+#include "proof/header.hpp"
+#include "spacetime/first_contact.hpp"
+#include "taut/proof.hpp"
+
+namespace taut {
+namespace {
+
+/// Writes the whole log: the header, the clearance if there is one, and what comes after.
+void write_log(std::ostream& log, const Scene& scene, Touch touch, const SeparationsBody& body, double clearance = 0) {
+  const std::uint8_t kind = static_cast<std::uint8_t>(body.claim) | (clearance > 0 ? proof::with_clearance : 0);
+  proof::ByteWriter out(log);
+  proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, touch), touch, kind});
+  if (clearance > 0) out.f64(clearance);
+  for (const char c : body.bytes) out.u8(static_cast<std::uint8_t>(c));
+  out.close();
+}
+
+/// The pair that the answer names.
+const PairResult* headline(const Answer& answer, const std::vector<PairResult>& results) {
+  const std::array<int, 2> named = answer.pair.value_or(std::array<int, 2>{0, 1});
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const PairResult& r) { return r.a == named[0] && r.b == named[1]; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+/// The answer, if `write()` proves it; else it is undecided from the start on.
+template <class AnyAnswer, class Write>
+AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
+  const std::string stopped = what_stops(write);
+  if (stopped.empty()) return answer;
+  AnyAnswer undecided;
+  if constexpr (std::is_same_v<AnyAnswer, Answer>) undecided.engine = answer.engine;
+  undecided.outcome = Outcome::undecided;
+  undecided.coverage = answer.coverage;
+  undecided.free_until = start;
+  undecided.reason =
+      std::string("the answer is ") + to_string(answer.outcome) + ", but its proof was not finished: " + stopped;
+  return undecided;
+}
+
+/// Up to where windows can go if nothing happens before `until`: at a joint they have all of its bridges, and on one of
+/// these it may happen, so they end at the double before.
+double end_of_windows(const proof::ProvedScene& scene, double until) {
+  const double t = std::clamp(until, scene.start(), scene.end());
+  for (int body = 0; body < scene.size(); ++body) {
+    for (const std::vector<MotionPiece>& motion : scene[body].motions) {
+      const auto ends_at_t = [t](const MotionPiece& piece) { return piece.until == t; };
+      if (t > scene.start() && std::any_of(motion.begin(), motion.end(), ends_at_t))
+        return std::nextafter(t, scene.start());
+    }
+  }
+  return t;
+}
+
+/// That nothing happens up to where the answer says; nothing of other answers.
+template <class AnyAnswer>
+std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::ProvedScene& proved, bool inwards,
+                                       double margin) {
+  SeparationsWriter writer(proved, inwards, margin);
+  if (answer.outcome == Outcome::free) return writer.free();
+  const double until = end_of_windows(proved, answer.free_until);
+  if (answer.outcome != Outcome::undecided || until <= proved.start()) return std::nullopt;
+  return writer.free_until(until);
+}
+
+/// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
+std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::ProvedScene& proved, const Answer& answer,
+                                           Touch touch) {
+  const bool inwards = touch == Touch::open;
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
+  // Of two bodies, the only pair has its own section.
+  const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
+                                          : end_of_windows(proved, answer.free_until);
+  const std::vector<PairResult> results = run.search()->results();
+  const PairResult* named = headline(answer, results);
+  if (named->touching) return SeparationsWriter(proved, true).touching(*named);
+  return SeparationsWriter(proved, inwards).contact(*named, until);
+}
+
+}  // namespace
+
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& given) {
+  CheckOptions options = given;
+  options.all_pairs = false;
+  WorldRun run(scene, options);
+  run.work(UINT64_MAX);
+  Answer answer = with_touching(run, scene, options, run_world);
+  if (!run.search()) return answer;
+  return if_proved(answer, scene.start, [&] {
+    if (const auto body = body_of_log(run, proof::ProvedScene(scene), answer, options.touch))
+      write_log(log, scene, options.touch, *body);
+  });
+}
+
+namespace {
+
+/// The contact of the only two bodies in the terms of a log, which displaces them otherwise than the engines do: it is
+/// looked for from shortly before the time at which it is known to be. None if it is not found there.
+std::optional<PairResult> contact_after(const proof::ProvedPair& pair, const Answer& known, double start, double end) {
+  constexpr double shortly = 0x1p-30;
+  const double from = known.free_until - shortly * (end - start);
+  if (!(from > start)) return std::nullopt;
+  const spacetime::Hierarchy p = spacetime::hierarchy_of_p(pair.geometry), q = spacetime::hierarchy_of_q(pair.geometry);
+  const spacetime::SpacetimeResult found =
+      spacetime::ContactSearch(pair.geometry, {p, q}, pair.legs, spacetime::TimeWindow{from, end, false}).go_on();
+  if (found.outcome != spacetime::SpacetimeResult::contact) return std::nullopt;
+  PairResult result;
+  result.b = 1;
+  result.found = found.found;
+  result.leg = found.leg;
+  return result;
+}
+
+/// Of an answer by polygons that the engines displaced; none where that has to be found again.
+std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::ProvedScene& proved, bool inwards) {
+  if (known.outcome == Outcome::free) return freedom(known, proved, inwards, 0);
+  if (known.outcome != Outcome::contact) return std::nullopt;
+  SeparationsWriter writer(proved, inwards);
+  const proof::ProvedPair& pair = writer.pair(0, 1);
+  const auto met = contact_after(pair, known, proved.start(), proved.end());
+  if (!met) return std::nullopt;
+  const double at = pair.legs[met->leg].time(met->found->lo);
+  return writer.contact(*met, std::clamp(std::min(known.free_until, at), proved.start(), proved.end()));
+}
+
+}  // namespace
+
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known) {
+  bool written = false;
+  {
+    const InterruptionScope scope(options.stop, options.max_seconds);
+    what_stops([&] {
+      const auto body = body_of_known(known, proof::ProvedScene(scene), options.touch == Touch::open);
+      if (body) write_log(log, scene, options.touch, *body);
+      written = body.has_value();
+    });
+  }
+  // Bodies that overlap by about as much as they are displaced may be free as engines see them, and not in the log.
+  return written ? known : prove_by_separations(scene, log, options);
+}
+
+namespace {
+
+/// What an answer about a clearance comes to in a log.
+std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const MarginAnswer& answer, double clearance,
+                                                    Touch touch) {
+  const proof::ProvedScene proved(scene);
+  const bool inwards = touch == Touch::open;
+  const double margin = std::ldexp(clearance, proved.exponent());
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, margin);
+  const double until = end_of_windows(proved, answer.free_until);
+  const PairMargin& first = *answer.first;
+  return SeparationsWriter(proved, inwards, margin).closer(first.bodies, *first.features, {until, first.time.hi});
+}
+
+}  // namespace
+
+MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
+  if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
+  CheckOptions options = given;
+  options.all_pairs = false;
+  const MarginAnswer answer = check_clearance(scene, clearance, options);
+  return if_proved(answer, scene.start, [&] {
+    const InterruptionScope scope(options.stop, options.max_seconds);
+    if (const auto body = body_about_clearance(scene, answer, clearance, options.touch))
+      write_log(log, scene, options.touch, *body, clearance);
+  });
+}
+
+}  // namespace taut

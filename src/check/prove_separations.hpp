@@ -1,0 +1,18 @@
+// Answers with logs of separations.
+#pragma once
+
+#include <iosfwd>
+
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// By the spacetime engine, for any scene: first the answer, then the log, which is written when it is complete. An
+/// answer for which no log was found is `undecided`. Throws InputError.
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options);
+
+/// The same of two polygons, where the answer is known already: no engine has to find out again that nothing happens,
+/// or nothing before a contact.
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known);
+
+}  // namespace taut
