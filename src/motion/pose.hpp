@@ -148,13 +148,10 @@ void add_orbit(const MotionPiece& piece, const Time& t, J& x, J& y) {
   y = (s * rx + e * ry) + (J::constant(m.y) - J::constant(c.y));
 }
 
-/// J is a Jet, a Series or a Symbolic, and the time what goes with it.
+/// The pose of a piece of which x is known. J is a Jet, a Series or a Symbolic, and the time what goes with it.
 template <class J, class Time>
-PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
-  PoseOf<J> p;
-  p.ox = J::polynomial(piece.x, t);
-  p.oy = J::polynomial(piece.y, t);
-  rotation_jet(piece.rotation, t, p.xx, p.xy);
+PoseOf<J> pose_about_axis(const MotionPiece& piece, const Time& t, const J& xx, const J& xy) {
+  PoseOf<J> p{J::polynomial(piece.x, t), J::polynomial(piece.y, t), xx, xy};
   if (orbits(piece)) add_orbit(piece, t, p.ox, p.oy);
   const Point c = turns(piece) ? piece.pivot : Point{};
   if (c == Point{}) return p;
@@ -163,6 +160,13 @@ PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
   p.ox = p.ox + (x * versine + y * p.xy);
   p.oy = p.oy + (y * versine - x * p.xy);
   return p;
+}
+
+template <class J, class Time>
+PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
+  J xx, xy;
+  rotation_jet(piece.rotation, t, xx, xy);
+  return pose_about_axis<J>(piece, t, xx, xy);
 }
 
 template <class Real>
@@ -189,11 +193,21 @@ inline bool turns(const PieceChain& chain) {
   return std::any_of(chain.begin(), chain.end(), [](const MotionPiece& p) { return turns(p); });
 }
 
+/// axis(link, xx, xy) tells x of the rotation of one of the pieces.
+template <class J, class Time, class Axis>
+PoseOf<J> pose_of(const PieceChain& chain, const Time& t, const Axis& axis) {
+  const auto pose_of_link = [&](std::size_t link) {
+    J xx, xy;
+    axis(link, xx, xy);
+    return pose_about_axis<J>(chain[link], t, xx, xy);
+  };
+  PoseOf<J> p = pose_of_link(chain.size() - 1);
+  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of_link(i), p);
+  return p;
+}
 template <class J, class Time>
 PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
-  PoseOf<J> p = pose_of<J>(chain.back(), t);
-  for (std::size_t i = chain.size() - 1; i-- > 0;) p = compose(pose_of<J>(chain[i], t), p);
-  return p;
+  return pose_of<J>(chain, t, [&](std::size_t link, J& xx, J& xy) { rotation_jet(chain[link].rotation, t, xx, xy); });
 }
 
 /// The same with a point m of the body in place of its origin. The point is taken relative to the pivot before anything

@@ -1,5 +1,6 @@
 #include "relative/leg.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "relative/frame_identities.hpp"
@@ -7,16 +8,13 @@
 namespace taut {
 
 bool Leg::singular_at(double t) const {
-  for (const bool of_p : {true, false}) {
-    const SingularCosine* const cosine = singular_cosine(of_p, t);
-    if (cosine && cosine->order % 2 == 1) return true;
-  }
-  return false;
+  return std::any_of(singular_.begin(), singular_.end(),
+                     [t](const SingularLink& s) { return s.cosine->end == t && s.cosine->order % 2 == 1; });
 }
 
-const SingularCosine* Leg::singular_cosine(bool of_p, double t) const {
-  for (const std::size_t i : {of_p ? 0 : 2, of_p ? 1 : 3}) {
-    if (singular_[i] && singular_[i]->end == t) return singular_[i].get();
+const SingularCosine* Leg::singular_cosine(bool of_p, std::size_t link, double t) const {
+  for (const SingularLink& s : singular_) {
+    if (s.of_p == of_p && s.link == link && s.cosine->end == t) return s.cosine.get();
   }
   return nullptr;
 }
@@ -36,19 +34,20 @@ struct Axes {
   J px, py, qx, qy;
 };
 
-/// x_P or x_Q.
+/// x of the rotation of P or Q, or of a link of its chain.
 template <class J, class Time>
-void axis(const Leg& leg, bool of_p, const Time& t, J& x, J& y) {
+void axis(const Leg& leg, bool of_p, std::size_t link, const Time& t, J& x, J& y) {
   if constexpr (requires { t.direction; }) {
-    if (const SingularCosine* cosine = leg.singular_cosine(of_p, t.end)) return cosine_from_end(*cosine, t, x, y);
+    if (const SingularCosine* cosine = leg.singular_cosine(of_p, link, t.end)) return cosine_from_end(*cosine, t, x, y);
   } else if constexpr (requires { absolute(t).mid; }) {
     // The nearer end of the leg, if the cosine is singular there.
     const auto& at = absolute(t);
     const bool first = at.mid - leg.start < leg.end - at.mid;
-    const SingularCosine* cosine = leg.singular_cosine(of_p, first ? leg.start : leg.end);
+    const SingularCosine* cosine = leg.singular_cosine(of_p, link, first ? leg.start : leg.end);
     if (cosine) return cosine_near_end(*cosine, at, first ? 1.0 : -1.0, x, y);
   }
-  rotation_jet((of_p ? leg.p : leg.q).rotation, t, x, y);
+  const MotionPiece& piece = leg.composed ? (of_p ? leg.p_chain : leg.q_chain)[link] : of_p ? leg.p : leg.q;
+  rotation_jet(piece.rotation, t, x, y);
 }
 
 /// conj(x_P) x_Q of two bodies that turn. Where both angles are given their difference is formed first, so that what
@@ -120,7 +119,11 @@ void add_pivots(const Leg& leg, const Axes<J>& axes, FrameOf<J>& f) {
 /// Of two bodies of which one, or both, have parents or orbits.
 template <class J, class Time>
 FrameOf<J> composed_frame(const Leg& leg, const Time& t) {
-  const PoseOf<J> p = pose_of<J>(leg.p_chain, t), q = pose_of<J>(leg.q_chain, t);
+  const auto pose_of_body = [&](bool of_p) {
+    return pose_of<J>(of_p ? leg.p_chain : leg.q_chain, t,
+                      [&](std::size_t link, J& x, J& y) { axis(leg, of_p, link, t, x, y); });
+  };
+  const PoseOf<J> p = pose_of_body(true), q = pose_of_body(false);
   const bool p_turns = turns(leg.p_chain), q_turns = turns(leg.q_chain);
   const J dx = q.ox - p.ox, dy = q.oy - p.oy;
   FrameOf<J> f;
@@ -178,8 +181,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
     return f;
   }
   Axes<J> axes;
-  if (turns(leg.p)) axis(leg, true, t, axes.px, axes.py);
-  if (turns(leg.q) && !leg.aligned) axis(leg, false, t, axes.qx, axes.qy);
+  if (turns(leg.p)) axis(leg, true, 0, t, axes.px, axes.py);
+  if (turns(leg.q) && !leg.aligned) axis(leg, false, 0, t, axes.qx, axes.qy);
   turning_frame(leg, axes, t, dx, dy, f);
   if (leg.pivots && !offset) add_pivots(leg, axes, f);
   f.for_qq[3] = f.for_pp[3];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "motion/local_time.hpp"
 #include "motion/pose.hpp"
@@ -91,7 +92,8 @@ struct Leg {
 
   /// Does a body turn with infinite speed at that end of the leg? TimeFromEnd makes it smooth.
   bool singular_at(double t) const;
-  const SingularCosine* singular_cosine(bool of_p, double t) const;
+  /// Of a body's piece, or of a link of its chain.
+  const SingularCosine* singular_cosine(bool of_p, std::size_t link, double t) const;
   const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
   const ExactVector& offset_of_powers(bool of_p) const {
     return far() ? (of_p ? far_offset_p : far_offset_q) : offset(of_p);
@@ -119,12 +121,18 @@ struct Leg {
 
  private:
   void take_far_offsets();
+  void find_singular_ends(bool of_p, std::size_t link, const MotionPiece& piece);
 
   /// Shared by copies: what is dropped is made again, the same.
   std::shared_ptr<const LocalPolynomials> local_;
   std::shared_ptr<const std::array<LocalPolynomials::Known, 2>> ways_;
-  /// Of P and of Q, at the leg's start and at its end; none where there is nothing singular.
-  std::array<std::shared_ptr<const SingularCosine>, 4> singular_;
+  /// A cosine about an end of the leg; few legs have one.
+  struct SingularLink {
+    bool of_p;
+    std::size_t link;  ///< of the body's chain; 0 where there is none
+    std::shared_ptr<const SingularCosine> cosine;
+  };
+  std::vector<SingularLink> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
 };
 

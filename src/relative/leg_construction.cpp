@@ -73,6 +73,8 @@ Leg Leg::motion_of_chains(const PieceChain& p, const PieceChain& q, double start
   leg.end = end;
   if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end))
     leg.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  for (std::size_t link = 0; link < p.size(); ++link) leg.find_singular_ends(true, link, p[link]);
+  for (std::size_t link = 0; link < q.size(); ++link) leg.find_singular_ends(false, link, q[link]);
   return leg;
 }
 
@@ -103,16 +105,18 @@ Leg Leg::motion(const MotionPiece& p, const MotionPiece& q, double start, double
     (leg.shift_p ? leg.offset_p : leg.offset_q) = leg.shift_p ? -leg.shift : leg.shift;
   }
   if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end)) leg.take_far_offsets();
-  for (const bool of_p : {true, false}) {
-    const auto* cosine = std::get_if<CosineRotation>(&(of_p ? p : q).rotation);
-    if (!cosine) continue;
-    for (const bool at_end : {false, true}) {
-      auto singular = taut::singular_at(*cosine, at_end ? end : start);
-      if (!singular) continue;
-      leg.singular_[(of_p ? 0 : 2) + (at_end ? 1 : 0)] = std::make_shared<const SingularCosine>(std::move(*singular));
-    }
-  }
+  leg.find_singular_ends(true, 0, p);
+  leg.find_singular_ends(false, 0, q);
   return leg;
+}
+
+void Leg::find_singular_ends(bool of_p, std::size_t link, const MotionPiece& piece) {
+  const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
+  if (!cosine) return;
+  for (const double t : {start, end}) {
+    if (auto singular = taut::singular_at(*cosine, t))
+      singular_.push_back({of_p, link, std::make_shared<const SingularCosine>(std::move(*singular))});
+  }
 }
 
 /// The shift becomes D about the leg's middle, in two doubles.

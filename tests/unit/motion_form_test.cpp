@@ -136,7 +136,7 @@ TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     p.rotation = CosineRotation{a};
     const Leg leg =
         at_start ? Leg::motion(p, random_piece(rng), end, end + 1) : Leg::motion(p, random_piece(rng), end - 1, end);
-    ASSERT_TRUE(leg.singular_cosine(true, end));
+    ASSERT_TRUE(leg.singular_cosine(true, 0, end));
     EXPECT_EQ(leg.singular_at(end), order % 2 == 1);
     const PreciseFunction<Real320> f(leg, g, Form::of(g, VertexId(0), VertexId(1), VertexId(6)));
     const double s = direction * rng.real(0.01, 0.9);
