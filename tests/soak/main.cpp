@@ -18,6 +18,7 @@
 #include "question_examination.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
+#include "support/carried_scene.hpp"
 #include "support/exact_comparison.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -60,6 +61,20 @@ std::string prepared_difference(const SoakScene& s, const CheckOptions& options,
   return a.lo == b.lo && a.hi == b.hi ? "" : "prepared shapes give another time of contact";
 }
 
+/// Nor must a parent, to which a part of the motion is left.
+std::string carried_difference(const SoakScene& s, const CheckOptions& options, bool turned, const Answer& bare) {
+  const auto orbits = [](const MotionPiece& piece) { return !piece.orbit.angle.empty(); };
+  const std::vector<MotionPiece>& pieces = s.scene.bodies[1].motion.pieces;
+  if (pieces.empty() || std::any_of(pieces.begin(), pieces.end(), orbits)) return {};
+  CheckOptions both = options;
+  both.engine = EngineChoice::both;
+  const Answer answer = check(carried(s.scene, turned), both);
+  if (answer.outcome != bare.outcome) return std::string("with a parent: ") + to_string(answer.outcome) + answer.reason;
+  if (!bare.contact) return {};
+  const TimeInterval &a = answer.contact->time, &b = bare.contact->time;
+  return a.lo <= b.hi && b.lo <= a.hi ? "" : "a parent gives another time of contact";
+}
+
 struct Limits {
   double minutes = 1;
   unsigned jobs = 2;
@@ -92,7 +107,7 @@ std::string judgement(const SoakScene& s, const Limits& limits, const Answer& an
 }
 
 /// Empty if all agree.
-std::string examine(const SoakScene& s, bool also_prepared, const Limits& limits, Tally& tally, StageCounts& stages) {
+std::string examine(const SoakScene& s, std::uint64_t number, const Limits& limits, Tally& tally, StageCounts& stages) {
   ++tally.scenes;
   CheckOptions options;
   options.touch = s.touch;
@@ -106,8 +121,12 @@ std::string examine(const SoakScene& s, bool also_prepared, const Limits& limits
     tally.events += kinetic.events;
     if (const std::string wrong = judgement(s, limits, answer, tally); !wrong.empty()) return wrong;
     if (kinetic.outcome == Outcome::undecided) return "undecided: " + kinetic.reason;
-    if (also_prepared) {
+    if (number % 4 == 0) {
       if (const std::string wrong = prepared_difference(s, options, kinetic); !wrong.empty()) return wrong;
+    }
+    if (limits.contacts && number % 4 == 1) {
+      if (const std::string wrong = carried_difference(s, options, number % 8 == 1, answer); !wrong.empty())
+        return wrong;
     }
     if (answer.outcome == Outcome::overlap_at_start) {
       ++tally.at_start;
