@@ -40,48 +40,65 @@ class BothPair final : public WindowedPair {
 /// get a tiling.
 class EitherPair final : public WindowedPair {
  public:
-  EitherPair(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
-      : world_(world), inwards_(inwards), budget_(budget), spacetime_(by_spacetime(world, a, b, inwards)) {}
+  EitherPair(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget, std::uint64_t first_turn)
+      : world_(world),
+        inwards_(inwards),
+        budget_(budget),
+        first_turn_(first_turn),
+        spacetime_(by_spacetime(world, a, b, inwards)) {}
 
-  void ask_start() override { spacetime_.ask_start(); }
+  void ask_start() override {
+    spacetime_.ask_start();
+    result_ = spacetime_.result();
+  }
   void ask(double from, double to) override {
-    if (!open() && result().free_until <= from) return;
+    if (!open() && result_.free_until <= from) return;
     Contestant by_boxes, by_tiling;
     const auto in_boxes = [&](std::uint64_t effort) {
       return end_of(spacetime_, spacetime_.try_ask(from, to, effort));
     };
     const auto in_tiling = [&](std::uint64_t effort) { return end_of(*kinetic_, kinetic_->work(from, to, effort)); };
-    if (by_boxes.work_until(first_turn, in_boxes) == TurnEnd::decided) return;
+    if (by_boxes.work_until(first_turn_, in_boxes) == TurnEnd::decided) return take(spacetime_);
     by_tiling.begin([&] {
-      const PairResult& known = spacetime_.result();
-      if (!kinetic_) kinetic_ = std::make_unique<KineticPair>(world_, known.a, known.b, inwards_, budget_);
+      if (!kinetic_) kinetic_ = std::make_unique<KineticPair>(world_, result_.a, result_.b, inwards_, budget_);
     });
-    if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return;
+    if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return take(spacetime_);
     // It is the kinetic engine's, unless limits stopped both and the other one went further.
-    by_kinetic_ = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
+    const bool kinetic = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
+    take(kinetic ? static_cast<const WindowedPair&>(*kinetic_) : spacetime_);
   }
-  const PairResult& result() const override { return by_kinetic_ ? kinetic_->result() : spacetime_.result(); }
-  std::optional<ContactInstant> instant() const override {
-    return by_kinetic_ ? kinetic_->instant() : spacetime_.instant();
-  }
+  const PairResult& result() const override { return result_; }
+  std::optional<ContactInstant> instant() const override { return teller_ ? teller_->instant() : spacetime_.instant(); }
   StageCounts stages() const override { return spacetime_.stages() += kinetic_ ? kinetic_->stages() : StageCounts(); }
   KineticCounts counts() const override { return kinetic_ ? kinetic_->counts() : KineticCounts(); }
 
  private:
-  /// Tilings of all parts take long to build: so much is worth trying before.
-  static constexpr std::uint64_t first_turn = 8192;
-
   static bool decided(const WindowedPair& pair) { return pair.result().outcome != Outcome::undecided; }
   static TurnEnd end_of(const WindowedPair& pair, bool done) {
     return !done ? TurnEnd::open : decided(pair) ? TurnEnd::decided : TurnEnd::given_up;
   }
 
+  /// What the engine says that has decided the present window. The other one knows nothing of it; and what was found
+  /// before, by whichever engine, stays the result unless this happens earlier.
+  void take(const WindowedPair& told) {
+    const PairResult& found = told.result();
+    if (told.open()) {
+      if (open()) result_.engine = found.engine;
+      return;
+    }
+    if (!open() && !(found.free_until < result_.free_until)) return;
+    result_ = found;
+    teller_ = &told;
+  }
+
   const WorldPlan& world_;
   bool inwards_;
   EventBudget& budget_;
+  std::uint64_t first_turn_;  ///< the spacetime engine's
   PairQuestion spacetime_;
   std::unique_ptr<KineticPair> kinetic_;
-  bool by_kinetic_ = false;
+  PairResult result_;
+  const WindowedPair* teller_ = nullptr;  ///< whose result that is, once something has happened
 };
 
 }  // namespace
@@ -96,8 +113,13 @@ std::unique_ptr<WindowedPair> windowed_pair(EngineChoice engine, const WorldPlan
     case EngineChoice::both:
       return std::make_unique<BothPair>(world, a, b, inwards, budget);
     default:
-      return std::make_unique<EitherPair>(world, a, b, inwards, budget);
+      return pair_in_turns(world, a, b, inwards, budget);
   }
+}
+
+std::unique_ptr<WindowedPair> pair_in_turns(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
+                                            std::uint64_t first_turn) {
+  return std::make_unique<EitherPair>(world, a, b, inwards, budget, first_turn);
 }
 
 }  // namespace taut

@@ -12,4 +12,9 @@ namespace taut {
 std::unique_ptr<WindowedPair> windowed_pair(EngineChoice engine, const WorldPlan& world, int a, int b, bool inwards,
                                             EventBudget& budget);
 
+/// The two bodies with both engines in turn, for each window anew. Tilings of all parts take long to build: so much
+/// work by boxes is worth trying before.
+std::unique_ptr<WindowedPair> pair_in_turns(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
+                                            std::uint64_t first_turn = 8192);
+
 }  // namespace taut

@@ -8,8 +8,11 @@
 
 #include "base/interruption.hpp"
 #include "check/run.hpp"
+#include "search/pair_engines.hpp"
 #include "soak/soak_scene.hpp"
 #include "support/effort.hpp"
+#include "support/made_world.hpp"
+#include "support/rng.hpp"
 #include "support/same_answer.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -128,6 +131,41 @@ TEST(Either, AnswersDoNotDependOnWhatIsKept) {
   }
   EXPECT_GT(by_kinetic, enough(20));
   EXPECT_GT(by_spacetime, enough(20));
+}
+
+/// What windows bring is added up, whichever engine decides each. Turns begin early here, so that each of the two
+/// decides many.
+TEST(Either, AddsUpWindowsThatEitherEngineDecides) {
+  int contacts = 0, by_kinetic = 0;
+  for (std::uint64_t seed = 0; seed < effort(400); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const Scene scene = scene_of(random_world(seed));
+    const WorldPlan plan(scene);
+    EventBudget budget(UINT64_MAX);
+    const bool inwards = seed % 2 == 0;
+    const auto alone = windowed_pair(EngineChoice::spacetime, plan, 0, 1, inwards, budget),
+               turns = pair_in_turns(plan, 0, 1, inwards, budget, rng.below(600));
+    alone->ask_start();
+    turns->ask_start();
+    ASSERT_EQ(turns->result().outcome, alone->result().outcome);
+    std::vector<double> cuts{scene.start, scene.end};
+    for (int k = rng.between(1, 6); k > 0; --k) cuts.push_back(rng.real(scene.start, scene.end));
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      alone->ask(cuts[k], cuts[k + 1]);
+      turns->ask(cuts[k], cuts[k + 1]);
+    }
+    const PairResult &a = alone->result(), &b = turns->result();
+    ASSERT_STREQ(to_string(b.outcome), to_string(a.outcome));
+    by_kinetic += b.engine == EngineName::kinetic;
+    if (!a.contact) continue;
+    ++contacts;
+    EXPECT_LE(a.contact->time.lo, b.contact->time.hi);
+    EXPECT_LE(b.contact->time.lo, a.contact->time.hi);
+    EXPECT_TRUE(turns->instant().has_value() || !b.found);
+  }
+  EXPECT_GT(std::min(contacts, by_kinetic), static_cast<int>(enough(40)));
 }
 
 }  // namespace

@@ -77,8 +77,10 @@ TEST(Corpus, WorldsAndTheirClearances) {
       if (answer.contact) {
         EXPECT_NEAR(answer.contact->time.lo, expected["t"].get<double>(), 1e-9);
       }
-      options.engine = EngineChoice::kinetic;
-      EXPECT_EQ(check(scene, options).outcome, answer.outcome);
+      for (const EngineChoice other : {EngineChoice::kinetic, EngineChoice::usual}) {
+        options.engine = other;
+        EXPECT_EQ(check(scene, options).outcome, answer.outcome);
+      }
       options.engine = EngineChoice::spacetime;
       std::stringstream log;
       ASSERT_EQ(prove(scene, log, options).reason, "");

@@ -112,19 +112,22 @@ TEST(CertifiedWorlds, AllAnswersInBothTouchModes) {
     const std::string scene_file = file.substr(0, file.size() - suffix.size()) + ".json";
     const Scene scene = read_scene(scene_file);
     for (const Touch touch : {Touch::open, Touch::closed}) {
-      for (const bool all : {false, true}) {
-        SCOPED_TRACE(scene_file + ", " + to_string(touch) + (all ? ", all pairs" : ""));
-        CheckOptions options;
-        options.touch = touch;
-        options.engine = EngineChoice::spacetime;
-        options.all_pairs = all;
-        const Answer got = check(scene, options);
-        const json& headline = want["check"][to_string(touch)];
-        compare_world_contact(scene, headline, got.outcome, got.contact);
-        compare_headline_pair(scene, headline, got);
-        compare_coverage(scene, want["check"]["coverage"], got, all);
-        EXPECT_EQ(got.pairs.has_value(), all);
-        if (all) compare_all_pairs(scene, want["check"]["pairs"][to_string(touch)], got);
+      for (const EngineChoice engine : {EngineChoice::usual, EngineChoice::spacetime, EngineChoice::kinetic}) {
+        for (const bool all : {false, true}) {
+          SCOPED_TRACE(scene_file + ", " + to_string(touch) + (all ? ", all pairs" : "") + ", engine " +
+                       std::to_string(static_cast<int>(engine)));
+          CheckOptions options;
+          options.touch = touch;
+          options.engine = engine;
+          options.all_pairs = all;
+          const Answer got = check(scene, options);
+          const json& headline = want["check"][to_string(touch)];
+          compare_world_contact(scene, headline, got.outcome, got.contact);
+          compare_headline_pair(scene, headline, got);
+          compare_coverage(scene, want["check"]["coverage"], got, all);
+          EXPECT_EQ(got.pairs.has_value(), all);
+          if (all) compare_all_pairs(scene, want["check"]["pairs"][to_string(touch)], got);
+        }
       }
     }
     ++worlds;
