@@ -127,9 +127,9 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
   for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -doubt; ++k) {
     const auto& [margin, why] = candidates[k];
     const auto seen = proof::stays_aside_in_windows(pair_.geometry, incidence, why, windows_, time, end);
-    if (seen == true) return why;
+    if (seen == proof::SeenAside::yes) return why;
     // Up to a contact it may be so for all that. A margin that is none in doubles may be one by the displacement.
-    open[k] = end.event || (!seen && (margin < none || !time.divisible()));
+    open[k] = end.event || (seen != proof::SeenAside::no && (margin < none || !time.divisible()));
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Aside why = candidates[k].second;

@@ -35,23 +35,21 @@ MotionWindow HalvedWindows::made(const HalvedTime& time) {
 
 namespace {
 
-std::optional<bool> aside_in_halves(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                    HalvedWindows& windows, const HalvedTime& time, int halvings) {
-  const std::optional<bool> seen = stays_aside_in_window(geometry, incidence, why, windows.at(time));
-  if (seen || halvings == 0 || !time.divisible()) return seen;
-  const auto half = [&](const HalvedTime& part) {
-    return aside_in_halves(geometry, incidence, why, windows, part, halvings - 1);
-  };
-  const std::optional<bool> first = half(time.first());
-  if (first == false) return first;
-  const std::optional<bool> second = half(time.second());
-  return second == false ? second : first && second ? first : std::nullopt;
+SeenAside aside_in_halves(const PairGeometry& geometry, const Incidence& incidence, Aside why, HalvedWindows& windows,
+                          const HalvedTime& time, int halvings) {
+  const SeenAside seen = stays_aside_in_window(geometry, incidence, why, windows.at(time));
+  if (seen != SeenAside::open || halvings == 0 || !time.divisible()) return seen;
+  const SeenAside first = aside_in_halves(geometry, incidence, why, windows, time.first(), halvings - 1);
+  if (first == SeenAside::no) return first;
+  const SeenAside second = aside_in_halves(geometry, incidence, why, windows, time.second(), halvings - 1);
+  if (second == SeenAside::no || first == second) return second;
+  return first == SeenAside::yes ? second : first;
 }
 
 }  // namespace
 
-std::optional<bool> stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                           HalvedWindows& windows, const HalvedTime& time, const Instant& end) {
+SeenAside stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                 HalvedWindows& windows, const HalvedTime& time, const Instant& end) {
   constexpr int most_halvings = 6;
   return aside_in_halves(geometry, incidence, why, windows, time, end.event ? 0 : most_halvings);
 }
@@ -112,7 +110,7 @@ void ApartChecker::check_incidence(const Incidence& incidence, int why, const Ha
   const Instant end = end_of(time, until_);
   const auto as_said = static_cast<Aside>(why);
   if (as_said <= Aside::behind_second &&
-      stays_aside_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == true)
+      stays_aside_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == SeenAside::yes)
     return;
   if (!stays_aside(pair_.geometry, lifetimes_, incidence, as_said, time.from, end))
     throw ProofError("a vertex does not stay aside of an edge");

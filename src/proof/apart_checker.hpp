@@ -42,8 +42,8 @@ class HalvedWindows {
 /// Does the vertex stay aside of the edge all over that stretch, for one of the first four reasons? As far as the
 /// motion's second order tells, over the stretch or over parts of it, which are halved a few times at most: not where
 /// a contact is in the stretch, which is between two doubles.
-std::optional<bool> stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                           HalvedWindows& windows, const HalvedTime& time, const Instant& end);
+SeenAside stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                 HalvedWindows& windows, const HalvedTime& time, const Instant& end);
 
 /// One pair on one stretch of one leg. The log has a tree of steps, in preorder: time is halved, or one of the ranges,
 /// until what is left is apart; with a margin that is not 0, farther apart than that, and `until` is none then. Throws

@@ -168,8 +168,7 @@ bool stays_aside(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i
                   [&](const SignedForm& form) { return lifetimes.holds(form, until, is_own(form.form, until)); });
 }
 
-std::optional<bool> stays_aside_in_window(const PairGeometry& g, const Incidence& i, Aside why,
-                                          const MotionWindow& window) {
+SeenAside stays_aside_in_window(const PairGeometry& g, const Incidence& i, Aside why, const MotionWindow& window) {
   const Sight& sight = g.in_p(i.edge) ? window.from_p() : window.from_q();
   const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), v = place(g, i.vertex);
   const auto [n, from] = half_plane(a, b, why);
@@ -181,10 +180,11 @@ std::optional<bool> stays_aside_in_window(const PairGeometry& g, const Incidence
   // What is added to the vertices' coordinates is less than the room; it turns the edge, and moves all three.
   const double added = sight.size * (1 + size(v)) + size(a) + size(b);
   const double error = sight.shift_error + sight.turn_error * size(v) + sight.scale_error * (size(a) + size(b));
-  const double doubt =
-      size(n) * (error * (1 + 0x1p-40) + 0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
-  if (least > doubt) return true;
-  return middle < -doubt ? std::optional(false) : std::nullopt;
+  const double rounding = size(n) * (0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
+  const double doubt = size(n) * (error * (1 + 0x1p-40)) + rounding;
+  if (least > doubt) return SeenAside::yes;
+  if (middle < -doubt) return SeenAside::no;
+  return std::fabs(middle) + std::fabs(way) + most * std::fabs(bend) <= rounding ? SeenAside::even : SeenAside::open;
 }
 
 bool stays_aside_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,

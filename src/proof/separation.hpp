@@ -66,10 +66,15 @@ KeptForms kept_forms(const PairGeometry& geometry, const Incidence& incidence, A
 /// very instant: there the vertex has come to the other edge. Throws Undecidable.
 bool stays_aside(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from,
                  const Instant& until);
-/// The same for one of the first four reasons, as far as the motion's second order over the window tells: false where
-/// it is on the other side in the middle; nothing where that is not certain.
-std::optional<bool> stays_aside_in_window(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                          const MotionWindow& window);
+/// The same for one of the first four reasons, as far as the motion's second order over the window tells.
+enum class SeenAside : std::uint8_t {
+  yes,
+  no,    ///< in the middle of the window it is on the other side
+  open,  ///< shorter windows may tell more
+  even,  ///< nor they: all over the window, it is on neither side by more than rounding
+};
+SeenAside stays_aside_in_window(const PairGeometry& geometry, const Incidence& incidence, Aside why,
+                                const MotionWindow& window);
 /// The same for any of them, as far as doubles tell.
 bool stays_aside_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why,
                             double from, const Instant& until);

@@ -273,17 +273,18 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
         const VertexId p(rng.below(g.np)), q(g.np + rng.below(nq));
         const proof::Incidence incidence = i % 2 == 0 ? proof::Incidence{q, p} : proof::Incidence{p, q};
         const auto why = static_cast<proof::Aside>(rng.below(4));
-        const std::optional<bool> said = stays_aside_in_window(g, incidence, why, window);
-        if (!said) continue;
+        const proof::SeenAside seen = stays_aside_in_window(g, incidence, why, window);
+        if (seen != proof::SeenAside::yes && seen != proof::SeenAside::no) continue;
+        const bool said = seen == proof::SeenAside::yes;
         const proof::KeptForm kept = kept_forms(g, incidence, why).forms[0];
         const PreciseTriple form(leg, g, kept.form);
         const auto holds_at = [&](double t) {
           PreciseTime at = PreciseTime::between(t, t);
           return form.sign_at(at, Stage::precise) == kept.sign;
         };
-        ++(*said ? yes : no);
-        for (int k = 0; *said && k <= 4; ++k) ASSERT_TRUE(holds_at(std::min(to, from + (to - from) * k / 4)));
-        if (!*said) {
+        ++(said ? yes : no);
+        for (int k = 0; said && k <= 4; ++k) ASSERT_TRUE(holds_at(std::min(to, from + (to - from) * k / 4)));
+        if (!said) {
           ASSERT_FALSE(holds_at(from + (to - from) / 2));
         }
       }
@@ -359,7 +360,7 @@ TEST(SeparationLaws, WindowsSeeWhatWaysComeTo) {
         const double rounding = 1e-10 * (1 + std::fabs(low)), room = 0.2 * (high - low) + rounding;
         const auto stays_beyond = [&](double level) {
           return stays_aside_in_window(pair_with_edge(n, level, rng.real(0.1, 1), why, v), {VertexId(3), VertexId(0)},
-                                       why, window) == true;
+                                       why, window) == proof::SeenAside::yes;
         };
         ASSERT_FALSE(stays_beyond(low + rounding));
         EdgeRange p, q;
