@@ -236,7 +236,7 @@ expect 0 '"valid":true,"outcome":"free"' '' verify --json free.json a.proof
 is_json_lines
 expect 1 'NOT VALID' '' verify hit.json a.proof
 expect 1 'another scene' '' verify hit.json a.proof
-head -c 60 a.proof >cut.proof
+head -c 50 a.proof >cut.proof
 expect 1 'cut off' '' verify free.json cut.proof
 expect 1 '"valid":false' '' verify --json free.json cut.proof
 prove hit.json 1

@@ -82,10 +82,9 @@ class EitherPair final : public WindowedPair {
   /// before, by whichever engine, stays the result unless this happens earlier.
   void take(const WindowedPair& told) {
     const PairResult& found = told.result();
-    if (told.open()) {
-      if (open()) result_.engine = found.engine;
-      return;
-    }
+    // Free is the kinetic engine's as soon as one window is.
+    if (open() && found.engine == EngineName::kinetic) result_.engine = found.engine;
+    if (told.open()) return;
     if (!open() && !(found.free_until < result_.free_until)) return;
     result_ = found;
     teller_ = &told;
