@@ -19,18 +19,17 @@ constexpr double patience_of_proofs = 0.75;
 /// A margin as small as this, beside the coordinates, is left to multi-precision.
 constexpr double doubtful = 0x1p-44;
 
-Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
-
 /// What keeps a vertex from an edge in the middle of the window, by about how much, the most first.
 std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
                                                 const proof::Sight& sight) {
-  const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), edge = b - a;
-  const Vector v = sight.shift + sight.turn * place(g, i.vertex);
-  const double side = dot(turned(edge), v - a);
-  std::array<std::pair<double, Aside>, 4> all{{{side, Aside::left},
-                                               {-side, Aside::right},
-                                               {-dot(edge, v - a), Aside::behind_first},
-                                               {dot(edge, v - b), Aside::behind_second}}};
+  const Vector a = proof::place(g, i.edge), b = proof::place(g, g.next(i.edge));
+  const Vector v = sight.shift + sight.turn * proof::place(g, i.vertex);
+  std::array<std::pair<double, Aside>, 4> all{
+      {{0, Aside::left}, {0, Aside::right}, {0, Aside::behind_first}, {0, Aside::behind_second}}};
+  for (auto& [margin, why] : all) {
+    const proof::HalfPlane side = proof::half_plane(a, b, why);
+    margin = dot(side.normal, v - side.from);
+  }
   std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
   return all;
 }
@@ -38,7 +37,7 @@ std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const pro
 /// Is the edge's other side farther than the vertex comes within the window? Beside an infinite speed that may be known
 /// where no window is so short that doubles tell of signs in it.
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
-  const Vector v = place(g, i.vertex), edge = place(g, g.next(i.edge)) - place(g, i.edge);
+  const Vector v = proof::place(g, i.vertex), edge = proof::place(g, g.next(i.edge)) - proof::place(g, i.edge);
   const double way =
       half * (size(sight.shift_rate + sight.turn_rate * v) + half / 2 * size(sight.shift_bend + sight.turn_bend * v));
   return margin > 2 * size(edge) * (way + sight.shift_error + sight.turn_error * size(v));
@@ -121,8 +120,7 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
                                          const proof::Sight& sight, const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
   const auto candidates = margins(pair_.geometry, incidence, sight);
-  const double doubt = doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
-  const double none = doubtful * (1 + sight.size);
+  const double none = doubtful * (1 + sight.size), doubt = none + sight.shift_error + sight.turn_error;
   std::array<bool, candidates.size()> open{};
   for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -doubt; ++k) {
     const auto& [margin, why] = candidates[k];

@@ -44,27 +44,6 @@ bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, c
   return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
 }
 
-Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
-
-/// Where a vertex is that stays aside of the edge from a to b for one of the first four reasons: the points from which
-/// the way to it has a positive product with the normal.
-struct HalfPlane {
-  Vector normal, from;
-};
-HalfPlane half_plane(Vector a, Vector b, Aside why) {
-  const Vector edge = b - a;
-  switch (why) {
-    case Aside::left:
-      return {turned(edge), a};
-    case Aside::right:
-      return {-turned(edge), a};
-    case Aside::behind_first:
-      return {-edge, a};
-    default:
-      return {edge, b};
-  }
-}
-
 /// One of `step::directions` directions, evenly but not equally spaced: by the tangent of half the angle in each
 /// quadrant, so that no other functions are needed.
 Vector direction_number(std::uint8_t k) {
@@ -129,6 +108,20 @@ bool all_kept(const KeptForms& kept, double from, const Holds& holds) {
 }
 
 }  // namespace
+
+HalfPlane half_plane(Vector a, Vector b, Aside why) {
+  const Vector edge = b - a;
+  switch (why) {
+    case Aside::left:
+      return {turned(edge), a};
+    case Aside::right:
+      return {-turned(edge), a};
+    case Aside::behind_first:
+      return {-edge, a};
+    default:
+      return {edge, b};
+  }
+}
 
 KeptForms kept_forms(const PairGeometry& g, const Incidence& i, Aside why) {
   const Form line = i.line(g);

@@ -55,6 +55,16 @@ struct Incidence {
   Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
 };
 
+/// Where a vertex is in its body's frame, without the displacement.
+inline Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g.point(v).y}; }
+
+/// Where a vertex is that stays aside of the edge from a to b for one of the first four reasons: the points from which
+/// the way to it has a positive product with the normal.
+struct HalfPlane {
+  Vector normal, from;
+};
+HalfPlane half_plane(Vector a, Vector b, Aside why);
+
 /// The forms that keep their signs, for that reason; none where it is no reason for this edge. One or two.
 struct KeptForms {
   std::array<KeptForm, 2> forms;
