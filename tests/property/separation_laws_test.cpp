@@ -253,6 +253,13 @@ TEST(SeparationLaws, DirectionsSeparate) {
   EXPECT_GE(separated, static_cast<int>(enough(100)));
 }
 
+/// Somewhere on the leg, of any length down to a thousandth.
+MotionWindow random_window(const Leg& leg, Rng& rng) {
+  const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(11)),
+               from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length);
+  return {leg, from, std::min(leg.end, from + length)};
+}
+
 /// A reason why a vertex is not on an edge that windows give holds at every instant, by the exact form; where they say
 /// that it is none, it is none at some instant.
 TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
@@ -265,10 +272,8 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
     const PairGeometry g = displaced_pair(pair, seed % 2 == 0);
     const std::uint32_t nq = g.size() - g.np;
     for (const Leg& leg : plan.legs(pair)) {
-      const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(12)),
-                   from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length),
-                   to = std::min(from + length, leg.end);
-      const MotionWindow window(leg, from, to);
+      const MotionWindow window = random_window(leg, rng);
+      const double from = window.from(), to = window.to();
       for (int i = 0; i < 20; ++i) {
         const VertexId p(rng.below(g.np)), q(g.np + rng.below(nq));
         const proof::Incidence incidence = i % 2 == 0 ? proof::Incidence{q, p} : proof::Incidence{p, q};
@@ -350,9 +355,7 @@ TEST(SeparationLaws, WindowsSeeWhatWaysComeTo) {
     for (const Leg& leg : plan.legs(plan.pair(0, 1))) {
       if (leg.bridge) continue;
       for (int i = 0; i < 30; ++i) {
-        const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(10)),
-                     from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length);
-        const MotionWindow window(leg, from, std::min(leg.end, from + length));
+        const MotionWindow window = random_window(leg, rng);
         const SampledPath path(leg, window.from(), window.to());
         const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, n = unit(rng.real(0, 7));
         const auto why = static_cast<proof::Aside>(rng.below(4));
