@@ -46,6 +46,7 @@ struct RealTraits<double> {
   static double from_double(double x) { return x; }
   static double to_double(double x) { return x; }
   static double square_root(double x) { return std::sqrt(x); }
+  static double near(double x, double) { return x; }
 };
 
 template <unsigned Bits>
@@ -68,6 +69,11 @@ struct RealTraits<WideFloat<Bits>> {
   static Real from_double(double x) { return x; }
   static double to_double(const Real& x) { return x.to_double(); }
   static Real square_root(const Real& x) { return sqrt(x); }
+  /// A number no farther from x than a thousandth of `within`, of as few words as this needs.
+  static Real near(const Real& x, double within) {
+    if (x.is_zero() || !(within > 0) || !std::isfinite(within)) return x;
+    return x.first_bits(x.exponent() - std::ilogb(within) + 12);
+  }
 };
 
 template <class Real>

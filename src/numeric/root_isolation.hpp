@@ -20,13 +20,35 @@ struct RootEnclosure {
 
 namespace detail {
 
+/// The range over a ball; no sharper than telling its sign or its slope's needs, where the function has such a one.
+template <class Function, class Real>
+Jet<Real> range_of(const Function& f, const Ball<Real>& t) {
+  if constexpr (requires { f.telling_range(t); }) {
+    return f.telling_range(t);
+  } else {
+    return f(t);
+  }
+}
+
 /// The value alone, where the function has a cheaper way to it.
 template <class Function, class Real>
 Ball<Real> value_of(const Function& f, const Ball<Real>& t) {
-  if constexpr (requires { f.value(t); }) {
+  if constexpr (requires { f.telling_value(t); }) {
+    return f.telling_value(t);
+  } else if constexpr (requires { f.value(t); }) {
     return f.value(t);
   } else {
     return f(t).v;
+  }
+}
+
+/// Is the function's range one that no value at the middle would improve, as those of polynomials about it are?
+template <class Function, class Real>
+bool is_expanded(const Function& f, const Ball<Real>& t) {
+  if constexpr (requires { f.is_expanded(t); }) {
+    return f.is_expanded(t);
+  } else {
+    return false;
   }
 }
 
@@ -104,12 +126,13 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
     const Real hi = ends.back();
     bool excluded = !(hi > lo);
     if (!excluded) {
-      const B whole = B::between(lo, hi);
-      const Jet<Real> wide = f(whole);
+      const B whole = B::about_short_middle(lo, hi);
+      const Jet<Real> wide = detail::range_of(f, whole);
       const int slope = wide.d.sign();
       // A slope of the same sign leads away from zero.
-      excluded =
-          wide.v.sign() == sign || slope == sign || detail::sign_over(wide, f(B(whole.mid, 0.0)), whole.rad) == sign;
+      excluded = wide.v.sign() == sign || slope == sign ||
+                 (!detail::is_expanded(f, whole) &&
+                  detail::sign_over(wide, detail::range_of(f, B(whole.mid, 0.0)), whole.rad) == sign);
       if (!excluded && slope == -sign) {
         const int at_end = detail::value_of(f, B(hi, 0.0)).sign();
         if (at_end == -sign) return RootEnclosure<Real>{lo, hi};
@@ -117,7 +140,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
       }
       if (!excluded) {
         if (!(RealTraits<Real>::magnitude(Real(hi - lo)) > tiny)) throw PrecisionExhausted{};
-        ends.push_back(cut(lo, hi));
+        ends.push_back(RealTraits<Real>::near(cut(lo, hi), RealTraits<Real>::magnitude(Real(hi - lo))));
         continue;
       }
     }
@@ -129,6 +152,13 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   return std::nullopt;
 }
 
+/// No shorter one is to be had: its ends are but a few units in the last place apart.
+template <class Real>
+bool is_sharp(const RootEnclosure<Real>& r) {
+  using Traits = RealTraits<Real>;
+  return Traits::magnitude(Real(r.hi - r.lo)) <= unit_roundoff<Real>() * 8 * Traits::magnitude(r.hi);
+}
+
 /// Shrinks an enclosure by interval Newton steps until they gain no more, or it is no wider than `enough`.
 /// `sign` is the sign before the root.
 template <class Real, class Function>
@@ -136,8 +166,8 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough =
   using B = Ball<Real>;
   for (int step = 0; step < 4000; ++step) {
     interruption_point();
-    const B whole = B::between(r.lo, r.hi);
-    const B slope = f(whole).d;
+    const B whole = B::about_short_middle(r.lo, r.hi);
+    const B slope = detail::range_of(f, whole).d;
     const B value = detail::value_of(f, B(whole.mid, 0.0));
     const Real before = r.hi - r.lo;
     bool halved = false;
@@ -154,8 +184,7 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough =
     if (r.hi < r.lo) throw PrecisionExhausted{};
     const Real after = r.hi - r.lo;
     if (!halved && !(after < before * 0.75)) return;
-    if (RealTraits<Real>::magnitude(after) <= enough) return;
-    if (RealTraits<Real>::magnitude(after) <= unit_roundoff<Real>() * 8 * RealTraits<Real>::magnitude(r.hi)) return;
+    if (RealTraits<Real>::magnitude(after) <= enough || is_sharp(r)) return;
   }
 }
 
@@ -167,9 +196,9 @@ void refine_with_slope(const Function& f, const Ball<double>& slope, int sign, R
   using B = Ball<Real>;
   const B steep(RealTraits<Real>::from_double(slope.mid), slope.rad);
   for (int step = 0; step < 64; ++step) {
-    const Real middle = (r.lo + r.hi) / 2;
-    const B value = detail::value_of(f, B(middle, 0.0));
     const Real before = r.hi - r.lo;
+    const Real middle = RealTraits<Real>::near((r.lo + r.hi) / 2, RealTraits<Real>::magnitude(before));
+    const B value = detail::value_of(f, B(middle, 0.0));
     if (const int s = value.sign()) (s == sign ? r.lo : r.hi) = middle;
     const B newton = B(middle, 0.0) - value / steep;
     const Real lo = newton.lower(), hi = newton.upper();
@@ -177,8 +206,7 @@ void refine_with_slope(const Function& f, const Ball<double>& slope, int sign, R
     if (hi < r.hi) r.hi = hi;
     if (r.hi < r.lo) throw PrecisionExhausted{};
     const double width = RealTraits<Real>::magnitude(Real(r.hi - r.lo));
-    if (width <= enough || !(width < 0x1p-10 * RealTraits<Real>::magnitude(before))) return;
-    if (width <= unit_roundoff<Real>() * 8 * RealTraits<Real>::magnitude(r.hi)) return;
+    if (width <= enough || !(width < 0x1p-10 * RealTraits<Real>::magnitude(before)) || is_sharp(r)) return;
   }
 }
 

@@ -13,6 +13,12 @@ __extension__ using TwoWords = unsigned __int128;
 std::uint64_t high_word(TwoWords x) { return static_cast<std::uint64_t>(x >> 64); }
 std::uint64_t low_word(TwoWords x) { return static_cast<std::uint64_t>(x); }
 
+/// GCC's and clang's vector type of two words, stored at once.
+using TwoStored = std::uint64_t __attribute__((vector_size(16)));
+
+/// 1 or 0 as a mask of all bits or none.
+std::uint64_t mask_of(std::uint64_t bit) { return 0 - bit; }
+
 /// Moves all to the left until the first bit is set, and says by how many bits; requires that it is not zero.
 template <std::size_t N>
 int normalise(std::array<std::uint64_t, N>& x) {
@@ -31,8 +37,8 @@ int normalise(std::array<std::uint64_t, N>& x) {
 template <std::size_t N>
 class Moved {
  public:
-  Moved(const std::array<std::uint64_t, N>& mantissa, std::size_t by) : skipped_(by / 64), bits_(by % 64) {
-    std::memcpy(word_.data() + 1, mantissa.data(), sizeof mantissa);
+  Moved(std::span<const std::uint64_t, N> mantissa, std::size_t by) : skipped_(by / 64), bits_(by % 64) {
+    std::memcpy(word_.data() + 1, mantissa.data(), mantissa.size_bytes());
   }
   /// The first one is that at the end.
   std::uint64_t word(std::size_t i) const {
@@ -90,31 +96,52 @@ WideFloat<Bits> with_exponent(const WideFloat<Bits>& x, int exponent) {
 
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::undefined() {
-  WideFloat x;
-  x.limb_[limbs - 1] = 1;
-  x.exponent_ = undefined_exponent;
+  Limbs mantissa{};
+  mantissa[limbs - 1] = 1;
+  return of_words(mantissa, undefined_exponent, false);
+}
+
+/// Two words at a time, as whoever copies a number reads them: what has been stored by halves cannot be read at once
+/// until both have left for the cache, which takes as long as a product.
+template <unsigned Bits>
+WideFloat<Bits> WideFloat<Bits>::of_words(const Limbs& mantissa, std::int32_t exponent, bool negative) {
+  WideFloat x{Unset()};
+  const std::uint64_t last = static_cast<std::uint32_t>(exponent) | std::uint64_t{negative} << 32;
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < limbs; i += 2) {
+    const TwoStored two = {mantissa[i], i + 1 < limbs ? mantissa[i + 1] : last};
+    std::memcpy(x.word_.data() + i, &two, sizeof two);
+  }
+  if constexpr (limbs % 2 == 0) x.word_[limbs] = last;
   return x;
 }
 
 template <unsigned Bits>
-WideFloat<Bits> WideFloat<Bits>::rounded(const std::uint64_t* mantissa, std::uint64_t below, bool lost,
-                                         std::int64_t exponent, bool negative) {
-  constexpr std::uint64_t half = std::uint64_t{1} << 63;
-  WideFloat x;
-  std::memcpy(x.limb_.data(), mantissa, sizeof x.limb_);
-  if (below > half || (below == half && (lost || (x.limb_[0] & 1) != 0))) {
-    std::size_t i = 0;
-    while (i < limbs && ++x.limb_[i] == 0) ++i;
-    if (i == limbs) {
-      x.limb_[limbs - 1] = half;
-      ++exponent;
-    }
+WideFloat<Bits> WideFloat<Bits>::with_sign(const WideFloat& x, bool negative) {
+  Limbs mantissa;
+  std::memcpy(mantissa.data(), x.word_.data(), sizeof mantissa);
+  return of_words(mantissa, x.exponent(), negative && !x.is_zero());
+}
+
+/// Without a branch: up or down is as good as random.
+template <unsigned Bits>
+inline WideFloat<Bits> WideFloat<Bits>::rounded(const Limbs& mantissa, std::uint64_t below, bool lost,
+                                                std::int64_t exponent, bool negative) {
+  const bool beyond_half = (below << 1) != 0 || lost;
+  std::uint64_t carry = below >> 63 & ((beyond_half ? 1 : 0) | mantissa[0]);
+  Limbs result;
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < limbs; ++i) {
+    result[i] = mantissa[i] + carry;
+    carry = result[i] < carry ? 1 : 0;
+  }
+  if (carry != 0) {
+    result[limbs - 1] = std::uint64_t{1} << 63;
+    ++exponent;
   }
   if (exponent > largest_exponent) return undefined();
   if (exponent < -largest_exponent) return {};
-  x.exponent_ = static_cast<std::int32_t>(exponent);
-  x.negative_ = negative;
-  return x;
+  return of_words(result, static_cast<std::int32_t>(exponent), negative);
 }
 
 template <unsigned Bits>
@@ -126,30 +153,26 @@ WideFloat<Bits> WideFloat<Bits>::of_double(double x) {
   const int biased = static_cast<int>(bits >> 52 & 0x7ff);
   const std::uint64_t digits = (bits & 0xfffffffffffff) | (biased > 0 ? std::uint64_t{1} << 52 : 0);
   const int shift = std::countl_zero(digits);
-  WideFloat result;
-  result.limb_[limbs - 1] = digits << shift;
-  result.exponent_ = std::max(biased, 1) - 1075 + 63 - shift;
-  result.negative_ = x < 0;
-  return result;
+  Limbs mantissa{};
+  mantissa[limbs - 1] = digits << shift;
+  return of_words(mantissa, std::max(biased, 1) - 1075 + 63 - shift, x < 0);
 }
 
 template <unsigned Bits>
 template <unsigned Other>
 requires(Other != Bits) WideFloat<Bits>::WideFloat(const WideFloat<Other>& x) {
+  Limbs mantissa{};
   if constexpr (Other < Bits) {
-    std::memcpy(limb_.data() + (limbs - x.limbs), x.limb_.data(), sizeof x.limb_);
-    exponent_ = x.exponent_;
-    negative_ = x.negative_;
+    std::memcpy(mantissa.data() + (limbs - x.limbs), x.word_.data(), sizeof(std::uint64_t) * x.limbs);
+    *this = of_words(mantissa, x.exponent(), x.is_negative());
+  } else if (x.is_zero() || !x.is_defined()) {
+    *this = x.is_zero() ? WideFloat() : undefined();
   } else {
-    if (x.is_zero()) return;
-    if (!x.is_defined()) {
-      *this = undefined();
-      return;
-    }
     constexpr std::size_t dropped = WideFloat<Other>::limbs - limbs;
     bool lost = false;
-    for (std::size_t i = 0; i + 1 < dropped; ++i) lost = lost || x.limb_[i] != 0;
-    *this = rounded(x.limb_.data() + dropped, x.limb_[dropped - 1], lost, x.exponent_, x.negative_);
+    for (std::size_t i = 0; i + 1 < dropped; ++i) lost = lost || x.word_[i] != 0;
+    std::memcpy(mantissa.data(), x.word_.data() + dropped, sizeof mantissa);
+    *this = rounded(mantissa, x.word_[dropped - 1], lost, x.exponent(), x.is_negative());
   }
 }
 
@@ -158,7 +181,7 @@ WideFloat<Bits> WideFloat<Bits>::of_limbs(const Limbs& integer, int exponent, bo
   if (std::all_of(integer.begin(), integer.end(), [](std::uint64_t limb) { return limb == 0; })) return {};
   Limbs mantissa = integer;
   const int shift = normalise(mantissa);
-  return rounded(mantissa.data(), 0, false, std::int64_t{exponent} + static_cast<int>(Bits) - 1 - shift, negative);
+  return rounded(mantissa, 0, false, std::int64_t{exponent} + static_cast<int>(Bits) - 1 - shift, negative);
 }
 
 template <unsigned Bits>
@@ -173,128 +196,141 @@ double WideFloat<Bits>::to_double() const {
   if (is_zero()) return 0;
   if (!is_defined()) return std::numeric_limits<double>::quiet_NaN();
   // As many bits of the first word as the double has, fewer below the normal ones, rounded to the nearest.
-  const int place = std::clamp(exponent_, -5000, 5000), dropped = 11 + std::clamp(-1022 - place, 0, 53);
-  const std::uint64_t first = limb_[limbs - 1], half = std::uint64_t{1} << (dropped - 1), rest = first & (2 * half - 1);
-  const bool behind = std::any_of(limb_.begin(), limb_.end() - 1, [](std::uint64_t limb) { return limb != 0; });
+  const int place = std::clamp(exponent(), -5000, 5000), dropped = 11 + std::clamp(-1022 - place, 0, 53);
+  const std::uint64_t first = word_[limbs - 1], half = std::uint64_t{1} << (dropped - 1), rest = first & (2 * half - 1);
+  const bool behind =
+      std::any_of(word_.begin(), word_.begin() + (limbs - 1), [](std::uint64_t limb) { return limb != 0; });
   std::uint64_t digits = first >> (dropped - 1) >> 1;
   if (rest > half || (rest == half && (behind || (digits & 1) != 0))) ++digits;
   const double size = std::ldexp(static_cast<double>(digits), place - 63 + dropped);
-  return negative_ ? -size : size;
+  return is_negative() ? -size : size;
 }
 
 template <unsigned Bits>
 std::int64_t WideFloat<Bits>::nearest_integer() const {
-  if (is_zero() || exponent_ < -1) return 0;
-  const std::uint64_t first = limb_[limbs - 1];
+  const int place = exponent();
+  if (is_zero() || place < -1) return 0;
+  const std::uint64_t first = word_[limbs - 1];
   // The first bit is that of 2^exponent.
-  const std::uint64_t whole = exponent_ < 0 ? 0 : first >> (63 - exponent_);
-  const bool up = exponent_ < 0 || (first >> (62 - exponent_) & 1) != 0;
+  const std::uint64_t whole = place < 0 ? 0 : first >> (63 - place);
+  const bool up = place < 0 || (first >> (62 - place) & 1) != 0;
   const auto size = static_cast<std::int64_t>(whole + (up ? 1 : 0));
-  return negative_ ? -size : size;
+  return is_negative() ? -size : size;
 }
 
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::sum(const WideFloat& a, const WideFloat& b, bool b_negative) {
   if (!a.is_defined() || !b.is_defined()) return undefined();
   if (b.is_zero()) return a;
-  WideFloat second = b;
-  second.negative_ = b_negative;
-  if (a.is_zero()) return second;
-  const bool a_larger = a.exponent_ >= second.exponent_;
-  const WideFloat &large = a_larger ? a : second, &small = a_larger ? second : a;
+  if (a.is_zero()) return with_sign(b, b_negative);
+  const bool a_larger = a.exponent() >= b.exponent();
+  const WideFloat &large = a_larger ? a : b, &small = a_larger ? b : a;
+  const bool negative = a_larger ? a.is_negative() : b_negative;
   // What is less than a quarter of a unit in the last place changes nothing.
-  if (std::int64_t{large.exponent_} - small.exponent_ > static_cast<std::int64_t>(Bits) + 1) return large;
-  return a.negative_ == b_negative ? sum_of_magnitudes(large, small) : difference_of_magnitudes(large, small);
+  if (std::int64_t{large.exponent()} - small.exponent() > static_cast<std::int64_t>(Bits) + 1) {
+    return with_sign(large, negative);
+  }
+  return a.is_negative() == b_negative ? sum_of_magnitudes(large, small, negative)
+                                       : difference_of_magnitudes(large, small, negative);
 }
 
 template <unsigned Bits>
-WideFloat<Bits> WideFloat<Bits>::sum_of_magnitudes(const WideFloat& large, const WideFloat& small) {
-  const Moved<limbs> moved(small.limb_, static_cast<std::size_t>(large.exponent_ - small.exponent_));
-  std::array<std::uint64_t, limbs> words;
+WideFloat<Bits> WideFloat<Bits>::sum_of_magnitudes(const WideFloat& large, const WideFloat& small, bool negative) {
+  const Moved<limbs> moved(small.mantissa(), static_cast<std::size_t>(large.exponent() - small.exponent()));
+  Limbs words;
   std::uint64_t below = moved.word(0), carry = 0;
+#pragma GCC unroll 16
   for (std::size_t i = 0; i < limbs; ++i) {
-    const TwoWords place = TwoWords{large.limb_[i]} + moved.word(i + 1) + carry;
+    const TwoWords place = TwoWords{large.word_[i]} + moved.word(i + 1) + carry;
     words[i] = low_word(place);
     carry = high_word(place);
   }
-  bool lost = moved.lost();
-  std::int64_t exponent = large.exponent_;
-  if (carry != 0) {
-    lost = lost || (below & 1) != 0;
-    below = below >> 1 | words[0] << 63;
-    for (std::size_t i = 0; i + 1 < limbs; ++i) words[i] = words[i] >> 1 | words[i + 1] << 63;
-    words[limbs - 1] = words[limbs - 1] >> 1 | std::uint64_t{1} << 63;
-    ++exponent;
-  }
-  return rounded(words.data(), below, lost, exponent, large.negative_);
+  // Where something was carried, all moves by a bit.
+  const bool lost = moved.lost() || (below & carry) != 0;
+  const int by = static_cast<int>(carry);
+  const std::uint64_t mask = mask_of(carry);
+  below = below >> by | (words[0] << 63 & mask);
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i + 1 < limbs; ++i) words[i] = words[i] >> by | (words[i + 1] << 63 & mask);
+  words[limbs - 1] = words[limbs - 1] >> by | carry << 63;
+  return rounded(words, below, lost, std::int64_t{large.exponent()} + by, negative);
 }
 
-/// large has no smaller exponent; the result has its sign, or the other one if it is the smaller one after all.
+/// large has no smaller exponent; the result is negative if it says so, or if it does not, and large is the smaller one
+/// after all.
 template <unsigned Bits>
-WideFloat<Bits> WideFloat<Bits>::difference_of_magnitudes(const WideFloat& large, const WideFloat& small) {
+WideFloat<Bits> WideFloat<Bits>::difference_of_magnitudes(const WideFloat& large, const WideFloat& small,
+                                                          bool negative) {
   const auto order = order_of_magnitudes(large, small);
   if (order == 0) return {};
-  if (order < 0) return difference_of_magnitudes(small, large);
-  const Moved<limbs> moved(small.limb_, static_cast<std::size_t>(large.exponent_ - small.exponent_));
+  if (order < 0) return difference_of_magnitudes(small, large, !negative);
+  const Moved<limbs> moved(small.mantissa(), static_cast<std::size_t>(large.exponent() - small.exponent()));
   // Where something is lost of what is subtracted, one unit less is a little too little, and the rest is positive. No
   // more than one bit cancels then, so that it lies far behind the half by which is rounded.
   const bool lost = moved.lost();
   std::array<std::uint64_t, limbs + 1> words;
   std::uint64_t borrow = lost ? 1 : 0;
+#pragma GCC unroll 16
   for (std::size_t i = 0; i <= limbs; ++i) {
-    const TwoWords place = TwoWords{i == 0 ? 0 : large.limb_[i - 1]} - moved.word(i) - borrow;
+    const TwoWords place = TwoWords{i == 0 ? 0 : large.word_[i - 1]} - moved.word(i) - borrow;
     words[i] = low_word(place);
     borrow = high_word(place) & 1;
   }
   const int shift = words[limbs] >> 63 != 0 ? 0 : normalise(words);
-  return rounded(words.data() + 1, words[0], lost, std::int64_t{large.exponent_} - shift, large.negative_);
+  Limbs mantissa;
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < limbs; ++i) mantissa[i] = words[i + 1];
+  return rounded(mantissa, words[0], lost, std::int64_t{large.exponent()} - shift, negative);
 }
 
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::product(const WideFloat& a, const WideFloat& b) {
   if (!a.is_defined() || !b.is_defined()) return undefined();
   if (a.is_zero() || b.is_zero()) return {};
-  // Doubles have zeros in all words but the first: from the last one on that is not zero.
+  // Doubles have zeros in all words but the first: rows from the last one on that is not zero.
   const auto first_word = [](const WideFloat& x) {
     std::size_t i = 0;
-    while (x.limb_[i] == 0) ++i;
+    while (x.word_[i] == 0) ++i;
     return i;
   };
-  std::size_t first_row = first_word(a), first_column = first_word(b);
-  const Limbs *rows = &a.limb_, *columns = &b.limb_;
-  if (first_row < first_column) {
-    std::swap(rows, columns);
-    std::swap(first_row, first_column);
-  }
-  // Row by row, columns from the one before the word by which is rounded: those below it are less than `limbs` units in
-  // its last place. Where the product is one of this length, what they would carry is missing by so little that
-  // rounding mends it.
+  const std::size_t a_first = first_word(a), b_first = first_word(b), first_row = std::max(a_first, b_first);
+  const WideFloat &rows = a_first < b_first ? b : a, &columns = a_first < b_first ? a : b;
+  // Columns from the one before the word by which is rounded: those below it are less than `limbs` units in its last
+  // place. Where the product is one of this length, what they would carry is missing by so little that rounding mends
+  // it.
   constexpr std::size_t first = limbs - 2;
   std::array<std::uint64_t, 2 * limbs> full{};
-  for (std::size_t i = first_row; i < limbs; ++i) {
-    const std::uint64_t row = (*rows)[i];
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < limbs; ++i) {
+    if (i < first_row) continue;
+    const std::uint64_t row = rows.word_[i];
     std::uint64_t carry = 0;
-    for (std::size_t k = std::max(first_column, i < first ? first - i : 0); k < limbs; ++k) {
-      const TwoWords column = TwoWords{row} * (*columns)[k] + full[i + k] + carry;
+#pragma GCC unroll 16
+    for (std::size_t k = i < first ? first - i : 0; k < limbs; ++k) {
+      const TwoWords column = TwoWords{row} * columns.word_[k] + full[i + k] + carry;
       full[i + k] = low_word(column);
       carry = high_word(column);
     }
     full[i + limbs] = carry;
   }
-  std::int64_t exponent = std::int64_t{a.exponent_} + b.exponent_ + 1;
-  if (full[2 * limbs - 1] >> 63 == 0) {
-    for (std::size_t i = 2 * limbs - 1; i > first; --i) full[i] = full[i] << 1 | full[i - 1] >> 63;
-    full[first] <<= 1;
-    --exponent;
-  }
-  return rounded(full.data() + limbs, full[limbs - 1], full[first] != 0, exponent, a.negative_ != b.negative_);
+  // Two mantissas from 1 up to 2: where the product is less than 2, all moves by a bit.
+  const std::uint64_t by = full[2 * limbs - 1] >> 63 ^ 1, mask = mask_of(by);
+  const auto moved = [&full, by, mask](std::size_t i) { return full[i] << by | (full[i - 1] >> 63 & mask); };
+  Limbs words;
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < limbs; ++i) words[i] = moved(limbs + i);
+  const bool lost = full[first] << by != 0;
+  return rounded(words, moved(limbs - 1), lost, std::int64_t{a.exponent()} + b.exponent() + 1 - static_cast<int>(by),
+                 a.is_negative() != b.is_negative());
 }
 
 template <unsigned Bits>
-WideFloat<Bits> WideFloat<Bits>::cut(std::size_t words) const {
-  WideFloat x = *this;
-  for (std::size_t i = 0; i + words < limbs; ++i) x.limb_[i] = 0;
-  return x;
+WideFloat<Bits> WideFloat<Bits>::first_bits(int count) const {
+  const auto words = static_cast<std::size_t>(std::max(count + 63, 64) / 64);
+  if (words >= limbs) return *this;
+  Limbs mantissa{};
+  for (std::size_t i = limbs - words; i < limbs; ++i) mantissa[i] = word_[i];
+  return of_words(mantissa, exponent(), is_negative());
 }
 
 /// Long division, word by word, with a word more than is kept; D. E. Knuth, The Art of Computer Programming, volume 2,
@@ -304,12 +340,12 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
   if (!a.is_defined() || !b.is_defined() || b.is_zero()) return undefined();
   if (a.is_zero()) return {};
   std::size_t first = 0;
-  while (b.limb_[first] == 0) ++first;
-  const std::uint64_t* const divisor = b.limb_.data() + first;
+  while (b.word_[first] == 0) ++first;
+  const std::uint64_t* const divisor = b.word_.data() + first;
   const std::size_t length = limbs - first;
   // The dividend in the upper words, one for what is carried above it; from it the quotient's multiples are taken.
   std::array<std::uint64_t, 2 * limbs + 2> rest{};
-  std::memcpy(rest.data() + limbs + 1, a.limb_.data(), sizeof a.limb_);
+  std::memcpy(rest.data() + limbs + 1, a.word_.data(), sizeof(Limbs));
   // Whole units, 0 or 1, and a word more than the mantissa of what follows.
   std::array<std::uint64_t, limbs + 2> digits{};
   for (std::size_t i = limbs + 2; i-- > 0;) {
@@ -317,7 +353,7 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
   }
   const bool lost = std::any_of(rest.begin(), rest.end(), [](std::uint64_t word) { return word != 0; });
   const bool whole = digits[limbs + 1] != 0;
-  std::int64_t exponent = std::int64_t{a.exponent_} - b.exponent_;
+  std::int64_t exponent = std::int64_t{a.exponent()} - b.exponent();
   bool below = lost;
   if (whole) {
     below = below || (digits[0] & 1) != 0;
@@ -325,7 +361,9 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
   } else {
     --exponent;  // the first bit of what follows is set, because both mantissas' are
   }
-  return rounded(digits.data() + 1, digits[0], below, exponent, a.negative_ != b.negative_);
+  Limbs mantissa;
+  std::memcpy(mantissa.data(), digits.data() + 1, sizeof mantissa);
+  return rounded(mantissa, digits[0], below, exponent, a.is_negative() != b.is_negative());
 }
 
 /// By Newton's steps for the reciprocal of the root, as a quotient: r + r (1 - x r^2) / 2 is wrong by a share of less
@@ -333,31 +371,33 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::square_root(const WideFloat& x) {
   if (x.is_zero()) return {};
-  if (!x.is_defined() || x.negative_) return undefined();
+  if (!x.is_defined() || x.is_negative()) return undefined();
   using Longer = WideFloat<Bits + 64>;
-  const int odd = x.exponent_ % 2 == 0 ? 0 : 1;
+  const int odd = x.exponent() % 2 == 0 ? 0 : 1;
   const Longer square(with_exponent(x, odd));
   Longer r(1 / std::sqrt(square.to_double()));
-  std::size_t words = 1;
+  int bits = 64;
   for (unsigned known = 50; known < Bits + 64; known = 2 * known - 1) {
-    words *= 2;
-    r = (r + r * ldexp(Longer(1) - r * (r * square), -1)).cut(words);
+    bits *= 2;
+    r = (r + r * ldexp(Longer(1) - r * (r * square), -1)).first_bits(bits);
   }
-  return scaled(WideFloat(r * square), (x.exponent_ - odd) / 2);
+  return scaled(WideFloat(r * square), (x.exponent() - odd) / 2);
 }
 
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::scaled(const WideFloat& x, int by) {
   if (x.is_zero() || !x.is_defined()) return x;
-  return rounded(x.limb_.data(), 0, false, std::int64_t{x.exponent_} + by, x.negative_);
+  Limbs mantissa;
+  std::memcpy(mantissa.data(), x.word_.data(), sizeof mantissa);
+  return rounded(mantissa, 0, false, std::int64_t{x.exponent()} + by, x.is_negative());
 }
 
 template <unsigned Bits>
 std::strong_ordering WideFloat<Bits>::order_of_magnitudes(const WideFloat& a, const WideFloat& b) {
   if (a.is_zero() || b.is_zero()) return (a.is_zero() ? 0 : 1) <=> (b.is_zero() ? 0 : 1);
-  if (a.exponent_ != b.exponent_) return a.exponent_ <=> b.exponent_;
+  if (a.exponent() != b.exponent()) return a.exponent() <=> b.exponent();
   for (std::size_t i = limbs; i-- > 0;) {
-    if (a.limb_[i] != b.limb_[i]) return a.limb_[i] <=> b.limb_[i];
+    if (a.word_[i] != b.word_[i]) return a.word_[i] <=> b.word_[i];
   }
   return std::strong_ordering::equal;
 }
@@ -365,8 +405,10 @@ std::strong_ordering WideFloat<Bits>::order_of_magnitudes(const WideFloat& a, co
 template <unsigned Bits>
 std::partial_ordering WideFloat<Bits>::order(const WideFloat& a, const WideFloat& b) {
   if (!a.is_defined() || !b.is_defined()) return std::partial_ordering::unordered;
-  if (a.negative_ != b.negative_) return a.negative_ ? std::partial_ordering::less : std::partial_ordering::greater;
-  return a.negative_ ? order_of_magnitudes(b, a) : order_of_magnitudes(a, b);
+  if (a.is_negative() != b.is_negative()) {
+    return a.is_negative() ? std::partial_ordering::less : std::partial_ordering::greater;
+  }
+  return a.is_negative() ? order_of_magnitudes(b, a) : order_of_magnitudes(a, b);
 }
 
 // The lengths of the stages and of points on curves, and what is converted into what.

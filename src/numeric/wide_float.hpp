@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 namespace taut {
@@ -27,7 +28,7 @@ class WideFloat {
   static constexpr std::size_t limbs = Bits / 64;
   using Limbs = std::array<std::uint64_t, limbs>;  ///< the least significant first
 
-  WideFloat() = default;
+  WideFloat() : word_{} {}
   /// Exact. From what is not finite: undefined.
   template <class Number>
   requires(std::is_floating_point_v<Number> || (std::is_integral_v<Number> && sizeof(Number) <= 4)) WideFloat(Number x)
@@ -40,13 +41,13 @@ class WideFloat {
   /// The integer of these limbs times 2^exponent.
   static WideFloat of_limbs(const Limbs& integer, int exponent, bool negative);
 
-  bool is_zero() const { return limb_[limbs - 1] == 0; }
-  bool is_defined() const { return exponent_ != undefined_exponent; }
-  bool is_negative() const { return negative_; }
+  bool is_zero() const { return word_[limbs - 1] == 0; }
+  bool is_defined() const { return exponent() != undefined_exponent; }
+  bool is_negative() const { return word_[limbs] >> 32 != 0; }
   /// The e of +-m 2^e; not of zero. That of undefined numbers is larger than any.
-  std::int32_t exponent() const { return exponent_; }
+  std::int32_t exponent() const { return static_cast<std::int32_t>(static_cast<std::uint32_t>(word_[limbs])); }
   /// m 2^(Bits - 1), an integer; zeros for zero.
-  const Limbs& mantissa() const { return limb_; }
+  std::span<const std::uint64_t, limbs> mantissa() const { return std::span(word_).template first<limbs>(); }
 
   /// The nearest double, which may be infinite; undefined numbers become NaN.
   double to_double() const;
@@ -54,22 +55,18 @@ class WideFloat {
   /// The nearest integer; requires a magnitude below 2^62.
   std::int64_t nearest_integer() const;
   static WideFloat of_integer(std::int64_t x);
+  /// The first bits alone, at least so many: shorter numbers are multiplied sooner.
+  WideFloat first_bits(int count) const;
 
-  friend WideFloat operator-(WideFloat a) {
-    a.negative_ = !a.negative_ && !a.is_zero();
-    return a;
-  }
-  friend WideFloat operator+(const WideFloat& a, const WideFloat& b) { return sum(a, b, b.negative_); }
-  friend WideFloat operator-(const WideFloat& a, const WideFloat& b) { return sum(a, b, !b.negative_); }
+  friend WideFloat operator-(const WideFloat& a) { return with_sign(a, !a.is_negative()); }
+  friend WideFloat operator+(const WideFloat& a, const WideFloat& b) { return sum(a, b, b.is_negative()); }
+  friend WideFloat operator-(const WideFloat& a, const WideFloat& b) { return sum(a, b, !b.is_negative()); }
   friend WideFloat operator*(const WideFloat& a, const WideFloat& b) { return product(a, b); }
   friend WideFloat operator/(const WideFloat& a, const WideFloat& b) { return quotient(a, b); }
   WideFloat& operator+=(const WideFloat& b) { return *this = *this + b; }
   WideFloat& operator-=(const WideFloat& b) { return *this = *this - b; }
   friend WideFloat sqrt(const WideFloat& x) { return square_root(x); }
-  friend WideFloat abs(WideFloat x) {
-    x.negative_ = false;
-    return x;
-  }
+  friend WideFloat abs(const WideFloat& x) { return with_sign(x, false); }
   friend WideFloat ldexp(const WideFloat& x, int by) { return scaled(x, by); }
   /// The nearest integer; requires a magnitude below 2^(Bits - 3). Beside so large a number, the last place is that
   /// of 1.
@@ -88,11 +85,18 @@ class WideFloat {
   static constexpr std::int32_t undefined_exponent = std::numeric_limits<std::int32_t>::max();
   static constexpr std::int64_t largest_exponent = 1000000;
 
+  /// All words but those that are written at once.
+  struct Unset {};
+  explicit WideFloat(Unset) {}
+
   static WideFloat undefined();
   static WideFloat of_double(double x);
+  /// Of these limbs, whose first bit is set, and this exponent, which is one of those that numbers have.
+  static WideFloat of_words(const Limbs& mantissa, std::int32_t exponent, bool negative);
+  static WideFloat with_sign(const WideFloat& x, bool negative);
   static WideFloat sum(const WideFloat& a, const WideFloat& b, bool b_negative);
-  static WideFloat sum_of_magnitudes(const WideFloat& large, const WideFloat& small);
-  static WideFloat difference_of_magnitudes(const WideFloat& large, const WideFloat& small);
+  static WideFloat sum_of_magnitudes(const WideFloat& large, const WideFloat& small, bool negative);
+  static WideFloat difference_of_magnitudes(const WideFloat& large, const WideFloat& small, bool negative);
   static WideFloat product(const WideFloat& a, const WideFloat& b);
   static WideFloat quotient(const WideFloat& a, const WideFloat& b);
   static WideFloat square_root(const WideFloat& x);
@@ -101,14 +105,9 @@ class WideFloat {
   static std::strong_ordering order_of_magnitudes(const WideFloat& a, const WideFloat& b);
   /// From a mantissa whose first bit is set: `below` is the word after its last one, and `lost` whether anything is
   /// behind that.
-  static WideFloat rounded(const std::uint64_t* mantissa, std::uint64_t below, bool lost, std::int64_t exponent,
-                           bool negative);
-  /// Only the first words of the mantissa.
-  WideFloat cut(std::size_t words) const;
-
-  Limbs limb_{};
-  std::int32_t exponent_ = 0;
-  bool negative_ = false;
+  static WideFloat rounded(const Limbs& mantissa, std::uint64_t below, bool lost, std::int64_t exponent, bool negative);
+  /// The limbs; then the exponent, with 2^32 where the number is negative.
+  std::array<std::uint64_t, limbs + 1> word_;
 };
 
 }  // namespace taut

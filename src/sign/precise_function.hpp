@@ -43,23 +43,16 @@ class PreciseFunction {
   }
 
   /// Value and derivatives over the ball t of the leg's parameter.
-  Jet<Real> operator()(const Ball<Real>& t) const {
-    if (is_polynomial()) {
-      count_work(work_of_jet());
-      return polynomial_range(polynomial_, t);
-    }
+  Jet<Real> operator()(const Ball<Real>& t) const { return range<Sharpness::best>(t); }
+  /// The same, or a wider one that tells the sign of the value or, over an interval, that of the slope.
+  Jet<Real> telling_range(const Ball<Real>& t) const { return range<Sharpness::telling>(t); }
+  /// Is the telling range over that ball, which has been asked for, that of an expansion about its middle?
+  bool is_expanded(const Ball<Real>& t) const {
     if constexpr (!std::is_same_v<Real, double>) {
-      // Where a range was not enough, that of a part of it hardly ever is.
-      if (const TaylorFrame<Real>* const known = models().known(t)) {
-        const Jet<Real> range = range_of(*known, t);
-        if (range.v.sign() != 0 || t.rad != 0) return range;
-      }
+      const TaylorFrame<Real>* const known = is_polynomial() ? nullptr : models().known(t);
+      if (known && known->suits(t)) return true;
     }
-    count_work(work_of_jet());
-    const Frame<Real> f = frame(leg_, t);
-    const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
-    if (range.v.sign() != 0 || range.d.sign() != 0 || t.rad == 0) return range;
-    return range_by_model(t, range);
+    return is_polynomial();
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
@@ -87,8 +80,57 @@ class PreciseFunction {
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
     return sum_of(v);
   }
+  /// The same, or one that is known to a few digits.
+  Ball<Real> telling_value(const Ball<Real>& t) const {
+    if constexpr (!std::is_same_v<Real, double>) {
+      if (const TaylorFrame<Real>* const known = is_polynomial() ? nullptr : models().known(t)) {
+        const Ball<Real> value = value_of(*known, t);
+        if (value.rad <= few_digits * RealTraits<Real>::magnitude(value.mid)) return value;
+      }
+    }
+    return value(t);
+  }
+  /// A polynomial made of its terms from an end, over the ball s.
+  Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
+    count_work(work_of_range);
+    return taut::telling_range(from_end, s);
+  }
 
  private:
+  enum class Sharpness { best, telling };
+  template <Sharpness sharpness>
+  static Jet<Real> range_of(const BallPolynomial<Real>& p, const Ball<Real>& t) {
+    return sharpness == Sharpness::best ? polynomial_range(p, t) : taut::telling_range(p, t);
+  }
+  template <Sharpness sharpness>
+  Jet<Real> range(const Ball<Real>& t) const {
+    if (is_polynomial()) {
+      count_work(work_of_jet());
+      return range_of<sharpness>(polynomial_, t);
+    }
+    if constexpr (!std::is_same_v<Real, double>) {
+      // Where a range was not enough, that of a part of it hardly ever is.
+      if (const TaylorFrame<Real>* const known = models().known(t)) {
+        const Jet<Real> range = range_by<sharpness>(*known, t);
+        if (known->suits(t) || (sharpness == Sharpness::telling && tells(range, t))) return range;
+      }
+    }
+    count_work(work_of_jet());
+    const Frame<Real> f = frame(leg_, t);
+    const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
+    if constexpr (!std::is_same_v<Real, double>) {
+      // By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
+      if (t.rad != 0 && !tells(range, t)) {
+        count_work(work_of_series());
+        return range_by<sharpness>(models().make(leg_, t), t);
+      }
+    }
+    return range;
+  }
+  static bool tells(const Jet<Real>& range, const Ball<Real>& t) {
+    return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
+  }
+
   Ball<Real> combined(const FrameValues<Real>& frame) const { return sum_of(pp_ ? frame.for_pp : frame.for_qq); }
   Ball<Real> sum_of(const std::array<Ball<Real>, 5>& v) const {
     Ball<Real> sum = v[0] * coefficients_[0];
@@ -102,17 +144,16 @@ class PreciseFunction {
     for (std::size_t i = 1; i < 5; ++i) c = c + f[i].c[k] * coefficients_[i];
     return c;
   }
-  /// By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
-  Jet<Real> range_by_model(const Ball<Real>& t, const Jet<Real>& range) const {
-    if constexpr (std::is_same_v<Real, double>) {
-      return range;
-    } else {
-      count_work(work_of_series());
-      return range_of(models().make(leg_, t), t);
-    }
-  }
-  Jet<Real> range_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
+  template <Sharpness sharpness>
+  Jet<Real> range_by(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
     count_work(work_of_range);
+    return range_of<sharpness>(about_middle(model), t - Ball<Real>(model.middle, 0.0));
+  }
+  Ball<Real> value_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
+    count_work(work_of_combination);
+    return polynomial_value(about_middle(model), t - Ball<Real>(model.middle, 0.0));
+  }
+  const BallPolynomial<Real>& about_middle(const TaylorFrame<Real>& model) const {
     if (combined_ != model.number) {
       count_work(work_of_combination);
       combined_ = model.number;
@@ -121,7 +162,7 @@ class PreciseFunction {
         about_middle_.push_back(coefficient_of(model.about_middle, k));
       }
     }
-    return polynomial_range(about_middle_, t - Ball<Real>(model.middle, 0.0));
+    return about_middle_;
   }
   TaylorFrames& models() const { return shared_ ? *shared_ : own_; }
 
@@ -142,6 +183,8 @@ class PreciseFunction {
     const FrameOf<ModelSeries<Real>> f = frame_series(leg_, Ball<Real>::exact(0));
     for (std::size_t k = 0; k <= 2; ++k) polynomial_.push_back(coefficient_of(f, k));
   }
+  /// The share of a value that its error is where Newton's steps still gain several bits.
+  static constexpr double few_digits = 0x1p-16;
   bool is_polynomial() const { return leg_.translation || leg_.bridge; }
   /// Of a function that is zero at all times before the displacement: the rest, with nothing to cancel. What is linear
   /// in the edge e0 + e1 and in the points r0 + r1, without e0 r0, is e0 r1 + e1 (r0 + r1).

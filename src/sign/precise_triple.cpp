@@ -84,7 +84,7 @@ int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   }
   return told_by(stage, with_stage(stage, [&](auto zero) {
                    using Real = decltype(zero);
-                   return function<Real>().value(as_ball<Real>(t)).sign();
+                   return function<Real>().telling_value(as_ball<Real>(t)).sign();
                  }));
 }
 
@@ -156,13 +156,17 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough)
   return with_stage(stage, [&](auto zero) {
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
-    RootEnclosure<Real> root = enclosure<Real>(t);
     try {
-      refine_root(f, sign, root, enough);
+      if (const int end = singular_end(leg_, t, t.ceiling())) {
+        t = SearchFromEnd<Real>(f, end > 0 ? leg_.start : leg_.end, end).refined(sign, t, stage, enough);
+      } else {
+        RootEnclosure<Real> root = enclosure<Real>(t);
+        refine_root(f, sign, root, enough);
+        t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
+      }
     } catch (const PrecisionExhausted&) {
       return false;
     }
-    t = PreciseTime(RealMax(root.lo), RealMax(root.hi), stage);
     return told_by(stage, true);
   });
 }

@@ -27,18 +27,27 @@ class SearchFromEnd {
   /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
-    const Real a = first.lower(), b = last.upper();
-    auto root = search(sign, a, b);
+    const auto root = search(sign, first.lower(), last.upper());
     if (!root) return std::nullopt;
     // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
     // interval with `from` in it, the root comes after; an interval before it says nothing.
     if (first.rad > 0 && !(root->hi > first.upper())) throw PrecisionExhausted{};
-    taut::refine(*this, sign, *root);
     const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
     // What the search found within the rounding of `to` may be beyond.
     if (hi.upper() > RealMax(to)) throw PrecisionExhausted{};
     // The rounding of what is near the start must not reach beyond it, where the function is another one.
     return PreciseTime{std::max<RealMax>(lo.lower(), from), hi.upper(), stage};
+  }
+  /// Shrinks an isolating enclosure, no further than to the width `enough`. Throws PrecisionExhausted.
+  PreciseTime refined(int sign, const PreciseTime& t, Stage stage, double enough) const {
+    RootEnclosure<Real> root{root_of_distance(t.lo()).lower(), root_of_distance(t.hi()).upper()};
+    const double farthest = RealTraits<Real>::magnitude(direction_ > 0 ? root.hi : root.lo);
+    taut::refine(Expanded(*this, direction_ > 0 ? root.hi : root.lo), sign, root, enough / (2 * farthest));
+    // What was rounded outwards may be beyond the enclosure.
+    const RealMax lo = std::max<RealMax>(time_at(root.lo).lower(), t.lo());
+    const RealMax hi = std::min<RealMax>(time_at(root.hi).upper(), t.hi());
+    if (hi < lo) throw PrecisionExhausted{};
+    return PreciseTime{lo, hi, stage};
   }
 
  private:
@@ -49,19 +58,25 @@ class SearchFromEnd {
    public:
     Expanded(const SearchFromEnd& whole, const Real& farthest) : whole_(whole), farthest_(in_few_bits(farthest)) {}
 
-    Jet<Real> operator()(const Ball<Real>& s) const {
-      const Jet<Real> near_end = polynomial_range(about_end(s), s);
-      if (near_end.v.sign() != 0 || near_end.d.sign() != 0) return near_end;
+    Jet<Real> telling_range(const Ball<Real>& s) const {
+      const Jet<Real> range = whole_.f_.telling_range(reaching(s), s);
+      if (range.v.sign() != 0 || range.d.sign() != 0 || !hidden_by_rest(range.v, s)) return range;
       const Jet<Real> direct = whole_(s);
-      return direct.v.sign() != 0 || direct.d.sign() != 0 ? direct : near_end;
+      return direct.v.sign() != 0 || direct.d.sign() != 0 ? direct : range;
     }
-    Ball<Real> value(const Ball<Real>& s) const {
-      const Ball<Real> near_end = polynomial_value(about_end(s), s);
-      return near_end.sign() != 0 ? near_end : whole_(s).v;
+    Ball<Real> telling_value(const Ball<Real>& s) const {
+      const Ball<Real> near_end = polynomial_value(reaching(s), s);
+      return near_end.sign() != 0 || !hidden_by_rest(near_end, s) ? near_end : whole_(s).v;
     }
 
    private:
-    BallPolynomial<Real> about_end(const Ball<Real>& s) const {
+    /// Is what the polynomial leaves out much of what hides the sign? Then the function itself may tell.
+    bool hidden_by_rest(const Ball<Real>& range, const Ball<Real>& s) const {
+      const std::size_t last = polynomial_.size - 1;
+      return polynomial_[last].rad * std::pow(s.magnitude(), static_cast<double>(last)) > range.rad / 8;
+    }
+    /// Good for all of s.
+    const BallPolynomial<Real>& reaching(const Ball<Real>& s) const {
       const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
       std::size_t level = 0;
       double farthest = farthest_;
@@ -69,13 +84,17 @@ class SearchFromEnd {
         farthest *= step;
         ++level;
       }
-      if (!terms_) terms_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
+      if (level == level_) return polynomial_;
+      if (level_ == levels) {
+        polynomial_ = whole_.f_.terms_from_end(whole_.end_, whole_.direction_);
+        polynomial_.push_back({});
+      }
       if (!last_[level]) {
         last_[level] = whole_.f_.last_term_from_end(whole_.end_, whole_.direction_, whole_.direction_ * farthest);
       }
-      BallPolynomial<Real> p = *terms_;
-      p.push_back(*last_[level]);
-      return p;
+      polynomial_[polynomial_.size - 1] = *last_[level];
+      level_ = level;
+      return polynomial_;
     }
 
     /// A little more than the magnitude: searches that begin or end near each other share what they go by.
@@ -90,19 +109,26 @@ class SearchFromEnd {
     static constexpr double step = 0x1p-4;
 
     const SearchFromEnd& whole_;
-    double farthest_;  ///< from the end
-    mutable std::optional<BallPolynomial<Real>> terms_;
-    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ
+    double farthest_;                     ///< from the end
+    mutable std::size_t level_ = levels;  ///< of the polynomial; `levels` if there is none
+    mutable BallPolynomial<Real> polynomial_;
+    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ between levels
   };
 
   /// In doubles it succeeds soon, or terms that cancel are all that it sees.
   static constexpr int few = 100;
+  /// The root, as sharp as this precision has it.
   std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
+    std::optional<RootEnclosure<Real>> root;
     if constexpr (!std::is_same_v<Real, double>) {
-      return first_sign_change<Real>(Expanded(*this, direction_ > 0 ? b : a), sign, a, b, Magnitudes{});
+      const Expanded expanded(*this, direction_ > 0 ? b : a);
+      root = first_sign_change<Real>(expanded, sign, a, b, Magnitudes{});
+      if (root) taut::refine(expanded, sign, *root);
     } else {
-      return first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
+      root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
     }
+    if (root && !is_sharp(*root)) taut::refine(*this, sign, *root);
+    return root;
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
     if (t == RealMax(end_)) return Ball<Real>::exact(0);

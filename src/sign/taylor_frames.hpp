@@ -26,10 +26,9 @@ struct TaylorFrame {
   std::uint64_t number;  ///< of no other model in the same memory
   FrameOf<ModelSeries<Real>> about_middle;
 
-  /// Does it serve for the ball? One far shorter than the model would see the last term alone.
-  bool serves(const Ball<Real>& t) const {
-    return (t.rad == 0 || t.rad >= 0x1p-8 * reach) && t.lower() >= lo && t.upper() <= hi;
-  }
+  /// Would one that reaches less far hardly be better for the ball? One far shorter than the model may see the last
+  /// term alone.
+  bool suits(const Ball<Real>& t) const { return t.rad >= 0x1p-8 * reach; }
 };
 
 /// The frame functions by Taylor's formula in s, the root of the distance from an end at which the leg is singular (see
@@ -60,16 +59,17 @@ class TaylorFrames {
  public:
   /// For another leg, which is no bridge.
   void clear();
-  /// The one that reaches least far of those that serve, or null; valid until the next call of make().
+  /// The one that reaches least far of those that cover the ball, or null; valid until the next call of make().
   template <class Real>
   const TaylorFrame<Real>* known(const Ball<Real>& t) const {
     const TaylorFrame<Real>* best = nullptr;
+    const Real lower = t.lower(), upper = t.upper();
     for (const TaylorFrame<Real>& m : kept<Real>().models) {
-      if (m.serves(t) && (!best || m.reach < best->reach)) best = &m;
+      if ((!best || m.reach < best->reach) && lower >= m.lo && upper <= m.hi) best = &m;
     }
     return best;
   }
-  /// A new one that serves; t.rad > 0.
+  /// A new one that covers and suits it; t.rad > 0.
   template <class Real>
   const TaylorFrame<Real>& make(const Leg& leg, const Ball<Real>& t);
   template <class Real>

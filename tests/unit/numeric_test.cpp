@@ -200,6 +200,62 @@ TEST(Polynomial, RangeIsTightAtARootOfOrderSix) {
   EXPECT_GT(plain.v.magnitude(), 0x1p-20);  // Horner's rule would hide it
 }
 
+/// It holds both ends, and is hardly longer than the interval, however short that is.
+TEST(Ball, AboutAShortMiddleIsHardlyLonger) {
+  using B = Ball<Real320>;
+  Rng rng(21);
+  for (int i = 0; i < 4000; ++i) {
+    const Real320 at = Real320(rng.real(-2, 2)) / Real320(3);
+    const Real320 length = ldexp(Real320(rng.real(0.1, 1)) / Real320(7), -rng.below(300));
+    const B ball = B::about_short_middle(at, at + length);
+    const Fraction lo = exact_fraction(at), hi = exact_fraction(Real320(at + length));
+    const Fraction middle = exact_fraction(ball.mid), reach = exact_fraction(ball.rad);
+    EXPECT_LE(middle - reach, lo);
+    EXPECT_GE(middle + reach, hi);
+    EXPECT_LE(lo, middle);
+    EXPECT_LE(middle, hi);
+    EXPECT_LE(reach, (hi - lo) * Fraction(51, 100) + fraction_of_two(-310));
+  }
+}
+
+/// Ranges that may be rough hold all values, and tell what sharp ones tell: coefficients of any size, intervals of any
+/// length, and points.
+TEST(Polynomial, TellingRangesHoldTheValuesAndTellTheSigns) {
+  using B = Ball<Real320>;
+  Rng rng(22);
+  int told = 0, roughly = 0;
+  for (int i = 0; i < 4000; ++i) {
+    BallPolynomial<Real320> c;
+    std::vector<Fraction> exact;
+    for (int k = rng.between(1, 8); k >= 0; --k) {
+      const Real320 x = ldexp(Real320(rng.real(-1, 1)) / Real320(3), -rng.below(rng.chance(0.5) ? 3 : 250));
+      c.push_back(B(x, 0));
+      exact.push_back(exact_fraction(x));
+    }
+    const Real320 middle = ldexp(Real320(rng.real(-1, 1)) / Real320(3), -rng.below(60));
+    const double reach = rng.chance(0.3) ? 0 : std::ldexp(1.0, -rng.below(90));
+    const B t(middle, reach);
+    const Jet<Real320> sharp = polynomial_range(c, t), range = telling_range(c, t);
+    for (const int share : {-1, 0, 1}) {
+      const Fraction at = exact_fraction(middle) + share * exact_fraction(reach);
+      Fraction v = 0, d = 0;
+      for (std::size_t k = exact.size(); k-- > 0;) {
+        d = d * at + v;
+        v = v * at + exact[k];
+      }
+      EXPECT_LE(abs(Fraction(v - exact_fraction(range.v.mid))), exact_fraction(range.v.rad));
+      EXPECT_LE(abs(Fraction(d - exact_fraction(range.d.mid))), exact_fraction(range.d.rad));
+    }
+    if (sharp.v.sign() != 0 || (reach != 0 && sharp.d.sign() != 0)) {
+      ++told;
+      EXPECT_TRUE(range.v.sign() != 0 || (reach != 0 && range.d.sign() != 0));
+    }
+    if (range.v.mid != sharp.v.mid) ++roughly;
+  }
+  EXPECT_GT(told, 1000);
+  EXPECT_GT(roughly, 1000);
+}
+
 TEST(RootIsolation, FindsTheFirstChangeOfSignOnly) {
   using B = Ball<Real320>;
   // (t - 1)^2 (t - 2)(t - 3): touches zero at 1 without changing sign. A certified method cannot see that it only

@@ -133,6 +133,26 @@ TEST(WideFloat, ConvertsLengths) {
   }
 }
 
+TEST(WideFloat, IsCutToItsFirstBits) {
+  Rng rng(5);
+  for (std::uint64_t i = 0; i < effort(10000); ++i) {
+    const Real320 x = any_wide<Real320>(rng);
+    const int count = rng.between(-10, 400);
+    const Real320 cut = x.first_bits(count);
+    if (x.is_zero()) {
+      EXPECT_TRUE(cut.is_zero());
+      continue;
+    }
+    const Fraction whole = exact_fraction(x), left = whole - exact_fraction(cut);
+    EXPECT_EQ(cut.is_negative(), x.is_negative());
+    EXPECT_LT(abs(left), fraction_of_two(x.exponent() + 1 - std::max(count, 1)));
+    EXPECT_GE(left * whole, 0) << "towards zero";
+    for (int word = 0; word < static_cast<int>(Real320::limbs) - (std::max(count, 1) + 63) / 64; ++word) {
+      EXPECT_EQ(cut.mantissa()[static_cast<std::size_t>(word)], 0u);
+    }
+  }
+}
+
 TEST(WideFloat, KnowsIntegers) {
   Rng rng(4);
   for (std::uint64_t i = 0; i < effort(20000); ++i) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/interruption.hpp"
 #include "pair/pair_plan.hpp"
 #include "relative/make_legs.hpp"
 #include "sign/search_from_end.hpp"
@@ -90,6 +91,43 @@ TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
     compare(read_scene("tests/corpus/" + std::string(name) + ".json"), seen);
   }
   EXPECT_GT(seen.stretches, 300);
+}
+
+/// In time, intervals with an infinite speed in them tell no slope, and enclosures were halved two hundred times until
+/// it lay outside. In the distance's root a few steps do.
+TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
+  const Scene scene = read_scene("tests/corpus/roots_beside_an_infinite_speed.json");
+  const PairPlan plan = plan_pair(scene);
+  const PairGeometry geometry = displaced_pair(plan, false);
+  int sharpened = 0;
+  for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+    if (leg.bridge || !leg.singular_at(leg.start)) continue;
+    PreciseCrossings crossings(geometry, leg, Ways::both);
+    const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
+    for (std::uint32_t v = 0; v < all; ++v) {
+      for (std::uint32_t e = v < np ? np : 0; e < (v < np ? all : np); ++e) {
+        const VertexEdge pair{VertexId(v), VertexId(e)};
+        const auto found = crossings.first(pair, leg.start, leg.start + reach_of_end(leg));
+        if (!found) continue;
+        const PreciseTriple triple(leg, geometry, pair.line(geometry));
+        const int before = found->out ? 1 : -1;
+        // From the end on, as a search in doubles may have it.
+        const PreciseTime rough = PreciseTime::between(leg.start, found->hi);
+        PreciseTime sharp = rough;
+        const std::uint64_t work = work_spent();
+        ASSERT_TRUE(triple.refine(before, sharp, Stage::precise));
+        EXPECT_LT(work_spent() - work, 10000u);
+        EXPECT_LE(rough.lo(), sharp.lo());
+        EXPECT_LE(sharp.hi(), rough.hi());
+        EXPECT_TRUE(sharp.hi() - sharp.lo() < sharp.hi() * 0x1p-100);
+        const auto at = [](const RealMax& t) { return PreciseTime{t, t, Stage::precise}; };
+        EXPECT_NE(triple.sign_at(at(sharp.lo()), last_stage), -before);
+        EXPECT_NE(triple.sign_at(at(sharp.hi()), last_stage), before);
+        ++sharpened;
+      }
+    }
+  }
+  EXPECT_GT(sharpened, 3);
 }
 
 }  // namespace
