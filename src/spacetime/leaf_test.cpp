@@ -15,6 +15,8 @@ double above(double x) { return std::nextafter(x, INFINITY); }
 constexpr double least_step = 0x1p-36;
 /// So many get to the end of a window, or the rest is left to a search from a singular end if one is near.
 constexpr int few_steps = 16;
+/// More cost more than a search in multi-precision does, which sees tangencies of higher order from afar.
+constexpr int many_steps = 96;
 /// The first stretch that multi-precision searches, as a share of the window, and how it grows.
 constexpr double first_stride = 0x1p-16, stride_growth = 32;
 
@@ -136,7 +138,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       if (ahead == Ahead::root) continue;
     }
     const double next = below(t + step);
-    if (step > least_step * window.length() && next > t) {
+    if (steps <= many_steps && step > least_step * window.length() && next > t) {
       t = next;
       continue;
     }
