@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 #include "numeric/ball.hpp"
@@ -175,19 +176,20 @@ Jet<Real> polynomial_range(const BallPolynomial<Real>& c, const Ball<Real>& t) {
           detail::range_about_zero(about_middle, 2, t.rad)};
 }
 
-/// The same, or a wider one that tells the sign of the value or, over an interval, that of the slope. Coefficients of
-/// long numbers have their own scales, and what cancels in them has done so: doubles made of them tell these signs
-/// over most balls, for a tenth of the price.
+/// Does it tell the sign of the value or, over an interval, that of the slope?
 template <class Real>
-Jet<Real> telling_range(const BallPolynomial<Real>& c, const Ball<Real>& t) {
-  if constexpr (!std::is_same_v<Real, double>) {
-    const Jet<double> rough = polynomial_range(detail::in_doubles(c), detail::in_doubles(t));
-    if (rough.v.sign() != 0 || (t.rad != 0 && rough.d.sign() != 0)) {
-      const auto same = [](const Ball<double>& x) { return Ball<Real>(Real(x.mid), x.rad); };
-      return {same(rough.v), same(rough.d), same(rough.dd)};
-    }
-  }
-  return polynomial_range(c, t);
+bool tells(const Jet<Real>& range, const Ball<Real>& t) {
+  return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
+}
+
+/// A wider range that tells these signs, or nothing. Coefficients of long numbers have their own scales, and what
+/// cancels in them has done so: doubles made of them tell over most balls, for a tenth of the price.
+template <class Real>
+std::optional<Jet<Real>> telling_range_in_doubles(const BallPolynomial<Real>& c, const Ball<Real>& t) {
+  const Jet<double> rough = polynomial_range(detail::in_doubles(c), detail::in_doubles(t));
+  const auto same = [](const Ball<double>& x) { return Ball<Real>(Real(x.mid), x.rad); };
+  const Jet<Real> range{same(rough.v), same(rough.d), same(rough.dd)};
+  return tells(range, t) ? std::optional(range) : std::nullopt;
 }
 
 /// Its value alone.

@@ -59,7 +59,7 @@ int SymbolicLeg::sign_with_ends(const DyadicPolynomial& p) const {
   int sign = 0;
   for (int i = 0; i < parts; ++i) {
     const double width = end_ - start_, lo = start_ + width * i / parts, hi = start_ + width * (i + 1) / parts;
-    const int here = telling_range(balls, Ball<Real320>::between(Real320(lo), Real320(hi))).v.sign();
+    const int here = polynomial_range(balls, Ball<Real320>::between(Real320(lo), Real320(hi))).v.sign();
     if (here == 0 || (i > 0 && here != sign)) return 0;
     sign = here;
   }

@@ -19,6 +19,7 @@ class PreciseFunction {
   /// them about another place.
   static constexpr std::uint64_t bits = RealTraits<Real>::bits;
   static constexpr std::uint64_t work_of_form = 20, work_of_range = 80 + bits / 10, work_of_combination = bits / 8;
+  static constexpr std::uint64_t work_of_doubles = 20;
   std::uint64_t work_of_value() const {
     if (std::is_same_v<Real, double>) return is_polynomial() ? 1 : 5;
     return is_polynomial() ? 1 + (1 + bits / 320) * static_cast<std::uint64_t>(leg_.degree) : 50 + bits / 8;
@@ -92,22 +93,23 @@ class PreciseFunction {
   }
   /// A polynomial made of its terms from an end, over the ball s.
   Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
-    count_work(work_of_range);
-    return taut::telling_range(from_end, s);
+    return range_of<Sharpness::telling>(from_end, s, work_of_range);
   }
 
  private:
   enum class Sharpness { best, telling };
   template <Sharpness sharpness>
-  static Jet<Real> range_of(const BallPolynomial<Real>& p, const Ball<Real>& t) {
-    return sharpness == Sharpness::best ? polynomial_range(p, t) : taut::telling_range(p, t);
+  static Jet<Real> range_of(const BallPolynomial<Real>& p, const Ball<Real>& t, std::uint64_t work_of_best) {
+    if constexpr (sharpness == Sharpness::telling && !std::is_same_v<Real, double>) {
+      count_work(work_of_doubles);
+      if (const auto range = telling_range_in_doubles(p, t)) return *range;
+    }
+    count_work(work_of_best);
+    return polynomial_range(p, t);
   }
   template <Sharpness sharpness>
   Jet<Real> range(const Ball<Real>& t) const {
-    if (is_polynomial()) {
-      count_work(work_of_jet());
-      return range_of<sharpness>(polynomial_, t);
-    }
+    if (is_polynomial()) return range_of<sharpness>(polynomial_, t, work_of_jet());
     if constexpr (!std::is_same_v<Real, double>) {
       // Where a range was not enough, that of a part of it hardly ever is.
       if (const TaylorFrame<Real>* const known = models().known(t)) {
@@ -127,10 +129,6 @@ class PreciseFunction {
     }
     return range;
   }
-  static bool tells(const Jet<Real>& range, const Ball<Real>& t) {
-    return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
-  }
-
   Ball<Real> combined(const FrameValues<Real>& frame) const { return sum_of(pp_ ? frame.for_pp : frame.for_qq); }
   Ball<Real> sum_of(const std::array<Ball<Real>, 5>& v) const {
     Ball<Real> sum = v[0] * coefficients_[0];
@@ -146,8 +144,7 @@ class PreciseFunction {
   }
   template <Sharpness sharpness>
   Jet<Real> range_by(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
-    count_work(work_of_range);
-    return range_of<sharpness>(about_middle(model), t - Ball<Real>(model.middle, 0.0));
+    return range_of<sharpness>(about_middle(model), t - Ball<Real>(model.middle, 0.0), work_of_range);
   }
   Ball<Real> value_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
     count_work(work_of_combination);
