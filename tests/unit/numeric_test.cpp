@@ -218,8 +218,8 @@ TEST(Ball, AboutAShortMiddleIsHardlyLonger) {
   }
 }
 
-/// Ranges in doubles hold all values, and tell a sign nearly wherever sharp ones do: coefficients of any size, intervals
-/// of any length, and points.
+/// Ranges in doubles hold all values, and tell a sign nearly wherever sharp ones do: coefficients of any size,
+/// intervals of any length, and points.
 TEST(Polynomial, RangesInDoublesHoldTheValuesAndTellTheSigns) {
   using B = Ball<Real320>;
   Rng rng(22);
