@@ -141,17 +141,18 @@ std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::P
 }  // namespace
 
 Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known) {
-  bool written = false;
-  {
-    const InterruptionScope scope(options.stop, options.max_seconds);
-    what_stops([&] {
-      const auto body = body_of_known(known, proof::ProvedScene(scene), options.touch == Touch::open);
-      if (body) write_log(log, scene, options.touch, *body);
-      written = body.has_value();
-    });
-  }
+  std::optional<SeparationsBody> body;
+  const Answer proved = if_proved(known, scene.start, [&] {
+    try {
+      body = body_of_known(known, proof::ProvedScene(scene), options.touch == Touch::open);
+    } catch (const Undecidable&) {
+      // What is found again may be told where this was not.
+    }
+    if (body) write_log(log, scene, options.touch, *body);
+  });
   // Bodies that overlap by about as much as they are displaced may be free as engines see them, and not in the log.
-  return written ? known : prove_by_separations(scene, log, options);
+  const bool stopped = proved.outcome != known.outcome;
+  return body || stopped ? proved : prove_by_separations(scene, log, options);
 }
 
 namespace {
@@ -171,12 +172,13 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
 }  // namespace
 
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
+  // What it consists of has limits of its own: together they have this one.
+  const InterruptionScope scope(given.stop, given.max_seconds);
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;
   const MarginAnswer answer = check_clearance(scene, clearance, options);
   return if_proved(answer, scene.start, [&] {
-    const InterruptionScope scope(options.stop, options.max_seconds);
     if (const auto body = body_about_clearance(scene, answer, clearance, options.touch))
       write_log(log, scene, options.touch, *body, clearance);
   });

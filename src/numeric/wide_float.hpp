@@ -85,7 +85,7 @@ class WideFloat {
   static constexpr std::int32_t undefined_exponent = std::numeric_limits<std::int32_t>::max();
   static constexpr std::int64_t largest_exponent = 1000000;
 
-  /// All words but those that are written at once.
+  /// Leaves the words unset, for what writes them all.
   struct Unset {};
   explicit WideFloat(Unset) {}
 
