@@ -112,10 +112,11 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   }
   const int end = singular_end(leg_, from, to);
   if (end != 0 && from.stage <= Stage::precise) {
-    // In the distance's root the motion is so smooth that doubles nearly always do.
+    // In the distance's root the motion is so smooth that doubles nearly always do. The displacement is in them: at the
+    // end itself, where much is exact, they may tell what only that tells.
     const PreciseFunction<double> f(leg_, geometry_, form_);
     if (const auto answer = search_from_end(leg_, f, end, sign, from, to, Stage::doubles)) {
-      return *told_by(Stage::doubles, answer);
+      return *told_by(Stage::first_order, answer);
     }
   }
   const auto search = [&](auto zero, Stage stage) -> std::optional<PreciseTime> {

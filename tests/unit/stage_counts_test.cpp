@@ -5,6 +5,7 @@
 #include "numeric/stages.hpp"
 #include "pair/pair_plan.hpp"
 #include "sign/precise_triple.hpp"
+#include "taut/check.hpp"
 #include "taut/io.hpp"
 
 namespace taut::testing {
@@ -35,6 +36,19 @@ TEST(StageCounts, DoublesDoWhereNothingIsInLine) {
 
 TEST(StageCounts, TheDisplacementTellsWhereBodiesSlide) {
   EXPECT_GT(stages_of(passing("1"), Touch::open).beyond_doubles(), 0u);
+}
+
+/// At an infinite speed doubles have the displacement in them, and may tell by that alone: each engine asks again.
+TEST(StageCounts, EachEngineSaysThatBodiesTouchAtAnInfiniteSpeed) {
+  const Scene scene = read_scene("tests/corpus/touches_at_an_infinite_speed.json");
+  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::either}) {
+    CheckOptions options;
+    options.engine = engine;
+    const Answer answer = check(scene, options);
+    EXPECT_EQ(answer.outcome, Outcome::free);
+    ASSERT_TRUE(answer.touching) << to_string(engine);
+    EXPECT_NEAR(answer.touching->time.hi, 1, 1e-12);
+  }
 }
 
 TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
