@@ -126,14 +126,11 @@ std::string unfinished(const AnyAnswer& answer, const std::string& why) {
 }  // namespace
 
 Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& given) {
-  const auto began = std::chrono::steady_clock::now();
   CheckOptions options = given;
   options.all_pairs = false;
   const CurvedContact found = first_contact_of_curves(scene, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
   options.tell_touching = false;
-  options.max_seconds -= seconds_since(began);
-  const InterruptionScope scope(options.stop, options.max_seconds);
   const bool meeting = found.answer.outcome == Outcome::contact;
   const std::string trouble = prove_sides(
       scene, found.world, meeting, options.touch,
@@ -154,7 +151,6 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
   options.all_pairs = false;
   const CurvedMargin found = margin_of_curves(scene, clearance, options);
   if (!is_worth_a_log(found.answer, scene)) return found.answer;
-  const InterruptionScope scope(options.stop, options.max_seconds);
   const bool meeting = found.answer.outcome == Outcome::contact;
   const std::string trouble = prove_sides(
       scene, found.world, meeting, options.touch,

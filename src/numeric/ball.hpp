@@ -51,7 +51,7 @@ struct Ball {
 
   Ball() = default;
   Ball(const Real& m, double r) : mid(m), rad(r) {}
-  /// The middle that `make` returns, in the place where it stays: most operations would spend a tenth on moving it.
+  /// The middle that `make` returns, in the place where it stays: several words need not be moved.
   template <class Make>
   requires std::is_invocable_r_v<Real, Make>
   explicit Ball(Make make) : mid(make()) {}

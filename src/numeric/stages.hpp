@@ -17,7 +17,7 @@ namespace taut {
 
 enum class Stage : std::uint8_t {
   doubles,      ///< with a bound of the error
-  first_order,  ///< doubles, on the part that is linear in the displacement
+  first_order,  ///< doubles with the displacement in them, or on the part that is linear in it
   exact,        ///< sums of doubles
   fixed,        ///< numbers of a fixed length, whose point is fixed
   precise,      ///< balls of the first of the Precisions; the others follow
