@@ -38,9 +38,9 @@ std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const pro
 /// where no window is so short that doubles tell of signs in it.
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
   const Vector v = proof::place(g, i.vertex), edge = proof::place(g, g.next(i.edge)) - proof::place(g, i.edge);
-  const double way =
-      half * (size(sight.shift_rate + sight.turn_rate * v) + half / 2 * size(sight.shift_bend + sight.turn_bend * v));
-  return margin > 2 * size(edge) * (way + sight.shift_error + sight.turn_error * size(v));
+  const double way = half * (l1_norm(sight.shift_rate + sight.turn_rate * v) +
+                             half / 2 * l1_norm(sight.shift_bend + sight.turn_bend * v));
+  return margin > 2 * l1_norm(edge) * (way + sight.shift_error + sight.turn_error * l1_norm(v));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using spacetime::BoxNode;
 using spacetime::Hierarchy;
 
 /// More than what rounds in the few operations on models and boxes, as a share of coordinates up to 1.
-constexpr double slack = 0x1p-44;
+constexpr double rounding_slack = 0x1p-44;
 /// Boxes that swing farther than this share of their size are left to smaller cells.
 constexpr double patience_of_cells = 1.5;
 /// So many pairs of ranges are looked at after one that stays open.
@@ -141,7 +141,7 @@ CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
 bool CellPair::separated(const Seen& seen, const Box& p, const Box& q) const {
   const JointModel centre = seen.of_q.place(q.centre);
   const Vector way = centre.value - p.centre;
-  if (length_of(way) - centre.swing() - p.radius - q.radius > slack * (1 + centre.reach())) return true;
+  if (length_of(way) - centre.swing() - p.radius - q.radius > rounding_slack * (1 + centre.reach())) return true;
   const auto side_of = [&](Vector along, double half) {
     return seen.of_q.turn * JointModel::constant({half * along.x, half * along.y});
   };
@@ -154,7 +154,7 @@ bool CellPair::separated(const Seen& seen, const Box& p, const Box& q) const {
     for (const JointModel& end : {centre + length, centre - length}) {
       gap = std::min({gap, least_along(n, end + width), least_along(n, end - width)});
     }
-    return gap - edge > slack * (1 + centre.reach());
+    return gap - edge > rounding_slack * (1 + centre.reach());
   };
   const Vector turn = seen.of_q.turn.value;
   return beyond(unit(turned(p.along))) || beyond(unit(turn * turned(q.along))) || beyond(unit(way)) ||
@@ -169,7 +169,7 @@ bool CellPair::cross(const Seen& seen, std::uint32_t p, std::uint32_t q) const {
     const PoseModel& pose = seen.pose(!edge_of_p);
     const auto side = [&](std::uint32_t v) {
       const JointModel way = pose.place(point(!edge_of_p, v)) - JointModel::constant(a);
-      const double room = slack * (1 + way.reach()) * length_of(n);
+      const double room = rounding_slack * (1 + way.reach()) * length_of(n);
       const JointModel scaled{way.value, way.rate, way.error * length_of(n)};
       return least_along(n, scaled) > room ? 1 : least_along(-n, scaled) > room ? -1 : 0;
     };

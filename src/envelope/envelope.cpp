@@ -143,7 +143,7 @@ class EnvelopeSearch {
     const double radius = pair.search.tree_q.node(0).box.radius;
     const JointModel centre = seen.place(pair.search.tree_q.node(0).box.centre);
     for (std::size_t k = 0; k < effect.size(); ++k)
-      effect[k] += size(centre.rate[k]) + size(seen.turn.rate[k]) * radius;
+      effect[k] += l1_norm(centre.rate[k]) + l1_norm(seen.turn.rate[k]) * radius;
   }
   double side(const OpenCell& cell, std::size_t k) const {
     const Joint& joint = linkage_.joints[k];

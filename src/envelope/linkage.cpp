@@ -46,7 +46,7 @@ void validate_motion(const JointMotion& motion, const std::vector<Joint>& joints
 }
 
 /// As it is, without motions.
-Scene at_rest(const Linkage& linkage) {
+Scene resting_scene(const Linkage& linkage) {
   Scene scene = linkage.scene;
   scene.start = scene.end = 0;
   for (Body& body : scene.bodies) body.motion = {};
@@ -63,11 +63,11 @@ void validate(const Linkage& linkage) {
     if (!linkage.motions[i]) continue;
     validate_motion(*linkage.motions[i], linkage.joints, "bodies[" + std::to_string(i) + "].motion");
   }
-  validate_world(at_rest(linkage));
+  validate_world(resting_scene(linkage));
 }
 
 Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values) {
-  Scene scene = at_rest(linkage);
+  Scene scene = resting_scene(linkage);
   for (std::size_t i = 0; i < linkage.motions.size(); ++i) {
     if (!linkage.motions[i]) continue;
     const JointMotion& motion = *linkage.motions[i];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/displacement_check.hpp"
+#include "geometry/vector.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut {
@@ -18,10 +19,6 @@ double random_between(std::uint64_t key, double lo, double hi) {
   z ^= z >> 31;
   return lo + (hi - lo) * (static_cast<double>(z >> 11) * 0x1p-53);
 }
-
-struct Vector {
-  double x, y;
-};
 
 /// From one point to another: its direction, and its length up to a factor of 1 + 2^-50.
 struct Edge {

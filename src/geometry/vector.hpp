@@ -17,6 +17,6 @@ inline Vector conj(Vector a) { return {a.x, -a.y}; }
 /// By +90 degrees.
 inline Vector turned(Vector a) { return {-a.y, a.x}; }
 inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-inline double size(Vector a) { return std::fabs(a.x) + std::fabs(a.y); }
+inline double l1_norm(Vector a) { return std::fabs(a.x) + std::fabs(a.y); }
 
 }  // namespace taut

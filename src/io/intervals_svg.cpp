@@ -21,7 +21,7 @@ struct Lane {
   std::vector<const OverlapInterval*> overlaps;
   const PairAnswer* undecided = nullptr;
 };
-using Lanes = std::map<std::array<BodyId, 2>, Lane>;
+using LaneOfPair = std::map<std::array<BodyId, 2>, Lane>;
 
 std::string lane_name(const Scene& scene, const std::array<BodyId, 2>& pair) {
   return scene.bodies[static_cast<std::size_t>(pair[0])].name + " x " +
@@ -95,8 +95,8 @@ std::string lane_svg(const Scene& scene, const io::PlotPanel& panel, const std::
   return s + "</g>\n";
 }
 
-Lanes lanes_of(const Intervals& answer) {
-  Lanes lanes;
+LaneOfPair lanes_of(const Intervals& answer) {
+  LaneOfPair lanes;
   for (const OverlapInterval& o : answer.intervals) lanes[o.pair].overlaps.push_back(&o);
   for (const PairAnswer& p : answer.undecided) lanes[p.bodies].undecided = &p;
   return lanes;
@@ -105,7 +105,7 @@ Lanes lanes_of(const Intervals& answer) {
 }  // namespace
 
 std::string intervals_svg(const Scene& scene, const Intervals& answer, Touch touch, int width) {
-  const Lanes lanes = lanes_of(answer);
+  const LaneOfPair lanes = lanes_of(answer);
   std::size_t longest = 8;
   for (const auto& [pair, lane] : lanes) longest = std::max(longest, lane_name(scene, pair).size());
   const double wide = std::max(width, 320), left = 30 + std::min(7.0 * static_cast<double>(longest), wide / 3);

@@ -8,7 +8,7 @@ namespace taut {
 namespace {
 
 /// Angles below this are left as they are.
-constexpr double small_angle = 8;
+constexpr double most_left_alone = 8;
 
 /// One rounding of the type; from RealMax, in which one of 2^-959 has gone before.
 template <class Real>
@@ -43,7 +43,7 @@ BallCoefficients<Real> LocalPolynomials::Known::rounded() const {
 
 /// Where the angle itself is large, doubles hold little of what it is beside whole turns.
 void LocalPolynomials::Known::take_off_turns() {
-  if (near_.empty() || !(near_[0].magnitude() > small_angle && near_[0].magnitude() < 0x1p300)) return;
+  if (near_.empty() || !(near_[0].magnitude() > most_left_alone && near_[0].magnitude() < 0x1p300)) return;
   const Ball<RealMax> angle = ball_of<RealMax>(exact_[0]);
   const RealMax turn = 2 * pi<RealMax>();
   const Ball<RealMax> turns(round(angle.mid / turn), 0.0);

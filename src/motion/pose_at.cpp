@@ -20,9 +20,9 @@ Pose<double> own_pose(const Motion& motion, double t) {
 BodyPose rounded(const Pose<double>& p) { return {{p.ox.v.mid, p.oy.v.mid}, {p.xx.v.mid, p.xy.v.mid}}; }
 
 /// Each body's pose is that of its parent times its own: one multiplication a body, however long the chains.
-class Placement {
+class ScenePoses {
  public:
-  Placement(const Scene& scene, double t) : scene_(scene), t_(t), poses_(scene.bodies.size()) {
+  ScenePoses(const Scene& scene, double t) : scene_(scene), t_(t), poses_(scene.bodies.size()) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) names_.emplace(scene.bodies[i].name, i);
   }
 
@@ -61,9 +61,9 @@ BodyPose pose_at(const Motion& motion, double t) {
 }
 
 std::vector<BodyPose> poses_at(const Scene& scene, double t) {
-  Placement placement(scene, t);
+  ScenePoses placed(scene, t);
   std::vector<BodyPose> poses;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) poses.push_back(rounded(placement.of(i)));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) poses.push_back(rounded(placed.of(i)));
   return poses;
 }
 

@@ -182,6 +182,13 @@ bool tells(const Jet<Real>& range, const Ball<Real>& t) {
   return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
 }
 
+/// Is what the last coefficient leaves open, a range as those of Taylor polynomials are, much of what hides the sign?
+template <class Real>
+bool is_hidden_by_last(const BallPolynomial<Real>& c, const Ball<Real>& range, const Ball<Real>& t) {
+  const std::size_t last = c.size - 1;
+  return c[last].rad * std::pow(t.magnitude(), static_cast<double>(last)) > range.rad / 8;
+}
+
 /// A wider range that tells these signs, or nothing. Coefficients of long numbers have their own scales, and what
 /// cancels in them has done so: doubles made of them tell over most balls, for a tenth of the price.
 template <class Real>

@@ -18,7 +18,7 @@ class RectangleAround {
     const double s = dot(along_, p), t = dot(turned(along_), p);
     lo_ = {std::fmin(lo_.x, s), std::fmin(lo_.y, t)};
     hi_ = {std::fmax(hi_.x, s), std::fmax(hi_.y, t)};
-    largest_ = std::fmax(largest_, size(p));
+    largest_ = std::fmax(largest_, l1_norm(p));
   }
   bool is_wide() const { return hi_.x - lo_.x >= hi_.y - lo_.y; }
   EdgeRange range() const {

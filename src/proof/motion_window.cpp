@@ -65,11 +65,13 @@ Sight sight_of(const SecondOrder& shift, const SecondOrder& turn, double scale_e
   s.turn = turn.value;
   s.turn_rate = turn.rate;
   s.turn_bend = turn.bend;
-  const auto reach = [r](const SecondOrder& f) { return size(f.value) + r * (size(f.rate) + r / 2 * size(f.bend)); };
-  s.size = reach(shift) + reach(turn) * (1 + size(own)) + size(from);
+  const auto reach = [r](const SecondOrder& f) {
+    return l1_norm(f.value) + r * (l1_norm(f.rate) + r / 2 * l1_norm(f.bend));
+  };
+  s.size = reach(shift) + reach(turn) * (1 + l1_norm(own)) + l1_norm(from);
   s.turn_error = known(turn.error);
   s.scale_error = known(scale_error);
-  s.shift_error = known(shift.error + turn.error * size(own) + scale_error * size(from));
+  s.shift_error = known(shift.error + turn.error * l1_norm(own) + scale_error * l1_norm(from));
   return s;
 }
 

@@ -38,7 +38,8 @@ bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, c
   const double bend = dot(n, sight.shift_bend + sight.turn_bend * moving.centre);
   const double at_ends = most * (bend - reach(moving, sight.turn_bend * moving.along, n));
   const double gap = least_above_chord(gap_at(-half) + at_ends, gap_at(half) + at_ends, bend, half);
-  const double far_fixed = size(fixed.centre) + fixed.radius(), far_moving = size(moving.centre) + moving.radius();
+  const double far_fixed = l1_norm(fixed.centre) + fixed.radius(),
+               far_moving = l1_norm(moving.centre) + moving.radius();
   const double error = sight.shift_error + sight.turn_error * far_moving + sight.scale_error * far_fixed;
   const double added = sight.size * (1 + far_moving) + far_fixed;
   return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
@@ -171,10 +172,11 @@ SeenAside stays_aside_in_window(const PairGeometry& g, const Incidence& i, Aside
   const double bend = dot(n, sight.shift_bend + sight.turn_bend * v);
   const double least = least_above_chord(middle - way + most * bend, middle + way + most * bend, bend, half);
   // What is added to the vertices' coordinates is less than the room; it turns the edge, and moves all three.
-  const double added = sight.size * (1 + size(v)) + size(a) + size(b);
-  const double error = sight.shift_error + sight.turn_error * size(v) + sight.scale_error * (size(a) + size(b));
-  const double rounding = size(n) * (0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
-  const double doubt = size(n) * (error * (1 + 0x1p-40)) + rounding;
+  const double added = sight.size * (1 + l1_norm(v)) + l1_norm(a) + l1_norm(b);
+  const double error =
+      sight.shift_error + sight.turn_error * l1_norm(v) + sight.scale_error * (l1_norm(a) + l1_norm(b));
+  const double rounding = l1_norm(n) * (0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
+  const double doubt = l1_norm(n) * (error * (1 + 0x1p-40)) + rounding;
   if (least > doubt) return SeenAside::yes;
   if (middle < -doubt) return SeenAside::no;
   return std::fabs(middle) + std::fabs(way) + most * std::fabs(bend) <= rounding ? SeenAside::even : SeenAside::open;
@@ -222,9 +224,11 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
 double motion_in(const MotionWindow& window, const EdgeRange& q) {
   const Sight& s = window.from_p();
   const double r = window.half();
-  const auto way = [&](Vector shift, Vector turn) { return size(shift + turn * q.centre) + size(turn) * q.radius(); };
+  const auto way = [&](Vector shift, Vector turn) {
+    return l1_norm(shift + turn * q.centre) + l1_norm(turn) * q.radius();
+  };
   return r * (way(s.shift_rate, s.turn_rate) + r / 2 * way(s.shift_bend, s.turn_bend)) + s.shift_error +
-         s.turn_error * (size(q.centre) + q.radius());
+         s.turn_error * (l1_norm(q.centre) + q.radius());
 }
 
 }  // namespace taut::proof

@@ -6,11 +6,11 @@ namespace taut {
 namespace {
 
 /// A sum of five products rounds by no more than this share of each.
-constexpr double rounding = 0x1p-49;
+constexpr double sample_rounding = 0x1p-49;
 
-double error_of(const Ball<double>& b) { return b.rad + rounding * std::fabs(b.mid); }
+double error_of(const Ball<double>& b) { return b.rad + sample_rounding * std::fabs(b.mid); }
 
-double rounding_of(double x, double y) { return rounding * (std::fabs(x) + std::fabs(y)); }
+double rounding_of(double x, double y) { return sample_rounding * (std::fabs(x) + std::fabs(y)); }
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void evaluate(const FrameModel& m, double t, int first, FrameSample& s) {
 }
 
 void add_errors(const FrameModel& m, int first, FrameSample& s) {
-  s.error_0 = rounding;
+  s.error_0 = sample_rounding;
   s.error_0d = 0;
   s.error_a = m.error[first] + m.error[first + 1] + rounding_of(s.f[1], s.f[2]);
   s.error_b = m.error[4] + m.error[5] + rounding_of(s.f[3], s.f[4]);
@@ -72,7 +72,7 @@ FrameCurvature curvature_of(const FrameModel& m, int first) {
   double error[4];
   for (int k = 0; k < 4; ++k) {
     c.mid[k + 1] = m.bend[source[k]];
-    error[k] = m.bend_rad[source[k]] + rounding * std::fabs(c.mid[k + 1]);
+    error[k] = m.bend_rad[source[k]] + sample_rounding * std::fabs(c.mid[k + 1]);
   }
   c.error_a = error[0] + error[1];
   c.error_b = error[2] + error[3];

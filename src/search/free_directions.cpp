@@ -18,7 +18,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 /// More than the C library's atan2 is wrong by, in radians, and what sums of angles round.
 constexpr double angle_rounding = 0x1p-48;
 /// What is left to exact signs at the ends of an arc, in radians.
-constexpr double slack = 0x1p-20;
+constexpr double angle_slack = 0x1p-20;
 
 std::uint32_t next_in_ring(const DisplacedPolygon& polygon, std::uint32_t k) {
   if (!polygon.next.empty()) return polygon.next[k];
@@ -142,7 +142,8 @@ void FreeDirections::add_places(VertexDirection side, FewDirections& found) cons
 int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) const {
   const Vector u = difference(a), v = difference(b);
   const double value = u.x * v.y - u.y * v.x, e = difference_error(a), f = difference_error(b);
-  const double error = size(u) * f + size(v) * e + 2 * e * f + 0x1p-50 * size(u) * size(v) + underflow_slack;
+  const double error =
+      l1_norm(u) * f + l1_norm(v) * e + 2 * e * f + 0x1p-50 * l1_norm(u) * l1_norm(v) + underflow_slack;
   if (std::fabs(value) > error) return value > 0 ? 1 : -1;
   const int sign = told_sign([&](auto real) {
     using Real = decltype(real);
@@ -202,7 +203,7 @@ std::optional<VertexArc> FreeDirections::arc_of(std::uint32_t edge, int other, s
 
 /// Doubles tell the direction.
 bool FreeDirections::clear(const VertexDirection& d) const {
-  return size(difference(d)) > 0x1p20 * difference_error(d);
+  return l1_norm(difference(d)) > 0x1p20 * difference_error(d);
 }
 
 void FreeDirections::block(std::uint32_t edge, int other, std::uint32_t other_edge) {
@@ -213,7 +214,7 @@ void FreeDirections::block(std::uint32_t edge, int other, std::uint32_t other_ed
     const double from = angle_of(difference(arc.from));
     double to = angle_of(difference(arc.to));
     if (to < from) to += whole_turn;
-    if (to - from < std::numbers::pi && covered(from - slack, to + slack)) return;
+    if (to - from < std::numbers::pi && covered(from - angle_slack, to + angle_slack)) return;
   }
   arcs_.push_back(arc);
   cover(arc);
@@ -228,7 +229,7 @@ void FreeDirections::cover(const VertexArc& arc) {
   // Arcs are shorter than half a turn.
   if (to - from > std::numbers::pi) return;
   const double width = whole_turn / sectors;
-  for (double k = std::ceil((from + slack) / width); (k + 1) * width <= to - slack; ++k)
+  for (double k = std::ceil((from + angle_slack) / width); (k + 1) * width <= to - angle_slack; ++k)
     covered_.set(static_cast<std::size_t>(k) % sectors);
 }
 
@@ -253,7 +254,7 @@ bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spa
   // Nothing there is reached.
   if (distance - reach > travel_ * (1 + 0x1p-20)) return true;
   if (!(distance > reach)) return covered_.all();
-  const double half = std::asin(std::min(1.0, reach / distance)) + slack, middle = angle_of(way);
+  const double half = std::asin(std::min(1.0, reach / distance)) + angle_slack, middle = angle_of(way);
   return covered(middle - half, middle + half);
 }
 

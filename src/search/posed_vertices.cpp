@@ -18,7 +18,7 @@ PosedVertices::PosedVertices(const WorldBody& body, double t, bool inwards)
     positions_.push_back(place({p.x, p.y}));
   }
   const double shift = pose.ox.v.rad + pose.oy.v.rad, turn = pose.xx.v.rad + pose.xy.v.rad;
-  error_ = shift + turn * largest + 0x1p-48 * (size(origin_) + 2 * largest) + displacement_room;
+  error_ = shift + turn * largest + 0x1p-48 * (l1_norm(origin_) + 2 * largest) + displacement_room;
 }
 
 Vector PosedVertices::place(Vector v) const { return origin_ + axis_ * v; }

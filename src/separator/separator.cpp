@@ -25,7 +25,7 @@ namespace {
 
 /// The curve is drawn around polygons that are larger by so much (of the scaled coordinates): wide berths first, which
 /// look better.
-constexpr double margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0x1p-30, 0x1p-38, 0x1p-44};
+constexpr double tried_margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0x1p-30, 0x1p-38, 0x1p-44};
 
 VertexRef input_vertex(const Arena& arena, VertexId v) {
   const int side = arena.owner(v);
@@ -113,7 +113,7 @@ MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
     if (best && best->edges() <= curve.edges()) return;
     if (separates(curve, *plan.polygons[0], *plan.polygons[1])) best = std::move(curve);
   };
-  for (const double margin : margins) {
+  for (const double margin : tried_margins) {
     if (std::optional<Curve> curve = curve_at_distance(plan, margin)) offer(std::move(*curve));
     if (best && static_cast<int>(best->edges()) <= result.lower) break;
   }

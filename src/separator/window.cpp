@@ -11,22 +11,22 @@ namespace {
 
 /// Where the line leaves the free space: the left and the right end of the edge it hits, and the ends on the side
 /// ahead of all edges that it crosses before.
-struct Way {
+struct Exit {
   Point left, right;
   std::vector<Point> ahead;
 };
 
-Way follow(const Arena& arena, const Sight& line, std::uint32_t edge, bool ahead_is_right) {
-  Way way;
+Exit follow(const Arena& arena, const Sight& line, std::uint32_t edge, bool ahead_is_right) {
+  Exit exit;
   for (std::size_t steps = 0; steps <= arena.triangulation.origin.size(); ++steps) {
     // Crossed from inside, an edge has its right end as origin.
     const VertexId right = arena.origin(edge), left = arena.target(edge);
-    way.ahead.push_back(arena.at(ahead_is_right ? right : left));
+    exit.ahead.push_back(arena.at(ahead_is_right ? right : left));
     const std::uint32_t behind = arena.twin(edge);
     if (behind == FreeTriangulation::none) {
-      way.left = arena.at(left);
-      way.right = arena.at(right);
-      return way;
+      exit.left = arena.at(left);
+      exit.right = arena.at(right);
+      return exit;
     }
     edge = line.side(arena.at(arena.apex(behind))) > 0 ? FreeTriangulation::next(behind)
                                                        : FreeTriangulation::previous(behind);
@@ -64,9 +64,9 @@ Point head_of(const Sight& line, const Point& foot, const Point& left, const Poi
 Window open_window(const Arena& arena, const Sight& line, std::vector<Point> foot_side, Gate g, bool blocked_by_left) {
   Window window;
   window.line = line;
-  const Way way = follow(arena, line, side_edge(g, blocked_by_left), blocked_by_left);
-  std::vector<Point> head_side{head_of(line, foot_side.front(), way.left, way.right, blocked_by_left)};
-  head_side.insert(head_side.end(), way.ahead.rbegin(), way.ahead.rend());
+  const Exit exit = follow(arena, line, side_edge(g, blocked_by_left), blocked_by_left);
+  std::vector<Point> head_side{head_of(line, foot_side.front(), exit.left, exit.right, blocked_by_left)};
+  head_side.insert(head_side.end(), exit.ahead.rbegin(), exit.ahead.rend());
   window.left = blocked_by_left ? std::move(head_side) : std::move(foot_side);
   window.right = blocked_by_left ? std::move(foot_side) : std::move(head_side);
   return window;

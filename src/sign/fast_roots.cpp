@@ -92,9 +92,10 @@ bool FastRoots::holds_on(Root& r, const Course& now, double t, double least, dou
     return true;
   }
   const double next = below(now.t + lasting);
-  // Where the motion is singular, bounds are loose and steps short: one search at high precision is quicker than those.
+  // Where the function falls like a high power, or the motion is singular and bounds are loose, steps become short, and
+  // are thousands: one search at high precision is quicker.
   const bool good = now.cell.sharp || leg().bridge;
-  if (!(next > t + (good ? 0x1p-46 : 0x1p-8) * limit + (t - now.t))) return false;
+  if (!(next > t + (good ? 0x1p-10 : 0x1p-8) * limit + (t - now.t))) return false;
   r.come_after(next, leg().end);
   return true;
 }

@@ -111,10 +111,16 @@ class PreciseFunction {
   Jet<Real> range(const Ball<Real>& t) const {
     if (is_polynomial()) return range_of<sharpness>(polynomial_, t, work_of_jet());
     if constexpr (!std::is_same_v<Real, double>) {
-      // Where a range was not enough, that of a part of it hardly ever is.
+      // Where a range was not enough, that of a part of it hardly ever is, unless it left out much.
       if (const TaylorFrame<Real>* const known = models().known(t)) {
         const Jet<Real> range = range_by<sharpness>(*known, t);
-        if (known->suits(t) || (sharpness == Sharpness::telling && tells(range, t))) return range;
+        if constexpr (sharpness == Sharpness::telling) {
+          if (tells(range, t)) return range;
+          if (known->is_long_for(t) && is_hidden_by_last(about_middle_, range.v, since_middle(*known, t))) {
+            return range_by<sharpness>(new_model(t), t);
+          }
+        }
+        if (known->suits(t)) return range;
       }
     }
     count_work(work_of_jet());
@@ -123,8 +129,7 @@ class PreciseFunction {
     if constexpr (!std::is_same_v<Real, double>) {
       // By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
       if (t.rad != 0 && !tells(range, t)) {
-        count_work(work_of_series());
-        return range_by<sharpness>(models().make(leg_, t), t);
+        return range_by<sharpness>(new_model(t), t);
       }
     }
     return range;
@@ -144,11 +149,18 @@ class PreciseFunction {
   }
   template <Sharpness sharpness>
   Jet<Real> range_by(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
-    return range_of<sharpness>(about_middle(model), t - Ball<Real>(model.middle, 0.0), work_of_range);
+    return range_of<sharpness>(about_middle(model), since_middle(model, t), work_of_range);
   }
   Ball<Real> value_of(const TaylorFrame<Real>& model, const Ball<Real>& t) const {
     count_work(work_of_combination);
-    return polynomial_value(about_middle(model), t - Ball<Real>(model.middle, 0.0));
+    return polynomial_value(about_middle(model), since_middle(model, t));
+  }
+  static Ball<Real> since_middle(const TaylorFrame<Real>& model, const Ball<Real>& t) {
+    return t - Ball<Real>(model.middle, 0.0);
+  }
+  const TaylorFrame<Real>& new_model(const Ball<Real>& t) const {
+    count_work(work_of_series());
+    return models().make(leg_, t);
   }
   const BallPolynomial<Real>& about_middle(const TaylorFrame<Real>& model) const {
     if (combined_ != model.number) {

@@ -53,27 +53,28 @@ class SearchFromEnd {
  private:
   /// The function by its Taylor polynomials about the end: one for each range of magnitudes of s, made when it is asked
   /// for, so that what it leaves out is small beside the first terms, by which ties are decided. Ranges of the function
-  /// itself are far worse there, where terms cancel; far from the end they are the better ones.
+  /// itself are far worse there, where terms cancel. Where much is left out nevertheless, far from the end, polynomials
+  /// in time about places nearby tell.
   class Expanded {
    public:
     Expanded(const SearchFromEnd& whole, const Real& farthest) : whole_(whole), farthest_(in_few_bits(farthest)) {}
 
     Jet<Real> telling_range(const Ball<Real>& s) const {
       const Jet<Real> range = whole_.f_.telling_range(reaching(s), s);
-      if (range.v.sign() != 0 || range.d.sign() != 0 || !hidden_by_rest(range.v, s)) return range;
-      const Jet<Real> direct = whole_(s);
-      return direct.v.sign() != 0 || direct.d.sign() != 0 ? direct : range;
+      if (tells(range, s) || !is_far_for_its_length(s) || !is_hidden_by_last(polynomial_, range.v, s)) return range;
+      return whole_.by_time(s);
     }
     Ball<Real> telling_value(const Ball<Real>& s) const {
       const Ball<Real> near_end = polynomial_value(reaching(s), s);
-      return near_end.sign() != 0 || !hidden_by_rest(near_end, s) ? near_end : whole_(s).v;
+      return near_end.sign() != 0 || !is_hidden_by_last(polynomial_, near_end, s) ? near_end : whole_(s).v;
     }
+    /// Ranges about the middle they all are.
+    bool is_expanded(const Ball<Real>&) const { return true; }
 
    private:
-    /// Is what the polynomial leaves out much of what hides the sign? Then the function itself may tell.
-    bool hidden_by_rest(const Ball<Real>& range, const Ball<Real>& s) const {
-      const std::size_t last = polynomial_.size - 1;
-      return polynomial_[last].rad * std::pow(s.magnitude(), static_cast<double>(last)) > range.rad / 8;
+    /// Polynomials in time reach several times as far as they are asked for, and must not reach the end.
+    static bool is_far_for_its_length(const Ball<Real>& s) {
+      return s.rad > 0 && 64 * s.rad < RealTraits<Real>::magnitude(s.mid);
     }
     /// Good for all of s.
     const BallPolynomial<Real>& reaching(const Ball<Real>& s) const {
@@ -105,8 +106,8 @@ class SearchFromEnd {
       return std::ldexp(std::ceil(std::ldexp(most, -unit)), unit);
     }
 
-    static constexpr std::size_t levels = 24;  ///< beyond them the last one does
-    static constexpr double step = 0x1p-4;
+    static constexpr std::size_t levels = 48;  ///< beyond them the last one does
+    static constexpr double step = 0x1p-2;
 
     const SearchFromEnd& whole_;
     double farthest_;                     ///< from the end
@@ -135,6 +136,12 @@ class SearchFromEnd {
     const Ball<RealMax> distance = (Ball<RealMax>(t, 0.0) - Ball<RealMax>::exact(end_)) * direction_;
     const double rounded = RealTraits<RealMax>::magnitude(distance.mid) * (4 * unit_roundoff<Real>());
     return sqrt(Ball<Real>(Real(distance.mid), detail::inflate(distance.rad + rounded))) * direction_;
+  }
+  /// Over a ball of s by the function's range in time.
+  Jet<Real> by_time(const Ball<Real>& s) const {
+    const Jet<Real> f = f_.telling_range(Ball<Real>::exact(end_) + s * s * direction_);
+    const Ball<Real> step = s * (2 * direction_);
+    return {f.v, f.d * step, f.dd * step * step + f.d * (2 * direction_)};
   }
   Ball<RealMax> time_at(const Real& s) const {
     const Ball<RealMax> exact(RealMax(s), 0.0);

@@ -29,6 +29,8 @@ struct TaylorFrame {
   /// Would one that reaches less far hardly be better for the ball? One far shorter than the model may see the last
   /// term alone.
   bool suits(const Ball<Real>& t) const { return t.rad >= 0x1p-8 * reach; }
+  /// Would a new one leave out far less?
+  bool is_long_for(const Ball<Real>& t) const { return t.rad > 0 && t.rad < 0x1p-4 * reach; }
 };
 
 /// The frame functions by Taylor's formula in s, the root of the distance from an end at which the leg is singular (see

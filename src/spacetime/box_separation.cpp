@@ -99,8 +99,8 @@ bool misses(const Stretch& s, const Carriage& carriage, Vector vertex, Vector fr
   const Path way = carriage.place(vertex, from);
   // The displacement counts in the edge's direction, times the way, and in both points, along the edge, whose
   // coordinates are at most 1.
-  const double error = carriage.error * size(edge) + displacement_room * (1 + carriage.reach);
-  const double room = margin > 0 ? margin * size(edge) * (1 + 0x1p-45) : 0;
+  const double error = carriage.error * l1_norm(edge) + displacement_room * (1 + carriage.reach);
+  const double room = margin > 0 ? margin * l1_norm(edge) * (1 + 0x1p-45) : 0;
   const Parabola line = along(turned(edge), way), ahead = along(edge, way);
   const Parabola beyond{ahead.a - dot(edge, edge), ahead.b, ahead.c};
   return line.least(s.r) > error || (-line).least(s.r) > error + room || (-ahead).least(s.r) > error ||

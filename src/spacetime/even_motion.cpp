@@ -38,7 +38,7 @@ MovingVector product(const MovingVector& a, const MovingVector& b, double r) {
   const Vector a0{a.path.x.a, a.path.y.a}, a1{a.path.x.b, a.path.y.b}, a2{a.path.x.c, a.path.y.c};
   const Vector b0{b.path.x.a, b.path.y.a}, b1{b.path.x.b, b.path.y.b}, b2{b.path.x.c, b.path.y.c};
   const Vector c0 = a0 * b0, c1 = a0 * b1 + a1 * b0, c2 = a0 * b2 + a1 * b1 + a2 * b0;
-  const double third = size(a1) * size(b2) + size(a2) * size(b1), fourth = size(a2) * size(b2);
+  const double third = l1_norm(a1) * l1_norm(b2) + l1_norm(a2) * l1_norm(b1), fourth = l1_norm(a2) * l1_norm(b2);
   const double left_out = r * r * r * (third + r * fourth), ra = reach_of(a, r), rb = reach_of(b, r);
   MovingVector m;
   m.path = {{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}};

@@ -15,7 +15,7 @@ class EvenStretch {
   /// For points of P in this disc.
   const Stretch& near(Vector centre, double radius) {
     stretch_.in_q.error =
-        (base_ + turn_error_ * (size(centre - origin_) + radius + way_)) * (1 + 0x1p-40) + underflow_slack;
+        (base_ + turn_error_ * (l1_norm(centre - origin_) + radius + way_)) * (1 + 0x1p-40) + underflow_slack;
     return stretch_;
   }
   const Stretch& near(const Box& box) { return near(box.centre, box.radius); }

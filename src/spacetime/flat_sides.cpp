@@ -36,7 +36,8 @@ FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const 
 bool FlatSides::apart(const BoxNode& p, const BoxNode& q) {
   if (!usable_) return false;
   const double way = dot(unit_, q.box.centre - p.box.centre + offset_);
-  if (std::fabs(way) + hair * (1 + size(offset_)) < reach_along(unit_, p.box) + reach_along(unit_, q.box)) return false;
+  if (std::fabs(way) + hair * (1 + l1_norm(offset_)) < reach_along(unit_, p.box) + reach_along(unit_, q.box))
+    return false;
   const Extremes of_p = extremes(true, static_cast<std::uint32_t>(&p - &trees_.p.node(0)));
   const Extremes of_q = extremes(false, static_cast<std::uint32_t>(&q - &trees_.q.node(0)));
   if (!exact_) return usable_ = false;
@@ -92,7 +93,7 @@ bool FlatSides::clear(VertexId low, VertexId high) {
   seen(high, bx, by);
   const N gap = dot(N::exact(n_.x), N::exact(n_.y), ax - bx, ay - by);
   if (!gap.is_exact() || gap.sum().sign() <= 0) return false;
-  if (gap.sum().approximate() < displacement_room * size(n_)) stages_.add(Stage::exact);
+  if (gap.sum().approximate() < displacement_room * l1_norm(n_)) stages_.add(Stage::exact);
   return true;
 }
 

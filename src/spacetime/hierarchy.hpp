@@ -44,7 +44,7 @@ class Hierarchy {
 /// No point of the body is farther from its origin.
 inline double reach_of(const Hierarchy& tree) {
   const Box& all = tree.node(0).box;
-  return (size(all.centre) + all.radius) * (1 + 0x1p-40);
+  return (l1_norm(all.centre) + all.radius) * (1 + 0x1p-40);
 }
 
 Hierarchy hierarchy_of_p(const PairGeometry& geometry);

@@ -33,7 +33,7 @@ int certain_turn(Vector a, Vector b, Vector c, double e) {
   const double left = u.x * v.y, right = u.y * v.x, det = left - right;
   // Each difference is off by 2 e and rounds once, relative to itself and to the coordinates, which e covers.
   const double d = 2.125 * e;
-  const double bound = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + d * (size(u) + size(v)) + 2 * d * d;
+  const double bound = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + d * (l1_norm(u) + l1_norm(v)) + 2 * d * d;
   return det > bound ? 1 : -det > bound ? -1 : 0;
 }
 

@@ -66,7 +66,7 @@ Carriage finish(const Leg& leg, RawCarriage raw, bool in_p, double r) {
   raw.shift.x.a -= fixed.x;
   raw.shift.y.a -= fixed.y;
   if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.turn * moving;
-  const double shift = size(fixed) + size(moving);
+  const double shift = l1_norm(fixed) + l1_norm(moving);
   // Bounds of lengths: of points as they are, and of the shift.
   constexpr double points = 5;
   Carriage out;

@@ -15,9 +15,9 @@ constexpr std::uint32_t none = FreeTriangulation::none;
 /// The sweep. Boundary rings have free space on their right: the polygons counterclockwise, the box clockwise. Edges
 /// are named by their first vertex along the ring. An edge that runs rightwards has free space below it, an edge that
 /// runs leftwards has free space above it and carries the chain of that free interval.
-class Sweep {
+class TriangulationSweep {
  public:
-  Sweep(const Placement& placement, FreeTriangulation& out, bool check_bodies)
+  TriangulationSweep(const Placement& placement, FreeTriangulation& out, bool check_bodies)
       : place_(placement),
         geometry_(placement.geometry()),
         out_(out),
@@ -327,7 +327,7 @@ class Sweep {
 
 std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
                                               bool check_bodies) {
-  return Sweep(placement, result, check_bodies).run();
+  return TriangulationSweep(placement, result, check_bodies).run();
 }
 
 }  // namespace taut

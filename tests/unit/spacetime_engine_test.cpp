@@ -167,7 +167,7 @@ void check_stretches(const Setting& s, const Leg& leg, const Form& m) {
   for_stretches(leg, [&](const Stretch& stretch, double start, double end) {
     const spacetime::Carriage& carriage = m.pp ? stretch.in_p : stretch.in_q;
     const Parabola f = along(edge, carriage.place({c.x, c.y}, {a.x, a.y}));
-    const double error = carriage.error * size(edge) + 0x1p-150 * (1 + carriage.reach);
+    const double error = carriage.error * l1_norm(edge) + 0x1p-150 * (1 + carriage.reach);
     for (const double share : {0.0, 0.3, 0.5, 0.8, 1.0}) {
       const double at = std::min(end, start + share * (end - start));
       const Ball<Real320> exact = truth(Ball<Real320>(Real320(at), 0.0)).v;
