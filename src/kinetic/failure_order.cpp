@@ -65,7 +65,7 @@ Now FailureSolver::event(const Certificate& c) const {
   now.w = c.w;
   now.sign = c.sign;
   now.monotone_until = c.monotone_until;
-  now.pool = c.precise;
+  now.precise = known_precisely(c);
   return now;
 }
 

@@ -34,10 +34,8 @@ PreciseTime& FailureSolver::precise_slot(Certificate& c) {
   return pool_[static_cast<std::size_t>(c.precise)];
 }
 
-PreciseTime& FailureSolver::precise_now(Now& now) const {
-  if (!now.precise) {
-    now.precise = now.pool >= 0 ? pool_[static_cast<std::size_t>(now.pool)] : PreciseTime::between(now.lo, now.hi);
-  }
+PreciseTime& FailureSolver::precise_now(Now& now) {
+  if (!now.precise) now.precise = PreciseTime::between(now.lo, now.hi);
   return *now.precise;
 }
 

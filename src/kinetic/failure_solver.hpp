@@ -15,9 +15,8 @@ namespace taut {
 struct Now : Instant {
   double at = 0;              ///< in [lo, hi], where the motion is known already, if there is such an instant
   double monotone_until = 0;  ///< of an event: its function is monotone until then
-  /// Filled when first needed; `pool` is where the solver keeps the enclosure it has found, or -1.
+  /// What the solver has found, which it forgets once the certificate is gone, or filled when first needed.
   std::optional<PreciseTime> precise;
-  std::int32_t pool = -1;
 };
 
 /// When certificates fail, on one leg: bounds first, which are moved on when somebody asks, enclosures when a failure
@@ -102,7 +101,7 @@ class FailureSolver {
   void holds_until(Certificate& c, double t);
   void sharpen(Certificate& c, Stage stage);
   PreciseTime& precise_slot(Certificate& c);
-  PreciseTime& precise_now(Now& now) const;
+  static PreciseTime& precise_now(Now& now);
   /// The sign of a form at `now`: fast if possible, else precise.
   int sign_now(const Form& form, Now& now);
   int precise_sign(const Form& form, Now& now);

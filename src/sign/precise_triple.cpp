@@ -54,10 +54,12 @@ const ExactLine* PreciseTriple::line() const {
   return line_->exact() ? &*line_ : nullptr;
 }
 
-/// The function about an instant given by sums of doubles, if it is of use there.
+/// The function about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs
+/// less than polynomials about it.
 std::optional<TieForm> PreciseTriple::near(const PreciseTime& t) const {
   if (!memory_ || !t.has_sums()) return std::nullopt;
-  const TieFrame* const frame = memory_->ties.around(t.floor(), t.ceiling());
+  const double lo = t.floor(), hi = t.ceiling();
+  const TieFrame* const frame = lo < hi ? memory_->ties.around(lo, hi) : memory_->ties.known(lo, hi);
   if (!frame) return std::nullopt;
   return TieForm(*frame, leg_, geometry_, form_);
 }

@@ -58,12 +58,17 @@ TieFrame frame_about(const Leg& leg, double about) {
 
 }  // namespace
 
+const TieFrame* TieFrames::known(double lo, double hi) const {
+  const auto reaches = [&](const TieFrame& f) { return lo >= f.about - f.reach && hi <= f.about + f.reach; };
+  const auto found = std::find_if(kept_.begin(), kept_.end(), reaches);
+  return found == kept_.end() || found->reach == 0 ? nullptr : &*found;
+}
+
 const TieFrame* TieFrames::around(double lo, double hi) {
   if (!leg_ || leg_->bridge || (leg_->translation && leg_->degree <= 1)) return nullptr;
-  for (const TieFrame& frame : kept_) {
-    if (frame.reach == 0 && lo <= frame.about && frame.about <= hi) return nullptr;
-    if (lo >= frame.about - frame.reach && hi <= frame.about + frame.reach) return &frame;
-  }
+  if (const TieFrame* const frame = known(lo, hi)) return frame;
+  const auto is_singular = [&](const TieFrame& f) { return f.reach == 0 && lo <= f.about && f.about <= hi; };
+  if (std::any_of(kept_.begin(), kept_.end(), is_singular)) return nullptr;
   count_work(leg_->translation ? 120 : 700);
   TieFrame& made = slot();
   made = frame_about(*leg_, lo + (hi - lo) / 2);

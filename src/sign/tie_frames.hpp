@@ -43,6 +43,8 @@ class TieFrames {
   /// One that reaches over [lo, hi], valid until the next call; none where that is too long for it to be of use, on
   /// straight legs and bridges, which have better ways, and where the motion is singular.
   const TieFrame* around(double lo, double hi);
+  /// The same, if it was asked for before.
+  const TieFrame* known(double lo, double hi) const;
 
  private:
   static constexpr std::size_t most_kept = 16;
