@@ -116,7 +116,7 @@ void expect_law(const Leg& leg, const Sight& sight, bool from_p, double middle, 
   const ExactVectorBall said = second_order(sight.shift, sight.shift_rate, sight.shift_bend) +
                                second_order(sight.turn, sight.turn_rate, sight.turn_bend) * exactly(v) - exactly(a);
   const double allowed = sight.shift_error + sight.turn_error * l1_norm(v) + sight.scale_error * l1_norm(a) +
-                         0x1p-44 * (sight.size * (1 + size(v)) + size(a));
+                         0x1p-44 * (sight.size * (1 + l1_norm(v)) + l1_norm(a));
   if (!std::isfinite(allowed)) return;
   EXPECT_LE(size_of(truly - said), allowed * (1 + 0x1p-30)) << "at " << t;
 }

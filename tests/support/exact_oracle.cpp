@@ -171,8 +171,10 @@ class LegSearch {
   /// All events of the slab, in order.
   bool settle(const Rational& lo, const Rational& hi, const std::vector<int>& pairs) {
     std::vector<Event> events;
+    misses_.clear();
     for (const int k : pairs) find_events(k, lo, hi, events);
     for (Event& e : events) finder_.refine(e.root, time_bits);
+    if (events.empty()) expect_no_miss(nullptr);
     std::sort(events.begin(), events.end(),
               [](const Event& a, const Event& b) { return a.root.at.middle().before(b.root.at.middle()); });
     Rational from = lo;
@@ -181,7 +183,11 @@ class LegSearch {
       std::size_t end = k + 1;
       Wide hull = events[k].root.at;
       while (end < events.size() && !hull.before(events[end].root.at)) hull = Wide::hull(hull, events[end++].root.at);
-      if (!open_) return conclude(events, k, end);
+      if (!open_) {
+        conclude(events, k, end);
+        expect_no_miss(answer_);
+        return true;
+      }
       if (pending_ && hull.exact_lo() > from && overlap_between(from, hull.exact_lo())) {
         for (std::size_t i = k; i < end; ++i) around_.push_back(events[i].pair);
         return deep_between(from, hull.exact_lo());
@@ -221,7 +227,11 @@ class LegSearch {
     const VertexEdge& pair = pairs_[static_cast<std::size_t>(k)];
     if (!identically_zero(k, What::height)) {
       for (Root& r : finder_.zeros(function(k, What::height), lo, hi)) {
-        if (on_edge(k, r)) events.push_back({std::move(r), pair});
+        if (on_edge(k, r)) {
+          events.push_back({std::move(r), pair});
+        } else if (!open_ && within_shift_of_edge(pair, r)) {
+          misses_.push_back(std::move(r));
+        }
       }
       return;
     }
@@ -237,6 +247,27 @@ class LegSearch {
            finder_.sign_at(function(k, What::past_b), 0, r) <= 0;
   }
 
+  /// Beyond an end of the edge by less than the displacement: displaced, larger bodies may touch there.
+  bool within_shift_of_edge(const VertexEdge& pair, Root& r) {
+    const double near = shift_ * unit_of(pair, r.at.exact_lo());
+    const auto may_be = [&] {
+      Precision at(2 * time_bits);
+      return leg_.coefficient({pair, What::past_a}, r.at, 0).hi() >= -near &&
+             leg_.coefficient({pair, What::past_b}, r.at, 0).lo() <= near;
+    };
+    if (!may_be()) return false;
+    finder_.refine(r, time_bits);
+    return may_be();
+  }
+
+  /// Before a contact, if there is one, by more than the displacement may move that.
+  void expect_no_miss(const ExactAnswer* contact) const {
+    for (const Root& miss : misses_) {
+      if (!contact || (leg_.time(miss.at) + Wide(contact->sway)).before(contact->time))
+        throw Beyond{"bodies that miss each other by less than the displacement"};
+    }
+  }
+
   // ---- the answer
 
   void meet(const VertexEdge& pair) {
@@ -245,7 +276,7 @@ class LegSearch {
     if (std::find(all.begin(), all.end(), m) == all.end()) all.push_back(m);
   }
 
-  bool conclude(std::vector<Event>& events, std::size_t from, std::size_t to) {
+  void conclude(std::vector<Event>& events, std::size_t from, std::size_t to) {
     ExactAnswer& answer = *answer_;
     answer.verdict = Verdict::contact;
     Precision precision(2 * time_bits);
@@ -265,7 +296,6 @@ class LegSearch {
         meet(pairs_[k]);
       }
     }
-    return true;
   }
 
   /// Displaced, these two may be those that meet.
@@ -337,6 +367,8 @@ class LegSearch {
   double way_ = 0;
   /// Those that met at the answer's time.
   std::vector<VertexEdge> around_;
+  /// Closed reading: when vertices pass an edge's end by less than the displacement.
+  std::vector<Root> misses_;
   bool assumed_ = false;
 };
 

@@ -162,6 +162,18 @@ TEST(ExactOracle, OverlapsByLessThanTheDisplacementAreBeyondIt) {
   expect_contact(scene(p, needle, {{3, 1}, {-3, -1}, turn, INFINITY, pivot}, 1), Touch::open, 3.637978807078478e-12);
 }
 
+/// Corner on corner, but for a term of fifth order: they miss each other by 1e-62 of a unit. Larger bodies by the
+/// displacement touch there, those as they are touch later.
+TEST(ExactOracle, MissesByLessThanTheDisplacementAreBeyondIt) {
+  const double e = 1.430511474609375e-06;
+  const Polygon p{{e, 0}, {0, 0}, {0, 7}, {2 * e, 7}, {2 * e, -14}, {0, -14}, {0, -7}, {e, -7}};
+  const Polygon q{{e, -7}, {0, -14}, {0, 0}, {e, 7}, {2 * e, 0}, {2 * e, -14}};
+  const Coefficients right{-3 * e, 13 * e, -22 * e, 18 * e, -7 * e, e}, up{-14, 35, -70, 70, -35, 7};
+  Scene s = scene(p, q, {right, up, CosineRotation{{0, -1}}, INFINITY, Point{0, -14}}, 1);
+  s.bodies[0].motion.pieces = {{{}, {}, CosineRotation{{1, 0, -2}}, INFINITY, Point{2 * e, -14}}};
+  expect(s, Touch::closed, Verdict::beyond);
+}
+
 /// A needle's tip comes to a corner that turns away with nearly infinite speed, and meets the face beside it 9e-48 from
 /// the corner. Displaced, by far less, it meets the other face, 2e-55 earlier.
 TEST(ExactOracle, NamesWhatMayMeetWhenDisplaced) {
