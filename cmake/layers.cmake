@@ -1,0 +1,58 @@
+# The library's layers: a folder of src/ each, which depends on those it names and on no other.
+#
+#   taut_layer(NAME [COLD] [USES LAYER...])   makes the target taut_NAME; COLD: of what need not be fast
+#   taut_finish_layers()                      after the last one
+#
+# Each is a library of its own, so that what uses a layer it does not name does not link. With CMAKE_UNITY_BUILD the
+# compiler sees three files only, one of all layers that have to be fast and two of the others: each header is read
+# three times instead of some twenty, and each template compiled so often. Two processors take about as long for the
+# first one as for the others and the programs.
+if(CMAKE_UNITY_BUILD)
+  add_library(taut_fast_layers STATIC)
+  target_link_libraries(taut_fast_layers PUBLIC taut_options)
+  add_library(taut_cold_layers STATIC)
+  target_link_libraries(taut_cold_layers PUBLIC taut_fast_layers)
+  taut_cold(taut_cold_layers)
+  set_target_properties(taut_fast_layers PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
+  set_target_properties(taut_cold_layers PROPERTIES UNITY_BUILD_BATCH_SIZE 70)
+endif()
+
+set(taut_layer_names "")
+function(taut_layer name)
+  cmake_parse_arguments(LAYER "COLD" "" "USES" ${ARGN})
+  list(TRANSFORM LAYER_USES PREPEND taut_)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  if(CMAKE_UNITY_BUILD)
+    set(compiled taut_fast_layers)
+    if(LAYER_COLD)
+      set(compiled taut_cold_layers)
+    endif()
+    target_sources(${compiled} PRIVATE ${sources})
+    add_library(taut_${name} INTERFACE)
+    target_link_libraries(taut_${name} INTERFACE ${compiled})
+  else()
+    add_library(taut_${name} STATIC ${sources})
+    target_link_libraries(taut_${name} PUBLIC taut_options ${LAYER_USES})
+    if(LAYER_COLD)
+      taut_cold(taut_${name})
+    endif()
+  endif()
+  set(taut_layer_names ${taut_layer_names} ${name} PARENT_SCOPE)
+endfunction()
+
+# Where each file is compiled by itself, half of its time would go into headers of others. `taut_compiled` are the
+# targets with the library's objects.
+function(taut_finish_layers)
+  if(CMAKE_UNITY_BUILD)
+    set(taut_compiled taut_fast_layers taut_cold_layers PARENT_SCOPE)
+    return()
+  endif()
+  list(TRANSFORM taut_layer_names PREPEND taut_ OUTPUT_VARIABLE compiled)
+  set(taut_compiled ${compiled} PARENT_SCOPE)
+  taut_precompile(taut_numeric PRIVATE ${taut_common_headers})
+  # The lowest ones, readers and writers do not count in many digits.
+  list(REMOVE_ITEM compiled taut_text taut_base taut_geometry taut_io taut_numeric)
+  foreach(target ${compiled})
+    taut_precompile(${target} REUSE_FROM taut_numeric)
+  endforeach()
+endfunction()
