@@ -1,4 +1,4 @@
-// taut: when do two moving polygons first touch?
+// taut: when do moving shapes first touch?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,36 +30,41 @@ void require_known_command(const taut::cli::Command& taut, int argc, char** argv
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
 }
 
+/// In the order in which `taut --help` lists them.
+void add_commands(const taut::cli::Command& app, taut::cli::Action& action, const char* program_name) {
+  using namespace taut::cli;
+  add_demo(app, action, program_name);
+  add_check(app, action);
+  add_clearance(app, action);
+  add_intervals(app, action);
+  add_range(app, action);
+  add_prove(app, action);
+  add_verify(app, action);
+  add_draw(app, action);
+  add_view(app, action);
+  add_trace(app, action);
+  add_separate(app, action);
+  add_envelope(app, action);
+  add_separator(app, action);
+  add_cells(app, action);
+  add_flatten(app, action);
+  add_gen(app, action);
+  add_import(app, action);
+  add_schema(app, action);
+  add_completion(app, action);
+  add_man(app, action);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  taut::cli::Program program("taut: exactly when two moving polygons first touch, or a proof that they never do",
-                             "taut");
+  taut::cli::Program program("taut: exactly when moving shapes first touch, or a proof that they never do", "taut");
   program.version("taut " TAUT_VERSION);
   const taut::cli::Command app = program.command();
   app.require_command();
   app.footer(examples);
   taut::cli::Action action;
-  taut::cli::add_demo(app, action, argc > 0 ? argv[0] : "taut");
-  taut::cli::add_check(app, action);
-  taut::cli::add_clearance(app, action);
-  taut::cli::add_intervals(app, action);
-  taut::cli::add_range(app, action);
-  taut::cli::add_prove(app, action);
-  taut::cli::add_verify(app, action);
-  taut::cli::add_draw(app, action);
-  taut::cli::add_view(app, action);
-  taut::cli::add_trace(app, action);
-  taut::cli::add_separate(app, action);
-  taut::cli::add_envelope(app, action);
-  taut::cli::add_separator(app, action);
-  taut::cli::add_cells(app, action);
-  taut::cli::add_flatten(app, action);
-  taut::cli::add_gen(app, action);
-  taut::cli::add_import(app, action);
-  taut::cli::add_schema(app, action);
-  taut::cli::add_completion(app, action);
-  taut::cli::add_man(app, action);
+  add_commands(app, action, argc > 0 ? argv[0] : "taut");
   taut::cli::clean_up_on_signals();
   try {
     require_known_command(app, argc, argv);

@@ -1,4 +1,4 @@
-// The question taut answers: when do two moving polygons first touch?
+// The question taut answers: when do moving shapes first touch?
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// taut: exact first contact of two moving polygons.
+// taut: exact first contact of moving shapes.
 //
 //   #include <taut/taut.hpp>
 //   #include <iostream>

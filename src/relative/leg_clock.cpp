@@ -17,7 +17,7 @@ FrameSample evaluate_exactly(const Leg& leg, double t, int first) {
 constexpr int deepest = 40;
 
 /// Steps from values in the middle of a cell go by bounds of the third order, which do not ask for short cells.
-constexpr double slack = 4;
+constexpr double slack_of_steps = 4;
 
 FrameThird third_of(const std::array<ThirdSeries, 5>& over) {
   FrameThird third{};
@@ -93,7 +93,7 @@ void LegClock::make(ClockCell& cell) {
   cell.sharp = cell.model.sharp();
   const bool divisible = cell.level < deepest && boundary(cell.level + 1, 2 * cell.index + 1) > cell.start &&
                          boundary(cell.level + 1, 2 * cell.index + 1) < cell.end;
-  cell.leaf = !divisible || (cell.sharp && cell.model.straight(slack)) || cell.model.hopeless();
+  cell.leaf = !divisible || (cell.sharp && cell.model.straight(slack_of_steps)) || cell.model.hopeless();
   cell.widest = cell.leaf && cell.sharp && cell.model.barely_sharp();
   cell.pp = curvature_of(cell.model, 0);
   cell.qq = curvature_of(cell.model, 2);

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-constexpr std::uint32_t none = FreeTriangulation::none;
+constexpr std::uint32_t no_edge = FreeTriangulation::none;
 
 std::uint32_t half_edges(const Arena& arena) { return static_cast<std::uint32_t>(arena.triangulation.origin.size()); }
 bool touches_box(const Arena& arena, Gate g) { return arena.in_box(arena.apex(g)); }
@@ -49,7 +49,7 @@ std::vector<Gate> way_to_box(const Arena& arena, Gate start) {
     for (const bool left : {true, false}) {
       const Gate next = step(arena, g, left);
       // The region is a pocket: a tree of triangles, unless it holds the other polygon.
-      if (next != none && arena.owner(arena.origin(next)) == arena.owner(arena.target(next)))
+      if (next != no_edge && arena.owner(arena.origin(next)) == arena.owner(arena.target(next)))
         visits.push_back({next, i});
     }
   }
@@ -72,7 +72,7 @@ std::vector<Gate> core_of_pocket(const Arena& arena, Gate any) {
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const bool left = arena.owner(arena.apex(loop[k])) == 0;
     const std::uint32_t mouth = side_edge(loop[k], left);
-    if (arena.twin(mouth) == none) continue;
+    if (arena.twin(mouth) == no_edge) continue;
     const std::vector<Gate> out = way_to_box(arena, arena.twin(mouth));
     if (out.empty()) continue;
     std::vector<Gate> core = reversed(arena, out);
@@ -95,13 +95,13 @@ std::vector<Gate> reversed(const Arena& arena, const std::vector<Gate>& gates) {
 std::vector<Gate> loop_gates(const Arena& arena, int owner) {
   std::vector<Gate> loop;
   std::size_t edges = 0;
-  Gate start = none;
+  Gate start = no_edge;
   for (std::uint32_t h = 0; h < half_edges(arena); ++h) {
     if (arena.owner(arena.origin(h)) != owner || arena.owner(arena.target(h)) == owner) continue;
     ++edges;
     start = h;
   }
-  if (start == none) return loop;
+  if (start == no_edge) return loop;
   for (Gate g = start; loop.empty() || g != start; g = step(arena, g, arena.owner(arena.apex(g)) == owner))
     loop.push_back(g);
   if (loop.size() != edges) loop.clear();
@@ -110,14 +110,14 @@ std::vector<Gate> loop_gates(const Arena& arena, int owner) {
 
 OpenSleeve open_sleeve(const Arena& arena) {
   OpenSleeve sleeve;
-  Gate first = none, any = none;
-  for (std::uint32_t h = 0; h < half_edges(arena) && first == none; ++h) {
+  Gate first = no_edge, any = no_edge;
+  for (std::uint32_t h = 0; h < half_edges(arena) && first == no_edge; ++h) {
     if (arena.owner(arena.origin(h)) != 0 || arena.owner(arena.target(h)) != 1) continue;
     any = h;
     if (touches_box(arena, arena.twin(h))) first = h;
   }
-  if (any == none) throw StructureError("no edge between the bodies");
-  sleeve.core = first != none ? core_of_bay(arena, first) : core_of_pocket(arena, any);
+  if (any == no_edge) throw StructureError("no edge between the bodies");
+  sleeve.core = first != no_edge ? core_of_bay(arena, first) : core_of_pocket(arena, any);
   for (const bool left : {true, false}) {
     sleeve.tails.push_back(around_infinity(arena, sleeve.core.back(), left));
     const OpenSleeve::Tail back = around_infinity(arena, arena.twin(sleeve.core.front()), left);

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-constexpr double up = 1 + 0x1p-45;
+constexpr double rounded_up = 1 + 0x1p-45;
 /// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
 constexpr double much_less = 0x1p-8;
 
@@ -20,7 +20,7 @@ FixedBall since(double about, const ShortSum& t) {
 }
 
 /// Exactly this number.
-FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * up}; }
+FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * rounded_up}; }
 
 }  // namespace
 
@@ -37,9 +37,9 @@ TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, c
       c_[k] = c_[k] + a[i] * functions[i][k];
       terms_ = std::max(terms_, k + 1);
     }
-    rest_ = (rest_ + a[i].most() * frame.rest(form.pp)[i]) * up;
+    rest_ = (rest_ + a[i].most() * frame.rest(form.pp)[i]) * rounded_up;
   }
-  c_[0].widen(rest_ * power_[TieFrame::terms] * up);
+  c_[0].widen(rest_ * power_[TieFrame::terms] * rounded_up);
   set_steepness();
 }
 
@@ -49,8 +49,8 @@ void TieForm::set_steepness() {
   double change = 0;
   for (std::size_t k = 2; k < terms_; ++k) change += static_cast<double>(k) * c_[k].most() * power_[k - 1];
   change += static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1];
-  change = (change + c_[1].error_of(slope)) * up;
-  steep_ = {(std::fabs(slope) - change) / up, (std::fabs(slope) + change) * up, slope};
+  change = (change + c_[1].error_of(slope)) * rounded_up;
+  steep_ = {(std::fabs(slope) - change) / rounded_up, (std::fabs(slope) + change) * rounded_up, slope};
 }
 
 FixedBall TieForm::value(const FixedBall& h) const {
@@ -64,7 +64,7 @@ int TieForm::sign_over(const PreciseTime& t) const {
   const FixedBall from = since(about_, t.sum_lo());
   if (!(from.most() + width <= reach_)) return 0;
   const FixedBall v = value(from);
-  const double about = v.about(), sure = std::fabs(about) - v.error_of(about) - width * steep_.most * up;
+  const double about = v.about(), sure = std::fabs(about) - v.error_of(about) - width * steep_.most * rounded_up;
   if (!(sure > 0)) return 0;
   return about > 0 ? 1 : -1;
 }
@@ -78,7 +78,7 @@ std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) c
     const FixedBall v = value(h);
     const double about = v.about(), noise = v.error_of(about), before = error;
     // By the mean value theorem.
-    error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * up;
+    error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * rounded_up;
     if (left == 0 || !(error < before) || error <= much_less * enough || !(std::fabs(about) > 4 * noise)) break;
     h = chosen(h.mid() + Fixed(std::clamp(-about / steep_.signed_about, -reach_, reach_)));
   }
@@ -87,10 +87,10 @@ std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) c
 
 /// The enclosure of what is no farther than `error` from h.
 std::optional<PreciseTime> TieForm::around(const Fixed& h, double error, Stage stage) const {
-  if (!(std::fabs(h.approximate()) * up + error < reach_)) return std::nullopt;
+  if (!(std::fabs(h.approximate()) * rounded_up + error < reach_)) return std::nullopt;
   const FixedBall about = FixedBall::exact(about_);
   if (about.rad() > 0) return std::nullopt;
-  const Fixed at = about.mid() + h, spread = Fixed(error * up) + Fixed(Fixed::unit);
+  const Fixed at = about.mid() + h, spread = Fixed(error * rounded_up) + Fixed(Fixed::unit);
   return PreciseTime(ShortSum(at - spread), ShortSum(at + spread), stage);
 }
 
@@ -98,7 +98,7 @@ FixedBall TieForm::slope(const FixedBall& h) const {
   FixedBall sum;
   for (std::size_t k = terms_; k-- > 1;) sum = sum * h + c_[k] * FixedBall::exact(static_cast<double>(k));
   // Of what the terms leave out.
-  sum.widen(static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1] * up);
+  sum.widen(static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1] * rounded_up);
   return sum;
 }
 
@@ -107,7 +107,7 @@ std::optional<TieForm::Turn> TieForm::turn() const {
   double change = 2 * c_[2].error_of(bend);
   for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most() * power_[k - 2];
   constexpr double last = TieFrame::terms * (TieFrame::terms - 1.0);
-  const double least = std::fabs(bend) - (change + last * rest_ * power_[TieFrame::terms - 2]) * up;
+  const double least = std::fabs(bend) - (change + last * rest_ * power_[TieFrame::terms - 2]) * rounded_up;
   if (!(least > 0)) return std::nullopt;
   Fixed h;
   double steep = 0, noise = 0;

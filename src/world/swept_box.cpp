@@ -7,8 +7,8 @@
 namespace taut {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr SweptBox everywhere{-infinite, -infinite, infinite, infinite};
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr SweptBox everywhere{-unbounded, -unbounded, unbounded, unbounded};
 
 SweptBox around(const SweptBox& a, const SweptBox& b) {
   return {std::min(a.lo_x, b.lo_x), std::min(a.lo_y, b.lo_y), std::max(a.hi_x, b.hi_x), std::max(a.hi_y, b.hi_y)};
@@ -39,11 +39,11 @@ SweptBox box_of_pieces(const PieceChain& chain, const Bounds& bounds, double fro
 SweptBox swept_box(const WorldBody& body, double from, double to) {
   const Bounds& bounds = body.rings->bounds();
   if (body.motions.empty()) return box_of_pieces({MotionPiece{}}, bounds, from, to);
-  SweptBox whole{infinite, infinite, -infinite, -infinite};
+  SweptBox whole{unbounded, unbounded, -unbounded, -unbounded};
   // From joint to joint of any of the motions. Bridges lie between the two boxes that they join.
   for (double t = from;;) {
     PieceChain chain;
-    double until = infinite;
+    double until = unbounded;
     for (const std::vector<MotionPiece>& motion : body.motions) {
       const auto piece = std::find_if(motion.begin(), motion.end(), [t](const MotionPiece& p) { return t < p.until; });
       chain.push_back(*piece);
