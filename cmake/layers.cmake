@@ -6,8 +6,13 @@
 # Each is a library of its own, so that what uses a layer it does not name does not link. With CMAKE_UNITY_BUILD the
 # compiler sees three files only, one of all layers that have to be fast and two of the others: each header is read
 # three times instead of some twenty, and each template compiled so often. Two processors take about as long for the
-# first one as for the others and the programs.
-if(CMAKE_UNITY_BUILD)
+# first one as for the others and the programs. (Not for the browser: a linker takes whole files, and a page is to be
+# small.)
+set(taut_few_files OFF)
+if(CMAKE_UNITY_BUILD AND NOT EMSCRIPTEN)
+  set(taut_few_files ON)
+endif()
+if(taut_few_files)
   add_library(taut_fast_layers STATIC)
   target_link_libraries(taut_fast_layers PUBLIC taut_options)
   add_library(taut_cold_layers STATIC)
@@ -22,7 +27,7 @@ function(taut_layer name)
   cmake_parse_arguments(LAYER "COLD" "" "USES" ${ARGN})
   list(TRANSFORM LAYER_USES PREPEND taut_)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-  if(CMAKE_UNITY_BUILD)
+  if(taut_few_files)
     set(compiled taut_fast_layers)
     if(LAYER_COLD)
       set(compiled taut_cold_layers)
@@ -43,7 +48,7 @@ endfunction()
 # Where each file is compiled by itself, half of its time would go into headers of others. `taut_compiled` are the
 # targets with the library's objects.
 function(taut_finish_layers)
-  if(CMAKE_UNITY_BUILD)
+  if(taut_few_files)
     set(taut_compiled taut_fast_layers taut_cold_layers PARENT_SCOPE)
     return()
   endif()
