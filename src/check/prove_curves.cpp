@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "pair/ring_set.hpp"

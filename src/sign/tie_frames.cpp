@@ -59,9 +59,11 @@ TieFrame frame_about(const Leg& leg, double about) {
 }  // namespace
 
 const TieFrame* TieFrames::known(double lo, double hi) const {
-  const auto reaches = [&](const TieFrame& f) { return lo >= f.about - f.reach && hi <= f.about + f.reach; };
+  const auto reaches = [&](const TieFrame& f) {
+    return f.reach > 0 && lo >= f.about - f.reach && hi <= f.about + f.reach;
+  };
   const auto found = std::find_if(kept_.begin(), kept_.end(), reaches);
-  return found == kept_.end() || found->reach == 0 ? nullptr : &*found;
+  return found == kept_.end() ? nullptr : &*found;
 }
 
 const TieFrame* TieFrames::around(double lo, double hi) {
