@@ -217,7 +217,7 @@ done
 # Also while it is only being looked at, for minutes if need be: is each of these cosines within [-1, 1]?
 {
   printf '{"format":"taut-scene/1","time":[-0.9,0.9],"bodies":[{"name":"p","polygon":[[0,0],[1,0],[0,1]]},{"name":"q","polygon":[[0,0],[1,0],[0,1]],"motion":['
-  awk 'BEGIN { for (i = 1; i <= 4000; i++) print "{\"x\":[9],\"rotation\":{\"cosine\":[1,0,-128,0,2688,0,-21504,0,84480,0,-180224,0,212992,0,-131072,0,32768]},\"until\":" i / 4444 "}" }' | paste -sd,
+  awk 'BEGIN { for (i = 1; i <= 40000; i++) print "{\"x\":[9],\"rotation\":{\"cosine\":[1,0,-128,0,2688,0,-21504,0,84480,0,-180224,0,212992,0,-131072,0,32768]},\"until\":" i / 44440 "}" }' | paste -sd,
   printf ']}]}'
 } >cosines.json
 expect 3 'the time limit was reached' '' check --max-seconds 0.2 cosines.json

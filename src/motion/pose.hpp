@@ -65,6 +65,15 @@ J power(const J& base, std::size_t exponent) {
   return product;
 }
 
+/// A polynomial over a stretch of time, about its middle. Beside 1 a cosine's range decides how long stretches can be,
+/// and in powers of the time since somewhere else it would be as wide as if the cosine were steep there.
+template <class J, class Real>
+J about_middle(BallCoefficients<Real> c, const Ball<Real>& t) {
+  if (t.rad == 0 || c.p.size == 0) return J::polynomial(c, t);
+  c.p = expanded(c.p, t.mid);
+  return J::polynomial(c, Ball<Real>(Real(0), t.rad));
+}
+
 /// x near such an end. With c = e + h^m r the sine is sqrt(1 - c^2) = sqrt(-e h^m r (2 + e h^m r)): as good as h is
 /// known, however close that is to zero. `change` is h^m r, `side` the sign of h^m, and |h|^m the square of `outside`
 /// times `inside`, which is left in the root (null for 1).
@@ -82,7 +91,7 @@ template <class J, class Real>
 void cosine_near_end(const SingularCosine& cosine, const Ball<Real>& t, double direction, J& xx, J& xy) {
   const std::size_t m = cosine.order;
   const J h = J::variable(t) - J::constant(cosine.end), distance = h * Ball<Real>::exact(direction);
-  const J rest = J::polynomial(rest_of<Real>(cosine), t - Ball<Real>::exact(cosine.end));
+  const J rest = about_middle<J>(rest_of<Real>(cosine), t - Ball<Real>::exact(cosine.end));
   const bool odd = m % 2 == 1;
   cosine_about_end<J, Real>(cosine.extreme, power(h, m) * rest, rest, odd ? direction : 1, power(distance, m / 2),
                             odd ? &distance : nullptr, xx, xy);
@@ -97,6 +106,18 @@ void cosine_from_end(const SingularCosine& cosine, const TimeFromEnd<Real>& t, J
   const double side = m % 2 == 1 ? t.direction : 1;
   const J change = outside * outside * rest * Ball<Real>::exact(side);
   cosine_about_end<J, Real>(cosine.extreme, change, rest, side, outside, nullptr, xx, xy);
+}
+
+/// What a cosine adds to its constant part.
+template <class J, class Real>
+J change_of_cosine(const Coefficients& a, const Ball<Real>& t) {
+  BallCoefficients<Real> change;
+  for (std::size_t k = 0; k < a.size(); ++k) change.p.push_back(as_ball<Real>(VaryingPart{a}[k]));
+  return about_middle<J>(change, t);
+}
+template <class J, class Time>
+J change_of_cosine(const Coefficients& a, const Time& t) {
+  return J::polynomial(VaryingPart{a}, t);
 }
 
 /// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time a ball, LocalTime, TimeFromEnd or
@@ -123,7 +144,7 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
                         [&](const CosineRotation& r) {
                           // 1 - c^2 as (1 - c)(1 + c), with the constant parts added first: exact where c starts or
                           // ends at 1 or -1.
-                          const J change = J::polynomial(VaryingPart{r.a}, absolute(t));
+                          const J change = change_of_cosine<J>(r.a, absolute(t));
                           const J one = J::constant(1.0), start = J::constant(r.a.empty() ? 0.0 : r.a[0]);
                           xx = start + change;
                           xy = sqrt(((one - start) - change) * ((one + start) + change));

@@ -4,6 +4,13 @@ import math
 from fractions import Fraction
 
 
+def exact(c, t):
+    v = Fraction(0)
+    for x in reversed(c):
+        v = v * Fraction(t) + Fraction(x)
+    return v
+
+
 def value(c, t):
     v = 0.0
     for x in reversed(c):
@@ -12,24 +19,35 @@ def value(c, t):
 
 
 def excess(a, t):
-    """|a| - 1, exactly."""
-    v = Fraction(0)
-    for x in reversed(a):
-        v = v * Fraction(t) + Fraction(x)
-    return abs(v) - 1
+    """|a| - 1."""
+    return abs(exact(a, t)) - 1
+
+
+def before(t):
+    return math.nextafter(t, -math.inf)
+
+
+def after(t):
+    return math.nextafter(t, math.inf)
+
+
+def touches(a, t):
+    x = excess(a, t)
+    bend = excess(a, before(t)) + excess(a, after(t)) - 2 * x
+    return x > -Fraction(1, 2**90) or (bend < 0 and x >= 4 * bend)
 
 
 def roots(c, places, start, end):
     found, ends = [], [start, *places, end]
     for lo, hi in zip(ends, ends[1:]):
-        rises = value(c, lo) < 0
-        if rises == (value(c, hi) < 0):
+        rises = exact(c, lo) < 0
+        if rises == (exact(c, hi) < 0):
             continue
         while True:
             middle = lo + (hi - lo) / 2
             if not lo < middle < hi:
                 break
-            if (value(c, middle) < 0) == rises:
+            if (exact(c, middle) < 0) == rises:
                 lo = middle
             else:
                 hi = middle
@@ -37,28 +55,28 @@ def roots(c, places, start, end):
     return found
 
 
-def guesses(a, start, end):
-    derivatives = [a]
+def candidates(a, start, end):
+    derivatives = [[Fraction(x) for x in a]]
     while len(derivatives[-1]) > 2:
         derivatives.append([k * x for k, x in enumerate(derivatives[-1])][1:])
     found, places = [], []
     for c in derivatives[:0:-1]:
         places = roots(c, places, start, end)
         found += places
-    for extreme in (1.0, -1.0):
-        found += roots([a[0] - extreme, *a[1:]], places, start, end)
+    for extreme in (1, -1):
+        found += roots([Fraction(a[0]) - extreme, *a[1:]], places, start, end)
     return found
 
 
 def cuts(a, start, end):
-    noted, tried = [start, end], guesses(a, start, end)
+    noted, tried = [start, end], candidates(a, start, end)
 
     def note(t):
         if start < t < end and t not in noted:
             noted.append(t)
 
     for g in tried:
-        three = [math.nextafter(g, -math.inf), g, math.nextafter(g, math.inf)]
+        three = [before(g), g, after(g)]
         over = [excess(a, t) for t in three]
         for t, x in zip(three, over):
             if x == 0:
@@ -67,9 +85,9 @@ def cuts(a, start, end):
             if over[k] * over[k + 1] < 0:
                 note(three[k] if over[k] < 0 else three[k + 1])
     for g in tried:
-        if all(abs(t - g) >= 2.0**-10 * (end - start) for t in noted) and excess(a, g) > -Fraction(1, 2**90):
-            note(math.nextafter(g, -math.inf))
-            note(math.nextafter(g, math.inf))
+        if all(abs(t - g) >= 2.0**-10 * (end - start) for t in noted) and touches(a, g):
+            note(before(g))
+            note(after(g))
     return sorted(noted)[1:-1]
 
 
@@ -79,7 +97,7 @@ def pieces(a, start, end):
     for until in [*cuts(a, start, end), None]:
         last = end if until is None else until
         middle = begin + (last - begin) / 2
-        rests = all(excess(a, t) > -Fraction(1, 2**90) for t in (begin, middle, last))
+        rests = excess(a, middle) > 0 or all(touches(a, t) for t in (begin, middle, last))
         out.append([until, ("not turned" if value(a, middle) > 0 else "half a turn") if rests else "cosine"])
         begin = until
     return out

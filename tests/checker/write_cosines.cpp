@@ -45,10 +45,24 @@ Coefficients dip(Rng& rng) {
   return c;
 }
 
+/// The same of p + q t: its coefficients are rounded, and its extremes a little within 1, or beyond.
+Coefficients moved_chebyshev(Rng& rng) {
+  const Coefficients given = chebyshev(rng.between(1, 9)), inner{rng.real(-0.3, 0.3), rng.real(0.3, 0.6)};
+  Coefficients moved{0};
+  for (std::size_t k = given.size(); k-- > 0;) {
+    moved = product(moved, inner);
+    moved[0] += given[k];
+  }
+  moved.resize(given.size());
+  return moved;
+}
+
 Coefficients random_cosine(Rng& rng) {
-  switch (rng.below(5)) {
+  switch (rng.below(6)) {
     case 0:
-      return chebyshev(rng.between(1, 10));
+      return chebyshev(rng.between(1, 16));
+    case 4:
+      return moved_chebyshev(rng);
     case 1:
       return {rng.chance(0.5) ? 1.0 : rng.chance(0.5) ? -1.0 : rng.real(-1, 1)};
     case 2:

@@ -164,7 +164,18 @@ Scene graze(Rng& rng) {
   return scene;
 }
 
-/// A cosine that is 1 or -1 at an end of the time, or on its way.
+/// A cosine that comes close to 1 or -1 on its way, and turns back: as rounded coefficients make of one that reaches
+/// it.
+CosineRotation near_extreme(Rng& rng) {
+  const double missing = std::ldexp(1, -rng.between(8, 50)), bend = rng.pick(std::vector<double>{0.5, 1, 2});
+  Coefficients a = sum({1 - missing}, power(-bend, 0.5, 2));
+  if (rng.chance(0.5)) {
+    for (double& c : a) c = -c;
+  }
+  return {a};
+}
+
+/// A cosine that is 1 or -1 at an end of the time, or on its way, or nearly.
 Scene cosine_ends(Rng& rng) {
   static const Coefficients cosines[] = {{1, -1}, {1, -0.5}, {0, 1},     {-1, 1},    {0, -1},       {1, 0, -1},
                                          {1, -2}, {-1, 2},   {-1, 0, 1}, {1, 0, -2}, {1, 0, 0, -1}, {0, 2, -1}};
@@ -173,7 +184,8 @@ Scene cosine_ends(Rng& rng) {
   for (std::size_t b = rng.chance(0.5) ? 0 : 1; b < 2; ++b) {
     Body& body = scene.bodies[b];
     MotionPiece& piece = piece_of(body);
-    piece.rotation = CosineRotation{cosines[rng.below(static_cast<int>(std::size(cosines)))]};
+    piece.rotation =
+        rng.chance(0.2) ? near_extreme(rng) : CosineRotation{cosines[rng.below(static_cast<int>(std::size(cosines)))]};
     piece.pivot = rng.chance(0.8) ? rng.pick(body.polygon) : Point{};
     if (b == 0 && rng.chance(0.3)) piece.rotation = quarter_turn(rng, 0, rng.chance(0.3), 0);
   }

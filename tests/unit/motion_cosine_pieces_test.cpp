@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "motion/cosine_pieces.hpp"
 #include "motion/pieces.hpp"
@@ -62,6 +64,42 @@ TEST(CosinePieces, RestBesideATouchBetweenDoubles) {
   CheckOptions options;
   options.engine = EngineChoice::spacetime;
   EXPECT_EQ(check(scene, options).outcome, Outcome::free);
+}
+
+/// T_degree, by its recurrence.
+Coefficients chebyshev(int degree) {
+  Coefficients before{1}, now{0, 1};
+  for (int k = 1; k < degree; ++k) {
+    Coefficients next(now.size() + 1);
+    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] = 2 * now[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
+    before = std::exchange(now, next);
+  }
+  return now;
+}
+
+/// In doubles, derivatives of such degrees are zero a thousand doubles beside the instants at which the cosine touches
+/// 1 or -1, cos(k pi / degree); where these were not found, there were 290,000 windows beside one of them.
+TEST(CosinePieces, RestBesideTouchesAtHighDegrees) {
+  const double pi = std::acos(-1);
+  for (const int degree : {8, 12, max_degree}) {
+    const std::vector<MotionPiece> pieces = cut(chebyshev(degree), 0, 1);
+    std::size_t cuts = 0;
+    for (int k = degree / 2 - 1; k > 0; --k) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", extreme " + std::to_string(k));
+      const double extreme = std::cos(k * pi / degree);
+      ASSERT_LT(cuts, pieces.size());
+      EXPECT_NEAR(pieces[cuts].until, extreme, 0x1p-50);
+      if (std::fabs(extreme - 0.5) < 0x1p-40) {
+        EXPECT_EQ(pieces[cuts++].until, 0.5);
+        continue;
+      }
+      EXPECT_NEAR(pieces[cuts + 1].until, extreme, 0x1p-50);
+      EXPECT_TRUE(std::holds_alternative<DirectionRotation>(pieces[cuts + 1].rotation));
+      cuts += 2;
+    }
+    EXPECT_EQ(pieces.size(), cuts + 1);
+  }
 }
 
 }  // namespace
