@@ -4,10 +4,10 @@
 #   taut_finish_layers()                      after the last one
 #
 # Each is a library of its own, so that what uses a layer it does not name does not link. With CMAKE_UNITY_BUILD the
-# compiler sees three files only, one of all layers that have to be fast and two of the others: each header is read
-# three times instead of some twenty, and each template compiled so often. Two processors take about as long for the
-# first one as for the others and the programs. (Not for the browser: a linker takes whole files, and a page is to be
-# small.)
+# compiler sees three files only, one of all layers that have to be fast and two of the others, and tests/layers_test.py
+# sees to what they include: each header is read three times instead of some twenty, and each template compiled so often.
+# Two processors take about as long for the first one as for the others and the programs. (Not for the browser: a linker
+# takes whole files, and a page is to be small.)
 set(taut_few_files OFF)
 if(CMAKE_UNITY_BUILD AND NOT EMSCRIPTEN)
   set(taut_few_files ON)

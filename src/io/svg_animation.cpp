@@ -22,8 +22,6 @@ namespace {
 using io::pixel_text;
 using Track = io::SvgTrack;
 
-constexpr double bar_height = 34, animation_margin = 24;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class Animation {
@@ -32,7 +30,7 @@ class Animation {
       : scene_(scene),
         frames_(frames),
         options_(options),
-        canvas_(all_points(frames), options.width, io::title_height, bar_height),
+        canvas_(all_points(frames), options.width, io::title_height, io::SvgLoop::bar_height),
         loop_(options.seconds + options.pause) {}
 
   std::string draw() const {
@@ -168,11 +166,11 @@ class Animation {
 
   /// Where in time the picture stands: a bar over the scene's interval, and in words how it ends.
   std::string draw_bar(bool moving) const {
-    const double y = canvas_.height() - 20, whole = canvas_.width() - 2 * animation_margin;
+    const double y = canvas_.height() - 20, whole = canvas_.width() - 2 * io::SvgCanvas::margin;
     const double length = scene_.end - scene_.start;
     const double reached = length > 0 ? whole * (frames_.back().time - scene_.start) / length : whole;
     const char* colour = options_.contact ? io::contact_colour : io::reflex_colour;
-    return loop().bar(moving, animation_margin, whole, y, reached, colour, io::escape_xml(options_.ending));
+    return loop().bar(moving, io::SvgCanvas::margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 
   const Scene& scene_;

@@ -12,8 +12,6 @@ namespace taut::io {
 
 namespace {
 
-constexpr double canvas_margin = 24;
-
 /// "12.50" as "12.5", "3.00" as "3", "-0.00" as "0".
 std::string short_decimal(double value) {
   if (!std::isfinite(value)) value = 0;
@@ -36,16 +34,16 @@ SvgCanvas::SvgCanvas(const std::vector<Point>& points, int width, double top, do
   // Halves first: the extent of huge coordinates must not overflow.
   const double half_x = high.x / 2 - low.x / 2, half_y = high.y / 2 - low.y / 2;
   width_ = std::max(width, 200);
-  const double inner_width = width_ - 2 * canvas_margin;
+  const double inner_width = width_ - 2 * margin;
   const double aspect = half_x > 0 ? half_y / half_x : 1.5;
   const double inner_height = inner_width * std::clamp(aspect, 0.15, 1.5);
-  height_ = std::ceil(top + inner_height + 2 * canvas_margin + bottom);
+  height_ = std::ceil(top + inner_height + 2 * margin + bottom);
   const double fit_x = half_x > 0 ? inner_width / half_x : infinity;
   const double fit_y = half_y > 0 ? inner_height / half_y : infinity;
   scale_ = std::min(fit_x, fit_y) / 2;
   if (!std::isfinite(scale_)) scale_ = 1;
   world_centre_ = {low.x + half_x, low.y + half_y};
-  pixel_centre_ = {width_ / 2, top + canvas_margin + inner_height / 2};
+  pixel_centre_ = {width_ / 2, top + margin + inner_height / 2};
 }
 
 Point SvgCanvas::pixel(const Point& p) const {

@@ -11,6 +11,9 @@ namespace taut::io {
 /// A frame of `width` pixels whose inner part shows all the points given; y points up in the world.
 class SvgCanvas {
  public:
+  /// Pixels around that part, on all sides.
+  static constexpr double margin = 24;
+
   SvgCanvas(const std::vector<Point>& points, int width, double top, double bottom);
 
   double width() const { return width_; }

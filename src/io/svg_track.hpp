@@ -61,6 +61,8 @@ struct SvgLoop {
         "keyTimes=\"0;{:.5g}\" values=\"0;1\"/>",
         seconds, moment(frames - 1));
   }
+  /// The room below a picture for its bar.
+  static constexpr double bar_height = 34;
   /// Where in time the picture stands: a bar of that width at that height over the scene's interval, filled up to
   /// `reached`, and in words how it ends.
   std::string bar(bool moving, double margin, double whole, double y, double reached, const char* colour,

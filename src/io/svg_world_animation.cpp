@@ -20,7 +20,6 @@ namespace taut {
 
 namespace {
 
-constexpr double world_bar_height = 34, world_margin = 24;
 /// Instants between two frames at which angles are looked at, so that a fast turn is not taken for a slow one.
 constexpr int looks_between = 8;
 
@@ -33,7 +32,7 @@ class WorldAnimation {
         shapes_(scene),
         frames_(frames()),
         legend_(scene, options.draw.width),
-        canvas_(all_points(), options.draw.width, io::title_height, world_bar_height + legend_height()),
+        canvas_(all_points(), options.draw.width, io::title_height, io::SvgLoop::bar_height + legend_height()),
         loop_(options.seconds + options.pause) {}
 
   std::string draw() const {
@@ -168,12 +167,12 @@ class WorldAnimation {
 
   /// Where in time the picture stands: a bar over the scene's interval, and in words how it ends.
   std::string draw_bar(bool moving) const {
-    const double y = canvas_.height() - legend_height() - 20, whole = canvas_.width() - 2 * world_margin;
+    const double y = canvas_.height() - legend_height() - 20, whole = canvas_.width() - 2 * io::SvgCanvas::margin;
     const double length = scene_.end - scene_.start;
     const double reached = length > 0 ? whole * (end_ - scene_.start) / length : whole;
     const bool hit = !options_.draw.contacts.empty() || !options_.draw.overlaps.empty();
     const char* colour = hit ? io::contact_colour : io::reflex_colour;
-    return loop().bar(moving, world_margin, whole, y, reached, colour, io::escape_xml(options_.ending));
+    return loop().bar(moving, io::SvgCanvas::margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 
   const Scene& scene_;

@@ -1,0 +1,74 @@
+"""The library's layers depend on those that CMakeLists.txt names, and on no others; nor does the verifier use an engine.
+
+usage: layers_test.py PROJECT
+
+Where each layer is a library of its own, the linker sees to that. Builds that compile the whole library as a few files
+(cmake/layers.cmake) link whatever is called: here the headers that are included tell, but for the public ones, which have
+types for all."""
+
+import re
+import sys
+from pathlib import Path
+
+
+def layers_of(cmake):
+    """The layers that each one names, and the order in which they are listed."""
+    uses = {}
+    for name, arguments in re.findall(r"^taut_layer\((\w+)([^)]*)\)", cmake, re.M):
+        words = arguments.split()
+        uses[name] = words[words.index("USES") + 1 :] if "USES" in words else []
+    return uses
+
+
+def reach(uses, layer):
+    """The layer, what it names, and what these name."""
+    found, left = set(), [layer]
+    while left:
+        one = left.pop()
+        if one not in found:
+            found.add(one)
+            left += uses[one]
+    return found
+
+
+def includes(file):
+    return re.findall(r'^#include "([^"]+)"', file.read_text(), re.M)
+
+
+def sources(folder):
+    return sorted([*folder.glob("*.cpp"), *folder.glob("*.hpp")])
+
+
+def faults(project):
+    uses = layers_of((project / "CMakeLists.txt").read_text())
+    if len(uses) < 10:
+        yield "CMakeLists.txt: no layers found"
+    folders = {f.name for f in (project / "src").iterdir() if f.is_dir()}
+    for folder in sorted(folders ^ uses.keys()):
+        yield f"src/{folder}: a folder without a layer, or a layer without a folder"
+
+    def of(file, may_use):
+        for header in includes(file):
+            layer = header.split("/")[0]
+            if layer in uses and layer not in may_use:
+                yield f"{file.relative_to(project)} includes {header}, of a layer that it does not depend on"
+
+    for layer in uses:
+        for file in sources(project / "src" / layer):
+            yield from of(file, reach(uses, layer))
+    verifier = reach(uses, "proof") | reach(uses, "io")
+    for engine in ("tiling", "kinetic", "spacetime", "search", "check"):
+        if engine in verifier:
+            yield f"CMakeLists.txt: the verifier's layers use {engine}"
+    for file in sources(project / "apps" / "verify"):
+        yield from of(file, verifier)
+
+
+def main():
+    found = list(faults(Path(sys.argv[1]).resolve()))
+    print("\n".join(found) or "every layer keeps to those that it names")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
