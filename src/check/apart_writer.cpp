@@ -16,20 +16,24 @@ using proof::Aside;
 
 /// Ranges that move farther than this share of their size are left to shorter stretches of time.
 constexpr double patience_of_proofs = 0.75;
+/// Or those whose motion is known no better than to this one: a window half as long leaves an eighth of that.
+constexpr double share_of_doubt = 0.0625;
 /// A margin as small as this, beside the coordinates, is left to multi-precision.
 constexpr double doubtful = 0x1p-44;
 
-/// What keeps a vertex from an edge in the middle of the window, by about how much, the most first.
+/// By about how much that keeps a vertex from an edge in the middle of the window.
+double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, Aside why) {
+  const Vector v = sight.shift + sight.turn * proof::place(g, i.vertex);
+  const proof::HalfPlane side = proof::half_plane(proof::place(g, i.edge), proof::place(g, g.next(i.edge)), why);
+  return dot(side.normal, v - side.from);
+}
+
+/// The same for what a vertex may be aside of the edge itself by, the most first.
 std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
                                                 const proof::Sight& sight) {
-  const Vector a = proof::place(g, i.edge), b = proof::place(g, g.next(i.edge));
-  const Vector v = sight.shift + sight.turn * proof::place(g, i.vertex);
   std::array<std::pair<double, Aside>, 4> all{
       {{0, Aside::left}, {0, Aside::right}, {0, Aside::behind_first}, {0, Aside::behind_second}}};
-  for (auto& [margin, why] : all) {
-    const proof::HalfPlane side = proof::half_plane(a, b, why);
-    margin = dot(side.normal, v - side.from);
-  }
+  for (auto& [margin, why] : all) margin = margin_by(g, i, sight, why);
   std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
   return all;
 }
@@ -43,6 +47,12 @@ bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, con
   return margin > 2 * l1_norm(edge) * (way + sight.shift_error + sight.turn_error * l1_norm(v));
 }
 
+/// How well the motion is known.
+double doubt(const proof::MotionWindow& window, const proof::EdgeRange& q) {
+  const proof::Sight& sight = window.from_p();
+  return sight.shift_error + sight.turn_error * (l1_norm(q.centre) + q.radius());
+}
+
 }  // namespace
 
 void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time) {
@@ -51,7 +61,9 @@ void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime&
   const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const proof::MotionWindow& window = windows_.at(time);
   if (const auto named = proof::separating_step(window, p, q, margin_)) return step(*named);
-  const bool far = proof::motion_in(window, q) > patience_of_proofs * (p.radius() + q.radius());
+  const double radii = p.radius() + q.radius();
+  const bool far =
+      proof::motion_in(window, q) > patience_of_proofs * radii || doubt(window, q) > share_of_doubt * radii;
   if (far && time.divisible()) return halve_time(ranges, time);
   if (!pair_.single(ranges)) return halve_range(ranges, time);
   if (const auto why = margin_ > 0 ? margin_kept(ranges, time) : ends_apart(ranges, time)) {
@@ -138,6 +150,10 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
   const auto& [widest, plain] = candidates[0];
   if (is_far(widest, pair_.geometry, incidence, sight, window.half()) && stays_aside(incidence, plain, time, end))
     return plain;
+  for (const auto& [margin, why] : candidates) {
+    const bool tie = margin > none && lifetimes_.leg().translation && is_new_tie(incidence, why, time);
+    if (tie && stays_aside(incidence, why, time, end)) return why;
+  }
   if (widest > none && time.divisible()) return std::nullopt;
   for (const auto& [margin, why] : candidates) {
     if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
@@ -148,6 +164,19 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
     if (stays_aside(incidence, static_cast<Aside>(why), time, end)) return static_cast<Aside>(why);
   }
   return std::nullopt;
+}
+
+/// A margin that is gone, but for the displacement, at an end of the stretch: windows would be halved down to there,
+/// and exact forms tell of the whole window.
+bool ApartWriter::is_new_tie(const proof::Incidence& incidence, Aside why, const proof::HalvedTime& time) {
+  const auto is_gone = [&](double at, std::optional<proof::MotionWindow>& window) {
+    if (!window) window.emplace(lifetimes_.leg(), at, at);
+    const proof::Sight& sight = pair_.geometry.in_p(incidence.edge) ? window->from_p() : window->from_q();
+    return std::fabs(margin_by(pair_.geometry, incidence, sight, why)) <=
+           doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
+  };
+  const bool gone = (time.from == from_ && is_gone(from_, at_start_)) || (time.to == to_ && is_gone(to_, at_end_));
+  return gone && ties_.insert({incidence.vertex.value, incidence.edge.value, why}).second;
 }
 
 /// Where it cannot be decided, another reason may do, or a shorter stretch of time.

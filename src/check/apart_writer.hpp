@@ -1,7 +1,9 @@
 // Finds the trees of separations that a log of a world consists of.
 #pragma once
 
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "proof/apart_checker.hpp"
 
@@ -18,7 +20,12 @@ class ApartWriter {
       : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), margin_(margin), windows_(lifetimes.leg()) {}
 
   /// Throws Undecidable where nothing separates two edges.
-  void write(double from, double to) { visit({}, {from, to}); }
+  void write(double from, double to) {
+    from_ = from;
+    to_ = to;
+    windows_.begin(from, to);
+    visit({}, {from, to});
+  }
 
  private:
   void step(std::uint8_t named) { out_.push_back(static_cast<char>(named)); }
@@ -27,6 +34,7 @@ class ApartWriter {
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time);
   std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
                                      const proof::Sight& sight, const proof::HalvedTime& time);
+  bool is_new_tie(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time);
   bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
                    const Instant& end);
   std::optional<proof::Aside> reason_for_margin(const proof::Incidence& incidence, const proof::Sight& sight,
@@ -40,6 +48,9 @@ class ApartWriter {
   std::string& out_;
   double margin_;
   proof::HalvedWindows windows_;
+  double from_ = 0, to_ = 0;                                               ///< the stretch
+  std::optional<proof::MotionWindow> at_start_, at_end_;                   ///< of it, if they were asked for
+  std::set<std::tuple<std::uint32_t, std::uint32_t, proof::Aside>> ties_;  ///< vertex and edge; tried already
 };
 
 }  // namespace taut

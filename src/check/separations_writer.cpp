@@ -40,10 +40,16 @@ std::pair<proof::FineInstant, Instant> instant(const proof::ProvedPair& pair, pr
     return std::nullopt;
   };
   const Leg& leg = lifetimes.leg();
+  std::optional<std::pair<proof::FineInstant, Instant>> any;
   for (double share = 0x1p-48; share <= 0x1p-8; share *= 0x1p8) {
     const proof::FineInstant since{std::max(leg.start, found.lo - share * (leg.end - leg.start)), 0, 0};
-    if (const auto now = first_since(since)) return {since, *now};
+    const auto now = first_since(since);
+    if (!now && any) break;
+    if (now) any = {since, *now};
+    // Doubles tell that one is before the other.
+    if (now && since[0] < now->lo) break;
   }
+  if (any) return *any;
   // It may have come to the outside between the same two doubles.
   for (double step = 0x1p-200; found.at && step <= 0x1p-48; step *= 0x1p4) {
     const proof::FineInstant since = proof::nearest_instant(found.at->lo() - step);

@@ -80,7 +80,7 @@ WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) con
   if (!reach) return {{-infinite, -infinite, infinite, infinite}, {}};
   const StatedBox box = around(*reach, room_);
   // Where doubles do not tell, as with coordinates beyond those of a single.
-  if (!proof::stays_within(scene_[body], time, room_, box)) return {*reach, {}};
+  if (!proof::has_room(box, room_, *reach)) return {*reach, {}};
   return {*reach, within(box, boxes_.of(body))};
 }
 

@@ -1,5 +1,7 @@
 #include "proof/apart_checker.hpp"
 
+#include <bit>
+
 #include "base/interruption.hpp"
 #include "proof/kept_margin.hpp"
 #include "taut/error.hpp"
@@ -12,24 +14,31 @@ const MotionWindow& HalvedWindows::at(const HalvedTime& time) {
   return known != windows_.end() ? known->second : windows_.emplace(time.number, made(time)).first->second;
 }
 
-/// One over a longer window, if there is one. It is made when there is a second use for it.
-const FrameModel* HalvedWindows::sharp_model(const HalvedTime& time) {
-  for (std::uint64_t number = time.number; number > 0 && !models_.empty(); number /= 2) {
-    if (const auto found = models_.find(number); found != models_.end() && found->second) return &*found->second;
+/// That over the longest window above it that has one.
+const FrameModel* HalvedWindows::sharp_model_above(const HalvedTime& time) {
+  HalvedTime above = whole_;
+  for (int half = static_cast<int>(std::bit_width(time.number)) - 2; half >= 0; --half) {
+    if (const FrameModel* sharp = sharp_model_over(above)) return sharp;
+    above = (time.number >> half & 1) != 0 ? above.second() : above.first();
   }
-  const auto longer = windows_.find(time.number / 2);
-  if (longer == windows_.end() || !longer->second.may_be_sharp()) return nullptr;
-  if (models_.size() >= most_models) models_.clear();
-  const auto [made, is_new] = models_.try_emplace(longer->first);
-  if (is_new) {
-    const FrameModel model = FrameModel::over(leg_, longer->second.from(), longer->second.to());
-    if (model.sharp()) made->second = model;
+  return nullptr;
+}
+
+const FrameModel* HalvedWindows::sharp_model_over(const HalvedTime& time) {
+  auto known = models_.find(time.number);
+  if (known == models_.end()) {
+    const bool promising = at(time).may_be_sharp();
+    if (models_.size() >= most_models) models_.clear();
+    known = models_.try_emplace(time.number).first;
+    const FrameModel model = promising ? FrameModel::over(leg_, time.from, time.to) : FrameModel();
+    if (promising && model.sharp()) known->second = model;
   }
-  return made->second ? &*made->second : nullptr;
+  return known->second ? &*known->second : nullptr;
 }
 
 MotionWindow HalvedWindows::made(const HalvedTime& time) {
-  if (const FrameModel* sharp = leg_.bridge ? nullptr : sharp_model(time)) return {leg_, *sharp, time.from, time.to};
+  if (const FrameModel* sharp = leg_.bridge ? nullptr : sharp_model_above(time))
+    return {leg_, *sharp, time.from, time.to};
   return {leg_, time.from, time.to};
 }
 

@@ -21,20 +21,25 @@ struct HalvedTime {
 };
 
 /// The windows of one stretch and its halves, each made once. Where a model of the motion leaves out no more than
-/// rounding does, all halves of its window are seen by it: to make one costs as much as to see a hundred.
+/// rounding does, all halves of its window are seen by it: to make one costs as much as to see a hundred. Which model
+/// that is, and so the window, depends on the stretch alone, and not on what was asked for before: who writes a log
+/// looks at more windows than who checks it.
 class HalvedWindows {
  public:
   explicit HalvedWindows(const Leg& leg) : leg_(leg) {}
+  void begin(double from, double to) { whole_ = {from, to}; }
   /// Valid until the next call.
   const MotionWindow& at(const HalvedTime& time);
 
  private:
   MotionWindow made(const HalvedTime& time);
-  const FrameModel* sharp_model(const HalvedTime& time);
+  const FrameModel* sharp_model_above(const HalvedTime& time);
+  const FrameModel* sharp_model_over(const HalvedTime& time);
 
   /// So many are kept.
   static constexpr std::size_t most = 1 << 14, most_models = 1 << 9;
   const Leg& leg_;
+  HalvedTime whole_{0, 0};
   std::unordered_map<std::uint64_t, MotionWindow> windows_;
   std::unordered_map<std::uint64_t, std::optional<FrameModel>> models_;  ///< nothing where it was not sharp
 };
@@ -55,7 +60,10 @@ class ApartChecker {
                double margin = 0)
       : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), margin_(margin), windows_(lifetimes.leg()) {}
 
-  void check(double from, double to) { visit({}, {from, to}); }
+  void check(double from, double to) {
+    windows_.begin(from, to);
+    visit({}, {from, to});
+  }
   /// How many pairs of ranges, or of edges, were shown to be apart.
   std::uint64_t separations() const { return separations_; }
 

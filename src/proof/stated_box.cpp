@@ -20,6 +20,10 @@ Ball<double> over_stretch(const Jet<double>& middle, const Jet<double>& over, do
   return by_slope.rad <= over.v.rad ? by_slope : over.v;
 }
 
+bool contains(const BoxedBody& all, const BoxedBody& b) {
+  return b.lo_x >= all.lo_x && b.lo_y >= all.lo_y && b.hi_x <= all.hi_x && b.hi_y <= all.hi_y;
+}
+
 /// A body while every motion of its chain follows one piece.
 class BodyReach {
  public:
@@ -43,8 +47,7 @@ class BodyReach {
   /// Does it stay within the box, as far as some halvings tell?
   bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
     interruption_point();
-    const BoxedBody b = over(chain, from, to);
-    if (b.lo_x >= box.lo_x && b.lo_y >= box.lo_y && b.hi_x <= box.hi_x && b.hi_y <= box.hi_y) return true;
+    if (contains(box, over(chain, from, to))) return true;
     const double m = from + (to - from) / 2;
     return halvings > 0 && from < m && m < to && within(box, chain, from, m, halvings - 1) &&
            within(box, chain, m, to, halvings - 1);
@@ -111,6 +114,8 @@ bool stays_within(const ProvedBody& body, const WorldTime& time, double room, co
     return reach.within(inner, chain, from, to, halvings);
   });
 }
+
+bool has_room(const StatedBox& box, double room, const BoxedBody& reach) { return contains(shrunk(box, room), reach); }
 
 std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time) {
   const BodyReach reach(body.rings->bounds());

@@ -50,4 +50,7 @@ bool stays_within(const ProvedBody& body, const WorldTime& time, double room, co
 /// A box in which the body, without room around it, stays; nothing where its motion is too wild to tell.
 std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time);
 
+/// Does what is nearer than `room` to such a box stay within a stated one? Then stays_within() says so of the body.
+bool has_room(const StatedBox& box, double room, const BoxedBody& reach);
+
 }  // namespace taut::proof

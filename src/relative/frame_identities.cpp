@@ -73,9 +73,6 @@ FrameIdentities::FrameIdentities(const Leg& leg) {
   const FrameOf<Symbolic> f = symbolic_frame(leg, symbols);
   pp_ = conditions_of(f.for_pp, symbols);
   qq_ = conditions_of(f.for_qq, symbols);
-  const double length = leg.end - leg.start;
-  looks_ = {frame_values(leg, Ball<double>::exact(leg.start + 0.3127 * length)),
-            frame_values(leg, Ball<double>::exact(leg.start + 0.7841 * length))};
 }
 
 bool FrameIdentities::vanishes(bool pp, const std::array<Dyadic, 5>& c) const {
@@ -85,15 +82,6 @@ bool FrameIdentities::vanishes(bool pp, const std::array<Dyadic, 5>& c) const {
            for (std::size_t i = 0; i < c.size(); ++i) sum = sum + c[i] * condition[i];
            return sum.is_zero();
          });
-}
-
-bool FrameIdentities::differs_from_zero(bool pp, const std::array<Ball<double>, 5>& c) const {
-  return std::any_of(looks_.begin(), looks_.end(), [&](const FrameValues<double>& look) {
-    const std::array<Ball<double>, 5>& f = pp ? look.for_pp : look.for_qq;
-    Ball<double> sum = f[0] * c[0];
-    for (std::size_t i = 1; i < c.size(); ++i) sum = sum + f[i] * c[i];
-    return sum.sign() != 0;
-  });
 }
 
 }  // namespace taut

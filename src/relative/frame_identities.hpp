@@ -15,15 +15,14 @@ namespace taut {
 ///
 /// The frame functions are written as expressions (Symbolic) over one denominator. A combination of them is zero if and
 /// only if it is term by term and power by power: these are linear conditions on its coefficients, of which at most
-/// five are independent.
+/// five are independent. To find them takes long: where FrameLooks tells that a combination is not zero, they are not
+/// asked for.
 class FrameIdentities {
  public:
   explicit FrameIdentities(const Leg& leg);
   /// Is the sum of these coefficients times the frame functions for `pp` zero at all times of the leg? If so, it
   /// certainly is.
   bool vanishes(bool pp, const std::array<Dyadic, 5>& coefficients) const;
-  /// Certainly not, after a look at two instants.
-  bool differs_from_zero(bool pp, const std::array<Ball<double>, 5>& coefficients) const;
 
  private:
   using Condition = std::array<Dyadic, 5>;
@@ -34,7 +33,6 @@ class FrameIdentities {
   static Side conditions_of(const std::array<Symbolic, 5>& functions, const SymbolicLeg& leg);
 
   Side pp_, qq_;
-  std::array<FrameValues<double>, 2> looks_;
 };
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "relative/frame_identities.hpp"
+#include "relative/frame_looks.hpp"
 
 namespace taut {
 
@@ -290,6 +291,11 @@ FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
 const FrameIdentities& Leg::identities() const {
   if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
   return *identities_;
+}
+
+const FrameLooks& Leg::looks() const {
+  if (!looks_) looks_ = std::make_shared<const FrameLooks>(*this);
+  return *looks_;
 }
 
 }  // namespace taut

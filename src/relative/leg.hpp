@@ -47,6 +47,7 @@ struct ExactVector {
 };
 
 class FrameIdentities;
+class FrameLooks;
 
 /// One leg of the relative motion.
 struct Leg {
@@ -113,9 +114,11 @@ struct Leg {
   double time(double parameter) const { return bridge ? joint : parameter; }
   /// Made when first asked for, by one thread at a time.
   const FrameIdentities& identities() const;
+  const FrameLooks& looks() const;
   /// Drops what was made when it was first asked for. Of many legs only the present one is asked much.
   void forget() const {
     identities_.reset();
+    looks_.reset();
     if (local_) local_->forget();
   }
 
@@ -134,6 +137,7 @@ struct Leg {
   };
   std::vector<SingularLink> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
+  mutable std::shared_ptr<const FrameLooks> looks_;
 };
 
 /// The frame over the ball t of the leg's parameter. Like those below, for doubles and at every precision.

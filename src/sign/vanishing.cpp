@@ -4,6 +4,7 @@
 
 #include "numeric/exact_number.hpp"
 #include "relative/frame_identities.hpp"
+#include "relative/frame_looks.hpp"
 
 namespace taut {
 namespace {
@@ -28,11 +29,11 @@ bool vanishes_on_translation(const Leg& leg, const PairGeometry& g, const Form& 
 
 bool vanishes_before_displacement(const Leg& leg, const PairGeometry& g, const Form& form) {
   if (leg.translation) return vanishes_on_translation(leg, g, form);
-  const FrameIdentities& identities = leg.identities();
   const auto given = [&](auto zero) {
     return form_coefficients(form.pp, points_of<decltype(zero)>(leg, g, form, Shape::given));
   };
-  return !identities.differs_from_zero(form.pp, given(Ball<double>())) && identities.vanishes(form.pp, given(Dyadic()));
+  return !leg.looks().differs_from_zero(form.pp, given(Ball<double>())) &&
+         leg.identities().vanishes(form.pp, given(Dyadic()));
 }
 
 Portion portion_of(const Leg& leg, const PairGeometry& g, const Form& form) {
