@@ -18,6 +18,9 @@ using proof::Aside;
 constexpr double patience_of_proofs = 0.75;
 /// Or those whose motion is known no better than to this one: a window half as long leaves an eighth of that.
 constexpr double share_of_doubt = 0.0625;
+/// Where half a window left so much of the doubt, and that is much of the motion, it is what doubles round: no shorter
+/// window makes more of them.
+constexpr double share_of_rounding = 0.875;
 /// A margin as small as this, beside the coordinates, is left to multi-precision.
 constexpr double doubtful = 0x1p-44;
 
@@ -55,37 +58,38 @@ double doubt(const proof::MotionWindow& window, const proof::EdgeRange& q) {
 
 }  // namespace
 
-void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt_before) {
   interruption_point();
   if (until_ && time.from >= until_->hi) return step(proof::step::later);
   const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const proof::MotionWindow& window = windows_.at(time);
   if (const auto named = proof::separating_step(window, p, q, margin_)) return step(*named);
-  const double radii = p.radius() + q.radius();
-  const bool far =
-      proof::motion_in(window, q) > patience_of_proofs * radii || doubt(window, q) > share_of_doubt * radii;
-  if (far && time.divisible()) return halve_time(ranges, time);
-  if (!pair_.single(ranges)) return halve_range(ranges, time);
-  if (const auto why = margin_ > 0 ? margin_kept(ranges, time) : ends_apart(ranges, time)) {
+  const double radii = p.radius() + q.radius(), moved = proof::motion_in(window, q), unknown = doubt(window, q);
+  const bool far = moved > patience_of_proofs * radii || unknown > share_of_doubt * radii;
+  if (far && time.divisible()) return halve_time(ranges, time, unknown);
+  if (!pair_.single(ranges)) return halve_range(ranges, time, doubt_before);
+  const bool rounded = unknown > moved / 4 && unknown > share_of_rounding * doubt_before;
+  const bool halves_help = time.divisible() && !rounded;
+  if (const auto why = margin_ > 0 ? margin_kept(ranges, time) : ends_apart(ranges, time, halves_help)) {
     step(proof::step::ends_apart);
     return step(*why);
   }
   if (!time.divisible()) throw Undecidable{"what keeps two edges apart"};
-  halve_time(ranges, time);
+  halve_time(ranges, time, unknown);
 }
 
-void ApartWriter::halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+void ApartWriter::halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt) {
   step(proof::step::halve_time);
-  visit(ranges, time.first());
-  visit(ranges, time.second());
+  visit(ranges, time.first(), doubt);
+  visit(ranges, time.second(), doubt);
 }
 
-void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt) {
   const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const bool of_p = q.single() || (!p.single() && p.radius() >= q.radius());
   step(of_p ? proof::step::halve_p : proof::step::halve_q);
   for (const std::uint32_t half : of_p ? p.halves : q.halves)
-    visit(of_p ? proof::RangePair{half, ranges.q} : proof::RangePair{ranges.p, half}, time);
+    visit(of_p ? proof::RangePair{half, ranges.q} : proof::RangePair{ranges.p, half}, time, doubt);
 }
 
 /// Reasons are tried where about the middle of the window speaks for them, the most convincing first.
@@ -119,17 +123,18 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
-std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time) {
+std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
+                                                    bool halves_help) {
   const proof::MotionWindow window = windows_.at(time);
-  const auto onto_p = reason(pair_.onto_p(ranges), window, window.from_p(), time);
+  const auto onto_p = reason(pair_.onto_p(ranges), window, window.from_p(), time, halves_help);
   if (!onto_p) return std::nullopt;
-  const auto onto_q = reason(pair_.onto_q(ranges), window, window.from_q(), time);
+  const auto onto_q = reason(pair_.onto_q(ranges), window, window.from_q(), time, halves_help);
   if (!onto_q) return std::nullopt;
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
 std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
-                                         const proof::Sight& sight, const proof::HalvedTime& time) {
+                                         const proof::Sight& sight, const proof::HalvedTime& time, bool halves_help) {
   const Instant end = proof::end_of(time, until_);
   const auto candidates = margins(pair_.geometry, incidence, sight);
   const double none = doubtful * (1 + sight.size), doubt = none + sight.shift_error + sight.turn_error;
@@ -146,7 +151,8 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
     if (open[k] && proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end))
       return why;
   }
-  // Shorter windows make more of doubles, but not where the largest margin is none in them, or is plain already.
+  // Shorter windows make more of doubles, but not where they do not help, or the largest margin is none in them, or is
+  // plain already.
   const auto& [widest, plain] = candidates[0];
   if (is_far(widest, pair_.geometry, incidence, sight, window.half()) && stays_aside(incidence, plain, time, end))
     return plain;
@@ -154,7 +160,7 @@ std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, cons
     const bool tie = margin > none && lifetimes_.leg().translation && is_new_tie(incidence, why, time);
     if (tie && stays_aside(incidence, why, time, end)) return why;
   }
-  if (widest > none && time.divisible()) return std::nullopt;
+  if (widest > none && halves_help) return std::nullopt;
   for (const auto& [margin, why] : candidates) {
     if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
   }

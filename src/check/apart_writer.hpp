@@ -1,6 +1,7 @@
 // Finds the trees of separations that a log of a world consists of.
 #pragma once
 
+#include <limits>
 #include <set>
 #include <string>
 #include <tuple>
@@ -24,23 +25,25 @@ class ApartWriter {
     from_ = from;
     to_ = to;
     windows_.begin(from, to);
-    visit({}, {from, to});
+    visit({}, {from, to}, std::numeric_limits<double>::infinity());
   }
 
  private:
   void step(std::uint8_t named) { out_.push_back(static_cast<char>(named)); }
-  void visit(const proof::RangePair& ranges, const proof::HalvedTime& time);
-  void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time);
-  void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time);
+  /// `doubt` is how well the motion was known in the window of which this one is a half.
+  void visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
+  void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
+  void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
-                                     const proof::Sight& sight, const proof::HalvedTime& time);
+                                     const proof::Sight& sight, const proof::HalvedTime& time, bool halves_help);
   bool is_new_tie(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time);
   bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
                    const Instant& end);
   std::optional<proof::Aside> reason_for_margin(const proof::Incidence& incidence, const proof::Sight& sight,
                                                 const proof::HalvedTime& time);
   std::optional<std::uint8_t> margin_kept(const proof::RangePair& ranges, const proof::HalvedTime& time);
-  std::optional<std::uint8_t> ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time);
+  std::optional<std::uint8_t> ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
+                                         bool halves_help);
 
   const proof::RangedPair& pair_;
   proof::Lifetimes& lifetimes_;

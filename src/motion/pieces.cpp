@@ -67,7 +67,7 @@ bool same_motion(const MotionPiece& a, const MotionPiece& b) {
 }
 
 double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
-  const Pose<double> a = pose(before, Ball<double>::exact(t)), b = pose(after, Ball<double>::exact(t));
+  const Pose<double> a = sharp_pose(before, t), b = sharp_pose(after, t);
   const double ox = b.ox.v.mid - a.ox.v.mid, oy = b.oy.v.mid - a.oy.v.mid;
   const double xx = b.xx.v.mid - a.xx.v.mid, xy = b.xy.v.mid - a.xy.v.mid;
   double gap = 0;

@@ -33,4 +33,23 @@ std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double
   return cosine;
 }
 
+namespace {
+
+/// What is not told from zero is zero.
+Ball<double> rounded(const Ball<RealMax>& x) {
+  const double mid = RealTraits<RealMax>::to_double(x.mid), size = std::fabs(mid);
+  if (!(size > x.rad)) return Ball<double>(0, detail::inflate(x.rad + size));
+  return Ball<double>(mid, detail::inflate(x.rad + size * 0x1p-52));
+}
+Jet<double> rounded(const Jet<RealMax>& x) { return {rounded(x.v), rounded(x.d), rounded(x.dd)}; }
+
+}  // namespace
+
+Pose<double> sharp_pose(const MotionPiece& piece, double t) {
+  const Pose<double> p = pose(piece, Ball<double>::exact(t));
+  if (p.xx.v.rad + p.xy.v.rad < 0x1p-40) return p;
+  const Pose<RealMax> sharp = pose(piece, Ball<RealMax>::exact(t));
+  return {rounded(sharp.ox), rounded(sharp.oy), rounded(sharp.xx), rounded(sharp.xy)};
+}
+
 }  // namespace taut

@@ -199,6 +199,10 @@ Pose<Real> pose(const MotionPiece& piece, const LocalTime<Real>& t) {
   return pose_of<Jet<Real>>(piece, t);
 }
 
+/// The pose at an instant, with precise numbers where doubles tell nothing of it: beside 1, a cosine that is a sum of
+/// large terms leaves the sine but a few digits.
+Pose<double> sharp_pose(const MotionPiece& piece, double t);
+
 /// A frame that is seen from another one: the poses as complex numbers are multiplied.
 template <class J>
 PoseOf<J> compose(const PoseOf<J>& parent, const PoseOf<J>& child) {

@@ -13,9 +13,7 @@ namespace {
 const Pose<double> resting_pose{Jet<double>::constant(0.0), Jet<double>::constant(0.0), Jet<double>::constant(1.0),
                                 Jet<double>::constant(0.0)};
 
-Pose<double> own_pose(const Motion& motion, double t) {
-  return pose(piece_at(motion.pieces, t), Ball<double>::exact(t));
-}
+Pose<double> own_pose(const Motion& motion, double t) { return sharp_pose(piece_at(motion.pieces, t), t); }
 
 BodyPose rounded(const Pose<double>& p) { return {{p.ox.v.mid, p.oy.v.mid}, {p.xx.v.mid, p.xy.v.mid}}; }
 

@@ -184,10 +184,11 @@ bool tells(const Jet<Real>& range, const Ball<Real>& t) {
 }
 
 /// Is what the last coefficient leaves open, a range as those of Taylor polynomials are, much of what hides the sign?
+/// One that leaves everything open is.
 template <class Real>
 bool is_hidden_by_last(const BallPolynomial<Real>& c, const Ball<Real>& range, const Ball<Real>& t) {
   const std::size_t last = c.size - 1;
-  return c[last].rad * std::pow(t.magnitude(), static_cast<double>(last)) > range.rad / 8;
+  return !std::isfinite(range.rad) || c[last].rad * std::pow(t.magnitude(), static_cast<double>(last)) > range.rad / 8;
 }
 
 /// A wider range that tells these signs, or nothing. Coefficients of long numbers have their own scales, and what

@@ -86,12 +86,15 @@ struct Magnitudes {
 };
 
 /// Does a search get on? Where a function is so small that its value decides and no range does, as one that is constant
-/// but for what cancels, all intervals have to be as short as the first one. Near a root of whatever order they grow.
+/// but for what cancels, all intervals have to be as short as the first one. Near a root of whatever order they grow;
+/// towards an instant where the motion is nearly infinitely fast they shrink, scale by scale, and grow behind it.
 class Progress {
  public:
   /// An interval of this length is done, and `left` is left. False if there is no hope.
   bool goes_on(double length, double left) {
-    if (!(left > few * length) || length > longest_) {
+    if (!(left > few * length) || length < shortest_) {
+      start(length);
+    } else if (length > longest_) {
       alike_ = 0;
       longest_ = length;
     }
@@ -99,9 +102,14 @@ class Progress {
   }
 
  private:
+  void start(double length) {
+    alike_ = 0;
+    shortest_ = longest_ = length;
+  }
+
   static constexpr double few = 0x1p18;  ///< more than a search has steps for
   static constexpr int many = 1024;
-  double longest_ = 0;
+  double shortest_ = 0, longest_ = 0;  ///< the longest since the last that was shorter than any before
   int alike_ = 0;
 };
 

@@ -162,7 +162,7 @@ std::array<Polygon, 2> placed(const Scene& scene, double t) {
       continue;
     }
     const std::vector<MotionPiece> pieces = pieces_between(body.motion, scene.start, scene.end);
-    const Pose<double> at = pose(piece_at(pieces, t), Ball<double>::exact(t));
+    const Pose<double> at = sharp_pose(piece_at(pieces, t), t);
     const double c = at.xx.v.mid, s = at.xy.v.mid;
     for (const Point& v : polygon_of(body))
       out[k].push_back({at.ox.v.mid + (c * v.x - s * v.y), at.oy.v.mid + (s * v.x + c * v.y)});

@@ -116,8 +116,8 @@ class PreciseFunction {
         const Jet<Real> range = range_by<sharpness>(*known, t);
         if constexpr (sharpness == Sharpness::telling) {
           if (tells(range, t)) return range;
-          if (known->is_long_for(t) && is_hidden_by_last(about_middle_, range.v, since_middle(*known, t))) {
-            return range_by<sharpness>(new_model(t), t);
+          if (const TaylorFrame<Real>* const better = better_model(*known, range, t)) {
+            return range_by<sharpness>(*better, t);
           }
         }
         if (known->suits(t)) return range;
@@ -128,9 +128,8 @@ class PreciseFunction {
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if constexpr (!std::is_same_v<Real, double>) {
       // By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
-      if (t.rad != 0 && !tells(range, t)) {
-        return range_by<sharpness>(new_model(t), t);
-      }
+      const TaylorFrame<Real>* const made = t.rad != 0 && !tells(range, t) ? new_model(t) : nullptr;
+      if (made) return range_by<sharpness>(*made, t);
     }
     return range;
   }
@@ -158,9 +157,18 @@ class PreciseFunction {
   static Ball<Real> since_middle(const TaylorFrame<Real>& model, const Ball<Real>& t) {
     return t - Ball<Real>(model.middle, 0.0);
   }
-  const TaylorFrame<Real>& new_model(const Ball<Real>& t) const {
-    count_work(work_of_series());
-    return models().make(leg_, t);
+  /// Null if there is no good one.
+  const TaylorFrame<Real>* new_model(const Ball<Real>& t,
+                                     TaylorFrames::Reach reach = TaylorFrames::Reach::several_times) const {
+    const TaylorFrame<Real>* const made = models().make(leg_, t, reach);
+    if (made) count_work(work_of_series());
+    return made;
+  }
+  /// Where what the model leaves out hides the sign: one that leaves out less, if it is worth it.
+  const TaylorFrame<Real>* better_model(const TaylorFrame<Real>& model, const Jet<Real>& range,
+                                        const Ball<Real>& t) const {
+    if (!model.is_loose_for(t) || !is_hidden_by_last(about_middle_, range.v, since_middle(model, t))) return nullptr;
+    return new_model(t, TaylorFrames::Reach::once);
   }
   const BallPolynomial<Real>& about_middle(const TaylorFrame<Real>& model) const {
     if (combined_ != model.number) {

@@ -1,12 +1,24 @@
 #include "sign/taylor_frames.hpp"
 
 #include <algorithm>
+#include <array>
+#include <climits>
 #include <cmath>
+#include <utility>
 
 #include "base/interruption.hpp"
 
 namespace taut {
 namespace {
+
+/// So many are kept; then a new one takes the place of the oldest.
+constexpr std::size_t most_kept = 64;
+template <class T>
+T& keep(std::vector<T>& kept, std::size_t& next, T made) {
+  if (kept.size() < most_kept) return kept.emplace_back(std::move(made));
+  next = (next + 1) % most_kept;
+  return kept[next] = std::move(made);
+}
 
 /// As PreciseFunction counts what it makes.
 constexpr std::uint64_t work_of_frames = 1100;
@@ -20,22 +32,107 @@ Real on_grid(const Real& x, int e) {
   return ldexp(round(ldexp(x, -e)), e);
 }
 
-/// About a place on the grid, as far as the leg goes, or the ball.
+/// How far the functions are from the next place, in the complex plane, at which they are singular, as how fast their
+/// coefficients grow tells it: about two to the power of so many quarters, counted in whole numbers, which are the same
+/// on every machine.
 template <class Real>
-TaylorFrame<Real> model_around(const Leg& leg, const Ball<Real>& t, std::uint64_t number) {
-  const int e = std::ilogb(t.rad) + 1;
-  const Real start(leg.start), end(leg.end), reach = ldexp(Real(1), e + 3);
-  const Real middle = std::clamp<Real>(on_grid(t.mid, e + 2), start, end);
-  const Real lo = std::min<Real>(t.lower(), std::max<Real>(start, middle - reach));
-  const Real hi = std::max<Real>(t.upper(), std::min<Real>(end, middle + reach));
-  TaylorFrame<Real> made{lo, hi, middle, std::ldexp(1.0, e + 3), number, {}};
-  made.about_middle = frame_series(leg, Ball<Real>(middle, 0.0));
-  const FrameOf<ModelSeries<Real>> over = frame_series(leg, Ball<Real>::between(lo, hi));
-  for (std::size_t i = 0; i < 5; ++i) {
-    made.about_middle.for_pp[i].c[model_degree] = over.for_pp[i].c[model_degree];
-    made.about_middle.for_qq[i].c[model_degree] = over.for_qq[i].c[model_degree];
+int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
+  constexpr int none = INT_MIN, far = 8000;
+  std::array<int, model_degree + 1> exponents;
+  exponents.fill(none);
+  for (const auto* some : {&functions.for_pp, &functions.for_qq}) {
+    for (const ModelSeries<Real>& f : *some) {
+      for (std::size_t k = 1; k <= model_degree; ++k) {
+        const double size = RealTraits<Real>::magnitude(f.c[k].mid);
+        if (size > 0) exponents[k] = std::max(exponents[k], std::ilogb(size));
+      }
+    }
   }
-  return made;
+  // So far the later terms are no more than one of the first few, of which some may vanish.
+  constexpr int few = model_degree / 2;
+  int radius = far;
+  for (int k = few + 1; k <= model_degree; ++k) {
+    const int of_k = exponents[static_cast<std::size_t>(k)];
+    int beside_first = -far;
+    for (int j = 1; j <= few && of_k != none; ++j) {
+      const int of_j = exponents[static_cast<std::size_t>(j)];
+      if (of_j != none) beside_first = std::max(beside_first, 4 * (of_j - of_k) / (k - j));
+    }
+    if (beside_first > -far) radius = std::min(radius, beside_first);
+  }
+  return radius;
+}
+
+/// As a number; a power of two's quarters need not be sharp.
+double from_quarters(int quarters) {
+  constexpr double parts[] = {1, 1.189, 1.414, 1.682};
+  return std::ldexp(parts[quarters & 3], (quarters - (quarters & 3)) / 4);
+}
+
+/// Is what doubles make of the last terms about as sharp as they are? They are where nothing cancels that doubles
+/// round.
+template <class Real>
+bool are_sharp(const FrameOf<ModelSeries<double>>& over, const FrameOf<ModelSeries<Real>>& about_middle) {
+  constexpr double loose = 4;
+  double largest = 0, widest = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (const auto* f : {&about_middle.for_pp[i], &about_middle.for_qq[i]})
+      largest = std::max(largest, RealTraits<Real>::magnitude(f->c[model_degree].mid));
+    for (const auto* f : {&over.for_pp[i], &over.for_qq[i]}) widest = std::max(widest, f->c[model_degree].rad);
+  }
+  return widest <= loose * largest;  // never true of a NaN
+}
+
+template <class Real, class OtherReal>
+void take_last_terms(FrameOf<ModelSeries<Real>>& model, const FrameOf<ModelSeries<OtherReal>>& over) {
+  const auto take = [](ModelSeries<Real>& to, const ModelSeries<OtherReal>& from) {
+    const Ball<OtherReal>& last = from.c[model_degree];
+    to.c[model_degree] = Ball<Real>(Real(last.mid), last.rad);
+  };
+  for (std::size_t i = 0; i < 5; ++i) {
+    take(model.for_pp[i], over.for_pp[i]);
+    take(model.for_qq[i], over.for_qq[i]);
+  }
+}
+
+/// The model about the place as far as 2^e around it, as far as the leg goes, and all over the ball. Of its last terms,
+/// which are ranges, a few digits are enough.
+template <class Real>
+void complete(TaylorFrame<Real>& model, const Leg& leg, int e, const Ball<Real>& t) {
+  const Real reach = ldexp(Real(1), e);
+  model.reach = std::ldexp(1.0, e);
+  model.lo = std::min<Real>(t.lower(), std::max<Real>(Real(leg.start), model.middle - reach));
+  model.hi = std::max<Real>(t.upper(), std::min<Real>(Real(leg.end), model.middle + reach));
+  const FrameOf<ModelSeries<double>> rough =
+      frame_series(leg, Ball<double>::between(double_floor(model.lo), double_above(model.hi)));
+  if (are_sharp(rough, model.about_middle)) return take_last_terms(model.about_middle, rough);
+  take_last_terms(model.about_middle, frame_series(leg, Ball<Real>::between(model.lo, model.hi)));
+}
+
+/// It reaches several times as far as the ball, but no farther than a share of the way to where the motion is singular:
+/// beyond that, what it leaves out is more than all the rest.
+constexpr int levels_beyond_ball = 3, level_of_share = -2;
+/// It reaches to 2^e, at least.
+int finest_level(double half) { return std::ilogb(half) + 1; }
+
+/// About a place on the grid near the ball. `note` is told of each place that was tried, and its radius. False if all
+/// are too close, for a ball as long as that, to where the motion is singular.
+template <class Real, class Note>
+bool make_around(TaylorFrame<Real>& model, const Leg& leg, const Ball<Real>& t, int levels, const Note& note) {
+  const int finest = finest_level(t.rad);
+  for (int e = finest + levels; e >= finest;) {
+    model.middle = std::clamp<Real>(on_grid(t.mid, e - 1), Real(leg.start), Real(leg.end));
+    model.about_middle = frame_series(leg, Ball<Real>(model.middle, 0.0));
+    const double radius = from_quarters(radius_in_quarters(model.about_middle));
+    const int most = std::ilogb(radius) + level_of_share;
+    if (e <= most) {
+      complete(model, leg, e, t);
+      return true;
+    }
+    note(RealTraits<Real>::to_double(model.middle), radius);
+    e = std::min(most, e - 1);
+  }
+  return false;
 }
 
 }  // namespace
@@ -64,9 +161,7 @@ const FrameValues<Real>& FramesFromEnd<Real>::last(const Leg& leg, double end, d
     made.frame.for_pp[i] = series.for_pp[i].c[last_from_end];
     made.frame.for_qq[i] = series.for_qq[i].c[last_from_end];
   }
-  if (last_.size() < most_kept) return last_.emplace_back(made).frame;
-  next_ = (next_ + 1) % most_kept;
-  return (last_[next_] = made).frame;
+  return keep(last_, next_, std::move(made)).frame;
 }
 
 void TaylorFrames::clear() {
@@ -75,17 +170,27 @@ void TaylorFrames::clear() {
     kept.from_end.reset();
   };
   std::apply([&](auto&... kept) { (clear(kept), ...); }, kept_);
+  limits_.clear();
+}
+
+bool TaylorFrames::is_too_long(double middle, double half) const {
+  const double radius = std::ldexp(1.0, finest_level(half) - level_of_share);
+  return std::any_of(limits_.begin(), limits_.end(),
+                     [&](const Limit& known) { return radius > known.radius + std::fabs(known.at - middle); });
 }
 
 template <class Real>
-const TaylorFrame<Real>& TaylorFrames::make(const Leg& leg, const Ball<Real>& t) {
+const TaylorFrame<Real>* TaylorFrames::make(const Leg& leg, const Ball<Real>& t, Reach reach) {
+  if (is_too_long(RealTraits<Real>::to_double(t.mid), t.rad)) return nullptr;
+  TaylorFrame<Real> made;
+  made.number = ++made_;
+  const auto note = [this](double at, double radius) { keep(limits_, next_limit_, Limit{at, radius}); };
+  if (!make_around(made, leg, t, reach == Reach::once ? 0 : levels_beyond_ball, note)) return nullptr;
   auto& [models, next, from_end] = std::get<Kept<Real>>(kept_);
-  if (models.size() < most_kept) return models.emplace_back(model_around(leg, t, ++made_));
-  next = (next + 1) % most_kept;
-  return models[next] = model_around(leg, t, ++made_);
+  return &keep(models, next, std::move(made));
 }
-#define TAUT_INSTANTIATE(Real)                                                         \
-  template const TaylorFrame<Real>& TaylorFrames::make(const Leg&, const Ball<Real>&); \
+#define TAUT_INSTANTIATE(Real)                                                                \
+  template const TaylorFrame<Real>* TaylorFrames::make(const Leg&, const Ball<Real>&, Reach); \
   template class FramesFromEnd<Real>;
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE

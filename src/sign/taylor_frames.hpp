@@ -4,7 +4,8 @@
 // shrink like h. So a search there goes by a polynomial, whose coefficients have cancelled already. To make one costs
 // far more than to combine it of the frame's own polynomials; and where bodies graze, or meet at a joint, many forms
 // are searched about one instant. So the frame's polynomials are kept, about places on a grid that is as fine as the
-// intervals that are asked for: searches that come near an instant meet there.
+// intervals that are asked for: searches that come near an instant meet there. A polynomial is of no use that reaches
+// as far as where the motion is singular in the complex plane, which is close by where a cosine comes near 1 and turns.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ struct TaylorFrame {
   /// Would one that reaches less far hardly be better for the ball? One far shorter than the model may see the last
   /// term alone.
   bool suits(const Ball<Real>& t) const { return t.rad >= 0x1p-8 * reach; }
-  /// Would a new one leave out far less?
-  bool is_long_for(const Ball<Real>& t) const { return t.rad > 0 && t.rad < 0x1p-4 * reach; }
+  /// Would one that is made for this ball alone leave out far less?
+  bool is_loose_for(const Ball<Real>& t) const { return t.rad > 0 && t.rad < 0x1p-1 * reach; }
 };
 
 /// The frame functions by Taylor's formula in s, the root of the distance from an end at which the leg is singular (see
@@ -44,7 +45,6 @@ class FramesFromEnd {
   const FrameValues<Real>& last(const Leg& leg, double end, double direction, double farthest);
 
  private:
-  static constexpr std::size_t most_kept = 64;
   struct Last {
     double end, direction, farthest;
     FrameValues<Real> frame;
@@ -71,9 +71,11 @@ class TaylorFrames {
     }
     return best;
   }
-  /// A new one that covers and suits it; t.rad > 0.
+  enum class Reach { several_times, once };
+  /// A new one that covers and suits it, t.rad > 0, and reaches several times as far or not; null where the motion is
+  /// nearly singular so close by that none so long is of use.
   template <class Real>
-  const TaylorFrame<Real>& make(const Leg& leg, const Ball<Real>& t);
+  const TaylorFrame<Real>* make(const Leg& leg, const Ball<Real>& t, Reach reach = Reach::several_times);
   template <class Real>
   FramesFromEnd<Real>& from_end() {
     std::unique_ptr<FramesFromEnd<Real>>& frames = std::get<Kept<Real>>(kept_).from_end;
@@ -82,7 +84,11 @@ class TaylorFrames {
   }
 
  private:
-  static constexpr std::size_t most_kept = 24;
+  /// A place, and about how far from it the motion is singular.
+  struct Limit {
+    double at, radius;
+  };
+  bool is_too_long(double middle, double half) const;
 
   template <class Real>
   struct Kept {
@@ -104,6 +110,8 @@ class TaylorFrames {
 
   KeptOf<Precisions>::Type kept_;
   std::uint64_t made_ = 0;
+  std::vector<Limit> limits_;  ///< where models were wanted that would have reached beyond
+  std::size_t next_limit_ = 0;
 };
 
 /// What is remembered of one leg's frame functions, and of which stages told what was asked, on earlier legs, too.

@@ -16,6 +16,7 @@
 #include "command_line/command_line.hpp"
 #include "curve_examination.hpp"
 #include "question_examination.hpp"
+#include "question_times.hpp"
 #include "soak_scene.hpp"
 #include "soak_totals.hpp"
 #include "support/carried_scene.hpp"
@@ -247,6 +248,23 @@ void print_scenes(std::uint64_t first, std::uint64_t count, const Limits& limits
   }
 }
 
+/// Whether all of so many scenes' questions are decided, each within the limit. Some threads make each of them slower.
+bool time_questions(std::uint64_t first, std::uint64_t count, double limit, const Limits& limits) {
+  std::atomic<std::uint64_t> next{first};
+  std::vector<QuestionTimes> parts(limits.jobs, QuestionTimes(limit));
+  std::vector<std::thread> threads;
+  for (QuestionTimes& part : parts) {
+    threads.emplace_back([&next, &part, &limits, end = first + count] {
+      for (std::uint64_t k = next++; k < end; k = next++) part.ask_all(k, scene_for(k, limits).scene);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  QuestionTimes all(limit);
+  for (const QuestionTimes& part : parts) all += part;
+  fmt::print("{}", all.report());
+  return all.all_well();
+}
+
 }  // namespace
 }  // namespace taut::testing
 
@@ -254,7 +272,7 @@ int main(int argc, char** argv) {
   taut::cli::Program program("Compares both engines and verified proofs on random scenes.", "taut_soak");
   const taut::cli::Command app = program.command();
   taut::testing::Limits limits;
-  std::uint64_t first = 0, print = 0;
+  std::uint64_t first = 0, print = 0, times = 0;
   std::string folder = ".", totals;
   app.add_option("--minutes", limits.minutes, "How long").positive();
   app.add_option("--jobs", limits.jobs, "Threads").within(1, 1024);
@@ -273,11 +291,16 @@ int main(int argc, char** argv) {
   app.add_option("--findings", folder, "Folder for the scenes with findings").existing_folder();
   app.add_option("--totals", totals, "File in which the counts of all runs are added up");
   app.add_option("--print", print, "Only print so many scenes, one a line");
+  const taut::cli::Option timed =
+      app.add_option("--times", times,
+                     "Only ask about so many scenes, by each engine alone and by both in turn, both ways of touching, "
+                     "and name the questions that are undecided or take more than 50 ms of processor time");
   return taut::cli::run_program(program, argc, argv, [&] {
     if (print > 0) {
       taut::testing::print_scenes(first, print, limits);
       return 0;
     }
+    if (timed.given()) return taut::testing::time_questions(first, times, 0.05, limits) ? 0 : 1;
     if (limits.contacts) limits.oracle_size = std::max<std::size_t>(limits.oracle_size, 24);
     taut::testing::Soak soak(limits, totals, folder);
     if (from.given()) soak.skip_to(first);

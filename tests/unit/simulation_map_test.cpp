@@ -128,6 +128,17 @@ TEST(PoseAt, ABodyWithoutMotionRestsAndALaterPieceTakesOverAtTheJoint) {
   EXPECT_EQ(pose_at(motion, 2).axis, (Point{0, 1}));
 }
 
+TEST(PoseAt, ACosineBesideOneIsToldToAllDigits) {
+  // The Chebyshev polynomial of degree 16 beside the square root of 1/2, where it touches 1: its terms add up to 2e5,
+  // and doubles would say 1e-5. The sine there was computed by other means, with 400 bits.
+  const Motion motion{
+      {{{},
+        {},
+        CosineRotation{{1, 0, -128, 0, 2688, 0, -21504, 0, 84480, 0, -180224, 0, 212992, 0, -131072, 0, 32768}}}}};
+  EXPECT_EQ(pose_at(motion, 0.7071067811865476).axis.x, 1);
+  EXPECT_NEAR(pose_at(motion, 0.7071067811865476).axis.y, 1.0937293852259077e-15, 1e-28);
+}
+
 Culprits culprits_of(const Polygon& polygon) {
   try {
     validate_polygon(polygon, "P");

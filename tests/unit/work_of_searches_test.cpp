@@ -1,9 +1,12 @@
 // What searches near contacts of high order cost: work is the same on every machine.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "base/interruption.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
+#include "taut/proof.hpp"
 
 namespace taut {
 namespace {
@@ -50,6 +53,26 @@ TEST(WorkOfSearches, OfACosineThatNearlyReachesOne) {
   const Scene scene = read_scene("tests/corpus/cosine_that_nearly_reaches_one.json");
   EXPECT_LT(work_of(scene, EngineChoice::kinetic), 1'000'000u);
   EXPECT_LT(work_of(scene, EngineChoice::spacetime), 200'000u);
+}
+
+/// Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
+TEST(WorkOfSearches, OfTiesBesideACosineThatNearlyReachesOne) {
+  const Scene scene = read_scene("tests/corpus/ties_beside_a_cosine_that_nearly_reaches_one.json");
+  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 300'000u);
+  EXPECT_LT(work_of(scene, EngineChoice::spacetime), 2'000'000u);
+}
+
+/// Halved as long as margins are more than doubles round elsewhere, windows end a unit in the last place long.
+TEST(WorkOfSearches, OfALogBesideACosineThatNearlyReachesOne) {
+  const Scene scene = read_scene("tests/corpus/ties_beside_a_cosine_that_nearly_reaches_one.json");
+  CheckOptions options;
+  options.engine = EngineChoice::spacetime;
+  options.max_seconds = 20;
+  const std::uint64_t before = work_spent();
+  std::stringstream log;
+  EXPECT_EQ(prove(scene, log, options).outcome, Outcome::free);
+  EXPECT_LT(work_spent() - before, 3'000'000u);
+  EXPECT_LT(log.str().size(), 2000u);
 }
 
 }  // namespace
