@@ -92,4 +92,21 @@ const Complex* Formal::as_polynomial() const {
   return plain ? &c : nullptr;
 }
 
+std::optional<Poly> Formal::norm(bool imaginary, const Radicands& radicands) const {
+  Poly part[2][2];  // beside 1 and the roots, and beside their product
+  for (const auto& [key, c] : terms_) {
+    if (!key.angle.empty()) return std::nullopt;
+    part[key.roots[0] ? 1 : 0][key.roots[1] ? 1 : 0] = imaginary ? c.im : c.re;
+  }
+  const auto square = [](const Poly& p) { return p * p; };
+  const auto& [first, second] = radicands;
+  // (a + b g_1)^2 - (c + d g_1)^2 g_0^2 is p + q g_1, and so on.
+  const Poly p =
+      square(part[0][0]) + square(part[0][1]) * second - (square(part[1][0]) + square(part[1][1]) * second) * first;
+  const Poly q = Rational(2) * (part[0][0] * part[0][1] - part[1][0] * part[1][1] * first);
+  Poly all = q.empty() ? p : square(p) - square(q) * second;
+  if (all.empty()) return std::nullopt;
+  return all;
+}
+
 }  // namespace taut::testing::exact

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 
 #include "support/exact_polynomial.hpp"
 
@@ -31,6 +32,9 @@ class Formal {
   Formal at(const Rational& t, const Radicands& radicands) const;
   /// If it is a polynomial, that polynomial.
   const Complex* as_polynomial() const;
+  /// A polynomial that vanishes wherever its real, or imaginary, part does: the product over all signs of the roots.
+  /// Nothing if there are angles, or the product is zero at all times.
+  std::optional<Poly> norm(bool imaginary, const Radicands& radicands) const;
 
  private:
   struct Key {

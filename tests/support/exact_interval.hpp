@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 #include <mpfr.h>
+#include <functional>
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,11 @@ class Wide {
   bool before(const Wide& b) const { return mpfr_less_p(hi_, b.lo_) != 0; }
   bool within(const Wide& b) const { return mpfr_greaterequal_p(lo_, b.lo_) && mpfr_lessequal_p(hi_, b.hi_); }
   bool same(const Wide& b) const { return mpfr_equal_p(lo_, b.lo_) && mpfr_equal_p(hi_, b.hi_); }
+  /// Of those that are the same, the same.
+  std::size_t hash() const {
+    const std::hash<double> of_double;
+    return of_double(mpfr_get_d(lo_, MPFR_RNDD)) * 31 + of_double(mpfr_get_d(hi_, MPFR_RNDU));
+  }
   /// Of what both contain; they must meet.
   static Wide meet(const Wide& a, const Wide& b) {
     Wide r{Uninitialised{}};

@@ -74,13 +74,15 @@ Leg::TermsOf<I> Leg::terms(const Function& f) const {
 
 template <int N>
 const FrameOf<Wide, N>& Leg::wide_frame(Cache<N>& cache, int side, const Wide& u) const {
-  for (const Cached<N>& c : cache) {
+  const std::size_t hash = u.hash();
+  const auto [first, last] = cache.equal_range(hash);
+  for (auto at = first; at != last; ++at) {
+    const Cached<N>& c = at->second;
     if (c.side == side && c.bits == Wide::bits() && c.u.same(u)) return c.frame;
   }
   if (++work_ > 20000) throw Beyond{"too much work"};
-  cache.push_front({side, Wide::bits(), u, make_frame<Wide, N>(side, u)});
-  if (cache.size() > 12) cache.pop_back();
-  return cache.front().frame;
+  if (cache.size() >= most_cached) cache.clear();
+  return cache.emplace(hash, Cached<N>{side, Wide::bits(), u, make_frame<Wide, N>(side, u)})->second.frame;
 }
 
 namespace {
@@ -174,6 +176,13 @@ bool Leg::identically_zero(const Function& f, bool& assumed) const {
 }
 
 bool Leg::zero_at(const Function& f, const Rational& u) const { return formal_part(f).at(u, radicands_).zero(); }
+
+const std::optional<Curve>& Leg::norm(const Function& f) const {
+  const std::array<int, 4> key{f.pair.side, f.pair.vertex, f.pair.edge, static_cast<int>(f.what)};
+  const auto [place, fresh] = norms_.try_emplace(key);
+  if (fresh && has_formal_) place->second = formal(f).norm(is_imaginary(f.what), radicands_);
+  return place->second;
+}
 
 bool Leg::polynomial_of(const Function& f, Poly& p) const {
   if (!has_formal_) return false;

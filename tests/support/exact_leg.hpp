@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <map>
+#include <unordered_map>
 
 #include "support/exact_motion.hpp"
 #include "taut/scene.hpp"
@@ -71,6 +72,8 @@ class Leg {
   /// Is it exactly zero at this u? Only if the leg has_formal().
   bool zero_at(const Function& f, const Rational& u) const;
   bool has_formal() const { return has_formal_; }
+  /// A polynomial that vanishes wherever the function does, if there is one.
+  const std::optional<Curve>& norm(const Function& f) const;
   /// The function as a polynomial, if it is one.
   bool polynomial_of(const Function& f, Poly& p) const;
   /// |b - a| of an edge.
@@ -88,6 +91,7 @@ class Leg {
   struct FormalFrame {
     Formal k, l, r;
   };
+  /// The frames that were asked for. All functions are searched in the same intervals, halved at the same places.
   template <int N>
   struct Cached {
     int side, bits;
@@ -95,7 +99,8 @@ class Leg {
     FrameOf<Wide, N> frame;
   };
   template <int N>
-  using Cache = std::deque<Cached<N>>;
+  using Cache = std::unordered_multimap<std::size_t, Cached<N>>;
+  static constexpr std::size_t most_cached = 4000;
 
   template <class I, int N>
   FrameOf<I, N> make_frame(int side, const I& u) const;
@@ -120,7 +125,8 @@ class Leg {
   Radicands radicands_;
   bool has_formal_;
   mutable std::array<std::optional<FormalFrame>, 2> formal_frames_;
-  /// Of the last frames, to high order and to low.
+  mutable std::map<std::array<int, 4>, std::optional<Curve>> norms_;
+  /// To high order and to low.
   mutable Cache<8> long_frames_;
   mutable Cache<2> short_frames_;
   mutable std::uint64_t work_ = 0;

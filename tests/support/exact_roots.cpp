@@ -34,6 +34,28 @@ Leg::WideSeries centred(const Leg& leg, const Function& f, const Wide& over) {
   return s;
 }
 
+/// The range of a polynomial over m + h, by its coefficients about m.
+template <class I>
+I range_about(std::vector<I> c, const I& m, const I& h) {
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+    for (std::size_t j = c.size() - 1; j-- > k;) c[j] = c[j] + m * c[j + 1];
+  }
+  I range = c.back();
+  for (std::size_t k = c.size() - 1; k-- > 0;) range = c[k] + h * range;
+  return range;
+}
+
+/// Has a polynomial no zero there? Doubles tell where it is not small.
+bool vanishes_nowhere(const Curve& p, const Wide& over, const Rational& lo, const Rational& hi) {
+  const Narrow from = Narrow::of(lo), to = Narrow::of(hi), middle((from.lo() + to.hi()) / 2);
+  const Narrow rough = range_about(p.narrow, middle, Narrow(from.lo(), to.hi()) - middle);
+  if (rough.positive() || rough.negative()) return true;
+  std::vector<Wide> c;
+  for (const Rational& x : p.exact) c.push_back(Wide::of(x));
+  const Wide m = over.middle();
+  return range_about(std::move(c), m, over - m).sign() != 0;
+}
+
 }  // namespace
 
 std::vector<Root> RootFinder::zeros(const Function& f, const Rational& lo, const Rational& hi) {
@@ -42,7 +64,11 @@ std::vector<Root> RootFinder::zeros(const Function& f, const Rational& lo, const
 
 std::vector<Root> RootFinder::search(const Function& f, const Rational& lo, const Rational& hi, int depth) {
   Precision at(first_bits + 2 * depth);
-  const Leg::WideSeries s = centred(leg_, f, Wide::hull(Wide::of(lo), Wide::of(hi)));
+  const Wide over = Wide::hull(Wide::of(lo), Wide::of(hi));
+  // A root whose square nearly vanishes hides the function's sign over all but the shortest intervals nearby.
+  const std::optional<Curve>& norm = leg_.norm(f);
+  if (norm && vanishes_nowhere(*norm, over, lo, hi)) return {};
+  const Leg::WideSeries s = centred(leg_, f, over);
   if (s.c[0].sign() != 0) return {};
   for (int j = 1; j <= 7; ++j) {
     if (s.c[static_cast<std::size_t>(j)].sign() != 0) return descend(f, 0, j, lo, hi);
