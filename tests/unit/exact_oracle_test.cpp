@@ -119,6 +119,27 @@ TEST(ExactOracle, SpinsAgainstAWall) {
   EXPECT_FALSE(first_contact(spin(CosineRotation{{1, -1}}), Touch::open).assumed);
 }
 
+/// The same square turns back and forth, and its cosine nearly reaches 1 on the way.
+TEST(ExactOracle, TurnsWithNearlyInfiniteSpeed) {
+  const Polygon wall{{1.25, -9}, {3, -9}, {3, 9}, {1.25, 9}};
+  Scene s = scene(wall, square, {{}, {}, CosineRotation{{0.75 - 0x1p-50, 1, -1}}}, 1);
+  s.start = 0.375;
+  const long double cosine = (2.5L + std::sqrt(1.75L)) / 4;
+  const auto t = static_cast<double>(0.5L + std::sqrt(1 - 0x1p-50L - cosine));
+  expect_contact(s, Touch::open, t);
+  expect_contact(s, Touch::closed, t);
+}
+
+/// What the oracle gave up as long as it looked for functions' own signs in ever shorter intervals.
+TEST(ExactOracle, NearlyInfiniteSpeedIsNotBeyondIt) {
+  const Polygon notched{{-0.25, -3}, {-0.25, 0}, {0, 0}, {0, -9}, {-0.25, -9}, {-0.25, -6}, {-0.125, -6}, {-0.125, -3}};
+  const Polygon stairs{{-3, 1}, {-1, -1}, {0, 0}, {2, -2}, {1, -3}, {3, -5}, {5, -3}, {-1, 3}};
+  const CosineRotation turn{{-0.749999999996362, -1, 1}};
+  const Scene s = scene(notched, stairs, {{-2.25, 0}, {2, -6}, turn, INFINITY, {-3, 1}}, 1);
+  expect(s, Touch::open, Verdict::free);
+  expect(s, Touch::closed, Verdict::free);
+}
+
 TEST(ExactOracle, HingeAtASharedCorner) {
   const Polygon p{{0, 0}, {-2, 0}, {-2, -2}, {0, -2}}, q{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   // A quarter turn lays Q's side on P's: s = 1. Then on into it.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <string>
 
 #include "base/interruption.hpp"
 #include "taut/check.hpp"
@@ -26,44 +27,37 @@ std::uint64_t work_of(const Scene& scene, EngineChoice engine) {
   return most;
 }
 
-/// 1.2 thousand million where the sign that a Taylor polynomial's last term hides is looked for in shorter and shorter
-/// stretches by the same polynomial.
-TEST(WorkOfSearches, BesideAnInfiniteSpeed) {
-  const Scene scene = read_scene("tests/corpus/contact_of_order_six_beside_an_infinite_speed.json");
-  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 2'000'000u);
-  EXPECT_LT(work_of(scene, EngineChoice::spacetime), 4'000'000u);
+struct Limits {
+  const char* scene;
+  std::uint64_t kinetic, spacetime;
+};
+class WorkOfSearches : public testing::TestWithParam<Limits> {};
+
+TEST_P(WorkOfSearches, IsWithinLimits) {
+  const Scene scene = read_scene(std::string("tests/corpus/") + GetParam().scene + ".json");
+  EXPECT_LT(work_of(scene, EngineChoice::kinetic), GetParam().kinetic);
+  EXPECT_LT(work_of(scene, EngineChoice::spacetime), GetParam().spacetime);
 }
 
-/// 550,000 where steps in doubles are left only when they are far shorter.
-TEST(WorkOfSearches, NearAContactOfOrderSix) {
-  const Scene scene = read_scene("tests/corpus/needles_that_pass_in_order_six.json");
-  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 100'000u);
-}
-
-/// Without the cuts where it touches 1, 48 seconds.
-TEST(WorkOfSearches, OfACosineThatTouchesOneBetweenDoubles) {
-  const Scene scene = read_scene("tests/corpus/cosine_that_touches_one_between_doubles.json");
-  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 20'000'000u);
-  EXPECT_LT(work_of(scene, EngineChoice::spacetime), 2'000'000u);
-}
-
-/// Bounded in powers of the time itself, the cosine leaves stretches as short as the square of their distance from that
-/// instant.
-TEST(WorkOfSearches, OfACosineThatNearlyReachesOne) {
-  const Scene scene = read_scene("tests/corpus/cosine_that_nearly_reaches_one.json");
-  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 1'000'000u);
-  EXPECT_LT(work_of(scene, EngineChoice::spacetime), 200'000u);
-}
-
-/// Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
-TEST(WorkOfSearches, OfTiesBesideACosineThatNearlyReachesOne) {
-  const Scene scene = read_scene("tests/corpus/ties_beside_a_cosine_that_nearly_reaches_one.json");
-  EXPECT_LT(work_of(scene, EngineChoice::kinetic), 300'000u);
-  EXPECT_LT(work_of(scene, EngineChoice::spacetime), 2'000'000u);
-}
+INSTANTIATE_TEST_SUITE_P(
+    Hard, WorkOfSearches,
+    testing::Values(
+        // 1.2 thousand million where the sign that a Taylor polynomial's last term hides is looked for in shorter and
+        // shorter stretches by the same polynomial.
+        Limits{"contact_of_order_six_beside_an_infinite_speed", 2'000'000, 4'000'000},
+        // 550,000 where steps in doubles are left only when they are far shorter.
+        Limits{"needles_that_pass_in_order_six", 100'000, 300'000},
+        // Without the cuts where it touches 1, 48 seconds.
+        Limits{"cosine_that_touches_one_between_doubles", 20'000'000, 2'000'000},
+        // Bounded in powers of the time itself, the cosine leaves stretches as short as the square of their distance
+        // from that instant.
+        Limits{"cosine_that_nearly_reaches_one", 1'000'000, 200'000},
+        // Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
+        Limits{"ties_beside_a_cosine_that_nearly_reaches_one", 300'000, 2'000'000}),
+    [](const auto& test) { return std::string(test.param.scene); });
 
 /// Halved as long as margins are more than doubles round elsewhere, windows end a unit in the last place long.
-TEST(WorkOfSearches, OfALogBesideACosineThatNearlyReachesOne) {
+TEST(WorkOfALog, BesideACosineThatNearlyReachesOne) {
   const Scene scene = read_scene("tests/corpus/ties_beside_a_cosine_that_nearly_reaches_one.json");
   CheckOptions options;
   options.engine = EngineChoice::spacetime;
