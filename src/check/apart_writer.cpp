@@ -123,46 +123,65 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
+/// Long numbers are not asked about the one edge where the other one has the window halved anyway.
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
                                                     bool halves_help) {
   const proof::MotionWindow window = windows_.at(time);
-  const auto onto_p = reason(pair_.onto_p(ranges), window, window.from_p(), time, halves_help);
-  if (!onto_p) return std::nullopt;
-  const auto onto_q = reason(pair_.onto_q(ranges), window, window.from_q(), time, halves_help);
-  if (!onto_q) return std::nullopt;
-  return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
+  Look onto_p = look(pair_.onto_p(ranges), window, time, halves_help);
+  if (onto_p.left_to_halves) return std::nullopt;
+  Look onto_q = look(pair_.onto_q(ranges), window, time, halves_help);
+  if (onto_q.left_to_halves) return std::nullopt;
+  for (Look* one : {&onto_p, &onto_q}) {
+    if (!one->why) one->why = precise_reason(*one, time, halves_help);
+    if (!one->why) return std::nullopt;
+  }
+  return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p.why) | static_cast<unsigned>(*onto_q.why) << 4);
 }
 
-std::optional<Aside> ApartWriter::reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
-                                         const proof::Sight& sight, const proof::HalvedTime& time, bool halves_help) {
+ApartWriter::Look ApartWriter::look(const proof::Incidence& incidence, const proof::MotionWindow& window,
+                                    const proof::HalvedTime& time, bool halves_help) {
+  const proof::Sight& sight = pair_.geometry.in_p(incidence.edge) ? window.from_p() : window.from_q();
+  Look seen{incidence, margins(pair_.geometry, incidence, sight), doubtful * (1 + sight.size)};
+  seen.doubt = seen.none + sight.shift_error + sight.turn_error;
+  seen.why = reason_in_doubles(seen, time);
+  seen.far = is_far(seen.candidates[0].first, pair_.geometry, incidence, sight, window.half());
+  seen.left_to_halves = !seen.why && halves_help && seen.some_room() && !seen.far && !lifetimes_.leg().translation;
+  return seen;
+}
+
+std::optional<Aside> ApartWriter::reason_in_doubles(const Look& seen, const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
-  const auto candidates = margins(pair_.geometry, incidence, sight);
-  const double none = doubtful * (1 + sight.size), doubt = none + sight.shift_error + sight.turn_error;
-  std::array<bool, candidates.size()> open{};
-  for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -doubt; ++k) {
+  const auto& candidates = seen.candidates;
+  std::array<bool, std::tuple_size_v<Candidates>> open{};
+  for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -seen.doubt; ++k) {
     const auto& [margin, why] = candidates[k];
-    const auto seen = proof::stays_aside_in_windows(pair_.geometry, incidence, why, windows_, time, end);
-    if (seen == proof::SeenAside::yes) return why;
+    const auto told = proof::stays_aside_in_windows(pair_.geometry, seen.incidence, why, windows_, time, end);
+    if (told == proof::SeenAside::yes) return why;
     // Up to a contact it may be so for all that. A margin that is none in doubles may be one by the displacement.
-    open[k] = end.event || (seen != proof::SeenAside::no && (margin < none || !time.divisible()));
+    open[k] = end.event || (told != proof::SeenAside::no && (margin < seen.none || !time.divisible()));
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Aside why = candidates[k].second;
-    if (open[k] && proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, incidence, why, time.from, end))
+    if (open[k] && proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, seen.incidence, why, time.from, end))
       return why;
   }
-  // Shorter windows make more of doubles, but not where they do not help, or the largest margin is none in them, or is
-  // plain already.
-  const auto& [widest, plain] = candidates[0];
-  if (is_far(widest, pair_.geometry, incidence, sight, window.half()) && stays_aside(incidence, plain, time, end))
-    return plain;
-  for (const auto& [margin, why] : candidates) {
-    const bool tie = margin > none && lifetimes_.leg().translation && is_new_tie(incidence, why, time);
+  return std::nullopt;
+}
+
+/// Shorter windows make more of doubles, but not where they do not help, or the largest margin is none in them, or is
+/// plain already.
+std::optional<Aside> ApartWriter::precise_reason(const Look& seen, const proof::HalvedTime& time, bool halves_help) {
+  const Instant end = proof::end_of(time, until_);
+  const proof::Incidence& incidence = seen.incidence;
+  const Aside plain = seen.candidates[0].second;
+  if (seen.far && stays_aside(incidence, plain, time, end)) return plain;
+  for (const auto& [margin, why] : seen.candidates) {
+    const bool tie = margin > seen.none && lifetimes_.leg().translation && is_new_tie(incidence, why, time);
     if (tie && stays_aside(incidence, why, time, end)) return why;
   }
-  if (widest > none && halves_help) return std::nullopt;
-  for (const auto& [margin, why] : candidates) {
-    if (margin >= -doubt && stays_aside(incidence, why, time, end)) return why;
+  if (seen.some_room() && halves_help) return std::nullopt;
+  for (const auto& [margin, why] : seen.candidates) {
+    if (margin >= -seen.doubt && stays_aside(incidence, why, time, end)) return why;
   }
   for (int why = static_cast<int>(Aside::beyond_line_before); why < proof::reasons; ++why) {
     // The last one costs most, and says least: it is for stretches that cannot be halved.

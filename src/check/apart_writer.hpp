@@ -1,10 +1,12 @@
 // Finds the trees of separations that a log of a world consists of.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "proof/apart_checker.hpp"
 
@@ -34,8 +36,23 @@ class ApartWriter {
   void visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
-  std::optional<proof::Aside> reason(const proof::Incidence& incidence, const proof::MotionWindow& window,
-                                     const proof::Sight& sight, const proof::HalvedTime& time, bool halves_help);
+  /// By what a vertex may be aside of an edge, and by how much about the middle of a window, the most first.
+  using Candidates = std::array<std::pair<double, proof::Aside>, 4>;
+  /// One vertex and one edge over a window.
+  struct Look {
+    proof::Incidence incidence;
+    Candidates candidates;
+    double none;                        ///< a margin as small as that is none in doubles
+    double doubt = 0;                   ///< or may be, as well as the motion is known
+    std::optional<proof::Aside> why{};  ///< as doubles tell
+    bool far = false;                   ///< the largest margin is plain
+    bool left_to_halves = false;        ///< doubles may tell in shorter windows
+    bool some_room() const { return candidates[0].first > none; }
+  };
+  Look look(const proof::Incidence& incidence, const proof::MotionWindow& window, const proof::HalvedTime& time,
+            bool halves_help);
+  std::optional<proof::Aside> reason_in_doubles(const Look& seen, const proof::HalvedTime& time);
+  std::optional<proof::Aside> precise_reason(const Look& seen, const proof::HalvedTime& time, bool halves_help);
   bool is_new_tie(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time);
   bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
                    const Instant& end);
