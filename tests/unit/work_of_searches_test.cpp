@@ -31,7 +31,7 @@ struct Limits {
   const char* scene;
   std::uint64_t kinetic, spacetime;
 };
-class WorkOfSearches : public testing::TestWithParam<Limits> {};
+class WorkOfSearches : public ::testing::TestWithParam<Limits> {};
 
 TEST_P(WorkOfSearches, IsWithinLimits) {
   const Scene scene = read_scene(std::string("tests/corpus/") + GetParam().scene + ".json");
@@ -41,7 +41,7 @@ TEST_P(WorkOfSearches, IsWithinLimits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Hard, WorkOfSearches,
-    testing::Values(
+    ::testing::Values(
         // 1.2 thousand million where the sign that a Taylor polynomial's last term hides is looked for in shorter and
         // shorter stretches by the same polynomial.
         Limits{"contact_of_order_six_beside_an_infinite_speed", 2'000'000, 4'000'000},
