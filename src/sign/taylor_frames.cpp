@@ -37,13 +37,14 @@ Real on_grid(const Real& x, int e) {
 /// on every machine.
 template <class Real>
 int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
-  constexpr int none = INT_MIN, far = 8000;
+  constexpr int none = INT_MIN, far = 4000;
   std::array<int, model_degree + 1> exponents;
   exponents.fill(none);
   for (const auto* some : {&functions.for_pp, &functions.for_qq}) {
     for (const ModelSeries<Real>& f : *some) {
       for (std::size_t k = 1; k <= model_degree; ++k) {
         const double size = RealTraits<Real>::magnitude(f.c[k].mid);
+        if (!std::isfinite(size)) return -far;
         if (size > 0) exponents[k] = std::max(exponents[k], std::ilogb(size));
       }
     }
@@ -60,7 +61,7 @@ int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
     }
     if (beside_first > -far) radius = std::min(radius, beside_first);
   }
-  return radius;
+  return std::max(radius, -far);
 }
 
 /// As a number; a power of two's quarters need not be sharp.
