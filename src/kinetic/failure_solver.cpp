@@ -161,25 +161,11 @@ bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
   if (c.function.level1 || from.floor() < leg().start || from.ceiling() > leg().end) return false;
   const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
   if (!place) return false;
-  const TieFrame* const frame = memory_.ties.around(place->at, place->at);
-  if (!frame) return false;
-  const TieForm tie(*frame, leg(), geometry_, form_of(c));
-  const auto turn = tie.turn();
-  if (!turn) return false;
-  const bool valley = turn->bend_sign == c.sign;
-  if (turn->value_sign == turn->bend_sign) {
-    if (valley) holds_until(c, place->until);
-    return valley;
-  }
-  const auto before = tie.root_beside(*turn, -1, Stage::precise), after = tie.root_beside(*turn, 1, Stage::precise);
-  if (!before || !after) return false;
-  // It holds before the first root and after the second one of a valley, and between those of a hill.
-  if (valley && after->certainly_before(from)) {
-    holds_until(c, place->until);
-    return true;
-  }
-  if (valley && from.certainly_before(*before)) return isolate_on_leg(c, *before);
-  return !valley && !from.certainly_before(*before) && from.certainly_before(*after) && isolate_on_leg(c, *after);
+  const auto beside = precise_of(c).beside_turn(c.sign, from, place->at);
+  if (!beside) return false;
+  if (beside->failure) return isolate_on_leg(c, *beside->failure);
+  holds_until(c, place->until);
+  return true;
 }
 
 /// False if it is not known whether the failure comes on the leg.

@@ -38,7 +38,7 @@ class FailureSolver {
   /// For a leg that is not straight.
   void reserve_cells() {
     clock_.reserve_cells();
-    memory_.ties.reserve();
+    memory_.reserve_ties();
   }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <type_traits>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
@@ -13,7 +14,7 @@ namespace {
 /// The sweep runs along (1, tilt).
 constexpr double tilt = 0.4390625173;
 /// In units of interruption_point().
-constexpr std::uint64_t work_of_precise = 15;
+constexpr std::uint64_t work_of_precise = 8;
 static_assert(1 + tilt * tilt < Placement::steepest_key * Placement::steepest_key);
 
 }  // namespace
@@ -159,6 +160,23 @@ const Placement::PoseIn<N>& Placement::pose_in() const {
 
 template <class N>
 void Placement::position(VertexId v, N& x, N& y) const {
+  if constexpr (std::is_same_v<N, FixedBall>) {
+    if (held_.empty()) held_.resize(places_to_hold);
+    Held& held = held_[v.value % places_to_hold];
+    if (held.vertex != v) {
+      held.vertex = VertexId();
+      find_position(v, held.x, held.y);
+      held.vertex = v;
+    }
+    x = held.x;
+    y = held.y;
+  } else {
+    find_position(v, x, y);
+  }
+}
+
+template <class N>
+void Placement::find_position(VertexId v, N& x, N& y) const {
   if (v.value >= size()) {
     x = N::exact(corners_[v.value - size()].x);
     y = N::exact(corners_[v.value - size()].y);

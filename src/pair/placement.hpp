@@ -76,6 +76,8 @@ class Placement {
   const PoseIn<N>& pose_in() const;
   template <class N>
   void position(VertexId v, N& x, N& y) const;
+  template <class N>
+  void find_position(VertexId v, N& x, N& y) const;
   double orientation_bound(double products, double differences, double coordinate) const;
   int close_orientation(VertexId a, VertexId b, VertexId c) const;
   /// The sign of what `quantity` makes of a zero of a number's type, where doubles do not tell it.
@@ -97,6 +99,14 @@ class Placement {
   static std::tuple<std::optional<PoseIn<FixedBall>>, std::optional<PoseIn<Ball<Reals>>>...> one_each(
       const std::tuple<Reals...>&);
   mutable decltype(one_each(Precisions())) poses_;  ///< made when first asked for
+  /// Positions in numbers of a fixed length, each in the one place that the vertex tells: vertices that lie in one line
+  /// are asked about in many threes.
+  struct Held {
+    VertexId vertex;
+    FixedBall x, y;
+  };
+  static constexpr std::size_t places_to_hold = 64;
+  mutable std::vector<Held> held_;  ///< made when first asked for
   mutable StageCounts stages_;
 };
 

@@ -26,6 +26,9 @@ struct Form {
   bool pp = false;  ///< a and b belong to P
   Measure measure = Measure::orientation;
 
+  friend bool operator==(const Form& x, const Form& y) {
+    return x.a == y.a && x.b == y.b && x.c == y.c && x.measure == y.measure;
+  }
   /// The orientation of u, v, w, turned cyclically so that the two of one body come first, which changes nothing.
   static Form of(const PairGeometry& g, VertexId u, VertexId v, VertexId w) {
     if (g.same_body(u, v)) return {u, v, w, g.in_p(u)};

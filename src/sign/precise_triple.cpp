@@ -56,12 +56,11 @@ const ExactLine* PreciseTriple::line() const {
 
 /// The function about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs
 /// less than polynomials about it.
-std::optional<TieForm> PreciseTriple::near(const PreciseTime& t) const {
-  if (!memory_ || !t.has_sums()) return std::nullopt;
+const TieForm* PreciseTriple::near(const PreciseTime& t) const {
+  if (!memory_ || !t.has_sums()) return nullptr;
   const double lo = t.floor(), hi = t.ceiling();
   const TieFrame* const frame = lo < hi ? memory_->ties.around(lo, hi) : memory_->ties.known(lo, hi);
-  if (!frame) return std::nullopt;
-  return TieForm(*frame, leg_, geometry_, form_);
+  return frame ? &memory_->forms.of(*frame, leg_, geometry_, form_) : nullptr;
 }
 
 template <class Real>
@@ -80,7 +79,7 @@ int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
     const ExactLine* const exact = line();
     if (const int sign = exact ? exact->sign_over(t) : 0) return told_by(Stage::exact, sign);
     if (stage == Stage::precise) {
-      const std::optional<TieForm> tie = near(t);
+      const TieForm* const tie = near(t);
       if (const int sign = tie ? tie->sign_over(t) : 0) return told_by(Stage::fixed, sign);
     }
   }
@@ -104,8 +103,45 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
   return {root->sum_hi().compare(end) <= 0, root};
 }
 
+/// `sign` holds just after `from`.
+std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, const PreciseTime& from,
+                                                                    double about) const {
+  const TieFrame* const frame = memory_ ? memory_->ties.around(about, about) : nullptr;
+  if (!frame) return std::nullopt;
+  const TieForm& tie = memory_->forms.of(*frame, leg_, geometry_, form_);
+  const auto turn = tie.turn();
+  if (!turn) return std::nullopt;
+  const bool valley = turn->bend_sign == sign;
+  if (turn->value_sign == turn->bend_sign) return valley ? std::optional(BesideTurn{}) : std::nullopt;
+  const auto before = tie.root_beside(*turn, -1, Stage::precise), after = tie.root_beside(*turn, 1, Stage::precise);
+  if (!before || !after) return std::nullopt;
+  // It holds before the first root and after the second one of a valley, and between those of a hill. As it holds just
+  // after `from`, that is not before a hill's first root, and either of a valley's ends tells on which side it is.
+  if (!valley) return from.certainly_before(*after) ? std::optional(BesideTurn{after}) : std::nullopt;
+  if (before->certainly_before(from)) return BesideTurn{};
+  return from.certainly_before(*before) ? std::optional(BesideTurn{before}) : std::nullopt;
+}
+
+/// Where doubles see neither value nor slope, as of a vertex that leaves a corner along an edge's line, but a bend that
+/// lasts.
+std::optional<PreciseTriple::BesideTurn> PreciseTriple::turn_ahead(int sign, const PreciseTime& from, double to) const {
+  const double start = from.floor();
+  if (from.stage > Stage::precise || start < leg_.start || !(start < to)) return std::nullopt;
+  const PreciseFunction<double> rough(leg_, geometry_, form_);
+  const Jet<double> here = rough(Ball<double>::exact(start));
+  if (here.v.sign() != 0 || here.d.sign() != 0 || here.dd.sign() == 0) return std::nullopt;
+  if (rough(Ball<double>::between(start, to)).dd.sign() == 0) return std::nullopt;
+  return beside_turn(sign, from, std::clamp(start - here.d.mid / here.dd.mid, start, to));
+}
+
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
   if (const LineFailure line = line_failure(sign, from, to); told_by(Stage::exact, line.known)) return line.time;
+  if (const auto beside = turn_ahead(sign, from, to)) {
+    const PreciseTime end = PreciseTime::between(to, to);
+    const bool none = !beside->failure || end.certainly_before(*beside->failure);
+    if (told_by(Stage::fixed, none)) return std::nullopt;
+    if (told_by(Stage::fixed, beside->failure->not_after(end))) return beside->failure;
+  }
   if (const auto cut = division(leg_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;
     PreciseTime rest = PreciseTime::between(*cut, *cut);
@@ -150,7 +186,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough)
       t = *told_by(Stage::exact, root);
       return true;
     }
-    const std::optional<TieForm> tie = near(t);
+    const TieForm* const tie = near(t);
     if (const auto root = tie ? tie->root(sign, stage, enough) : std::nullopt) {
       t = *told_by(Stage::fixed, root);
       return true;

@@ -6,9 +6,9 @@
 #include "base/errors.hpp"
 #include "numeric/root_isolation.hpp"
 #include "sign/exact_line.hpp"
+#include "sign/frame_memory.hpp"
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
-#include "sign/tie_form.hpp"
 
 namespace taut {
 
@@ -24,6 +24,13 @@ class PreciseTriple {
   /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
   /// tell. Throws Undecidable.
   std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
+  /// What a turn near zero tells of the time in which the form bends to the same side.
+  struct BesideTurn {
+    std::optional<PreciseTime> failure;  ///< none: it keeps its sign
+  };
+  /// The same first change of sign, where the form turns about an instant within double precision: the sign of its
+  /// extreme value decides. Nothing where that is not so, or not known.
+  std::optional<BesideTurn> beside_turn(int sign, const PreciseTime& from, double about) const;
   /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
   /// the root. False if the stage cannot.
   bool refine(int sign, PreciseTime& t, Stage stage, double enough = 0) const;
@@ -34,6 +41,7 @@ class PreciseTriple {
     std::optional<PreciseTime> time;
   };
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
+  std::optional<BesideTurn> turn_ahead(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
   /// The answer, which is counted if there is one.
   template <class Told>
@@ -41,7 +49,7 @@ class PreciseTriple {
     if (answer && memory_) memory_->stages.add(stage);
     return answer;
   }
-  std::optional<TieForm> near(const PreciseTime& t) const;
+  const TieForm* near(const PreciseTime& t) const;
   template <class Real>
   PreciseFunction<Real> function() const {
     return {leg_, geometry_, form_, memory_ ? &memory_->models : nullptr};

@@ -13,9 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "numeric/stages.hpp"
 #include "relative/leg.hpp"
-#include "sign/tie_frames.hpp"
 
 namespace taut {
 
@@ -112,18 +110,6 @@ class TaylorFrames {
   std::uint64_t made_ = 0;
   std::vector<Limit> limits_;  ///< where models were wanted that would have reached beyond
   std::size_t next_limit_ = 0;
-};
-
-/// What is remembered of one leg's frame functions, and of which stages told what was asked, on earlier legs, too.
-struct FrameMemory {
-  TieFrames ties;
-  TaylorFrames models;
-  StageCounts stages;
-
-  void reset(const Leg& leg) {
-    ties.reset(leg);
-    models.clear();
-  }
 };
 
 }  // namespace taut

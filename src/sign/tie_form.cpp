@@ -8,6 +8,8 @@
 namespace taut {
 namespace {
 
+/// In units of interruption_point(), as measured.
+constexpr std::uint64_t work_of_tie = 13, work_of_root_at_tie = 18, work_of_sign_at_tie = 6;
 constexpr double rounded_up = 1 + 0x1p-45;
 /// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
 constexpr double much_less = 0x1p-8;
@@ -26,7 +28,7 @@ FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * ro
 
 TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form)
     : about_(frame.about), reach_(frame.reach), power_(frame.power) {
-  count_work(20);
+  count_work(work_of_tie);
   const FormPoints<FixedBall> points = points_of<FixedBall>(leg, g, form, Shape::displaced);
   const std::array<FixedBall, 5> a = coefficients_on(leg, form.pp, points, FixedBall());
   const auto& functions = frame.functions(form.pp);
@@ -34,7 +36,7 @@ TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, c
     if (a[i].is_zero()) continue;
     for (std::size_t k = 0; k < TieFrame::terms; ++k) {
       if (functions[i][k].is_zero()) continue;
-      c_[k] = c_[k] + a[i] * functions[i][k];
+      c_[k] = c_[k] + functions[i][k] * a[i];
       terms_ = std::max(terms_, k + 1);
     }
     rest_ = (rest_ + a[i].most() * frame.rest(form.pp)[i]) * rounded_up;
@@ -53,13 +55,15 @@ void TieForm::set_steepness() {
   steep_ = {(std::fabs(slope) - change) / rounded_up, (std::fabs(slope) + change) * rounded_up, slope};
 }
 
+/// Products have a row for each of the first factor's words that is not zero, and steps are short.
 FixedBall TieForm::value(const FixedBall& h) const {
   FixedBall sum;
-  for (std::size_t k = terms_; k-- > 0;) sum = sum * h + c_[k];
+  for (std::size_t k = terms_; k-- > 0;) sum = h * sum + c_[k];
   return sum;
 }
 
 int TieForm::sign_over(const PreciseTime& t) const {
+  count_work(work_of_sign_at_tie);
   const double width = t.width_of_sums();
   const FixedBall from = since(about_, t.sum_lo());
   if (!(from.most() + width <= reach_)) return 0;
@@ -69,18 +73,30 @@ int TieForm::sign_over(const PreciseTime& t) const {
   return about > 0 ? 1 : -1;
 }
 
+/// What to take from h, where the value is v. Divided by the slope there to twice a double's digits, a step gains
+/// nearly as many.
+Fixed TieForm::newton_step(const Fixed& h, const Fixed& v) const {
+  const double since = h.approximate();
+  double bend = 0;
+  for (std::size_t k = terms_; k-- > 2;) bend = bend * since + static_cast<double>(k) * c_[k].about();
+  const Fixed slope = c_[1].mid() + Fixed(std::clamp(bend * since, -1.0, 1.0));
+  const double steep = slope.approximate(), first = v.approximate() / steep;
+  if (!(std::fabs(first) < reach_)) return Fixed(std::copysign(reach_, first));
+  return Fixed(first) + Fixed((v - Fixed(first) * slope).approximate() / steep);
+}
+
 std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) const {
+  count_work(work_of_root_at_tie);
   if (!(steep_.least > 0) || (steep_.signed_about > 0) != (sign < 0)) return std::nullopt;
-  FixedBall h;
+  FixedBall h, v = c_[0];
   double error = INFINITY;
-  // Each step gains nearly as many bits as the slope at the instant is right to.
   for (int left = 12;; --left) {
-    const FixedBall v = value(h);
     const double about = v.about(), noise = v.error_of(about), before = error;
     // By the mean value theorem.
     error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * rounded_up;
     if (left == 0 || !(error < before) || error <= much_less * enough || !(std::fabs(about) > 4 * noise)) break;
-    h = chosen(h.mid() + Fixed(std::clamp(-about / steep_.signed_about, -reach_, reach_)));
+    h = chosen(h.mid() - newton_step(h.mid(), v.mid()));
+    v = value(h);
   }
   return around(h.mid(), error, stage);
 }

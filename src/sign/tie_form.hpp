@@ -14,6 +14,7 @@ namespace taut {
 /// what these numbers are too short for is left to other stages.
 class TieForm {
  public:
+  TieForm() = default;
   TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form);
 
   /// At all instants of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not known.
@@ -44,10 +45,11 @@ class TieForm {
   void set_steepness();
   FixedBall value(const FixedBall& h) const;
   FixedBall slope(const FixedBall& h) const;
+  Fixed newton_step(const Fixed& h, const Fixed& v) const;
   std::optional<PreciseTime> around(const Fixed& h, double error, Stage stage) const;
 
-  double about_, reach_;
-  std::array<double, TieFrame::terms + 1> power_;  ///< of the reach
+  double about_ = 0, reach_ = 0;
+  std::array<double, TieFrame::terms + 1> power_{};  ///< of the reach
   std::array<FixedBall, TieFrame::terms> c_;
   std::size_t terms_ = 0;  ///< those from there on are zero
   double rest_ = 0;        ///< a bound of the next coefficient

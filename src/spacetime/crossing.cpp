@@ -22,6 +22,10 @@ void store(const PreciseTime& t, Crossing& c) {
 
 }  // namespace
 
+int PreciseCrossings::side(const VertexEdge& pair, double t) {
+  return sign_at(triple(pair.line(geometry_)), PreciseTime::between(t, t));
+}
+
 /// Goes from root to root of the line's function until one is a contact.
 std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double from, double to) {
   const PreciseTriple line = triple(pair.line(geometry_));

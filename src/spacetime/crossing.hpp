@@ -44,6 +44,8 @@ class PreciseCrossings {
     memory_.reset(leg);
   }
 
+  /// On which side of the edge's line the vertex is.
+  int side(const VertexEdge& pair, double t);
   /// The first crossing in (from, to].
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
   /// Is the vertex beside the edge at this root of the orientation, whose sign changes from `sign`? The root needs not

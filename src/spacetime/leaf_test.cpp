@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "numeric/quadratic_bound.hpp"
 
 namespace taut::spacetime {
 namespace {
@@ -107,7 +108,26 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
   if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
   // After the root the line's function keeps its new sign until it may turn.
   t = std::max(root.hi, falls_until);
-  return Ahead::root;
+  return Ahead::passed;
+}
+
+/// Where doubles see no value at t, but a slope, one sign at high precision tells which way the function leaves zero,
+/// and doubles do the rest. `unknown` if they see no slope either, or would soon be at a loss again.
+LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root) {
+  if (Course(f.line, window, t, 1).slope.sign() == 0) return Ahead::unknown;
+  const int sign = precise_.side(root.pair, t);
+  const Course c(f.line, window, t, sign);
+  if (c.slope.value < 0) return look_ahead(window, f, limit, sign, t, root);
+  const double step = taut::positive_until(0, c.slope.lower(), c.bend.lower(), limit - t);
+  if (step >= limit - t) {
+    t = limit;
+    return Ahead::passed;
+  }
+  const double next = below(t + step);
+  const bool rises = c.slope.lower() * step > 8 * c.value.error;
+  if (!rises || !(step > least_step * window.length() && next > t)) return Ahead::unknown;
+  t = next;
+  return Ahead::passed;
 }
 
 std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
@@ -129,13 +149,13 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     const int sign = f.line.value(window.at(t, f.line.pp)).sign();
     const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
     if (on_side >= left) return std::nullopt;
+    Crossing root;
+    root.pair = pair;
     if (on_side > step) {
       step = on_side;
-      Crossing root;
-      root.pair = pair;
       const Ahead ahead = look_ahead(window, f, limit, sign, t, root);
       if (ahead == Ahead::crossing) return root;
-      if (ahead == Ahead::root) continue;
+      if (ahead == Ahead::passed) continue;
     }
     const double next = below(t + step);
     if (steps <= many_steps && step > least_step * window.length() && next > t) {
@@ -147,6 +167,9 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       continue;
     }
     if (beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
+    const Ahead beyond = sign == 0 ? leave_zero(window, f, limit, t, root) : Ahead::unknown;
+    if (beyond == Ahead::crossing) return root;
+    if (beyond == Ahead::passed) continue;
     const double to = std::min(limit, std::max(above(t), t + stride));
     if (auto found = precise_.first(pair, t, to)) return found;
     t = to;
