@@ -1,5 +1,8 @@
 #include "taut/check.hpp"
 
+#include <memory>
+
+#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "pair/fitted_scene.hpp"
@@ -24,6 +27,16 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
   return answer;
 }
 
+/// By the tiling; but whether what stays free touches is left to boxes where they tell soon.
+Answer check_by_tiling(const Scene& scene, const CheckOptions& options) {
+  const std::uint64_t before = work_spent();
+  const std::unique_ptr<Run> run = begin_kinetic(scene, options);
+  run->work(UINT64_MAX);
+  return with_touching(*run, scene, options,
+                       unless_soon_apart((work_spent() - before) / 2,
+                                         [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); }));
+}
+
 }  // namespace
 
 Answer check(const Scene& scene, const CheckOptions& options) {
@@ -32,7 +45,7 @@ Answer check(const Scene& scene, const CheckOptions& options) {
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);
   switch (engine_for_two(options)) {
     case EngineChoice::kinetic:
-      return run_kinetic(scene, options);
+      return check_by_tiling(scene, options);
     case EngineChoice::spacetime:
       return run_spacetime(scene, options);
     case EngineChoice::either:

@@ -57,7 +57,8 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
   // Touching asks the same once more, for which the same engine is the better one, as a rule.
   const auto finished = [&](Entrant& winner, const Entrant* other) {
     const Lead next{winner.engine(), winner.effort().spent() + winner.effort().spent() / 2};
-    const auto again = [&next](const Scene& s, const CheckOptions& o) { return answer_in_turns(s, o, next); };
+    Question again = [&next](const Scene& s, const CheckOptions& o) { return answer_in_turns(s, o, next); };
+    if (winner.engine() == EngineName::kinetic) again = unless_soon_apart(winner.effort().spent() / 2, again);
     Answer answer = with_touching(winner.run(), scene, options, again);
     if (other) add_time(other->run().answer(), answer);
     return answer;

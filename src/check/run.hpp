@@ -31,7 +31,7 @@ class Run {
 std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options);
 
-/// By the kinetic data structure. Throws InputError.
+/// By the kinetic data structure and nothing else. Throws InputError.
 Answer run_kinetic(const Scene& scene, const CheckOptions& options);
 /// The same, watched.
 Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& watcher);
@@ -53,6 +53,8 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 /// closed touching: see Answer::touching.
 using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
+/// Asks `otherwise`, unless boxes show with so little work that nothing meets.
+Question unless_soon_apart(std::uint64_t effort, const Question& otherwise);
 
 /// Of a scene that is not two bodies of one polygon each. Throws InputError.
 Answer run_world(const Scene& scene, const CheckOptions& options);
