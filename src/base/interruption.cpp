@@ -42,6 +42,14 @@ void InterruptionScope::look() {
   throw Interrupted{"the effort was used up"};
 }
 
+void InterruptionScope::look_ahead(std::uint64_t work) {
+  check();
+  if (spent + work <= until_) return;
+  exhausted_ = true;
+  wanted_ = work;
+  throw Interrupted{"the effort was used up"};
+}
+
 UncountedWork::UncountedWork() : spent_(spent), next_look_(next_look), unlimited_(UINT64_MAX) {}
 
 UncountedWork::~UncountedWork() {
@@ -54,6 +62,10 @@ void interruption_point(std::uint64_t work) {
   if (!innermost || spent < next_look) return;
   next_look = spent + between_looks;
   innermost->look();
+}
+
+void interruption_point_before(std::uint64_t work) {
+  if (innermost) innermost->look_ahead(work);
 }
 
 void count_work(std::uint64_t work) { spent += work; }

@@ -30,15 +30,20 @@ class InterruptionScope {
   void check() const;
   /// Was the effort used up?
   bool exhausted() const { return exhausted_; }
+  /// How much what comes next takes, if it was not begun because less was left.
+  std::uint64_t wanted() const { return wanted_; }
 
  private:
   friend void interruption_point(std::uint64_t);
+  friend void interruption_point_before(std::uint64_t);
   void look();
+  void look_ahead(std::uint64_t work);
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;
   std::uint64_t until_ = UINT64_MAX;  ///< which work_spent()
   bool exhausted_ = false;
+  std::uint64_t wanted_ = 0;
   Clock::time_point deadline_{};
   InterruptionScope* outer_;
 };
@@ -61,6 +66,8 @@ class UncountedWork {
 /// 2020: whatever costs far more than that says how much. So the work of different engines can be compared, and is the
 /// same on every machine.
 void interruption_point(std::uint64_t work = 1);
+/// Before something that has to be begun anew if it is stopped, and takes about so much: stops now where less is left.
+void interruption_point_before(std::uint64_t work);
 /// Counts it alone, where nothing may be left half done.
 void count_work(std::uint64_t work);
 /// All that this thread has counted so far.

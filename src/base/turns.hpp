@@ -1,6 +1,7 @@
 // Two ways to one answer, of which nobody knows beforehand which is the shorter one.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/interruption.hpp"
@@ -10,8 +11,10 @@ namespace taut {
 /// What came of a turn.
 enum class TurnEnd : unsigned char { open, given_up, decided };
 
-/// One of the two, and the work that it has done. Neither may be ahead of the other by more than a quarter of its work:
-/// so an answer costs little more than twice what the better one takes alone.
+/// One of the two, and the work that it has done. Neither may be ahead of the other by more than an eighth of its work:
+/// so an answer costs little more than twice what the better one takes alone. Who has something long to do that cannot
+/// be left in the middle may leave its turns unused until there is room for that: it then counts for the other one as
+/// if it had used them.
 class Contestant {
  public:
   /// A first turn: as long as a small question takes.
@@ -27,6 +30,7 @@ class Contestant {
   /// Goes on, by work(effort), until its work in all is so much.
   template <class Work>
   TurnEnd work_until(std::uint64_t total, const Work& work) {
+    granted_ = total;
     if (end_ == TurnEnd::open && total > spent_) {
       const std::uint64_t before = work_spent();
       end_ = work(total - spent_);
@@ -37,10 +41,13 @@ class Contestant {
   std::uint64_t spent() const { return spent_; }
   bool is_open() const { return end_ == TurnEnd::open; }
   /// How far the other one may go now: to the end, if this one has given up.
-  std::uint64_t share_of_other() const { return is_open() ? spent_ + spent_ / 4 + first_turn : UINT64_MAX; }
+  std::uint64_t share_of_other() const {
+    const std::uint64_t used = std::max(spent_, granted_);
+    return is_open() && used < UINT64_MAX / 2 ? used + used / 8 + first_turn : UINT64_MAX;
+  }
 
  private:
-  std::uint64_t spent_ = 0;
+  std::uint64_t spent_ = 0, granted_ = 0;
   TurnEnd end_ = TurnEnd::open;
 };
 

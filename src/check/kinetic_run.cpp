@@ -46,8 +46,9 @@ class Timer {
   Clock::time_point start_;
 };
 
-/// A turn that ends in the middle of something long leaves it there: the engine keeps what is done, and makes the one
-/// search that it was at anew. So turns have to grow, or nothing long is ever done.
+/// A turn that ends in the middle of an event leaves it there: the engine keeps what is done, and makes the one search
+/// that it was at anew. So it is taken up again only in a turn that is twice as long as what was lost; and a tiling
+/// that is built from nothing is not begun before there is room for it.
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
@@ -58,13 +59,18 @@ class KineticRun final : public Run {
 
   bool work(std::uint64_t effort) override {
     if (done_) return true;
-    const InterruptionScope turn(effort < UINT64_MAX / overtime ? effort * overtime : UINT64_MAX);
+    if (effort < needed_) return false;
+    needed_ = 0;
+    const InterruptionScope turn(effort < UINT64_MAX - overtime_ ? effort + overtime_ : UINT64_MAX);
     const std::uint64_t until = effort < UINT64_MAX - work_spent() ? work_spent() + effort : UINT64_MAX;
+    step_began_ = work_spent();
     try {
       if (!session_) build();
       done_ = run(until);
     } catch (const Interrupted& limit) {
       if (!turn.exhausted()) give_up(limit.reason, reached());
+      needed_ = std::max(2 * (work_spent() - step_began_), turn.wanted());
+      overtime_ = std::max(short_overtime, turn.wanted());
     } catch (const Undecidable& limit) {
       give_up(not_decided(limit), reached());
     }
@@ -77,8 +83,8 @@ class KineticRun final : public Run {
   StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
-  /// What is left has to be begun again: a search may take so many turns' work before it is.
-  static constexpr std::uint64_t overtime = 4;
+  /// An event that has begun may go on for so long.
+  static constexpr std::uint64_t short_overtime = 64;
 
   void build() {
     const Timer timer(answer_.build_seconds);
@@ -94,6 +100,7 @@ class KineticRun final : public Run {
         return true;
       }
       if (work_spent() >= until) return false;
+      step_began_ = work_spent();
       session_->step(session_->end());
     }
     return true;
@@ -126,6 +133,9 @@ class KineticRun final : public Run {
   std::unique_ptr<Session> session_;
   Answer answer_;
   bool done_ = false;
+  std::uint64_t step_began_ = 0;             ///< work_spent() then
+  std::uint64_t needed_ = 0;                 ///< the next turn has to be as long
+  std::uint64_t overtime_ = short_overtime;  ///< and may take so much longer: what is long is foreseen but roughly
 };
 
 }  // namespace

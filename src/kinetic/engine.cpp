@@ -10,7 +10,9 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(): of a certificate that is looked at, and of an event with its repair.
-constexpr std::uint64_t work_of_look = 2, work_of_event = 25;
+constexpr std::uint64_t work_of_look = 1, work_of_event = 12;
+/// Of a vertex of a tiling that is built from nothing; of every start.
+constexpr std::uint64_t work_of_vertex = 12, work_of_start = 30;
 
 }  // namespace
 
@@ -31,6 +33,7 @@ StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
   if (known.p && known.q) {
     if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
   }
+  interruption_point_before(work_of_vertex * placement.size());
   placement.tabulate();
   return build_tiling(placement);
 }
@@ -38,6 +41,7 @@ StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
 }  // namespace
 
 void Engine::build(const KnownTilings& known) {
+  count_work(work_of_start);
   Placement placement(geometry_, leg(), parameter_, Positions::on_demand);
   StaticTiling tiling = tiling_of(placement, known);
   if (tiling.overlap) {
@@ -298,14 +302,13 @@ void Engine::finish_sweep() {
     const CertificateId id = those_open ? open[i] : CertificateId(i);
     Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
-    interruption_point(work_of_look);
-    if (those_open) {
+    if (those_open || (!settled_.is_settled(id) && (sweep_.all_due || settled_.was_settled(id)))) {
+      // A line costs half of that.
+      interruption_point(LegClock::is_straight(leg()) ? i % 2 * work_of_look : work_of_look);
       schedule(id, sweep_.t);
     } else if (settled_.is_settled(id)) {
       queue_.remove(id);
       solver_.rest(c);
-    } else if (sweep_.all_due || settled_.was_settled(id)) {
-      schedule(id, sweep_.t);
     }
   }
   sweep_.due = Settled::Due::nothing;

@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
+
 namespace taut {
+namespace {
+
+/// In units of interruption_point(), as measured.
+constexpr std::uint64_t work_of_line = 6, work_of_sign_on_line = 7, work_of_root_on_line = 8;
+
+}  // namespace
 
 ExactLine::ExactLine(const Leg& leg, const PairGeometry& g, const Form& form) {
+  count_work(work_of_line);
   // The leg shifts P, so that the motion is zero at time 0.
   const auto zero = ExactNumber();
   const auto points = points_of<ExactNumber>(leg, g, form, Shape::displaced, Origin::powers);
@@ -40,6 +49,7 @@ void ExactLine::begin(NearlyExact<Terms>& value, double sign) const {
 }
 
 int ExactLine::sign_over(const PreciseTime& t) const {
+  count_work(work_of_sign_on_line);
   NearlyExact<start_terms + 2 * slope_terms * ShortSum::capacity> value;
   begin(value, 1);
   const double slope = std::fabs(slope_.approximate()), width = t.width_of_sums();
@@ -55,6 +65,7 @@ int ExactLine::sign_over(const PreciseTime& t) const {
 }
 
 std::optional<PreciseTime> ExactLine::root(Stage stage, double enough) const {
+  count_work(work_of_root_on_line);
   constexpr std::size_t digits = 5;
   NearlyExact<start_terms + 2 * slope_terms * digits> rest;  // -start - slope * quotient
   begin(rest, -1);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
+
 namespace taut {
 namespace {
 
@@ -30,6 +32,7 @@ double known_or(double bound, double otherwise) { return std::isnan(bound) ? oth
 }  // namespace
 
 PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
+  count_work(leg.translation ? 5 : 15);
   const Ball<double> whole = Ball<double>::between(from, to);
   const Frame<double> over = unshifted_frame(leg, whole), middle = unshifted_frame(leg, Ball<double>::exact(whole.mid));
   PlanRange range;
@@ -81,13 +84,15 @@ void PlanRange::cover(const Leg& leg, double from, double to, const PlanRange& f
 }
 
 double PlanRange::left_at(const Leg& leg, double from) const {
-  constexpr int halvings = 12;
+  const double least = 0x1p-12 * (leg.end - from);
   double reached = from, step = leg.end - from;
-  for (int k = 0; k <= halvings; ++k, step /= 2) {
-    // As far as it goes in steps of this length, but once in the finer ones: the step before was too long.
-    while (reached < leg.end && contains(over_part(leg, reached, std::min(reached + step, leg.end)))) {
-      reached = std::min(reached + step, leg.end);
-    }
+  // Steps have to be short only where the motion comes close to the border.
+  for (bool on = false; reached < leg.end && step >= least;) {
+    const double to = std::min(reached + step, leg.end);
+    const bool inside = contains(over_part(leg, reached, to));
+    if (inside) reached = to;
+    if (!inside || on) step *= inside ? 2 : 0.5;
+    on = inside;
   }
   return reached < leg.end ? reached : INFINITY;
 }
