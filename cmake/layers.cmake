@@ -4,9 +4,9 @@
 #   taut_finish_layers()                      after the last one
 #
 # Each is a library of its own, so that what uses a layer it does not name does not link. With CMAKE_UNITY_BUILD the
-# compiler sees three files only, one of all layers that have to be fast and two of the others, and tests/layers_test.py
-# sees to what they include: each header is read three times instead of some twenty, and each template compiled so often.
-# Two processors take about as long for the first one as for the others and the programs. (Not for the browser: a linker
+# compiler sees two files only, one of all layers that have to be fast and one of the others, and tests/layers_test.py
+# sees to what they include: each header is read twice instead of some twenty times, and each template compiled so often.
+# Two processors take about as long for the first one as for the other and the programs. (Not for the browser: a linker
 # takes whole files, and a page is to be small.)
 set(taut_few_files OFF)
 if(CMAKE_UNITY_BUILD AND NOT EMSCRIPTEN)
@@ -18,8 +18,7 @@ if(taut_few_files)
   add_library(taut_cold_layers STATIC)
   target_link_libraries(taut_cold_layers PUBLIC taut_fast_layers)
   taut_cold(taut_cold_layers)
-  set_target_properties(taut_fast_layers PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
-  set_target_properties(taut_cold_layers PROPERTIES UNITY_BUILD_BATCH_SIZE 70)
+  set_target_properties(taut_fast_layers taut_cold_layers PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
 endif()
 
 set(taut_layer_names "")
@@ -45,7 +44,7 @@ function(taut_layer name)
   set(taut_layer_names ${taut_layer_names} ${name} PARENT_SCOPE)
 endfunction()
 
-# Where each file is compiled by itself, half of its time would go into headers of others. `taut_compiled` are the
+# Where each file is compiled by itself, much of its time would go into headers of others. `taut_compiled` are the
 # targets with the library's objects.
 function(taut_finish_layers)
   if(taut_few_files)
@@ -55,8 +54,7 @@ function(taut_finish_layers)
   list(TRANSFORM taut_layer_names PREPEND taut_ OUTPUT_VARIABLE compiled)
   set(taut_compiled ${compiled} PARENT_SCOPE)
   taut_precompile(taut_numeric PRIVATE ${taut_common_headers})
-  # The lowest ones, readers and writers do not count in many digits.
-  list(REMOVE_ITEM compiled taut_text taut_base taut_geometry taut_io taut_numeric)
+  list(REMOVE_ITEM compiled taut_text taut_base taut_numeric)
   foreach(target ${compiled})
     taut_precompile(${target} REUSE_FROM taut_numeric)
   endforeach()

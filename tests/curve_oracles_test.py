@@ -11,12 +11,15 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "checker"))
+from effort import effort  # noqa: E402
+
 TAUT = sys.argv[1]
 EPS = 1e-2
 # What both programs round, in coordinates of about 10.
 ROUNDING = 1e-9
-PATHS = 150
-DRAWINGS = 40
+PATHS = effort(150)
+DRAWINGS = effort(40)
 
 
 def flattened(folder, scene, side):

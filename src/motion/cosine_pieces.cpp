@@ -20,7 +20,7 @@ class ExactPolynomial {
   ExactPolynomial derivative() const {
     ExactPolynomial d({});
     for (std::size_t k = 1; k < exact_.size(); ++k) {
-      d.exact_.push_back(exact_[k] * Dyadic(k, 0));
+      d.exact_.push_back(exact_[k] * Dyadic(static_cast<std::int64_t>(k), 0));
       d.near_.push_back(near_[k] * static_cast<double>(k));
     }
     return d;

@@ -77,12 +77,14 @@ inline bool is_far(double start, double end, double lengths = far_leg) {
   return std::fabs(start) >= lengths * length && std::fabs(start) <= 0x1p200;
 }
 
-/// A time where polynomials are known about an instant nearby.
+/// A time; of a motion far from time 0 with its polynomials about an instant nearby. Both are one type, so that what is
+/// a function of time is compiled once for the two.
 template <class Real>
 struct LocalTime {
-  const LocalPolynomials* polynomials;
+  const LocalPolynomials* polynomials = nullptr;  ///< null near time 0
   Ball<Real> t, since;
 
+  explicit LocalTime(const Ball<Real>& time) : t(time), since(time) {}
   LocalTime(const LocalPolynomials& local, const Ball<Real>& time)
       : polynomials(&local), t(time), since(time - Ball<Real>::exact(local.about())) {}
   BallCoefficients<Real> local(const Coefficients& c) const { return polynomials->of<Real>(c); }
@@ -99,10 +101,9 @@ inline LocalTime<double>::LocalTime(const LocalPolynomials& local, const Ball<do
 template <class J, class Time>
 J angle_at(const Coefficients& c, const Time& t) {
   if constexpr (requires { t.local_angle(c); }) {
-    return J::polynomial(t.local_angle(c), t.since);
-  } else {
-    return J::polynomial(c, t);
+    if (t.polynomials) return J::polynomial(t.local_angle(c), t.since);
   }
+  return J::polynomial(c, t);
 }
 
 /// The time as it is.

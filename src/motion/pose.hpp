@@ -120,7 +120,7 @@ J change_of_cosine(const Coefficients& a, const Time& t) {
   return J::polynomial(VaryingPart{a}, t);
 }
 
-/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time a ball, LocalTime, TimeFromEnd or
+/// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time LocalTime, TimeFromEnd or
 /// SymbolicTime.
 template <class J, class Time>
 void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
@@ -192,11 +192,7 @@ PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
 
 template <class Real>
 Pose<Real> pose(const MotionPiece& piece, const Ball<Real>& t) {
-  return pose_of<Jet<Real>>(piece, t);
-}
-template <class Real>
-Pose<Real> pose(const MotionPiece& piece, const LocalTime<Real>& t) {
-  return pose_of<Jet<Real>>(piece, t);
+  return pose_of<Jet<Real>>(piece, LocalTime<Real>(t));
 }
 
 /// The pose at an instant, with precise numbers where doubles tell nothing of it: beside 1, a cosine that is a sum of
@@ -234,11 +230,15 @@ template <class J, class Time>
 PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
   return pose_of<J>(chain, t, [&](std::size_t link, J& xx, J& xy) { rotation_jet(chain[link].rotation, t, xx, xy); });
 }
+template <class J, class Real>
+PoseOf<J> pose_of(const PieceChain& chain, const Ball<Real>& t) {
+  return pose_of<J>(chain, LocalTime<Real>(t));
+}
 
 /// The same with a point m of the body in place of its origin. The point is taken relative to the pivot before anything
 /// is multiplied: far from the origin the two parts of a turn about a pivot nearly cancel, and ranges of them do not.
-template <class Real, class Time = Ball<Real>>
-Pose<Real> pose_about(const PieceChain& chain, const Point& m, const Time& t) {
+template <class Real>
+Pose<Real> pose_about(const PieceChain& chain, const Point& m, const LocalTime<Real>& t) {
   using J = Jet<Real>;
   const MotionPiece& last = chain.back();
   Pose<Real> p;
@@ -263,10 +263,10 @@ inline PosesOver poses_over(const PieceChain& chain, const Point& m, double from
   const double centre = from + (to - from) / 2, half = std::max(to - centre, centre - from) * (1 + 0x1p-50);
   const Ball<double> middle = Ball<double>::exact(centre), over = Ball<double>::between(from, to);
   if (!is_far(from, to, far_window))
-    return {pose_about<double>(chain, m, middle), pose_about<double>(chain, m, over), half};
+    return {pose_about(chain, m, LocalTime<double>(middle)), pose_about(chain, m, LocalTime<double>(over)), half};
   const LocalPolynomials local(centre);
   const LocalTime<double> at(local, middle), all(local, over);
-  return {pose_about<double>(chain, m, at), pose_about<double>(chain, m, all), half};
+  return {pose_about(chain, m, at), pose_about(chain, m, all), half};
 }
 
 }  // namespace taut

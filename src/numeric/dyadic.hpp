@@ -1,10 +1,10 @@
 // Exact numbers of any length: integers times powers of two. For the few questions that no precision answers.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "numeric/ball.hpp"
@@ -12,53 +12,46 @@
 namespace taut {
 
 /// mantissa * 2^exponent. Sums, differences and products of doubles are exact.
+///
+/// The mantissa is an integer of Boost, which only dyadic.cpp sees: its header alone takes two seconds to compile.
+/// Copies share it.
 class Dyadic {
  public:
-  using Integer = boost::multiprecision::cpp_int;
-
   Dyadic() = default;
-  Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
-  static Dyadic exact(double x) {
-    if (x == 0) return {};
-    int e = 0;
-    const double fraction = std::frexp(x, &e);
-    return {Integer(static_cast<std::int64_t>(fraction * 0x1p53)), e - 53};
-  }
+  Dyadic(std::int64_t mantissa, int exponent);
+  static Dyadic exact(double x);
+  /// From the mantissa's limbs, the least significant first.
+  static Dyadic of_limbs(std::span<const std::uint64_t> magnitude, bool negative, int exponent);
 
-  bool is_zero() const { return mantissa_.is_zero(); }
-  int sign() const { return mantissa_.sign(); }
-  const Integer& mantissa() const { return mantissa_; }
+  bool is_zero() const { return sign_ == 0; }
+  int sign() const { return sign_; }
   int exponent() const { return exponent_; }
-  /// The mantissa for a smaller exponent.
-  Integer mantissa_for(int exponent) const { return mantissa_ << static_cast<unsigned>(exponent_ - exponent); }
-  Dyadic halved() const { return {mantissa_, exponent_ - 1}; }
+  Dyadic halved() const;
+  /// The first bits of the mantissa's magnitude, as many as the limbs hold; returns how many are dropped.
+  int first_bits(std::span<std::uint64_t> limbs) const;
 
-  friend Dyadic operator-(const Dyadic& a) { return {-a.mantissa_, a.exponent_}; }
-  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
-    if (a.is_zero()) return b;
-    if (b.is_zero()) return a;
-    const int e = std::min(a.exponent_, b.exponent_);
-    return {a.mantissa_for(e) + b.mantissa_for(e), e};
-  }
+  friend Dyadic operator-(const Dyadic& a);
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
-  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
-    return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
-  }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
   friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).is_zero(); }
 
  private:
-  Integer mantissa_ = 0;
-  int exponent_ = 0;
+  struct Integer;
+  friend std::optional<std::vector<Dyadic>> square_root(const std::vector<Dyadic>& p);
+  Dyadic(Integer mantissa, int exponent);
+  /// The mantissa for a smaller exponent.
+  Integer mantissa_for(int exponent) const;
+
+  std::shared_ptr<const Integer> mantissa_;  ///< null for zero
+  int sign_ = 0, exponent_ = 0;
 };
 
-/// The first bits of the mantissa: less than a unit in the last place nearer to zero than the number, or it.
+/// Less than a unit in the last place nearer to zero than the number, or it. Not of zero.
 template <class Real>
 Real first_bits(const Dyadic& x) {
-  Dyadic::Integer size = abs(x.mantissa());
-  const int length = static_cast<int>(msb(size)) + 1, dropped = std::max(0, length - RealTraits<Real>::bits);
-  size >>= static_cast<unsigned>(dropped);
   typename Real::Limbs limbs{};
-  export_bits(size, limbs.begin(), 64, false);
+  const int dropped = x.first_bits(limbs);
   return Real::of_limbs(limbs, x.exponent() + dropped, x.sign() < 0);
 }
 /// The number, rounded.

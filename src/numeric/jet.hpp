@@ -44,10 +44,12 @@ struct Jet {
     }
     return {v, d, dd * 2.0};
   }
-  /// The same, where the time knows the polynomial about an instant nearby.
+  /// The same, where the time may know the polynomial about an instant nearby.
   template <class Coefficients, class Time>
   requires requires(const Time& t, const Coefficients& c) { t.local(c); }
-  static Jet polynomial(const Coefficients& c, const Time& t) { return polynomial(t.local(c), t.since); }
+  static Jet polynomial(const Coefficients& c, const Time& t) {
+    return t.polynomials ? polynomial(t.local(c), t.since) : polynomial(c, t.t);
+  }
   /// The same as a function of s.
   template <class Coefficients>
   static Jet polynomial(const Coefficients& c, const TimeFromEnd<Real>& at) {

@@ -60,10 +60,12 @@ struct Series {
     s.terms = std::clamp(degree + 1, 1, N + 1);
     return s;
   }
-  /// The same, where the time knows the polynomial about an instant nearby.
+  /// The same, where the time may know the polynomial about an instant nearby.
   template <class Coefficients, class Time>
   requires requires(const Time& t, const Coefficients& given) { t.local(given); }
-  static Series polynomial(const Coefficients& given, const Time& t) { return polynomial(t.local(given), t.since); }
+  static Series polynomial(const Coefficients& given, const Time& t) {
+    return t.polynomials ? polynomial(t.local(given), t.since) : polynomial(given, t.t);
+  }
   /// The same as a function of s.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {

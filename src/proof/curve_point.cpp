@@ -13,10 +13,8 @@ CertainSign certain(int sign) { return sign == 0 ? CertainSign() : CertainSign(s
 
 Dyadic dyadic_of(const CurveNumber& x) {
   if (x.mid.is_zero()) return {};
-  Dyadic::Integer integer;
-  import_bits(integer, x.mid.mantissa().begin(), x.mid.mantissa().end(), 64, false);
-  return {x.mid.is_negative() ? Dyadic::Integer(-integer) : integer,
-          static_cast<int>(x.mid.exponent()) - RealTraits<CurveReal>::bits + 1};
+  return Dyadic::of_limbs(x.mid.mantissa(), x.mid.is_negative(),
+                          static_cast<int>(x.mid.exponent()) - RealTraits<CurveReal>::bits + 1);
 }
 
 bool is_point(const CurvePoint& p) { return is_exact(p.x) && is_exact(p.y); }

@@ -146,14 +146,13 @@ template <class J, class Time>
 J way(const Leg& leg, bool of_x, const Time& t) {
   if constexpr (requires { t.since; }) {
     using Real = std::decay_t<decltype(t.since.mid)>;
-    return J::polynomial(leg.way(of_x).template rounded<Real>(), t.since);
-  } else {
-    const Coefficients &q = of_x ? leg.q.x : leg.q.y, &p = of_x ? leg.p.x : leg.p.y;
-    J d = J::polynomial(VaryingPart{q}, t) - J::polynomial(VaryingPart{p}, t);
-    if (!leg.far()) return d;
-    for (const double c : leg.constant_left(of_x)) d = d + J::constant(c);
-    return d;
+    if (t.polynomials) return J::polynomial(leg.way(of_x).template rounded<Real>(), t.since);
   }
+  const Coefficients &q = of_x ? leg.q.x : leg.q.y, &p = of_x ? leg.p.x : leg.p.y;
+  J d = J::polynomial(VaryingPart{q}, absolute(t)) - J::polynomial(VaryingPart{p}, absolute(t));
+  if (!leg.far()) return d;
+  for (const double c : leg.constant_left(of_x)) d = d + J::constant(c);
+  return d;
 }
 
 /// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
@@ -194,8 +193,8 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
 /// Where a body is that follows the piece, or the chain.
 template <class J, class Real>
 PoseOf<J> placed(const Leg& leg, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
-  const auto at = [&](const auto& time) { return leg.composed ? pose_of<J>(chain, time) : pose_of<J>(piece, time); };
-  return leg.far() ? at(LocalTime<Real>(*leg.local(), t)) : at(t);
+  const LocalTime<Real> at = leg.local_time(t);
+  return leg.composed ? pose_of<J>(chain, at) : pose_of<J>(piece, at);
 }
 
 /// Straight from one pose to the other, s in [0, 1].
@@ -234,7 +233,7 @@ FrameOf<J> bridge_frame(const Leg& leg, const Ball<Real>& s) {
 template <class J, class Real>
 FrameOf<J> frame_at(const Leg& leg, const Ball<Real>& t, bool offset = true) {
   if (leg.bridge) return bridge_frame<J>(leg, t);
-  return leg.far() ? motion_frame<J>(leg, LocalTime<Real>(*leg.local(), t), offset) : motion_frame<J>(leg, t, offset);
+  return motion_frame<J>(leg, leg.local_time(t), offset);
 }
 
 }  // namespace

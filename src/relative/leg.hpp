@@ -102,6 +102,10 @@ struct Leg {
   bool far() const { return local_ != nullptr; }
   /// What polynomials are about an instant of a leg that is far from time 0; null on others.
   const LocalPolynomials* local() const { return local_.get(); }
+  template <class Real>
+  LocalTime<Real> local_time(const Ball<Real>& t) const {
+    return local_ ? LocalTime<Real>(*local_, t) : LocalTime<Real>(t);
+  }
   /// On such a leg with a shift, the coordinates of D less the shift.
   const LocalPolynomials::Known& way(bool of_x) const { return (*ways_)[of_x ? 0 : 1]; }
   /// In powers of the absolute time, D's constant less the shift: doubles to be added up.

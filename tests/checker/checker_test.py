@@ -15,6 +15,7 @@ import time
 from bodies import Plan, displaced, pieces_between, random_between
 from checker import check
 from covered import NotCovered
+from effort import effort
 
 
 def difference(said, proved, reason):
@@ -76,7 +77,7 @@ def check_keyframes():
 
 
 def main():
-    program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "400"
+    program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else str(effort(400))
     check_vectors(root)
     check_what_is_not_covered(root)
     check_keyframes()

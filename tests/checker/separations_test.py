@@ -11,6 +11,7 @@ import sys
 import time
 
 from covered import NotCovered
+from effort import effort
 from separations import check
 from world import Scene
 
@@ -63,7 +64,7 @@ class Tally:
 
 
 def main():
-    program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else "250"
+    program, root, logs = sys.argv[1], sys.argv[2], sys.argv[3] if len(sys.argv) > 3 else str(effort(250))
     sys.setrecursionlimit(10000)
     lines = subprocess.run([program, root, logs], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     began, tally, scene, known, text = time.process_time(), Tally(), None, {}, ""

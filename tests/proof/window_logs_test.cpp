@@ -55,7 +55,7 @@ void put_float(std::string& bytes, std::size_t at, float x) { std::memcpy(bytes.
 class DamagedWindows : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    for (std::uint64_t seed = 1; logs().size() < effort(15); ++seed) {
+    for (std::uint64_t seed = 1; logs().size() < effort(40); ++seed) {
       BoxedLog made;
       made.scene = scene_of(large_world(seed).world);
       std::ostringstream out;

@@ -41,7 +41,7 @@ void expect_soon(const char* what, const std::function<void()>& work) {
   } catch (const ProofError&) {
   } catch (const UndecidedError&) {
   }
-  const double factor = testing::effort(10) == 10 ? 1 : 10;
+  const double factor = testing::watched ? 10 : 1;
   EXPECT_LT(processor_seconds() - start, factor * soon_seconds) << what;
 }
 
@@ -213,7 +213,7 @@ TEST_P(Interruption, ByAFlag) {
     options.engine = engine;
     check(scene(), options);
   }
-  const double factor = testing::effort(10) == 10 ? 1 : 10;
+  const double factor = testing::watched ? 10 : 1;
   EXPECT_LT(processor_seconds() - start, factor * soon_seconds);
 }
 
@@ -232,7 +232,7 @@ TEST_P(Interruption, OfProofs) {
   const double start = processor_seconds();
   prove(scene(), log, options);
   // One limit for all of it: the engines, one after the other, and the log.
-  const double factor = testing::effort(10) == 10 ? 1 : 10;
+  const double factor = testing::watched ? 10 : 1;
   EXPECT_LT(processor_seconds() - start, options.max_seconds + factor * soon_seconds);
   const std::string text = log.str();
   expect_soon("verify", [&] {

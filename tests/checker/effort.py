@@ -1,0 +1,8 @@
+"""How much a random test does: a quarter where TAUT_EFFORT says `tenth`, as `./dev test` does. A tenth would be too little
+for each kind of what is drawn to be there."""
+
+import os
+
+
+def effort(n):
+    return n // 4 if os.environ.get("TAUT_EFFORT") == "tenth" else n
