@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relative/even_turn.hpp"
 #include "relative/frame_identities.hpp"
 #include "relative/frame_looks.hpp"
 
@@ -156,12 +157,9 @@ J way(const Leg& leg, bool of_x, const Time& t) {
   }
 }
 
-/// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
+/// D; `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
-  if (leg.composed) return composed_frame<J>(leg, t);
-  FrameOf<J> f;
-  J dx, dy;
+void way_between(const Leg& leg, const Time& t, bool offset, J& dx, J& dy) {
   if (offset && (leg.shift_p || leg.shift_q)) {
     dx = way<J>(leg, true, t);
     dy = way<J>(leg, false, t);
@@ -174,6 +172,14 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
     dx = dx + (J::constant(b.x) - J::constant(a.x));
     dy = dy + (J::constant(b.y) - J::constant(a.y));
   }
+}
+
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
+  if (leg.composed) return composed_frame<J>(leg, t);
+  FrameOf<J> f;
+  J dx, dy;
+  way_between(leg, t, offset, dx, dy);
   const J one = J::constant(1.0), zero = J::constant(0.0);
   f.for_pp[0] = f.for_qq[0] = one;
   if (leg.translation) {
@@ -284,6 +290,15 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) { return fr
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
   return frame_at<ThirdSeries>(leg, t);
 }
+std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t) {
+  std::array<ModelSeries<double>, 2> d;
+  if (leg.far()) {
+    way_between(leg, LocalTime<double>(*leg.local(), t), true, d[0], d[1]);
+  } else {
+    way_between(leg, t, true, d[0], d[1]);
+  }
+  return d;
+}
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
   return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);
 }
@@ -291,6 +306,11 @@ FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
 const FrameIdentities& Leg::identities() const {
   if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
   return *identities_;
+}
+
+const std::shared_ptr<const EvenTurn>& Leg::even_turn() const {
+  if (!even_turn_) even_turn_ = EvenTurn::of(*this);
+  return *even_turn_;
 }
 
 const FrameLooks& Leg::looks() const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "motion/local_time.hpp"
@@ -48,6 +49,7 @@ struct ExactVector {
 
 class FrameIdentities;
 class FrameLooks;
+class EvenTurn;
 
 /// One leg of the relative motion.
 struct Leg {
@@ -115,10 +117,13 @@ struct Leg {
   /// Made when first asked for, by one thread at a time.
   const FrameIdentities& identities() const;
   const FrameLooks& looks() const;
+  /// What models of legs that turn evenly, and often, share; null on others.
+  const std::shared_ptr<const EvenTurn>& even_turn() const;
   /// Drops what was made when it was first asked for. Of many legs only the present one is asked much.
   void forget() const {
     identities_.reset();
     looks_.reset();
+    even_turn_.reset();
     if (local_) local_->forget();
   }
 
@@ -138,6 +143,7 @@ struct Leg {
   std::vector<SingularLink> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
   mutable std::shared_ptr<const FrameLooks> looks_;
+  mutable std::optional<std::shared_ptr<const EvenTurn>> even_turn_;
 };
 
 /// The frame over the ball t of the leg's parameter. Like those below, for doubles and at every precision.
@@ -161,6 +167,8 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
 /// The first terms of the series.
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
+/// Of a motion leg that is not composed: the two coordinates of D, as its frame has them.
+std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t);
 /// As exact expressions (not of a bridge).
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
 
