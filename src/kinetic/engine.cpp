@@ -14,14 +14,15 @@ constexpr std::uint64_t work_of_look = 2, work_of_event = 25;
 
 }  // namespace
 
-Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer, const KnownTilings& known)
+Engine::Engine(PairGeometry geometry, Legs legs, EngineObserver* observer, const KnownTilings& known)
     : geometry_(std::move(geometry)),
       legs_(std::move(legs)),
+      leg_(legs_.hold(0)),
       observer_(observer),
       solver_(geometry_),
       queue_(certificates_, solver_.pool()),
       settled_(geometry_, certificates_) {
-  parameter_ = reached_ = legs_.front().start;
+  parameter_ = reached_ = leg().start;
   build(known);
 }
 
@@ -68,7 +69,7 @@ void Engine::reserve_certificates(std::size_t room) {
 }
 
 void Engine::reserve_for_legs() {
-  if (!std::all_of(legs_.begin(), legs_.end(), LegClock::is_straight)) solver_.reserve_cells();
+  if (!legs_.straight()) solver_.reserve_cells();
 }
 
 std::size_t Engine::mixed_edges() const {
@@ -266,7 +267,7 @@ double Engine::proved_until() const {
   return leg().time(std::max(first, reached_));
 }
 
-void Engine::replan(std::vector<Leg> legs) {
+void Engine::replan(Legs legs) {
   settled_.note_motion(leg(), parameter_);
   legs_ = std::move(legs);
   current_ = 0;
@@ -276,6 +277,7 @@ void Engine::replan(std::vector<Leg> legs) {
 }
 
 void Engine::enter_leg() {
+  leg_ = legs_.hold(current_);
   parameter_ = reached_ = leg().start;
   queue_.clear();
   solver_.enter(leg());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
 #include "kinetic/settled.hpp"
+#include "relative/legs.hpp"
 #include "sign/found_contact.hpp"
 #include "tiling/prepared_tiling.hpp"
 
@@ -46,7 +48,7 @@ struct KnownTilings {
 class Engine {
  public:
   /// Builds the tiling at the start of the first leg (not a bridge).
-  Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer = nullptr,
+  Engine(PairGeometry geometry, Legs legs, EngineObserver* observer = nullptr,
          const KnownTilings& known = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -56,7 +58,7 @@ class Engine {
   const std::optional<FoundContact>& contact() const { return contact_; }
   const PairGeometry& geometry() const { return geometry_; }
   const PlanarMap& map() const { return map_; }
-  const Leg& leg() const { return legs_[current_]; }
+  const Leg& leg() const { return *leg_; }
   std::size_t leg_index() const { return current_; }
   /// The parameter of the current leg up to which everything is proved and processed.
   double parameter() const { return parameter_; }
@@ -74,7 +76,7 @@ class Engine {
   /// After next_event found one: the certificate that will fail.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
   /// Replaces all legs from the present on; the first one must start at time().
-  void replan(std::vector<Leg> legs);
+  void replan(Legs legs);
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }
@@ -125,8 +127,9 @@ class Engine {
   }
 
   PairGeometry geometry_;
-  std::vector<Leg> legs_;
+  Legs legs_;
   std::size_t current_ = 0;
+  std::shared_ptr<const Leg> leg_;  ///< that leg
   EngineObserver* observer_;
   PlanarMap map_;
   FailureSolver solver_;

@@ -88,8 +88,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   const std::size_t k = index_of(role);
   const std::string& name = plan_.names[k];
   validate_motion(motion, name, plan_.bounds[k], now, end_, plan_.extent);
-  std::vector<MotionPiece> fresh;
-  for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));
+  const PieceList fresh = PieceList::between(motion, now, end_, plan_.exponent);
   const MotionPiece before = role == Role::p ? engine_->leg().p : engine_->leg().q;
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
   const double gap = joint_gap(from, to, plan_.bounds[k], now);
@@ -99,11 +98,10 @@ void Session::set_motion(BodyId body, const Motion& motion) {
                      "coefficients are in powers of the absolute time t");
   }
   plan_.pieces[k] = fresh;
-  std::vector<Leg> legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
+  Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
   if (!same_motion(before, fresh[0])) {
-    const MotionPiece& p = piece_at(plan_.pieces[0], now);
-    const MotionPiece& q = piece_at(plan_.pieces[1], now);
-    legs.insert(legs.begin(), Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
+    const MotionPiece p = plan_.pieces[0].at(now), q = plan_.pieces[1].at(now);
+    legs.put_first(Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
   }
   engine_->replan(std::move(legs));
 }
