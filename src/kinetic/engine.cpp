@@ -23,7 +23,11 @@ Engine::Engine(PairGeometry geometry, Legs legs, EngineObserver* observer, const
       queue_(certificates_, solver_.pool()),
       settled_(geometry_, certificates_) {
   parameter_ = reached_ = leg().start;
-  build(known);
+  if (known.map) {
+    take_map(known);
+  } else {
+    build(known);
+  }
 }
 
 namespace {
@@ -48,6 +52,17 @@ void Engine::build(const KnownTilings& known) {
   }
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
+  begin(placement);
+}
+
+void Engine::take_map(const KnownTilings& known) {
+  map_ = *known.map;
+  passing_ = true;
+  begin(Placement(geometry_, *known.placed, known.parameter, Positions::on_demand));
+}
+
+/// With the certificates of the map at that placement.
+void Engine::begin(const Placement& placement) {
   // Edges that a start has removed again may have numbers beyond those that a tiling needs.
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
@@ -60,6 +75,14 @@ void Engine::build(const KnownTilings& known) {
   reserve_for_legs();
   enter_leg();
   solver_.reserve(active_);
+}
+
+void Engine::begin_question(Legs legs) {
+  events_ = 0;
+  initial_ = max_active_ = active_;
+  settled_.forget();
+  passing_ = false;
+  replan(std::move(legs));
 }
 
 void Engine::reserve_certificates(std::size_t room) {
@@ -281,7 +304,11 @@ void Engine::enter_leg() {
   parameter_ = reached_ = leg().start;
   queue_.clear();
   solver_.enter(leg());
-  settled_.begin_leg();
+  if (passing_) {
+    settled_.begin_passage(active_);
+  } else {
+    settled_.begin_leg();
+  }
   look_at_settled(leg().start, true);
 }
 

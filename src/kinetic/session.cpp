@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "motion/pieces.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
@@ -28,10 +29,10 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
 
 }  // namespace
 
-Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
+Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer, NearStart* near)
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
-  build(touch == Touch::open);
+  build(touch == Touch::open, near);
   if (engine_->state() == EngineState::overlap) settle_overlap();
 }
 
@@ -51,11 +52,22 @@ void Session::settle_overlap() {
   overlap_point_ = common_point(plan_, start_);
 }
 
-void Session::build(bool inwards) {
+void Session::build(bool inwards, NearStart* near) {
   inwards_ = inwards;
-  engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards),
-                                     make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_),
-                                     static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+  const PairGeometry geometry = displaced_pair(plan_, inwards);
+  const Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_);
+  if (near) engine_ = near->engine(geometry, legs);
+  began_near_ = engine_ != nullptr;
+  std::optional<std::uint64_t> work;
+  if (engine_) {
+    engine_->watch(this);
+  } else {
+    const std::uint64_t before = work_spent();
+    engine_ =
+        std::make_unique<Engine>(geometry, legs, static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+    work = work_spent() - before;
+  }
+  if (near) near->note(*engine_, plan_, work);
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }

@@ -219,12 +219,12 @@ PoseOf<J> interpolate(const PoseOf<Series<Real, 0>>& a, const PoseOf<Series<Real
 /// Polynomials of the second degree in s.
 template <class J, class Real>
 FrameOf<J> bridge_frame(const Leg& leg, const Ball<Real>& s) {
-  const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const auto at_joint = [&](const PieceChain& chain, const MotionPiece& piece) {
-    return placed<Series<Real, 0>>(leg, chain, piece, t);
+  const auto at = [&](double t, const PieceChain& chain, const MotionPiece& piece) {
+    return placed<Series<Real, 0>>(leg, chain, piece, Ball<Real>::exact(t));
   };
-  const PoseOf<J> p = interpolate<J>(at_joint(leg.p_chain, leg.p), at_joint(leg.p_chain_next, leg.p_next), s);
-  const PoseOf<J> q = interpolate<J>(at_joint(leg.q_chain, leg.q), at_joint(leg.q_chain_next, leg.q_next), s);
+  const double before = leg.joint_before, after = leg.joint;
+  const PoseOf<J> p = interpolate<J>(at(before, leg.p_chain, leg.p), at(after, leg.p_chain_next, leg.p_next), s);
+  const PoseOf<J> q = interpolate<J>(at(before, leg.q_chain, leg.q), at(after, leg.q_chain_next, leg.q_next), s);
   const J dx = q.ox - p.ox, dy = q.oy - p.oy;
   FrameOf<J> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;

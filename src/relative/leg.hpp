@@ -63,6 +63,7 @@ struct Leg {
   PieceChain p_chain, q_chain, p_chain_next, q_chain_next;
   bool bridge = false;
   double joint = 0;           ///< the time of the bridge
+  double joint_before = 0;    ///< and that for which the pieces before it say where it begins: the same, as a rule
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
 
   bool translation = false;  ///< neither body turns
@@ -90,6 +91,9 @@ struct Leg {
                       double joint, bool far = false);
   static Leg bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
                              const PieceChain& q_next, double joint, bool far = false);
+  /// From where pieces are at one time to where others are at another one, which is the bridge's.
+  static Leg bridging_between(const MotionPiece& p, const MotionPiece& q, double before, const MotionPiece& p_next,
+                              const MotionPiece& q_next, double joint, bool far);
   /// Where a body is at a parameter of the leg, rounded; on a bridge after it, which differs by rounding only.
   Pose<double> pose_of_body(bool of_p, double parameter) const;
 
