@@ -31,7 +31,7 @@ struct Certified {
   const Case& wanted;
   PairPlan plan;
   PairGeometry geometry;
-  std::vector<Leg> legs;
+  Legs legs;
   SpacetimeResult result;
 
   explicit Certified(const Case& c)

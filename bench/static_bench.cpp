@@ -32,7 +32,7 @@ void tiling(benchmark::State& state, std::size_t vertices) {
   const Scene scene = bay(vertices);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   const Placement placement(geometry, legs.front(), scene.start);
   double seconds = 0;
   std::size_t held = 0, peak = 0;

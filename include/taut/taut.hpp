@@ -24,6 +24,7 @@
 // taut/cells.hpp       which cells of a grid a moving body touches
 // taut/grid.hpp        occupancy grids of robots as bodies
 // taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
+// taut/warm_check.hpp  one question after another about the same shapes, from places near the last ones
 // taut/separate.hpp    in which directions bodies come apart, and in which order
 // taut/envelope.hpp    for which combinations of joint values bodies keep apart
 // taut/separator.hpp   curves with the fewest edges between the bodies
@@ -60,3 +61,4 @@
 #include "taut/static_map.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"
+#include "taut/warm_check.hpp"

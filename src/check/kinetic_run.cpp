@@ -51,8 +51,8 @@ class Timer {
 /// that is built from nothing is not begun before there is room for it.
 class KineticRun final : public Run {
  public:
-  KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
-      : scene_(scene), options_(options), watcher_(watcher), scope_(options.stop, options.max_seconds) {
+  KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher, NearStart* near = nullptr)
+      : scene_(scene), options_(options), watcher_(watcher), near_(near), scope_(options.stop, options.max_seconds) {
     answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
   }
@@ -80,6 +80,7 @@ class KineticRun final : public Run {
     return done_;
   }
   const Answer& answer() const override { return answer_; }
+  bool began_near() const { return session_ && session_->began_near(); }
   StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
@@ -88,7 +89,7 @@ class KineticRun final : public Run {
 
   void build() {
     const Timer timer(answer_.build_seconds);
-    session_ = std::make_unique<Session>(scene_, options_.touch, options_.tracer, watcher_);
+    session_ = std::make_unique<Session>(scene_, options_.touch, options_.tracer, watcher_, near_);
     if (watcher_) watcher_->started(*session_);
   }
   /// To the end, a contact, or a limit, of which the answer tells; or until so much work is spent.
@@ -129,6 +130,7 @@ class KineticRun final : public Run {
   const Scene& scene_;
   const CheckOptions& options_;
   RunWatcher* watcher_;
+  NearStart* near_;
   InterruptionScope scope_;
   std::unique_ptr<Session> session_;
   Answer answer_;
@@ -155,6 +157,17 @@ Answer run(const Scene& scene, const CheckOptions& options, RunWatcher* watcher)
 }  // namespace
 
 Answer run_kinetic(const Scene& scene, const CheckOptions& options) { return run(scene, options, nullptr); }
+
+NearAnswer run_kinetic(const Scene& scene, const CheckOptions& options, NearStart& near) {
+  const auto afresh = [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); };
+  KineticRun run(scene, options, nullptr, &near);
+  run.work(UINT64_MAX);
+  const Answer answer = with_touching(run, scene, options, afresh);
+  // Neither do limits stop the other way at the same place, nor need it have asked about touching.
+  const bool settled = answer.outcome != Outcome::undecided && answer.touching_undecided.empty();
+  if (run.began_near() && !settled) return {run_kinetic(scene, options), false};
+  return {answer, run.began_near()};
+}
 
 Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& watcher) {
   return run(scene, options, &watcher);

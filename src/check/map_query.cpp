@@ -171,9 +171,7 @@ MotionChain MapQuery::Impl::chain_of(std::span<const Motion> motions, std::size_
                                      double end) const {
   MotionChain chain;
   for (int k = static_cast<int>(link); k >= 0; k = search->links()[static_cast<std::size_t>(k)].parent) {
-    std::vector<MotionPiece> pieces = pieces_between(motions[static_cast<std::size_t>(k)], start, end);
-    for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), bodies->exponent);
-    chain.insert(chain.begin(), std::move(pieces));
+    chain.insert(chain.begin(), PieceList::between(motions[static_cast<std::size_t>(k)], start, end, bodies->exponent));
   }
   return chain;
 }
@@ -200,7 +198,7 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
     const bool swapped = plan.rings[0] != search->links()[a].rings;
     const MotionChain of_p = chain_of(motions, swapped ? b : a, start, end);
     const MotionChain of_q = chain_of(motions, swapped ? a : b, start, end);
-    auto legs = std::make_shared<const std::vector<Leg>>(make_legs(of_p, of_q, start, end));
+    auto legs = std::make_shared<const Legs>(make_legs(of_p, of_q, start, end));
     PairQuestion pair(PairSearch(std::move(plan), std::move(legs), inwards), inwards, start, end);
     pair.ask_start();
     if (pair.open()) pair.ask(start, end);

@@ -58,10 +58,9 @@ AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
 double end_of_windows(const proof::ProvedScene& scene, double until) {
   const double t = std::clamp(until, scene.start(), scene.end());
   for (int body = 0; body < scene.size(); ++body) {
-    for (const std::vector<MotionPiece>& motion : scene[body].motions) {
-      const auto ends_at_t = [t](const MotionPiece& piece) { return piece.until == t; };
-      if (t > scene.start() && std::any_of(motion.begin(), motion.end(), ends_at_t))
-        return std::nextafter(t, scene.start());
+    for (const PieceList& motion : scene[body].motions) {
+      const double before = std::nextafter(t, scene.start());
+      if (t > scene.start() && motion.until(motion.number_at(before)) == t) return before;
     }
   }
   return t;

@@ -11,6 +11,7 @@
 
 namespace taut {
 
+class NearStart;
 class RunWatcher;
 
 /// An engine at work on a question. It can be left and taken up again; runs must end in the reverse of the order in
@@ -35,6 +36,13 @@ std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& opt
 Answer run_kinetic(const Scene& scene, const CheckOptions& options);
 /// The same, watched.
 Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& watcher);
+
+/// The same answer, begun near the last question's start where that is worth it.
+struct NearAnswer {
+  Answer answer;
+  bool began_near = false;
+};
+NearAnswer run_kinetic(const Scene& scene, const CheckOptions& options, NearStart& near);
 
 /// By bounding volumes over time. Throws InputError. It has no events, and no certificates.
 Answer run_spacetime(const Scene& scene, const CheckOptions& options);

@@ -139,7 +139,8 @@ SeparationsBody SeparationsWriter::contact(const PairResult& result, double unti
   contact_pair_ = {result.a, result.b};
   const proof::ProvedPair& pair = world_.pair(result.a, result.b);
   const FoundContact& found = *result.found;
-  const Leg& leg = pair.legs[result.leg];
+  const std::shared_ptr<const Leg> held = pair.legs.hold(result.leg);
+  const Leg& leg = *held;
   const double about = found.lo + (found.hi - found.lo) / 2;
   proof::Lifetimes lifetimes(pair.geometry);
   lifetimes.enter(leg);
@@ -153,7 +154,7 @@ SeparationsBody SeparationsWriter::contact(const PairResult& result, double unti
   for (std::size_t k = 0; k < (fine ? since.size() : 1); ++k) put_f64(out_, since[k]);
   for (const double t : {about, end, until}) put_f64(out_, t);
   std::vector<proof::LegStretch> way;
-  for (std::size_t i = 0; i < result.leg; ++i) way.push_back({i, pair.legs[i].start, pair.legs[i].end});
+  proof::add_stretches_before(pair.legs, result.leg, way);
   way.push_back({result.leg, leg.start, end});
   section(pair, way, now);
   all_windows(until);
@@ -176,7 +177,8 @@ void SeparationsWriter::section(const proof::ProvedPair& pair, const std::vector
                                 const std::optional<Instant>& until) {
   proof::Lifetimes lifetimes(pair.geometry);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    lifetimes.enter(pair.legs[stretches[i].leg]);
+    const std::shared_ptr<const Leg> leg = pair.legs.hold(stretches[i].leg);
+    lifetimes.enter(*leg);
     const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
     const double margin = lifetimes.leg().bridge ? 0 : world_.margin();
     ApartWriter(pair.ranges, lifetimes, last, out_, margin).write(stretches[i].from, stretches[i].to);
@@ -189,9 +191,11 @@ std::pair<std::size_t, proof::FineInstant> SeparationsWriter::instant_of_closene
                                                                                    const proof::Incidence& close,
                                                                                    bool is_edge,
                                                                                    const TimeInterval& about) const {
-  for (std::size_t i = 0; i < pair.legs.size(); ++i) {
-    const Leg& leg = pair.legs[i];
-    if (leg.bridge || about.hi < leg.start || about.hi > leg.end) continue;
+  for (std::size_t i = pair.legs.first_until(about.hi); i < pair.legs.size(); ++i) {
+    const std::shared_ptr<const Leg> held = pair.legs.hold(i);
+    const Leg& leg = *held;
+    if (!leg.bridge && about.hi < leg.start) break;
+    if (leg.bridge) continue;
     const auto is_closer = [&](const proof::FineInstant& at) {
       return proof::closer_at(pair.geometry, leg, world_.margin(), close, is_edge, at);
     };

@@ -105,7 +105,7 @@ class SpacetimeQuestion {
   PairPlan plan_;
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
-  std::vector<Leg> legs_;
+  Legs legs_;
   spacetime::ContactSearch search_;
   StageCounts stages_at_start_, stages_;
 };

@@ -86,11 +86,8 @@ class MapRun {
   MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
          const CheckOptions& options)
       : bodies_(bodies), start_(start), end_(end), options_(options), mover_{mover.rings, {}, 0} {
-    std::vector<MotionPiece> pieces = pieces_between(motion, start, end);
-    const bool rests = std::all_of(pieces.begin(), pieces.end(),
-                                   [](const MotionPiece& piece) { return same_motion(piece, MotionPiece{}); });
-    for (MotionPiece& piece : pieces) piece = scaled(std::move(piece), bodies.exponent);
-    if (!rests) mover_.motions.push_back(std::move(pieces));
+    const PieceList pieces = PieceList::between(motion, start, end, bodies.exponent);
+    if (!pieces.rests()) mover_.motions.push_back(pieces);
   }
 
   Answer run() {

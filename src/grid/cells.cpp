@@ -36,7 +36,7 @@ class CellSweep {
       for (const Point& p : part.outline) reach_ = std::max(reach_, length(p.x, p.y));
     }
     for (const Body* link = &body;; link = &body_named(scene, link->relative_to)) {
-      motions_.insert(motions_.begin(), pieces_between(link->motion, scene.start, scene.end));
+      motions_.insert(motions_.begin(), PieceList::between(link->motion, scene.start, scene.end));
       if (link->relative_to.empty()) break;
     }
   }
@@ -46,8 +46,8 @@ class CellSweep {
     for (double t = scene_.start;;) {
       PieceChain chain;
       double until = scene_.end;
-      for (const std::vector<MotionPiece>& motion : motions_) {
-        chain.push_back(piece_at(motion, t));
+      for (const PieceList& motion : motions_) {
+        chain.push_back(motion.at(t));
         until = std::min(until, chain.back().until);
       }
       if (!before.empty()) join(before, chain, t);

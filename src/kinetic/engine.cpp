@@ -16,15 +16,20 @@ constexpr std::uint64_t work_of_vertex = 12, work_of_start = 30;
 
 }  // namespace
 
-Engine::Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer, const KnownTilings& known)
+Engine::Engine(PairGeometry geometry, Legs legs, EngineObserver* observer, const KnownTilings& known)
     : geometry_(std::move(geometry)),
       legs_(std::move(legs)),
+      leg_(legs_.hold(0)),
       observer_(observer),
       solver_(geometry_),
       queue_(certificates_, solver_.pool()),
       settled_(geometry_, certificates_) {
-  parameter_ = reached_ = legs_.front().start;
-  build(known);
+  parameter_ = reached_ = leg().start;
+  if (known.map) {
+    take_map(known);
+  } else {
+    build(known);
+  }
 }
 
 namespace {
@@ -51,6 +56,17 @@ void Engine::build(const KnownTilings& known) {
   }
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
+  begin(placement);
+}
+
+void Engine::take_map(const KnownTilings& known) {
+  map_ = *known.map;
+  passing_ = true;
+  begin(Placement(geometry_, *known.placed, known.parameter, Positions::on_demand));
+}
+
+/// With the certificates of the map at that placement.
+void Engine::begin(const Placement& placement) {
   // Edges that a start has removed again may have numbers beyond those that a tiling needs.
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
@@ -65,6 +81,14 @@ void Engine::build(const KnownTilings& known) {
   solver_.reserve(active_);
 }
 
+void Engine::begin_question(Legs legs) {
+  events_ = 0;
+  initial_ = max_active_ = active_;
+  settled_.forget();
+  passing_ = false;
+  replan(std::move(legs));
+}
+
 void Engine::reserve_certificates(std::size_t room) {
   certificates_.reserve(room);
   settled_.reserve(room);
@@ -72,7 +96,7 @@ void Engine::reserve_certificates(std::size_t room) {
 }
 
 void Engine::reserve_for_legs() {
-  if (!std::all_of(legs_.begin(), legs_.end(), LegClock::is_straight)) solver_.reserve_cells();
+  if (!legs_.straight()) solver_.reserve_cells();
 }
 
 std::size_t Engine::mixed_edges() const {
@@ -270,7 +294,7 @@ double Engine::proved_until() const {
   return leg().time(std::max(first, reached_));
 }
 
-void Engine::replan(std::vector<Leg> legs) {
+void Engine::replan(Legs legs) {
   settled_.note_motion(leg(), parameter_);
   legs_ = std::move(legs);
   current_ = 0;
@@ -280,10 +304,15 @@ void Engine::replan(std::vector<Leg> legs) {
 }
 
 void Engine::enter_leg() {
+  leg_ = legs_.hold(current_);
   parameter_ = reached_ = leg().start;
   queue_.clear();
   solver_.enter(leg());
-  settled_.begin_leg();
+  if (passing_) {
+    settled_.begin_passage(active_);
+  } else {
+    settled_.begin_leg();
+  }
   look_at_settled(leg().start, true);
 }
 

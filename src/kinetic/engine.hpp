@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
 #include "kinetic/settled.hpp"
+#include "relative/legs.hpp"
 #include "sign/found_contact.hpp"
 #include "tiling/prepared_tiling.hpp"
 
@@ -37,6 +39,11 @@ enum class EngineState : unsigned char { running, finished, contact, overlap };
 /// What is known of the bodies alone, displaced as in the pair; null where nothing is.
 struct KnownTilings {
   const ShapeTiling *p = nullptr, *q = nullptr;
+  /// Or the whole tiling at the start, which is the placement at that parameter of another leg, too. Then the first leg
+  /// may be a bridge.
+  const PlanarMap* map = nullptr;
+  const Leg* placed = nullptr;
+  double parameter = 0;
 };
 
 /// Follows a sequence of legs. Allocates nothing per event once its buffers have grown.
@@ -46,8 +53,7 @@ struct KnownTilings {
 class Engine {
  public:
   /// Builds the tiling at the start of the first leg (not a bridge).
-  Engine(PairGeometry geometry, std::vector<Leg> legs, EngineObserver* observer = nullptr,
-         const KnownTilings& known = {});
+  Engine(PairGeometry geometry, Legs legs, EngineObserver* observer = nullptr, const KnownTilings& known = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -56,7 +62,7 @@ class Engine {
   const std::optional<FoundContact>& contact() const { return contact_; }
   const PairGeometry& geometry() const { return geometry_; }
   const PlanarMap& map() const { return map_; }
-  const Leg& leg() const { return legs_[current_]; }
+  const Leg& leg() const { return *leg_; }
   std::size_t leg_index() const { return current_; }
   /// The parameter of the current leg up to which everything is proved and processed.
   double parameter() const { return parameter_; }
@@ -73,8 +79,14 @@ class Engine {
   std::optional<std::pair<double, double>> next_event(double t);
   /// After next_event found one: the certificate that will fail.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
+  /// At the end of its legs: a question begins, of which what came before is no part. Events and certificates are
+  /// counted from here.
+  void begin_question(Legs legs);
+  /// From now on it is told of events; may be null.
+  void watch(EngineObserver* observer) { observer_ = observer; }
+  const std::shared_ptr<const Leg>& held_leg() const { return leg_; }
   /// Replaces all legs from the present on; the first one must start at time().
-  void replan(std::vector<Leg> legs);
+  void replan(Legs legs);
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }
@@ -93,6 +105,8 @@ class Engine {
 
  private:
   void build(const KnownTilings& known);
+  void take_map(const KnownTilings& known);
+  void begin(const Placement& placement);
   std::size_t mixed_edges() const;
   void add_certificates(const Placement& placement);
   void add_certificates_beside(HalfedgeId edge, const Placement& placement);
@@ -125,8 +139,9 @@ class Engine {
   }
 
   PairGeometry geometry_;
-  std::vector<Leg> legs_;
+  Legs legs_;
   std::size_t current_ = 0;
+  std::shared_ptr<const Leg> leg_;  ///< that leg
   EngineObserver* observer_;
   PlanarMap map_;
   FailureSolver solver_;
@@ -156,6 +171,7 @@ class Engine {
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time
   EngineState state_ = EngineState::running;
+  bool passing_ = false;  ///< to where the question begins
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;

@@ -144,8 +144,8 @@ void RingEngines::note_contact(const Run& run) {
 bool RingEngines::comes_before(const Found& a, const Found& b) const {
   if (a.leg != b.leg) return a.leg < b.leg;
   if (a.contact.vertex == b.contact.vertex && a.contact.edge == b.contact.edge) return a.contact.lo < b.contact.lo;
-  const Leg& leg = legs_[0][a.leg];
-  const int order = order_of({&leg, &geometry_, a.contact}, {&leg, &geometry_, b.contact});
+  const std::shared_ptr<const Leg> leg = legs_[0].hold(a.leg);
+  const int order = order_of({leg, &geometry_, a.contact}, {leg, &geometry_, b.contact});
   if (order == 0) throw Undecidable{"the order of two contacts"};
   return order < 0;
 }

@@ -19,7 +19,7 @@ namespace taut {
 class RingEngines {
  public:
   /// Legs of the pair in its roles, and with the roles exchanged: a pair of rings has P and Q by what is larger.
-  using BothLegs = std::array<std::vector<Leg>, 2>;
+  using BothLegs = std::array<Legs, 2>;
 
   /// Builds the tilings at the start of the legs. The plan and the geometry are those of bodies of rings, and must
   /// outlive this, as must the observer, who may be null. Throws Undecidable.
@@ -54,7 +54,7 @@ class RingEngines {
   std::uint64_t initial_certificates() const { return sum_of(&Engine::initial_certificates); }
   std::uint64_t max_certificates() const { return sum_of(&Engine::max_certificates); }
   StageCounts stages() const;
-  const std::vector<Leg>& legs() const { return legs_[0]; }
+  const Legs& legs() const { return legs_[0]; }
 
   std::size_t size() const { return runs_.size(); }
   Engine& engine(std::size_t k) { return *runs_[k].engine; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "motion/pieces.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
@@ -28,10 +29,10 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
 
 }  // namespace
 
-Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
+Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer, NearStart* near)
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
-  build(touch == Touch::open);
+  build(touch == Touch::open, near);
   if (engine_->state() == EngineState::overlap) settle_overlap();
 }
 
@@ -51,11 +52,22 @@ void Session::settle_overlap() {
   overlap_point_ = common_point(plan_, start_);
 }
 
-void Session::build(bool inwards) {
+void Session::build(bool inwards, NearStart* near) {
   inwards_ = inwards;
-  engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards),
-                                     make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_),
-                                     static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+  const PairGeometry geometry = displaced_pair(plan_, inwards);
+  const Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_);
+  if (near) engine_ = near->engine(geometry, legs);
+  began_near_ = engine_ != nullptr;
+  std::optional<std::uint64_t> work;
+  if (engine_) {
+    engine_->watch(this);
+  } else {
+    const std::uint64_t before = work_spent();
+    engine_ =
+        std::make_unique<Engine>(geometry, legs, static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+    work = work_spent() - before;
+  }
+  if (near) near->note(*engine_, plan_, work);
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }
@@ -88,8 +100,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   const std::size_t k = index_of(role);
   const std::string& name = plan_.names[k];
   validate_motion(motion, name, plan_.bounds[k], now, end_, plan_.extent);
-  std::vector<MotionPiece> fresh;
-  for (const MotionPiece& piece : pieces_between(motion, now, end_)) fresh.push_back(scaled(piece, plan_.exponent));
+  const PieceList fresh = PieceList::between(motion, now, end_, plan_.exponent);
   const MotionPiece before = role == Role::p ? engine_->leg().p : engine_->leg().q;
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
   const double gap = joint_gap(from, to, plan_.bounds[k], now);
@@ -99,11 +110,10 @@ void Session::set_motion(BodyId body, const Motion& motion) {
                      "coefficients are in powers of the absolute time t");
   }
   plan_.pieces[k] = fresh;
-  std::vector<Leg> legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
+  Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
   if (!same_motion(before, fresh[0])) {
-    const MotionPiece& p = piece_at(plan_.pieces[0], now);
-    const MotionPiece& q = piece_at(plan_.pieces[1], now);
-    legs.insert(legs.begin(), Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
+    const MotionPiece p = plan_.pieces[0].at(now), q = plan_.pieces[1].at(now);
+    legs.put_first(Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
   }
   engine_->replan(std::move(legs));
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kinetic/engine.hpp"
+#include "kinetic/near_start.hpp"
 #include "sign/witness.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
@@ -15,7 +16,9 @@ namespace taut {
 class Session : private EngineObserver {
  public:
   /// The observer is told of events before the tracer; either may be null. Throws InputError.
-  Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr);
+  /// `near` has what was kept of the last question, if anything, and takes in this one's start; may be null.
+  Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr,
+          NearStart* near = nullptr);
 
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
@@ -26,6 +29,8 @@ class Session : private EngineObserver {
   /// Of a contact at the start: how the outward shapes overlap.
   const std::optional<StartOverlap>& touching() const { return touching_; }
   bool overlap_at_start() const { return overlap_at_start_; }
+  /// Was the tiling made from that of the question before?
+  bool began_near() const { return began_near_; }
   /// Inside both bodies, if they overlap at the start and such a point was found.
   const std::optional<Point>& overlap_point() const { return overlap_point_; }
   /// Nothing left to do: contact, overlap, or the end.
@@ -42,7 +47,7 @@ class Session : private EngineObserver {
 
  private:
   void on_event(const EngineEvent& event) override;
-  void build(bool inwards);
+  void build(bool inwards, NearStart* near);
   void settle_overlap();
   void note_contact();
   Witness witness() const { return {plan_, engine_->geometry(), inwards_}; }
@@ -55,7 +60,7 @@ class Session : private EngineObserver {
   std::optional<Contact> contact_;
   std::optional<StartOverlap> touching_;
   bool inwards_ = true;  ///< the displacement
-  bool overlap_at_start_ = false;
+  bool overlap_at_start_ = false, began_near_ = false;
   std::optional<Point> overlap_point_;
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 /// With fewer certificates, looking at each is cheaper than a region.
 constexpr std::size_t few_certificates = 64;
+/// On a bridge, whose frames are made of four poses each, a region takes as long as so many certificates.
+constexpr std::size_t many_certificates = 2048;
 /// A region is kept if it settles this share of the active set.
 constexpr double good_share = 0.75;
 /// A better one is looked for where this share or more is left open, once that has cost several times the active set.
@@ -37,6 +39,18 @@ void Settled::unsettle(CertificateId id) {
   listed_[id.value] = true;
   open_.push_back(id);
 }
+
+void Settled::forget() {
+  std::fill(settled_.begin(), settled_.end(), false);
+  list_open();
+  region_.reset();
+  seen_.reset();
+  spent_ = 0;
+  until_ = never;
+  failures_ = skip_ = 0;
+}
+
+void Settled::begin_passage(std::size_t active) { regions_left_ = active >= many_certificates ? 1 : 0; }
 
 void Settled::begin_leg() { regions_left_ = regions_per_leg; }
 

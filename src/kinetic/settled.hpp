@@ -33,8 +33,13 @@ class Settled {
   /// The certificate is scheduled: it is not settled from now on.
   void unsettle(CertificateId id);
 
+  /// As if no leg had been seen.
+  void forget();
   /// Some regions may be tried on each leg.
   void begin_leg();
+  /// One that is passed once, with so many certificates: no region is looked for unless these are so many that it costs
+  /// less than they do.
+  void begin_passage(std::size_t active);
   /// The motion went from the leg's start to `until`: what it has seen is the best guess of what it will.
   void note_motion(const Leg& leg, double until);
 

@@ -24,26 +24,47 @@ MotionPiece without_last_zeros(MotionPiece piece) {
 
 }  // namespace
 
+namespace {
+
+template <class Visit>
+void for_each_given_between(const Motion& motion, double start, double end, const Visit& visit) {
+  if (motion.pieces.empty()) return visit(MotionPiece{});
+  for (const MotionPiece& given : motion.pieces) {
+    const bool last = &given == &motion.pieces.back();
+    if (given.until <= start && !last) continue;
+    MotionPiece piece = without_last_zeros(given);
+    const bool ends = last || given.until >= end;
+    if (ends) piece.until = std::numeric_limits<double>::infinity();
+    visit(std::move(piece));
+    if (ends) break;
+  }
+}
+
+}  // namespace
+
 std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
-  for (const MotionPiece& piece : motion.pieces) {
-    if (piece.until <= start && &piece != &motion.pieces.back()) continue;
-    out.push_back(without_last_zeros(piece));
-    if (piece.until >= end) break;
-  }
-  if (out.empty()) out.emplace_back();
-  out.back().until = std::numeric_limits<double>::infinity();
+  for_each_given_between(motion, start, end, [&](MotionPiece&& piece) { out.push_back(std::move(piece)); });
   return out;
+}
+
+void for_each_piece_between(const Motion& motion, double start, double end,
+                            const std::function<void(MotionPiece&&)>& visit) {
+  double from = start;
+  for_each_given_between(motion, start, end, [&](MotionPiece&& piece) {
+    const double until = piece.until;
+    if (std::holds_alternative<CosineRotation>(piece.rotation)) {
+      for (MotionPiece& part : cut_at_extremes(piece, from, std::min(until, end))) visit(std::move(part));
+    } else {
+      visit(std::move(piece));
+    }
+    from = until;
+  });
 }
 
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end) {
   std::vector<MotionPiece> out;
-  double from = start;
-  for (const MotionPiece& piece : given_pieces_between(motion, start, end)) {
-    for (MotionPiece& part : cut_at_extremes(piece, from, std::min(piece.until, end))) out.push_back(std::move(part));
-    from = piece.until;
-  }
-  out.back().until = std::numeric_limits<double>::infinity();
+  for_each_piece_between(motion, start, end, [&](MotionPiece&& piece) { out.push_back(std::move(piece)); });
   return out;
 }
 

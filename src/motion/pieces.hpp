@@ -1,6 +1,7 @@
 // A motion as the pieces it is made of, and whether they are well defined and join up.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,10 @@ namespace taut {
 /// Their polynomials have no zeros at the end.
 std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end);
 
-/// The same, cut where a cosine reaches 1 or -1.
+/// Calls visit(piece) for each of them, cut where a cosine reaches 1 or -1; the last one's `until` is infinite.
+void for_each_piece_between(const Motion& motion, double start, double end,
+                            const std::function<void(MotionPiece&&)>& visit);
+/// All of these.
 std::vector<MotionPiece> pieces_between(const Motion& motion, double start, double end);
 
 /// The piece that holds at t.

@@ -123,6 +123,21 @@ SinCos<double> sin_cos(const Ball<double>& x) {
   return quarter_turns(B(a.sin, error * (1 + 0x1p-50)), B(a.cos, error * (1 + 0x1p-50)), quadrant);
 }
 
+SinCos<double> sin_cos_of_sum(double hi, double lo) {
+  using B = Ball<double>;
+  // pi/2 = p1 + p2 + p3 + (< 2^-163), each the double nearest to what is left. The quotient errs by less than 2^-12, so
+  // that |r| < 0.79. hi - k p1 is exact but for its last step, and the rest is below 2^-9: two roundings of results
+  // below 1, and a few of the rest's, make less than 2^-52. The slopes are at most 1.
+  constexpr double p1 = 0x1.921fb54442d18p+0, p2 = 0x1.1a62633145c07p-54, p3 = -0x1.f1976b7ed8fbcp-110;
+  const double k = std::nearbyint(hi * 0.63661977236758134308);
+  const TwoDoubles first = two_product(k, p1), second = two_product(k, p2);
+  const double rest = (lo - first.lo) - (second.hi + (second.lo + k * p3));
+  const double r = (hi - first.hi) + rest;
+  const SmallAngle a = small_angle(r);
+  constexpr double error = small_angle_error + 0x1p-52;
+  return quarter_turns(B(a.sin, error), B(a.cos, error), static_cast<int>(k - 4.0 * std::floor(k / 4.0)));
+}
+
 template <class Real>
 SinCos<Real> sin_cos(const Ball<Real>& x) {
   return sin_cos_multi(x);

@@ -18,5 +18,7 @@ struct SinCos {
 SinCos<double> sin_cos(const Ball<double>& x);
 template <class Real>
 SinCos<Real> sin_cos(const Ball<Real>& x);
+/// Of an angle that is the sum of two doubles, |hi| < 2^40 and |lo| < 2^-10: to 2^-50, however large it is.
+SinCos<double> sin_cos_of_sum(double hi, double lo);
 
 }  // namespace taut

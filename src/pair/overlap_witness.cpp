@@ -251,10 +251,10 @@ PlacedParts parts_of(const RingSet& body, const PlacedFrame& frame) {
 }  // namespace
 
 std::optional<Point> common_point(const PairPlan& plan, double t) {
-  const std::array<PlacedFrame, 2> frames{PlacedFrame({piece_at(plan.pieces[0], t)}, t),
-                                          PlacedFrame({piece_at(plan.pieces[1], t)}, t)};
+  const std::array<PlacedFrame, 2> frames{PlacedFrame({plan.pieces[0].at(t)}, t),
+                                          PlacedFrame({plan.pieces[1].at(t)}, t)};
   const PlacedParts p{{{plan.polygons[0].get()}, frames[0]}}, q{{{plan.polygons[1].get()}, frames[1]}};
-  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], t, t);
+  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], t, t);
   return found_point(plan, legs.front(), t, frames, p, q);
 }
 

@@ -75,8 +75,7 @@ PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
     plan.polygons[k] = body.prepared
                            ? body.prepared->in_role(shape_role(plan, role, true)).polygon
                            : std::make_shared<const std::vector<Point>>(normalised(body.polygon, known, plan.exponent));
-    plan.pieces[k] = pieces_between(body.motion, scene.start, scene.end);
-    for (MotionPiece& piece : plan.pieces[k]) piece = scaled(std::move(piece), plan.exponent);
+    plan.pieces[k] = PieceList::between(body.motion, scene.start, scene.end, plan.exponent);
   }
   return plan;
 }

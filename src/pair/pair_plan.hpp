@@ -9,7 +9,7 @@
 #include "geometry/prepared_shape.hpp"
 #include "pair/pair_geometry.hpp"
 #include "pair/ring_set.hpp"
-#include "relative/leg.hpp"
+#include "relative/legs.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
@@ -36,7 +36,7 @@ struct PairPlan {
   std::array<std::string, 2> names;  ///< of P and of Q
   /// Scaled, counterclockwise, first vertex on the hull.
   std::array<std::shared_ptr<const std::vector<Point>>, 2> polygons;
-  std::array<std::vector<MotionPiece>, 2> pieces;                ///< scaled
+  std::array<PieceList, 2> pieces;                               ///< scaled
   std::array<Bounds, 2> bounds;                                  ///< in the input's units
   std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are
   /// In a world: what P and Q are. Then the maps, the polygons and the pieces above are empty.

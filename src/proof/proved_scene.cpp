@@ -12,15 +12,6 @@
 namespace taut::proof {
 namespace {
 
-bool rests(const std::vector<MotionPiece>& pieces) {
-  return std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); });
-}
-
-bool same_pieces(const std::vector<MotionPiece>& a, const std::vector<MotionPiece>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const MotionPiece& x, const MotionPiece& y) { return x.until == y.until && same_motion(x, y); });
-}
-
 bool same_chain(const MotionChain& a, const MotionChain& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
 }
@@ -28,8 +19,9 @@ bool same_chain(const MotionChain& a, const MotionChain& b) {
 /// Of a chain, numbers that are the same for the same motions, and seldom for others.
 std::vector<double> key_of(const MotionChain& chain) {
   std::vector<double> key;
-  for (const std::vector<MotionPiece>& pieces : chain) {
-    for (const MotionPiece& piece : pieces) {
+  for (const PieceList& pieces : chain) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const MotionPiece piece = pieces[i];
       key.push_back(piece.until);
       for (const Coefficients* c : {&piece.x, &piece.y})
         key.push_back(std::accumulate(c->begin(), c->end(), 0.0, [](double sum, double x) { return 0.6 * sum + x; }));
@@ -81,14 +73,13 @@ void ProvedScene::add_motions(const Scene& scene) {
   MotionChain own;
   std::vector<int> parent;
   for (const Body& body : scene.bodies) {
-    own.push_back(pieces_between(body.motion, start_, end_));
-    for (MotionPiece& piece : own.back()) piece = scaled(std::move(piece), exponent_);
+    own.push_back(PieceList::between(body.motion, start_, end_, exponent_));
     parent.push_back(body.relative_to.empty() ? -1 : by_name.at(body.relative_to));
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     MotionChain& chain = bodies_[i].motions;
     for (int k = static_cast<int>(i); k >= 0; k = parent[static_cast<std::size_t>(k)]) {
-      if (!rests(own[static_cast<std::size_t>(k)])) chain.push_back(own[static_cast<std::size_t>(k)]);
+      if (!own[static_cast<std::size_t>(k)].rests()) chain.push_back(own[static_cast<std::size_t>(k)]);
     }
     std::reverse(chain.begin(), chain.end());
   }
@@ -110,14 +101,14 @@ PairPlan ProvedScene::plan(int a, int b) const {
   return plan;
 }
 
-std::vector<Leg> ProvedScene::legs(const PairPlan& pair) const {
+Legs ProvedScene::legs(const PairPlan& pair) const {
   const MotionChain &p = (*this)[pair.rings[0]->body()].motions, &q = (*this)[pair.rings[1]->body()].motions;
   const std::size_t shorter = std::min(p.size(), q.size());
   std::size_t common = 0;
   while (common < shorter && same_pieces(p[common], q[common])) ++common;
   const auto rest = [&](const MotionChain& chain) {
     MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
-    if (own.empty()) own.push_back(pieces_between({}, start_, end_));
+    if (own.empty()) own.push_back(PieceList::between({}, start_, end_));
     return own;
   };
   return make_legs(rest(p), rest(q), start_, end_);

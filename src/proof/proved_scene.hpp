@@ -39,7 +39,7 @@ class ProvedScene {
   /// In their roles: P is the body with the longer diagonal, the first one if equal.
   PairPlan plan(int a, int b) const;
   /// From start to end, in a frame that parents which both have are not in.
-  std::vector<Leg> legs(const PairPlan& pair) const;
+  Legs legs(const PairPlan& pair) const;
 
  private:
   void add_motions(const Scene& scene);

@@ -19,24 +19,32 @@ ProvedPair& ProvedWorld::pair(int a, int b) {
   if (place) return *place;
   PairPlan plan = scene_.plan(a, b);
   PairGeometry geometry = displaced_pair(plan, inwards_);
-  std::vector<Leg> legs = scene_.legs(plan);
+  Legs legs = scene_.legs(plan);
   const EdgeRanges &p = ranges(*plan.rings[0]), &q = ranges(*plan.rings[1]);
   place = std::make_unique<ProvedPair>(std::move(plan), std::move(geometry), std::move(legs), p, q);
   return *place;
 }
 
-std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time) {
+std::vector<LegStretch> stretches(const Legs& legs, const WorldTime& time) {
   std::vector<LegStretch> found;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = legs[i];
+  for (std::size_t i = legs.first_until(time.from); i < legs.size(); ++i) {
+    const LegPlace leg = legs.place(i);
+    if (leg.start > time.to) break;
     if (leg.bridge) {
-      if (leg.joint > time.from && leg.joint <= time.to) found.push_back({i, leg.start, leg.end});
+      if (leg.start > time.from) found.push_back({i, 0, 1});
       continue;
     }
     const double from = std::max(leg.start, time.from), to = std::min(leg.end, time.to);
     if (from < to || (from == to && time.first && i == 0)) found.push_back({i, from, to});
   }
   return found;
+}
+
+void add_stretches_before(const Legs& legs, std::size_t leg, std::vector<LegStretch>& all) {
+  for (std::size_t i = 0; i < leg; ++i) {
+    const LegPlace at = legs.place(i);
+    all.push_back(at.bridge ? LegStretch{i, 0, 1} : LegStretch{i, at.start, at.end});
+  }
 }
 
 /// How often the other body's rings wind around it: outlines once, unless a hole around it takes that back. A ray along

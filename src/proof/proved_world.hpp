@@ -18,11 +18,10 @@ namespace taut::proof {
 struct ProvedPair {
   PairPlan plan;
   PairGeometry geometry;
-  std::vector<Leg> legs;
+  Legs legs;
   RangedPair ranges;
 
-  ProvedPair(PairPlan pair_plan, PairGeometry displaced, std::vector<Leg> all_legs, const EdgeRanges& p,
-             const EdgeRanges& q)
+  ProvedPair(PairPlan pair_plan, PairGeometry displaced, Legs all_legs, const EdgeRanges& p, const EdgeRanges& q)
       : plan(std::move(pair_plan)), geometry(std::move(displaced)), legs(std::move(all_legs)), ranges{geometry, p, q} {}
   ProvedPair(const ProvedPair&) = delete;
   ProvedPair& operator=(const ProvedPair&) = delete;
@@ -59,7 +58,10 @@ class ProvedWorld {
 };
 
 /// What of a pair's legs lies in that time, in order.
-std::vector<LegStretch> stretches(const std::vector<Leg>& legs, const WorldTime& time);
+std::vector<LegStretch> stretches(const Legs& legs, const WorldTime& time);
+
+/// All of the legs before one.
+void add_stretches_before(const Legs& legs, std::size_t leg, std::vector<LegStretch>& all);
 
 /// Do the two bodies overlap at an instant: do their boundaries cross, or does one lie in the other's material?
 /// Separations show that no vertex is on an edge; where two edges cross in the shape of a plus none is.

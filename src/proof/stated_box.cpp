@@ -64,8 +64,8 @@ struct PiecesAt {
   double until = std::numeric_limits<double>::infinity();
 
   PiecesAt(const MotionChain& motions, double t) {
-    for (const std::vector<MotionPiece>& motion : motions) {
-      chain.push_back(piece_at(motion, t));
+    for (const PieceList& motion : motions) {
+      chain.push_back(motion.at(t));
       until = std::min(until, chain.back().until);
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/interruption.hpp"
+#include "relative/legs.hpp"
 #include "sign/plan_range.hpp"
 
 namespace taut::proof {
@@ -50,7 +51,7 @@ class StretchOfLegs {
   explicit StretchOfLegs(const PairGeometry& geometry) : geometry_(geometry) {}
 
   /// True if a new stretch begins with this leg: then all corners are to be asked about anew.
-  bool enter(const std::vector<Leg>& legs, std::size_t leg, std::size_t corners) {
+  bool enter(const Legs& legs, std::size_t leg, std::size_t corners) {
     if (leg < end_) return false;
     range_.reset();
     end_ = leg + 1;
@@ -58,10 +59,10 @@ class StretchOfLegs {
     // So many that the new look at all corners costs each leg a few of them.
     length_ = std::clamp<std::size_t>(length_, 1, corners / 8);
     end_ = std::min(leg + length_, legs.size());
-    range_ = PlanRange::over(legs[leg], legs[leg].start, legs[leg].end);
+    range_ = range_of(legs[leg]);
     for (std::size_t k = leg + 1; k < end_; ++k) {
       interruption_point();
-      range_->include(PlanRange::over(legs[k], legs[k].start, legs[k].end));
+      range_->include(range_of(legs[k]));
     }
     return true;
   }
@@ -77,6 +78,7 @@ class StretchOfLegs {
 
  private:
   static constexpr std::size_t few_corners = 64, first_length = 16;
+  static PlanRange range_of(const Leg& leg) { return PlanRange::over(leg, leg.start, leg.end); }
 
   const PairGeometry& geometry_;
   std::size_t end_ = 0;  ///< the first leg that is not part of it

@@ -62,7 +62,7 @@ class Verifier {
   }
 
  private:
-  const Leg& leg() const { return legs_[current_]; }
+  const Leg& leg() const { return *leg_; }
   Witness witness() const { return {plan_, geometry_, shapes_ == Shapes::inwards}; }
 
   /// One record; false after the last.
@@ -98,8 +98,9 @@ class Verifier {
 
   void enter(std::size_t leg) {
     current_ = leg;
-    lifetimes_.enter(legs_[leg]);
-    last_ = Instant::exactly(legs_[leg].start);
+    leg_ = legs_.hold(leg);
+    lifetimes_.enter(*leg_);
+    last_ = Instant::exactly(leg_->start);
     if (stretch_.enter(legs_, leg, active_.size())) {
       watched_.clear();
       for (const HalfedgeId h : active_) {
@@ -250,7 +251,8 @@ class Verifier {
   Shapes shapes_;
   PairPlan plan_;
   PairGeometry geometry_;
-  std::vector<Leg> legs_;
+  Legs legs_;
+  std::shared_ptr<const Leg> leg_ = legs_.hold(0);  ///< the present one
   std::size_t current_ = 0;
   ProofMap map_;
   Lifetimes lifetimes_;

@@ -135,10 +135,11 @@ class SeparationsVerifier {
                const std::optional<Instant>& until) {
     Lifetimes lifetimes(pair.geometry);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      lifetimes.enter(pair.legs[stretches[i].leg]);
+      const std::shared_ptr<const Leg> leg = pair.legs.hold(stretches[i].leg);
+      lifetimes.enter(*leg);
       const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
       // In the jump at a joint bodies need not meet, no more: the clearance is one at instants.
-      ApartChecker apart(pair.ranges, lifetimes, last, in_, pair.legs[stretches[i].leg].bridge ? 0 : margin_);
+      ApartChecker apart(pair.ranges, lifetimes, last, in_, leg->bridge ? 0 : margin_);
       apart.check(stretches[i].from, stretches[i].to);
       result_.separations += apart.separations();
     }
@@ -158,7 +159,8 @@ class SeparationsVerifier {
     result_.free_until = in_.f64();
     if (leg >= pair.legs.size() || pair.geometry.same_body(hit.vertex, hit.edge))
       throw ProofError("a contact that cannot be");
-    const Leg& last = pair.legs[leg];
+    const std::shared_ptr<const Leg> held = pair.legs.hold(leg);
+    const Leg& last = *held;
     Lifetimes lifetimes(pair.geometry);
     lifetimes.enter(last);
     // The material is to the left of its edges.
@@ -170,7 +172,7 @@ class SeparationsVerifier {
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
     std::vector<LegStretch> way;
-    for (std::size_t i = 0; i < leg; ++i) way.push_back({i, pair.legs[i].start, pair.legs[i].end});
+    add_stretches_before(pair.legs, leg, way);
     way.push_back({leg, last.start, end});
     section(pair, way, true, now);
     conclude(pair, hit, last, lifetimes.tightened(now));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "relative/even_turn.hpp"
 
 namespace taut {
 namespace {
@@ -11,10 +12,15 @@ namespace {
 /// Slack for underflow, as it adds up in a relative motion that is exactly zero.
 constexpr double negligible = 0x1p-900;
 
+/// In units of interruption_point().
+constexpr std::uint64_t work_of_even_turn = 4;
+
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
-/// Taylor's formula for function i: f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
-void bound(FrameModel& m, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over) {
+}  // namespace
+
+/// f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
+void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over) {
   constexpr int n = model_degree;
   double noise = 0, size = 0, size_d = 0, size_dd = 0, size_ddd = 0;
   double vague = 0, vague_d = 0, vague_dd = 0, vague_ddd = 0;
@@ -57,11 +63,13 @@ void bound(FrameModel& m, int i, const ModelSeries<double>& at_middle, const Mod
   if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
 }
 
-}  // namespace
-
 FrameModel FrameModel::over(const Leg& leg, double start, double end) {
-  count_work(leg.translation ? 8 : leg.composed ? 150 : 50);
+  if (const auto& even = leg.even_turn()) {
+    count_work(work_of_even_turn);
+    if (const auto m = even->model(leg, start, end)) return *m;
+  }
   FrameModel m;
+  count_work(leg.translation ? 8 : leg.composed ? 150 : 50);
   const Ball<double> whole = Ball<double>::between(start, end);
   m.start = start;
   m.end = end;
@@ -70,12 +78,12 @@ FrameModel FrameModel::over(const Leg& leg, double start, double end) {
   m.terms = 1;
   const FrameOf<ModelSeries<double>> point = frame_series(leg, Ball<double>::exact(m.middle));
   const FrameOf<ModelSeries<double>> range = frame_series(leg, whole);
-  bound(m, 0, point.for_pp[1], range.for_pp[1]);
-  bound(m, 1, point.for_pp[2], range.for_pp[2]);
-  bound(m, 2, point.for_qq[1], range.for_qq[1]);
-  bound(m, 3, point.for_qq[2], range.for_qq[2]);
-  bound(m, 4, point.for_pp[3], range.for_pp[3]);
-  bound(m, 5, point.for_pp[4], range.for_pp[4]);
+  take_series(m, 0, point.for_pp[1], range.for_pp[1]);
+  take_series(m, 1, point.for_pp[2], range.for_pp[2]);
+  take_series(m, 2, point.for_qq[1], range.for_qq[1]);
+  take_series(m, 3, point.for_qq[2], range.for_qq[2]);
+  take_series(m, 4, point.for_pp[3], range.for_pp[3]);
+  take_series(m, 5, point.for_pp[4], range.for_pp[4]);
   return m;
 }
 

@@ -96,4 +96,8 @@ struct FrameModel {
   double scale(int i) const { return i < 4 ? size[i] + size[i ^ 1] : 1; }
 };
 
+/// Function i of a model by Taylor's formula, from its series about the middle and, as far as that takes more, over all
+/// of the interval; the radius is set.
+void take_series(FrameModel& model, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over);
+
 }  // namespace taut

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relative/even_turn.hpp"
 #include "relative/frame_identities.hpp"
 #include "relative/frame_looks.hpp"
 
@@ -155,12 +156,9 @@ J way(const Leg& leg, bool of_x, const Time& t) {
   return d;
 }
 
-/// `offset`: for coordinates with the leg's offsets, else for the bodies' own.
+/// D; `offset`: for coordinates with the leg's offsets, else for the bodies' own.
 template <class J, class Time>
-FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
-  if (leg.composed) return composed_frame<J>(leg, t);
-  FrameOf<J> f;
-  J dx, dy;
+void way_between(const Leg& leg, const Time& t, bool offset, J& dx, J& dy) {
   if (offset && (leg.shift_p || leg.shift_q)) {
     dx = way<J>(leg, true, t);
     dy = way<J>(leg, false, t);
@@ -173,6 +171,14 @@ FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
     dx = dx + (J::constant(b.x) - J::constant(a.x));
     dy = dy + (J::constant(b.y) - J::constant(a.y));
   }
+}
+
+template <class J, class Time>
+FrameOf<J> motion_frame(const Leg& leg, const Time& t, bool offset) {
+  if (leg.composed) return composed_frame<J>(leg, t);
+  FrameOf<J> f;
+  J dx, dy;
+  way_between(leg, t, offset, dx, dy);
   const J one = J::constant(1.0), zero = J::constant(0.0);
   f.for_pp[0] = f.for_qq[0] = one;
   if (leg.translation) {
@@ -212,12 +218,12 @@ PoseOf<J> interpolate(const PoseOf<Series<Real, 0>>& a, const PoseOf<Series<Real
 /// Polynomials of the second degree in s.
 template <class J, class Real>
 FrameOf<J> bridge_frame(const Leg& leg, const Ball<Real>& s) {
-  const Ball<Real> t = Ball<Real>::exact(leg.joint);
-  const auto at_joint = [&](const PieceChain& chain, const MotionPiece& piece) {
-    return placed<Series<Real, 0>>(leg, chain, piece, t);
+  const auto at = [&](double t, const PieceChain& chain, const MotionPiece& piece) {
+    return placed<Series<Real, 0>>(leg, chain, piece, Ball<Real>::exact(t));
   };
-  const PoseOf<J> p = interpolate<J>(at_joint(leg.p_chain, leg.p), at_joint(leg.p_chain_next, leg.p_next), s);
-  const PoseOf<J> q = interpolate<J>(at_joint(leg.q_chain, leg.q), at_joint(leg.q_chain_next, leg.q_next), s);
+  const double before = leg.joint_before, after = leg.joint;
+  const PoseOf<J> p = interpolate<J>(at(before, leg.p_chain, leg.p), at(after, leg.p_chain_next, leg.p_next), s);
+  const PoseOf<J> q = interpolate<J>(at(before, leg.q_chain, leg.q), at(after, leg.q_chain_next, leg.q_next), s);
   const J dx = q.ox - p.ox, dy = q.oy - p.oy;
   FrameOf<J> f;
   f.for_pp[0] = p.xx * p.xx + p.xy * p.xy;
@@ -283,6 +289,15 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) { return fr
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
   return frame_at<ThirdSeries>(leg, t);
 }
+std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t) {
+  std::array<ModelSeries<double>, 2> d;
+  if (leg.far()) {
+    way_between(leg, LocalTime<double>(*leg.local(), t), true, d[0], d[1]);
+  } else {
+    way_between(leg, t, true, d[0], d[1]);
+  }
+  return d;
+}
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
   return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);
 }
@@ -290,6 +305,11 @@ FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
 const FrameIdentities& Leg::identities() const {
   if (!identities_) identities_ = std::make_shared<const FrameIdentities>(*this);
   return *identities_;
+}
+
+const std::shared_ptr<const EvenTurn>& Leg::even_turn() const {
+  if (!even_turn_) even_turn_ = EvenTurn::of(*this);
+  return *even_turn_;
 }
 
 const FrameLooks& Leg::looks() const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "motion/local_time.hpp"
@@ -48,6 +49,7 @@ struct ExactVector {
 
 class FrameIdentities;
 class FrameLooks;
+class EvenTurn;
 
 /// One leg of the relative motion.
 struct Leg {
@@ -61,6 +63,7 @@ struct Leg {
   PieceChain p_chain, q_chain, p_chain_next, q_chain_next;
   bool bridge = false;
   double joint = 0;           ///< the time of the bridge
+  double joint_before = 0;    ///< and that for which the pieces before it say where it begins: the same, as a rule
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
 
   bool translation = false;  ///< neither body turns
@@ -88,6 +91,9 @@ struct Leg {
                       double joint, bool far = false);
   static Leg bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
                              const PieceChain& q_next, double joint, bool far = false);
+  /// From where pieces are at one time to where others are at another one, which is the bridge's.
+  static Leg bridging_between(const MotionPiece& p, const MotionPiece& q, double before, const MotionPiece& p_next,
+                              const MotionPiece& q_next, double joint, bool far);
   /// Where a body is at a parameter of the leg, rounded; on a bridge after it, which differs by rounding only.
   Pose<double> pose_of_body(bool of_p, double parameter) const;
 
@@ -119,10 +125,13 @@ struct Leg {
   /// Made when first asked for, by one thread at a time.
   const FrameIdentities& identities() const;
   const FrameLooks& looks() const;
+  /// What models of legs that turn evenly, and often, share; null on others.
+  const std::shared_ptr<const EvenTurn>& even_turn() const;
   /// Drops what was made when it was first asked for. Of many legs only the present one is asked much.
   void forget() const {
     identities_.reset();
     looks_.reset();
+    even_turn_.reset();
     if (local_) local_->forget();
   }
 
@@ -142,6 +151,7 @@ struct Leg {
   std::vector<SingularLink> singular_;
   mutable std::shared_ptr<const FrameIdentities> identities_;
   mutable std::shared_ptr<const FrameLooks> looks_;
+  mutable std::optional<std::shared_ptr<const EvenTurn>> even_turn_;
 };
 
 /// The frame over the ball t of the leg's parameter. Like those below, for doubles and at every precision.
@@ -165,6 +175,8 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
 /// The first terms of the series.
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
+/// Of a motion leg that is not composed: the two coordinates of D, as its frame has them.
+std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t);
 /// As exact expressions (not of a bridge).
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "relative/even_turn.hpp"
 
 namespace taut {
 namespace {
@@ -33,6 +34,7 @@ FrameThird third_of(const std::array<ThirdSeries, 5>& over) {
 
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
+  even_ = leg.even_turn();
   straight_ = is_straight(leg);
   if (straight_) {
     straight_middle_ = leg.start + (leg.end - leg.start) / 2;
@@ -59,6 +61,7 @@ bool LegClock::Store::holds(std::size_t slot, std::uint64_t wanted) {
   if (slot >= own && !deep_used) {
     if (!deep) deep.reset(new Deep);  // not touched, either
     deep->keys.fill(0);
+    deep->outlook_keys.fill(0);
     deep_used = true;
   }
   return key(slot) == wanted;
@@ -175,6 +178,7 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
   if (cell.level == 0) return nullptr;
   const int level = cell.level - 1;
   const std::uint64_t index = cell.index / 2, key = (std::uint64_t{1} << level) + index;
+  if (key >= own && even_) return &even_outlook(level, index);
   const std::size_t slot = slot_of(key);
   if (key >= own || store_->keys[slot] == key) return &at_level(level, index);
   ClockCell& wide = store_->cells[slot];
@@ -187,6 +191,21 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
     store_->outlook_known[slot] = true;
   }
   return &wide;
+}
+
+const ClockCell& LegClock::even_outlook(int level, std::uint64_t index) {
+  const std::uint64_t key = (std::uint64_t{1} << level) + index;
+  const auto slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> (64 - even_bits));
+  Store::Deep& deep = *store_->deep;
+  ClockCell& wide = deep.outlooks[slot];
+  if (deep.outlook_keys[slot] != key) {
+    place(wide, level, index);
+    wide.leaf = wide.sharp = wide.widest = false;
+    wide.pp_third = even_->third(*leg_, true, wide.start, wide.end);
+    wide.qq_third = even_->third(*leg_, false, wide.start, wide.end);
+    deep.outlook_keys[slot] = key;
+  }
+  return wide;
 }
 
 void LegClock::evaluate(double t, Side& side) {

@@ -71,14 +71,18 @@ class LegClock {
 
  private:
   /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
-  /// hundreds around a singular instant) scattered over the others.
+  /// hundreds around a singular instant) scattered over the others. Where bodies turn evenly, cells beyond the present
+  /// one are not come back to, and are quickly made: few slots, which stay near the processor, serve them.
   static constexpr std::size_t own = 512, scattered = 4096;
-  static std::size_t slot_of(std::uint64_t key) {
+  static constexpr int scattered_bits = 12, even_bits = 6;
+  std::size_t slot_of(std::uint64_t key) const {
     return key < own ? static_cast<std::size_t>(key)
-                     : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 52);
+                     : own + static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >>
+                                                      (64 - (even_ ? even_bits : scattered_bits)));
   }
 
   const ClockCell& at_level(int level, std::uint64_t index);
+  const ClockCell& even_outlook(int level, std::uint64_t index);
   const ClockCell& whole_leg();
   void place(ClockCell& cell, int level, std::uint64_t index) const;
   const ClockCell& find_cell(double t);
@@ -102,6 +106,7 @@ class LegClock {
   };
 
   const Leg* leg_ = nullptr;
+  std::shared_ptr<const EvenTurn> even_;  ///< if that is what the leg is
   bool straight_ = false;
   double straight_middle_ = 0;
   FrameSample straight_side_{};
@@ -123,6 +128,9 @@ class LegClock {
     struct Deep {
       std::array<std::uint64_t, scattered> keys;
       std::array<ClockCell, scattered> cells;
+      /// On even turns: those that have nothing but their place and third derivatives.
+      std::array<std::uint64_t, std::size_t{1} << even_bits> outlook_keys;
+      std::array<ClockCell, std::size_t{1} << even_bits> outlooks;
     };
     std::unique_ptr<Deep> deep;
     bool deep_used;  ///< for this leg

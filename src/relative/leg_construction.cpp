@@ -161,10 +161,19 @@ Leg Leg::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece&
   leg.p_next = at_joint(p_next, joint);
   leg.q_next = at_joint(q_next, joint);
   leg.bridge = true;
-  leg.joint = joint;
+  leg.joint = leg.joint_before = joint;
   leg.start = 0;
   leg.end = 1;
   if (far) leg.local_ = std::make_shared<const LocalPolynomials>(joint);
+  return leg;
+}
+
+Leg Leg::bridging_between(const MotionPiece& p, const MotionPiece& q, double before, const MotionPiece& p_next,
+                          const MotionPiece& q_next, double joint, bool far) {
+  Leg leg = bridging(p, q, p_next, q_next, joint, far);
+  leg.joint_before = before;
+  leg.p = at_joint(p, before);
+  leg.q = at_joint(q, before);
   return leg;
 }
 
@@ -176,7 +185,7 @@ Leg Leg::bridging_chains(const PieceChain& p, const PieceChain& q, const PieceCh
   leg.p_next = p_next.back();
   leg.q_next = q_next.back();
   leg.bridge = true;
-  leg.joint = joint;
+  leg.joint = leg.joint_before = joint;
   leg.start = 0;
   leg.end = 1;
   leg.composed = true;

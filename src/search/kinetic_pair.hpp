@@ -55,7 +55,7 @@ class KineticPair final : public WindowedPair {
   EventBudget& budget_;
   PairPlan plan_;
   PairGeometry geometry_;
-  std::vector<Leg> legs_;  ///< from the world's start
+  Legs legs_;  ///< from the world's start
   std::unique_ptr<RingEngines> engines_;
   double at_ = 0;         ///< up to where the present engines have come
   double window_ = 0;     ///< where the window begins that they are in

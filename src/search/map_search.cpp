@@ -30,10 +30,10 @@ const SharedLegs& MapSearch::legs(const PairPlan& plan) {
   const bool mover_is_q = plan.rings[1] == mover_.rings;
   SharedLegs& known = legs_[mover_is_q ? 1 : 0];
   if (!known) {
-    const MotionChain rests{{MotionPiece{}}};
+    const MotionChain rests{PieceList({MotionPiece{}})};
     const MotionChain& moves = mover_.motions.empty() ? rests : mover_.motions;
-    known = std::make_shared<const std::vector<Leg>>(mover_is_q ? make_legs(rests, moves, start_, end_)
-                                                                : make_legs(moves, rests, start_, end_));
+    known = std::make_shared<const Legs>(mover_is_q ? make_legs(rests, moves, start_, end_)
+                                                    : make_legs(moves, rests, start_, end_));
   }
   return known;
 }

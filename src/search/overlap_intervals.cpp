@@ -113,9 +113,10 @@ class IntervalSearch {
   }
   /// At an instant that no crossing is at.
   bool overlapping_at(double t) const {
-    const auto leg = std::find_if(pair_.legs().begin(), pair_.legs().end(),
-                                  [t](const Leg& l) { return !l.bridge && l.start <= t && t <= l.end; });
-    return spacetime::overlapping(pair_.geometry, pair_.trees(), *leg, t).has_value();
+    const Legs& legs = pair_.legs();
+    std::size_t k = legs.first_until(t);
+    while (legs.place(k).bridge) ++k;
+    return spacetime::overlapping(pair_.geometry, pair_.trees(), *legs.hold(k), t).has_value();
   }
   /// Crossings up to the very end: nothing is left after them.
   bool inside_at_end(const Cluster& c, bool before) const { return c.first.out == c.last.out ? !c.last.out : before; }

@@ -58,10 +58,10 @@ class WindowedPair {
   bool open() const { return result().outcome == Outcome::free; }
 };
 
-inline std::optional<ContactInstant> instant_of(const PairResult& result, const std::vector<Leg>& legs,
+inline std::optional<ContactInstant> instant_of(const PairResult& result, const Legs& legs,
                                                 const PairGeometry& geometry) {
   if (!result.found) return std::nullopt;
-  return ContactInstant{&legs[result.leg], &geometry, *result.found};
+  return ContactInstant{legs.hold(result.leg), &geometry, *result.found};
 }
 
 /// Of pairs that are kept by their names.

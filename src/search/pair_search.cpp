@@ -19,6 +19,6 @@ PairSearch::PairSearch(PairPlan pair, SharedLegs all_legs, bool inwards)
       tree_q(tree_of(*plan.rings[1], inwards)) {}
 
 PairSearch::PairSearch(const WorldPlan& world, int a, int b, bool inwards)
-    : PairSearch(world.pair(a, b), std::make_shared<const std::vector<Leg>>(world.legs(world.pair(a, b))), inwards) {}
+    : PairSearch(world.pair(a, b), std::make_shared<const Legs>(world.legs(world.pair(a, b))), inwards) {}
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-using SharedLegs = std::shared_ptr<const std::vector<Leg>>;
+using SharedLegs = std::shared_ptr<const Legs>;
 
 /// Made once, and kept with the body.
 const spacetime::Hierarchy& tree_of(const RingSet& rings, bool inwards);
@@ -20,7 +20,7 @@ struct PairSearch {
   PairSearch(const WorldPlan& world, int a, int b, bool inwards);
 
   spacetime::TreePair trees() const { return {tree_p, tree_q}; }
-  const std::vector<Leg>& legs() const { return *shared_legs; }
+  const Legs& legs() const { return *shared_legs; }
 
   PairPlan plan;
   PairGeometry geometry;

@@ -284,7 +284,7 @@ RobotFinding RobotSearch::along(double from, double to, bool any) {
 /// On the bridge, against all of `others_`.
 void RobotSearch::cross(Leg bridge, const Hierarchy& mover, Names names, RobotFinding& best) {
   const double t = bridge.joint;
-  const std::vector<Leg> legs{std::move(bridge)};
+  const Legs legs(std::move(bridge));
   for (std::size_t i = 0; i < others_.size() && best.outcome == Outcome::free; ++i) {
     const spacetime::SpacetimeResult r =
         spacetime::first_contact(*others_[i].geometry, {*others_[i].tree, mover}, legs);

@@ -26,7 +26,7 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, true);
   if (!geometry) return std::nullopt;
   arena->geometry = std::move(*geometry);
-  const std::vector<Leg> legs = make_legs(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
+  const Legs legs = make_legs(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
   const Placement placement(arena->geometry, legs.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
   const PairGeometry& g = arena->geometry;

@@ -1,6 +1,7 @@
 // Which of several contacts comes first, of whatever pairs of bodies?
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace taut {
 
 /// A contact that an engine found, of bodies displaced as the geometry is.
 struct ContactInstant {
-  const Leg* leg;
+  std::shared_ptr<const Leg> leg;
   const PairGeometry* geometry;
   FoundContact contact;
 };

@@ -170,8 +170,8 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   const std::string& name = names_[static_cast<std::size_t>(body)];
   const Bounds bounds = bounds_of(plan_, body);
   validate_motion(motion, name, bounds, now_, end(), extent_);
-  const std::vector<MotionPiece>& own = plan_.bodies()[static_cast<std::size_t>(body)].own;
-  const MotionPiece before = own.empty() ? MotionPiece{} : scaled(piece_at(own, now_), -plan_.exponent());
+  const PieceList& own = plan_.bodies()[static_cast<std::size_t>(body)].own;
+  const MotionPiece before = own.empty() ? MotionPiece{} : scaled(own.at(now_), -plan_.exponent());
   const MotionPiece after = pieces_between(motion, now_, end()).front();
   const double gap = joint_gap(before, after, bounds, now_);
   if (!(gap <= joint_room(before, after, bounds, now_, extent_)))

@@ -86,9 +86,10 @@ class LegClearance {
 };
 
 /// An instant, if the window is one.
-void search_leg(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, std::size_t index,
+void search_leg(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, std::size_t index,
                 const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
-  const Leg& leg = legs[index];
+  const std::shared_ptr<const Leg> held = legs.hold(index);
+  const Leg& leg = *held;
   LegClearance question(geometry, leg, index, tolerance, best);
   Walk<LegClearance> walk(trees, leg, question);
   if (window.lo < window.hi) return walk.through(window.lo, window.hi);
@@ -97,17 +98,22 @@ void search_leg(const PairGeometry& geometry, const TreePair& trees, const std::
 
 }  // namespace
 
-void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
                   const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = 0; i < legs.size(); ++i)
-    search_leg(geometry, trees, legs, i, {legs[i].start, legs[i].end}, tolerance, best);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const LegPlace at = legs.place(i);
+    search_leg(geometry, trees, legs, i, at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end}, tolerance,
+               best);
+  }
 }
 
-void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
-                         double to, const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const TimeInterval window{std::max(from, legs[i].start), std::min(to, legs[i].end)};
-    if (!legs[i].bridge && window.lo <= window.hi) search_leg(geometry, trees, legs, i, window, tolerance, best);
+void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
+                         const ClearanceTolerance& tolerance, Nearest& best) {
+  for (std::size_t i = legs.first_until(from); i < legs.size(); ++i) {
+    const LegPlace at = legs.place(i);
+    if (at.start > to) break;
+    const TimeInterval window{std::max(from, at.start), std::min(to, at.end)};
+    if (!at.bridge && window.lo <= window.hi) search_leg(geometry, trees, legs, i, window, tolerance, best);
   }
 }
 

@@ -27,10 +27,10 @@ struct ClearanceTolerance {
 /// Lowers `best` to the least distance of the two bodies along the legs, where that is less: afterwards, no distance is
 /// less than the smaller one of tolerance.least(best.distance) and best.unresolved. The bodies must not touch at any
 /// time.
-void find_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
                   const ClearanceTolerance& tolerance, Nearest& best);
 /// The same for from <= t <= to, an instant if they are equal; jumps at joints are left out, which are rounding.
-void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
-                         double to, const ClearanceTolerance& tolerance, Nearest& best);
+void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
+                         const ClearanceTolerance& tolerance, Nearest& best);
 
 }  // namespace taut::spacetime

@@ -27,8 +27,7 @@ double vertex_bound(const Carriage& carriage, double r, Vector vertex, Vector fr
 
 class PieceBound {
  public:
-  PieceBound(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-             const ClearanceTolerance& tolerance)
+  PieceBound(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const ClearanceTolerance& tolerance)
       : geometry_(geometry), trees_(trees), legs_(legs), tolerance_(tolerance) {}
 
   /// Of the edges that are nearest in the middle of the stretch.
@@ -48,7 +47,7 @@ class PieceBound {
 
   const PairGeometry& geometry_;
   const TreePair& trees_;
-  const std::vector<Leg>& legs_;
+  const Legs& legs_;
   const ClearanceTolerance& tolerance_;
 };
 
@@ -68,13 +67,15 @@ double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double
 
 }  // namespace
 
-double distance_bound(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs, double from,
-                      double to, const ClearanceTolerance& tolerance) {
+double distance_bound(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
+                      const ClearanceTolerance& tolerance) {
   const PieceBound piece(geometry, trees, legs, tolerance);
   double most = 0;
-  for (const Leg& leg : legs) {
-    const double start = std::max(from, leg.start), end = std::min(to, leg.end);
-    if (!leg.bridge && start < end) most = std::max(most, bound_on_leg(piece, leg, start, end));
+  for (std::size_t i = legs.first_until(from); i < legs.size(); ++i) {
+    const LegPlace at = legs.place(i);
+    if (at.start > to) break;
+    const double start = std::max(from, at.start), end = std::min(to, at.end);
+    if (!at.bridge && start < end) most = std::max(most, bound_on_leg(piece, *legs.hold(i), start, end));
   }
   return most;
 }

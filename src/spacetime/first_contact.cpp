@@ -18,14 +18,16 @@ namespace taut::spacetime {
 /// Which vertex crosses which edge first on one leg: what the walk asks.
 class LegSearch {
  public:
-  LegSearch(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double from, Ways ways = Ways::into)
-      : shortest(shortest_stretch * (leg.end - leg.start)),
+  LegSearch(const PairGeometry& geometry, const TreePair& trees, std::shared_ptr<const Leg> leg, double from,
+            Ways ways = Ways::into)
+      : shortest(shortest_stretch * (leg->end - leg->start)),
         geometry_(geometry),
-        leg_(leg),
-        leaves_(geometry, leg, ways),
+        held_(std::move(leg)),
+        leg_(*held_),
+        leaves_(geometry, leg_, ways),
         ways_(ways),
-        walk_(trees, leg, *this),
-        flat_sides_(geometry, trees, leg),
+        walk_(trees, leg_, *this),
+        flat_sides_(geometry, trees, leg_),
         proved_(from) {}
 
   /// The first contact on [from, to] of the leg's parameter.
@@ -116,6 +118,7 @@ class LegSearch {
   }
 
   const PairGeometry& geometry_;
+  std::shared_ptr<const Leg> held_;
   const Leg& leg_;
   LeafTest leaves_;
   Ways ways_;
@@ -139,9 +142,9 @@ void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& r
 }
 
 /// What of a leg lies in the window, as an interval of its parameter.
-std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
+std::optional<TimeInterval> clipped(const LegPlace& leg, const TimeWindow& window) {
   if (leg.bridge) {
-    if (leg.joint > window.from && leg.joint <= window.to) return TimeInterval{leg.start, leg.end};
+    if (leg.start > window.from && leg.start <= window.to) return TimeInterval{0, 1};
     return std::nullopt;
   }
   const double from = std::max(leg.start, window.from), to = std::min(leg.end, window.to);
@@ -155,19 +158,21 @@ std::optional<TimeInterval> clipped(const Leg& leg, const TimeWindow& window) {
 struct ContactSearch::State {
   const PairGeometry& geometry;
   TreePair trees;
-  const std::vector<Leg>& legs;
+  const Legs& legs;
   std::optional<TimeWindow> window;
   std::size_t leg = 0;
   std::optional<LegSearch> search;  ///< on it, once it has begun
   SpacetimeResult counts;           ///< of those before
 
   std::optional<TimeInterval> part() const {
-    return window ? clipped(legs[leg], *window) : TimeInterval{legs[leg].start, legs[leg].end};
+    const LegPlace at = legs.place(leg);
+    if (window) return clipped(at, *window);
+    return at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end};
   }
   std::optional<Crossing> search_leg(const TimeInterval& interval) {
     if (search) return search->go_on();
     if (window && apart_at_a_glance(trees, legs[leg], interval.lo, interval.hi)) return std::nullopt;
-    search.emplace(geometry, trees, legs[leg], interval.lo);
+    search.emplace(geometry, trees, legs.hold(leg), interval.lo);
     return search->run(interval.lo, interval.hi);
   }
   SpacetimeResult result() {
@@ -188,7 +193,7 @@ struct ContactSearch::State {
     if (interval.hi >= legs[leg].end) legs[leg].forget();
   }
   SpacetimeResult go_on() {
-    for (; leg < legs.size(); ++leg) {
+    for (; leg < legs.size() && !(window && legs.place(leg).start > window->to); ++leg) {
       const std::optional<TimeInterval> interval = part();
       if (!interval) continue;
       try {
@@ -210,31 +215,29 @@ struct ContactSearch::State {
   }
 };
 
-ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
                              const std::optional<TimeWindow>& window)
-    : state_(std::make_unique<State>(State{geometry, trees, legs, window, 0, std::nullopt, {}})) {}
+    : state_(std::make_unique<State>(
+          State{geometry, trees, legs, window, window ? legs.first_until(window->from) : 0, std::nullopt, {}})) {}
 ContactSearch::~ContactSearch() = default;
 ContactSearch::ContactSearch(ContactSearch&&) noexcept = default;
 
 SpacetimeResult ContactSearch::go_on() { return state_->go_on(); }
 
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs) {
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const Legs& legs) {
   return ContactSearch(geometry, trees, legs).go_on();
 }
 
-std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
-                                       const std::vector<Leg>& legs, const std::vector<TimeWindow>& windows) {
+std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
+                                       const std::vector<TimeWindow>& windows) {
   std::vector<LegCrossing> all;
-  std::size_t before = 0;
   for (const TimeWindow& window : windows) {
-    while (before < legs.size() && (legs[before].bridge ? legs[before].joint : legs[before].end) < window.from)
-      ++before;
-    for (std::size_t i = before; i < legs.size(); ++i) {
-      const Leg& leg = legs[i];
-      if ((leg.bridge ? leg.joint : leg.start) > window.to) break;
-      const std::optional<TimeInterval> part = clipped(leg, window);
+    for (std::size_t i = legs.first_until(window.from); i < legs.size(); ++i) {
+      const LegPlace at = legs.place(i);
+      if (at.start > window.to) break;
+      const std::optional<TimeInterval> part = clipped(at, window);
       if (!part) continue;
-      LegSearch search(geometry, trees, leg, part->lo, Ways::both);
+      LegSearch search(geometry, trees, legs.hold(i), part->lo, Ways::both);
       for (const Crossing& c : search.run_through(part->lo, part->hi))
         all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi, c.precise});
     }
@@ -242,7 +245,7 @@ std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreeP
   return all;
 }
 
-void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share) {
+void tighten(const PairGeometry& geometry, const Legs& legs, LegCrossing& crossing, double share) {
   if (crossing.hi - crossing.lo <= 0x1p-51 * std::fabs(crossing.hi) || crossing.precise.stage >= Stage::precise) return;
   const VertexEdge pair{crossing.vertex, crossing.edge};
   PreciseTime t = PreciseTime::between(crossing.lo, crossing.hi);

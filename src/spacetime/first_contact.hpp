@@ -10,7 +10,7 @@
 
 #include "base/errors.hpp"
 #include "pair/pair_geometry.hpp"
-#include "relative/leg.hpp"
+#include "relative/legs.hpp"
 #include "sign/precise_time.hpp"
 #include "sign/witness.hpp"
 #include "spacetime/hierarchy.hpp"
@@ -47,7 +47,7 @@ struct TimeWindow {
 class ContactSearch {
  public:
   /// All of it must outlive the search.
-  ContactSearch(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
+  ContactSearch(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
                 const std::optional<TimeWindow>& window = std::nullopt);
   ~ContactSearch();
   ContactSearch(ContactSearch&&) noexcept;
@@ -60,7 +60,7 @@ class ContactSearch {
   std::unique_ptr<State> state_;
 };
 /// The same in one go.
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs);
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const Legs& legs);
 
 /// A crossing of an edge by a vertex, on a leg.
 struct LegCrossing {
@@ -74,12 +74,12 @@ struct LegCrossing {
 /// leg's in no particular order: between two of them that follow each other in time, the same edges cross, if the
 /// bodies are apart outside of the windows. They are enclosed as far as telling them apart from others of the same two
 /// features took. Throws Undecidable.
-std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
-                                       const std::vector<Leg>& legs, const std::vector<TimeWindow>& windows);
+std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
+                                       const std::vector<TimeWindow>& windows);
 
 /// Encloses a crossing within a few ulps. Its instant is computed to such a share of itself, 0 being as well as numbers
 /// of the first precise stage tell, which takes several times as long.
-void tighten(const PairGeometry& geometry, const std::vector<Leg>& legs, LegCrossing& crossing, double share);
+void tighten(const PairGeometry& geometry, const Legs& legs, LegCrossing& crossing, double share);
 
 /// Do the displaced polygons overlap at t? The leg is not a bridge. Throws Undecidable.
 /// Counts which stages told where doubles did not.

@@ -99,13 +99,15 @@ void note_approach(const Approach& found, MarginResult& result) {
 
 }  // namespace
 
-MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                          double margin, const TimeInterval& window) {
+MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double margin,
+                          const TimeInterval& window) {
   MarginResult result;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = legs[i];
-    if (leg.bridge || leg.end < window.lo) continue;
-    if (leg.start > window.hi) break;
+  for (std::size_t i = legs.first_until(window.lo); i < legs.size(); ++i) {
+    const LegPlace at = legs.place(i);
+    if (at.start > window.hi) break;
+    if (at.bridge) continue;
+    const std::shared_ptr<const Leg> held = legs.hold(i);
+    const Leg& leg = *held;
     LegMargin search(geometry, trees, leg, margin);
     result.leg = i;
     try {

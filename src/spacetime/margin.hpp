@@ -28,7 +28,7 @@ struct MarginResult {
 /// The bodies must not overlap at its start: those that come to, come closer than any margin before. The margin is in
 /// internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly closer than it,
 /// bodies displaced outwards where they are as close as it.
-MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                          double margin, const TimeInterval& window);
+MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double margin,
+                          const TimeInterval& window);
 
 }  // namespace taut::spacetime

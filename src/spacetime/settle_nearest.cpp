@@ -23,8 +23,8 @@ void take_approach(const PairGeometry& geometry, const MarginResult& found, doub
 
 }  // namespace
 
-void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                    const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
+void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const TimeInterval& window,
+                    const ClearanceTolerance& tolerance, Nearest& best) {
   double certain = best.unresolved;
   // Most often doubles have found the least distance, and only the bound from below is missing.
   double margin = tolerance.least(best.distance);

@@ -10,7 +10,7 @@ namespace taut::spacetime {
 /// asking it for margins between what is certain from below and the least distance found brings the two together.
 /// Within a window, at whose start the bodies must not overlap. Afterwards best.unresolved is infinite, or the search
 /// for a margin was not decided.
-void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const std::vector<Leg>& legs,
-                    const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best);
+void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const TimeInterval& window,
+                    const ClearanceTolerance& tolerance, Nearest& best);
 
 }  // namespace taut::spacetime

@@ -44,10 +44,9 @@ SweptBox swept_box(const WorldBody& body, double from, double to) {
   for (double t = from;;) {
     PieceChain chain;
     double until = unbounded;
-    for (const std::vector<MotionPiece>& motion : body.motions) {
-      const auto piece = std::find_if(motion.begin(), motion.end(), [t](const MotionPiece& p) { return t < p.until; });
-      chain.push_back(*piece);
-      until = std::min(until, piece->until);
+    for (const PieceList& motion : body.motions) {
+      chain.push_back(motion.at(t));
+      until = std::min(until, chain.back().until);
     }
     whole = around(whole, box_of_pieces(chain, bounds, t, std::min(until, to)));
     // A joint at the very end belongs to this window, bridge and all.

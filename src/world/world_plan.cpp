@@ -16,20 +16,12 @@ int index_of(const Scene& scene, const std::map<std::string, int>& by_name, cons
   return found == by_name.end() ? static_cast<int>(scene.bodies.size()) : found->second;
 }
 
-bool rests(const std::vector<MotionPiece>& pieces) {
-  return std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); });
-}
-
-bool same_pieces(const std::vector<MotionPiece>& a, const std::vector<MotionPiece>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const MotionPiece& x, const MotionPiece& y) { return x.until == y.until && same_motion(x, y); });
-}
-
 /// A number that is the same for the same motions, and seldom for others: where a point is taken at some time.
 double key_of(const MotionChain& chain) {
   double sum = 0;
-  for (const std::vector<MotionPiece>& pieces : chain) {
-    for (const MotionPiece& piece : pieces) {
+  for (const PieceList& pieces : chain) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const MotionPiece piece = pieces[i];
       for (const Coefficients* c : {&piece.x, &piece.y}) {
         sum *= 0.6180339887498949;
         double value = 0;
@@ -78,9 +70,8 @@ void WorldPlan::add_bodies(const Scene& scene) {
     WorldBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
     extent_ = std::max(extent_, std::ldexp(body.rings->diagonal(), -exponent_));
-    std::vector<MotionPiece> own = pieces_between(scene.bodies[i].motion, start_, end_);
-    for (MotionPiece& piece : own) piece = scaled(std::move(piece), exponent_);
-    if (!rests(own)) body.own = std::move(own);
+    const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
+    if (!own.rests()) body.own = own;
     const std::string& parent = scene.bodies[i].relative_to;
     if (!parent.empty()) body.parent = index_of(scene, by_name, parent);
     bodies_.push_back(std::move(body));
@@ -95,7 +86,7 @@ void WorldPlan::add_bodies(const Scene& scene) {
 MotionChain WorldPlan::chain_of(int body) const {
   MotionChain chain;
   for (int k = body; k >= 0; k = bodies_[static_cast<std::size_t>(k)].parent) {
-    const std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(k)].own;
+    const PieceList& own = bodies_[static_cast<std::size_t>(k)].own;
     if (!own.empty()) chain.insert(chain.begin(), own);
   }
   return chain;
@@ -112,18 +103,14 @@ std::vector<int> WorldPlan::followers(int body) const {
 }
 
 void WorldPlan::replan(int body, const Motion& motion, double t, double from) {
-  std::vector<MotionPiece>& own = bodies_[static_cast<std::size_t>(body)].own;
-  std::vector<MotionPiece> fresh;
-  if (from < t) {
-    fresh.push_back(own.empty() ? MotionPiece{} : piece_at(own, from));
-    fresh.back().until = t;
-  }
-  for (MotionPiece& piece : pieces_between(motion, t, end_)) fresh.push_back(scaled(std::move(piece), exponent_));
+  PieceList& own = bodies_[static_cast<std::size_t>(body)].own;
+  PieceList fresh = PieceList::between(motion, t, end_, exponent_);
+  if (from < t) fresh = fresh.after(own.empty() ? MotionPiece{} : own.at(from), t);
   start_ = from;
   if (!moving_) note_moving();
   const std::vector<int> changed = followers(body);
   for (const int k : changed) leave_group(k);
-  own = rests(fresh) ? std::vector<MotionPiece>() : std::move(fresh);
+  own = fresh.rests() ? PieceList() : fresh;
   for (const int k : changed) bodies_[static_cast<std::size_t>(k)].motions = chain_of(k);
   for (const int k : changed) join_group(k);
 }
@@ -227,28 +214,26 @@ PairPlan pair_of(const SharedRings& first, const SharedRings& second, int expone
 
 PieceChain pieces_at(const MotionChain& motions, double t) {
   PieceChain chain;
-  for (const std::vector<MotionPiece>& pieces : motions) chain.push_back(piece_at(pieces, t));
+  for (const PieceList& pieces : motions) chain.push_back(pieces.at(t));
   if (chain.empty()) chain.push_back(MotionPiece{});
   return chain;
 }
 
-std::vector<Leg> WorldPlan::legs(const PairPlan& pair) const {
-  return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_);
-}
+Legs WorldPlan::legs(const PairPlan& pair) const { return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_); }
 
-std::array<std::vector<Leg>, 2> WorldPlan::both_legs(const PairPlan& pair, double from) const {
+std::array<Legs, 2> WorldPlan::both_legs(const PairPlan& pair, double from) const {
   const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
   return {legs(p, q, from), legs(q, p, from)};
 }
 
-std::vector<Leg> WorldPlan::legs(int first, int second, double from) const {
+Legs WorldPlan::legs(int first, int second, double from) const {
   const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
   const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
   std::size_t common = 0;
   while (common < p.size() && common < q.size() && same_pieces(p[common], q[common])) ++common;
   const auto rest = [&](const MotionChain& chain) {
     MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
-    if (own.empty()) own.push_back(pieces_between({}, start_, end_));
+    if (own.empty()) own.push_back(PieceList::between({}, start_, end_));
     return own;
   };
   return make_legs(rest(p), rest(q), from, end_);

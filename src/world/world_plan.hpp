@@ -30,7 +30,7 @@ struct WorldBody {
   /// Of its parents, the outermost first, and its own; those that rest are left out. Scaled.
   MotionChain motions;
   int group = 0;
-  std::vector<MotionPiece> own = {};  ///< seen from its parent; empty if it rests there
+  PieceList own = {};  ///< seen from its parent; empty if it rests there
   int parent = -1;
 };
 
@@ -65,12 +65,12 @@ class WorldPlan {
 
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
-  std::vector<Leg> legs(const PairPlan& pair) const;
+  Legs legs(const PairPlan& pair) const;
   /// The same from a later time on; and with the roles exchanged.
-  std::array<std::vector<Leg>, 2> both_legs(const PairPlan& pair, double from) const;
+  std::array<Legs, 2> both_legs(const PairPlan& pair, double from) const;
 
  private:
-  std::vector<Leg> legs(int p, int q, double from) const;
+  Legs legs(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
   MotionChain chain_of(int body) const;
   void find_groups();

@@ -132,7 +132,7 @@ void expect_window_contains(const Leg& leg, const MotionWindow& window, Rng& rng
 }
 
 /// By itself, and by the model of one that is longer.
-void expect_windows_contain(const std::vector<Leg>& legs, Rng& rng) {
+void expect_windows_contain(const Legs& legs, Rng& rng) {
   for (const Leg& leg : legs) {
     for (int i = 0; i < 6; ++i) {
       const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(30));

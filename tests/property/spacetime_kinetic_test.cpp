@@ -51,7 +51,7 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   const Answer first = check(scene, options);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, touch == Touch::open);
-  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   if (spacetime::overlapping(geometry, legs[0], scene.start)) {
     ++counts.overlap;
     const bool at_start = first.contact && first.contact->time.hi == scene.start;

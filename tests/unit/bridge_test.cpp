@@ -140,7 +140,7 @@ void compare_bridges(const Placement& placement, BridgeCounts& counts) {
 /// At some instants of a scene's first leg.
 void compare_bridges(const Scene& scene, int instants, BridgeCounts& counts) {
   const PairPlan plan = plan_pair(scene);
-  const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   const PairGeometry geometry = displaced_pair(plan, true);
   for (int i = 0; i < instants; ++i) {
     const double t = legs[0].start + (legs[0].end - legs[0].start) * (i + 0.5) / instants;
@@ -197,7 +197,7 @@ TEST(RootBridge, CostsInProportionToTheChains) {
   const auto cost = [](int lip_points) {
     const Scene scene = tight_mouth({lip_points, 0.1, 6, 0, 1.2});
     const PairPlan plan = plan_pair(scene);
-    const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+    const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
     const PairGeometry geometry = displaced_pair(plan, true);
     const Placement placement(geometry, legs[0], scene.start);
     const FreeChains chains = chains_at(placement).value();

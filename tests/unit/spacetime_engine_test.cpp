@@ -32,7 +32,7 @@ using spacetime::TranslationPolynomial;
 
 struct Setting {
   PairGeometry geometry;
-  std::vector<Leg> legs;
+  Legs legs;
 };
 
 Setting setting(const Scene& scene, bool inwards = true) {

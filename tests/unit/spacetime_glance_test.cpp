@@ -48,10 +48,10 @@ TEST(Glances, WhatTheyShowIsFree) {
     const PairGeometry geometry = displaced_pair(plan, rng.chance(0.5));
     const Hierarchy p = hierarchy_of_p(geometry), q = hierarchy_of_q(geometry);
     const double from = rng.real(0, 1), to = from + (1 - from) * rng.unit();
-    const std::vector<Leg> legs = make_legs(plan.pieces[0], plan.pieces[1], from, to);
+    const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], from, to);
     for (const Leg& leg : legs) {
       const bool apart = apart_at_a_glance({p, q}, leg, leg.start, leg.end);
-      const SpacetimeResult truth = first_contact(geometry, {p, q}, {leg});
+      const SpacetimeResult truth = first_contact(geometry, {p, q}, Legs(leg));
       if (truth.outcome == SpacetimeResult::contact) ++met;
       if (apart) {
         ++shown;

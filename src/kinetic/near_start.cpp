@@ -1,0 +1,78 @@
+#include "kinetic/near_start.hpp"
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+
+namespace taut {
+namespace {
+
+/// Straight ways between two turns of a body pass through smaller copies of it: no more than by a few percent.
+constexpr double least_cosine = 0.95;
+
+/// On a bridge, whose frame is made of four poses whenever it is asked for, an event costs so much more than is
+/// counted.
+constexpr std::uint64_t work_of_bridged_event = 100;
+/// Of two squares, both ways take microseconds.
+constexpr std::uint64_t least_limit = 256;
+
+bool is_small_turn(const Leg& from, double since, const Leg& to, double until) {
+  for (const bool of_p : {true, false}) {
+    const Pose<double> a = from.pose_of_body(of_p, since), b = to.pose_of_body(of_p, until);
+    if (!(a.xx.v.mid * b.xx.v.mid + a.xy.v.mid * b.xy.v.mid > least_cosine)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> NearStart::engine(const PairGeometry& geometry, const Legs& legs) {
+  if (!last_ || last_->geometry.p() != geometry.p() || last_->geometry.q() != geometry.q()) return nullptr;
+  const Leg& from = *last_->leg;
+  const Leg& to = legs.front();
+  if (from.composed || to.composed || !is_small_turn(from, last_->time, to, to.start)) return nullptr;
+  if (skip_ > 0) {
+    --skip_;
+    return nullptr;
+  }
+  std::unique_ptr<Engine> engine = moved(geometry, to);
+  if (!engine) {
+    skip_ = (1 << std::min(failures_++, 6)) - 1;
+    return nullptr;
+  }
+  failures_ = 0;
+  engine->begin_question(legs);
+  return engine;
+}
+
+/// The engine of the last placement at the new one, which is where the leg starts.
+std::unique_ptr<Engine> NearStart::moved(const PairGeometry& geometry, const Leg& to) const {
+  const Leg& from = *last_->leg;
+  const bool far = from.far() || to.far();
+  Legs way(Leg::bridging_between(from.p, from.q, last_->time, to.p, to.q, to.start, far));
+  const std::uint64_t limit = least_limit + work_of_building_ / 2, begun = work_spent();
+  const InterruptionScope turn(limit);
+  try {
+    auto engine = std::make_unique<Engine>(geometry, std::move(way), nullptr,
+                                           KnownTilings{nullptr, nullptr, &last_->map, last_->leg.get(), last_->time});
+    while (engine->step(to.start)) {
+      if (work_spent() - begun + work_of_bridged_event * engine->events() > limit) return nullptr;
+    }
+    return engine->state() == EngineState::finished ? std::move(engine) : nullptr;
+  } catch (const Undecidable&) {
+    return nullptr;
+  } catch (const Interrupted&) {
+    if (!turn.exhausted()) throw;
+    return nullptr;
+  }
+}
+
+void NearStart::note(const Engine& engine, const PairPlan& plan, std::optional<std::uint64_t> work_of_building) {
+  if (!plan.prepared[0] || !plan.prepared[1] || engine.state() == EngineState::overlap) return;
+  if (work_of_building) work_of_building_ = *work_of_building;
+  last_.reset();
+  last_.emplace(Last{engine.geometry(), plan.prepared, engine.map(), engine.held_leg(), engine.leg().start});
+}
+
+}  // namespace taut

@@ -1,0 +1,133 @@
+#include "motion/piece_list.hpp"
+
+#include <algorithm>
+
+#include "motion/pieces.hpp"
+#include "motion/rotation_forms.hpp"
+
+namespace taut {
+
+void PieceList::Packed::add(const MotionPiece& piece) {
+  Place place;
+  place.until = piece.until;
+  place.first = numbers.size();
+  const auto put = [this](const Coefficients& c) {
+    numbers.insert(numbers.end(), c.begin(), c.end());
+    return static_cast<std::uint8_t>(c.size());
+  };
+  place.x = put(piece.x);
+  place.y = put(piece.y);
+  place.form = static_cast<Form>(piece.rotation.index());
+  std::uint8_t* count = &place.a;
+  for_each_polynomial(piece.rotation, [&](const Coefficients& c) {
+    *count = put(c);
+    count = &place.b;
+  });
+  if (piece.pivot != Point{}) {
+    place.pivot = true;
+    put({piece.pivot.x, piece.pivot.y});
+  }
+  place.orbit = put(piece.orbit.angle);
+  if (place.orbit > 0) put({piece.orbit.centre.x, piece.orbit.centre.y});
+  places.push_back(place);
+}
+
+void PieceList::Packed::trim() {
+  places.shrink_to_fit();
+  numbers.shrink_to_fit();
+}
+
+PieceList::PieceList(const std::vector<MotionPiece>& pieces) {
+  const auto packed = std::make_shared<Packed>();
+  packed->places.reserve(pieces.size());
+  for (const MotionPiece& piece : pieces) packed->add(piece);
+  packed->trim();
+  packed_ = packed;
+}
+
+PieceList PieceList::between(const Motion& motion, double start, double end, int exponent) {
+  const auto packed = std::make_shared<Packed>();
+  for_each_piece_between(motion, start, end,
+                         [&](MotionPiece&& piece) { packed->add(scaled(std::move(piece), exponent)); });
+  packed->places.back().until = std::numeric_limits<double>::infinity();
+  packed->trim();
+  return PieceList(packed);
+}
+
+PieceList PieceList::after(MotionPiece piece, double t) const {
+  const auto packed = std::make_shared<Packed>();
+  piece.until = t;
+  packed->add(piece);
+  for (std::size_t k = 0; k < size(); ++k) packed->add((*this)[k]);
+  packed->trim();
+  return PieceList(packed);
+}
+
+MotionPiece PieceList::operator[](std::size_t k) const {
+  const Place& place = packed_->places[k];
+  const double* next = packed_->numbers.data() + place.first;
+  const auto take = [&next](std::uint8_t count) {
+    Coefficients c(next, next + count);
+    next += count;
+    return c;
+  };
+  const auto take_point = [&next] {
+    const Point p{next[0], next[1]};
+    next += 2;
+    return p;
+  };
+  MotionPiece piece;
+  piece.until = place.until;
+  piece.x = take(place.x);
+  piece.y = take(place.y);
+  switch (place.form) {
+    case Form::none:
+      break;
+    case Form::angle:
+      piece.rotation = AngleRotation{take(place.a)};
+      break;
+    case Form::direction: {
+      Coefficients a = take(place.a), b = take(place.b);
+      piece.rotation = DirectionRotation{std::move(a), std::move(b)};
+      break;
+    }
+    case Form::half_angle:
+      piece.rotation = HalfAngleRotation{take(place.a)};
+      break;
+    case Form::cosine:
+      piece.rotation = CosineRotation{take(place.a)};
+      break;
+  }
+  if (place.pivot) piece.pivot = take_point();
+  piece.orbit.angle = take(place.orbit);
+  if (place.orbit > 0) piece.orbit.centre = take_point();
+  return piece;
+}
+
+std::size_t PieceList::number_at(double t) const {
+  const auto& places = packed_->places;
+  const auto later = [](double time, const Place& place) { return time < place.until; };
+  const auto found = std::upper_bound(places.begin(), places.end(), t, later);
+  return static_cast<std::size_t>((found == places.end() ? found - 1 : found) - places.begin());
+}
+
+bool PieceList::same_at(std::size_t a, std::size_t b) const { return a == b || same_motion((*this)[a], (*this)[b]); }
+
+bool PieceList::rests() const {
+  const MotionPiece rest;
+  for (std::size_t k = 0; k < size(); ++k) {
+    if (!same_motion((*this)[k], rest)) return false;
+  }
+  return true;
+}
+
+bool same_pieces(const PieceList& a, const PieceList& b) {
+  if (a.packed_ == b.packed_) return true;
+  if (a.size() != b.size()) return false;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (a.until(k) != b.until(k) || !same_motion(a[k], b[k])) return false;
+  }
+  return true;
+}
+
+}  // namespace taut

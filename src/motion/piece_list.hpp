@@ -1,0 +1,71 @@
+// The pieces of a motion in little memory, shared by all who follow it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "taut/motion.hpp"
+
+namespace taut {
+
+/// Pieces of a valid motion in order of time. A MotionPiece with its polynomials takes some 260 bytes, and there may be
+/// a hundred thousand of them, which engines, proofs and worlds follow one after the other: so what is kept is their
+/// numbers, in a row, and a piece is made when it is asked for. Copies share the numbers, which do not change any more.
+class PieceList {
+ public:
+  /// None.
+  PieceList() = default;
+  PieceList(const std::vector<MotionPiece>& pieces);
+  /// As pieces_between() tells, in coordinates multiplied by 2^exponent.
+  static PieceList between(const Motion& motion, double start, double end, int exponent = 0);
+
+  /// These after another piece, which holds until t.
+  PieceList after(MotionPiece piece, double t) const;
+
+  std::size_t size() const { return packed_ ? packed_->places.size() : 0; }
+  bool empty() const { return size() == 0; }
+  MotionPiece operator[](std::size_t k) const;
+  /// Until when piece k holds.
+  double until(std::size_t k) const { return packed_->places[k].until; }
+  /// The number of the piece that holds at t; the last one later, too.
+  std::size_t number_at(double t) const;
+  /// That piece.
+  MotionPiece at(double t) const { return (*this)[number_at(t)]; }
+  /// Are the pieces given by the same coefficients, and change at the same times?
+  friend bool same_pieces(const PieceList& a, const PieceList& b);
+  /// Of two pieces, the first or the next ones, is the motion the same (see same_motion())?
+  bool same_at(std::size_t a, std::size_t b) const;
+  /// Does the body rest at its own coordinates all the time?
+  bool rests() const;
+
+ private:
+  enum class Form : std::uint8_t { none, angle, direction, half_angle, cosine };
+  struct Place {
+    double until = std::numeric_limits<double>::infinity();
+    std::uint64_t first = 0;    ///< of its numbers
+    std::uint8_t x = 0, y = 0;  ///< how many coefficients there are
+    std::uint8_t a = 0, b = 0;  ///< of the rotation's polynomials
+    std::uint8_t orbit = 0;
+    Form form = Form::none;
+    bool pivot = false;  ///< not the origin
+  };
+  struct Packed {
+    std::vector<Place> places;
+    std::vector<double> numbers;
+
+    void add(const MotionPiece& piece);
+    void trim();
+  };
+  explicit PieceList(std::shared_ptr<const Packed> packed) : packed_(std::move(packed)) {}
+
+  std::shared_ptr<const Packed> packed_;
+};
+
+bool same_pieces(const PieceList& a, const PieceList& b);
+
+/// The pieces of a body's motion after those of its parents, the outermost first.
+using MotionChain = std::vector<PieceList>;
+
+}  // namespace taut

@@ -1,0 +1,174 @@
+// Bodies that turn evenly, and often: models in closed form hold what models promise, and turns cost the same whether
+// they are few or many.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/interruption.hpp"
+#include "numeric/trig.hpp"
+#include "relative/even_turn.hpp"
+#include "relative/leg_clock.hpp"
+#include "support/effort.hpp"
+#include "support/rng.hpp"
+#include "taut/check.hpp"
+
+namespace taut::testing {
+namespace {
+
+bool holds(const Ball<double>& narrow, const Ball<Real640>& wide) {
+  const double slack = 0x1p-60 * (1 + std::fabs(narrow.mid));
+  return RealTraits<Real640>::magnitude(wide.mid - Real640(narrow.mid)) <= narrow.rad + slack;
+}
+
+TEST(SinCosOfSum, AreThoseOf640Bits) {
+  Rng rng(71);
+  for (std::uint64_t i = 0; i < effort(20000); ++i) {
+    const double hi = rng.chance(0.1) ? 0 : rng.sign() * std::ldexp(rng.real(0.5, 1), rng.between(-30, 40));
+    const double lo = rng.sign() * std::ldexp(rng.real(0.5, 1), -11 - rng.below(40));
+    const SinCos<double> got = sin_cos_of_sum(hi, lo);
+    const SinCos<Real640> want = sin_cos(Ball<Real640>::exact(hi) + Ball<Real640>::exact(lo));
+    ASSERT_TRUE(holds(got.sin, want.sin)) << hi << " + " << lo;
+    ASSERT_TRUE(holds(got.cos, want.cos)) << hi << " + " << lo;
+  }
+}
+
+Coefficients even_angle(Rng& rng, double length) { return {rng.real(-4, 4), rng.sign() * rng.real(70, 7e5) / length}; }
+
+/// One body turns, or both, perhaps alike; one is drawn along, perhaps.
+Leg random_leg(Rng& rng) {
+  MotionPiece p, q;
+  const double start = rng.chance(0.5) ? 0 : rng.real(-1e6, 1e6),
+               length = std::ldexp(rng.real(1, 2), rng.between(-4, 9));
+  const int kind = rng.below(4);
+  if (kind != 0) p.rotation = AngleRotation{even_angle(rng, length)};
+  if (kind != 1) q.rotation = kind == 3 ? p.rotation : Rotation(AngleRotation{even_angle(rng, length)});
+  for (MotionPiece* piece : {&p, &q}) {
+    for (Coefficients* c : {&piece->x, &piece->y}) {
+      *c = {rng.real(-3, 3)};
+      if (rng.chance(0.3)) c->push_back(rng.real(-1, 1) / length);
+    }
+    if (rng.chance(0.3)) piece->pivot = {rng.real(-1, 1), rng.real(-1, 1)};
+  }
+  if (rng.chance(0.1)) p.x.push_back(0.5 / length / length);
+  return Leg::motion(p, q, start, start + length);
+}
+
+/// The six functions of a model.
+std::array<Jet<Real640>, 6> functions_at(const Leg& leg, double t) {
+  const Frame<Real640> f = frame(leg, Ball<Real640>::exact(t));
+  return {f.for_pp[1], f.for_pp[2], f.for_qq[1], f.for_qq[2], f.for_pp[3], f.for_pp[4]};
+}
+
+void expect_within(const Ball<Real640>& truth, double value, double error, const char* what) {
+  EXPECT_LE(RealTraits<Real640>::magnitude(truth.mid - Real640(value)), error) << what;
+}
+
+/// The polynomials, their derivatives, and the bounds of the second and third derivatives.
+void expect_laws(const Leg& leg, const FrameModel& m, double t) {
+  const std::array<Jet<Real640>, 6> truth = functions_at(leg, t);
+  double value[6], slope[6], values[4], slopes[4], seconds[4];
+  m.evaluate(t, value, slope);
+  for (std::size_t i = 0; i < 6; ++i) {
+    expect_within(truth[i].v, value[i], m.error[i], "value");
+    expect_within(truth[i].d, slope[i], m.error_d[i], "slope");
+    expect_within(truth[i].dd, m.bend[i], m.bend_rad[i], "bend");
+    EXPECT_LE(RealTraits<Real640>::magnitude(truth[i].v.mid), m.size[i] * (1 + 0x1p-20) + m.error[i]);
+  }
+  for (const int first : {0, 2}) {
+    m.evaluate(t, first, values, slopes, seconds);
+    for (int k = 0; k < 4; ++k) {
+      const int i = k < 2 ? first + k : 2 + k;
+      expect_within(truth[static_cast<std::size_t>(i)].dd, seconds[k], m.error_dd[i], "second derivative");
+    }
+  }
+}
+
+/// By the mean value theorem a difference of second derivatives is a third one somewhere between.
+void expect_third(const Leg& leg, const FrameThird& third, int first, double a, double b) {
+  const std::array<Jet<Real640>, 6> at_a = functions_at(leg, a), at_b = functions_at(leg, b);
+  for (int k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(k < 2 ? first + k : 2 + k);
+    const double change = RealTraits<Real640>::magnitude(at_b[i].dd.mid - at_a[i].dd.mid);
+    EXPECT_LE(change, third.most[k] * (b - a) * (1 + 0x1p-20) + 0x1p-300);
+  }
+}
+
+TEST(EvenTurn, ModelsEncloseTheFrame) {
+  Rng rng(72);
+  std::uint64_t sharp = 0;
+  for (std::uint64_t i = 0; i < effort(300) && !HasFailure(); ++i) {
+    const Leg leg = random_leg(rng);
+    const auto even = EvenTurn::of(leg);
+    ASSERT_TRUE(even);
+    for (int k = 0; k < 8; ++k) {
+      // As long as cells are, and as whole levels of them above.
+      const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.between(3, 24));
+      const double start = leg.start + (leg.end - length - leg.start) * rng.real(0, 1), end = start + length;
+      const auto m = even->model(leg, start, end);
+      if (!m) continue;  // angles beyond 2^39
+      sharp += m->sharp();
+      for (int n = 0; n < 4; ++n) expect_laws(leg, *m, start + (end - start) * rng.real(0, 1));
+      expect_laws(leg, *m, start);
+      for (const bool pp : {true, false}) {
+        const FrameThird third = even->third(leg, pp, start, end);
+        expect_third(leg, third, pp ? 0 : 2, start + (end - start) / 4, end);
+        expect_third(leg, third_of(*m, pp ? 0 : 2), pp ? 0 : 2, start, start + (end - start) / 2);
+      }
+    }
+  }
+  EXPECT_GT(sharp, effort(300));
+}
+
+TEST(EvenTurn, OtherLegsHaveNone) {
+  const auto of = [](const Rotation& rotation) {
+    MotionPiece piece;
+    piece.rotation = rotation;
+    return EvenTurn::of(Leg::motion(MotionPiece{}, piece, 0, 1));
+  };
+  EXPECT_TRUE(of(AngleRotation{{0, 100}}));
+  EXPECT_FALSE(of(AngleRotation{{0, 10}}));
+  EXPECT_FALSE(of(AngleRotation{{0, 100, 1}}));
+  EXPECT_FALSE(of(NoRotation{}));
+}
+
+/// A triangle that turns beside a square, or two that turn unevenly fast.
+Scene turning(double turns, double start, bool both) {
+  Scene scene;
+  scene.start = start;
+  scene.end = start + turns;
+  const Polygon triangle{{0.9, 0}, {-0.5, 0.7}, {-0.5, -0.7}};
+  Motion motion, other;
+  MotionPiece piece;
+  piece.rotation = AngleRotation{{0, 6.283185307179586}};
+  motion.pieces = {piece};
+  if (both) {
+    piece.x = {2.2};
+    piece.rotation = AngleRotation{{0, -4.8}};
+    other.pieces = {piece};
+    scene.bodies = {{"a", triangle, other}, {"b", triangle, motion}};
+  } else {
+    scene.bodies = {{"a", {{1.2, -1}, {3.2, -1}, {3.2, 1}, {1.2, 1}}, {}}, {"b", triangle, motion}};
+  }
+  return scene;
+}
+
+std::uint64_t work_for(const Scene& scene, EngineChoice engine) {
+  CheckOptions options;
+  options.engine = engine;
+  const std::uint64_t before = work_spent();
+  EXPECT_EQ(check(scene, options).outcome, Outcome::free);
+  return work_spent() - before;
+}
+
+TEST(EvenTurn, ATurnCostsNoMoreAmongManyOnes) {
+  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+    for (const bool both : {false, true}) {
+      const std::uint64_t one = work_for(turning(1, 0, both), engine);
+      EXPECT_LT(work_for(turning(2000, 0, both), engine), 2000 * one);
+      EXPECT_LT(work_for(turning(2000, 1e6, both), engine), 2000 * one);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taut::testing

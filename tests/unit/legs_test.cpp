@@ -1,0 +1,200 @@
+// Legs are made when they are asked for: the same as if all were there; and pieces are kept in little memory.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "motion/far_pieces.hpp"
+#include "motion/pieces.hpp"
+#include "relative/make_legs.hpp"
+#include "support/effort.hpp"
+#include "support/rng.hpp"
+
+namespace taut::testing {
+namespace {
+
+Coefficients coefficients(Rng& rng) {
+  Coefficients c;
+  for (int k = rng.below(4); k > 0; --k) c.push_back(rng.chance(0.2) ? 0 : rng.real(-3, 3));
+  if (!c.empty() && c.back() == 0) c.back() = 1;
+  return c;
+}
+
+MotionPiece random_piece(Rng& rng) {
+  MotionPiece piece;
+  piece.x = coefficients(rng);
+  piece.y = coefficients(rng);
+  switch (rng.below(5)) {
+    case 0:
+      piece.rotation = AngleRotation{coefficients(rng)};
+      break;
+    case 1:
+      piece.rotation = DirectionRotation{{4, rng.real(-1, 1)}, coefficients(rng)};
+      break;
+    case 2:
+      piece.rotation = HalfAngleRotation{coefficients(rng)};
+      break;
+    case 3:
+      piece.rotation = CosineRotation{{rng.real(-0.9, 0.9)}};
+      break;
+    default:
+      break;
+  }
+  if (rng.chance(0.3)) piece.pivot = {rng.real(-2, 2), 0};
+  if (rng.chance(0.2)) piece.orbit = {{rng.real(-2, 2), rng.real(-2, 2)}, {0, rng.real(0.5, 1)}};
+  return piece;
+}
+
+Motion random_motion(Rng& rng, int most) {
+  Motion motion;
+  double t = rng.real(-1, 1);
+  for (int k = rng.between(1, most); k > 0; --k) {
+    motion.pieces.push_back(!motion.pieces.empty() && rng.chance(0.1) ? motion.pieces.back() : random_piece(rng));
+    motion.pieces.back().until = t += rng.chance(0.3) ? 1 : rng.real(0.1, 1);
+  }
+  motion.pieces.back().until = INFINITY;
+  return motion;
+}
+
+void expect_same(const MotionPiece& a, const MotionPiece& b) {
+  EXPECT_TRUE(same_motion(a, b));
+  EXPECT_EQ(a.until, b.until);
+  EXPECT_EQ(a.pivot, b.pivot);
+  EXPECT_EQ(a.rotation.index(), b.rotation.index());
+}
+
+TEST(PieceList, GivesBackWhatItWasMadeOf) {
+  Rng rng(81);
+  for (std::uint64_t i = 0; i < effort(300); ++i) {
+    const Motion motion = random_motion(rng, 8);
+    const double start = rng.real(-2, 3), end = start + rng.real(0, 4);
+    std::vector<MotionPiece> pieces = pieces_between(motion, start, end);
+    const PieceList list = PieceList::between(motion, start, end, 3);
+    ASSERT_EQ(list.size(), pieces.size());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      expect_same(list[k], scaled(pieces[k], 3));
+      EXPECT_EQ(list.until(k), pieces[k].until);
+    }
+    for (int k = 0; k < 5; ++k) {
+      const double t = rng.chance(0.3) ? pieces[0].until : rng.real(start, end);
+      expect_same(list.at(t), scaled(piece_at(pieces, t), 3));
+    }
+    EXPECT_TRUE(same_pieces(list, PieceList::between(motion, start, end, 3)));
+  }
+}
+
+TEST(PieceList, SeesRestAndDifferences) {
+  EXPECT_TRUE(PieceList::between({}, 0, 1).rests());
+  MotionPiece moved;
+  moved.x = {1};
+  const PieceList list({moved});
+  EXPECT_FALSE(list.rests());
+  EXPECT_FALSE(same_pieces(list, PieceList({MotionPiece{}})));
+  const PieceList both = list.after(MotionPiece{}, 2);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both.until(0), 2);
+  EXPECT_TRUE(same_motion(both.at(1), MotionPiece{}));
+  EXPECT_TRUE(same_motion(both.at(2), moved));
+}
+
+/// All of them at once, in the plain way.
+std::vector<Leg> all_legs(const std::vector<MotionPiece>& p, const std::vector<MotionPiece>& q, double start,
+                          double end) {
+  std::vector<Leg> legs;
+  std::size_t i = 0, j = 0;
+  while (p[i].until <= start) ++i;
+  while (q[j].until <= start) ++j;
+  for (double t = start;;) {
+    const double until = std::min({p[i].until, q[j].until, end});
+    legs.push_back(Leg::motion(p[i], q[j], t, until));
+    if (until >= end) return legs;
+    t = until;
+    const std::size_t old_i = i, old_j = j;
+    while (p[i].until <= t) ++i;
+    while (q[j].until <= t) ++j;
+    if (same_motion(p[old_i], p[i]) && same_motion(q[old_j], q[j])) continue;
+    const bool far = legs.back().far() || is_far_for(std::max(highest_power(p[i]), highest_power(q[j])), t,
+                                                     std::min({p[i].until, q[j].until, end}));
+    legs.push_back(Leg::bridging(p[old_i], q[old_j], p[i], q[j], t, far));
+  }
+}
+
+void expect_same(const Leg& a, const Leg& b) {
+  EXPECT_EQ(a.bridge, b.bridge);
+  EXPECT_EQ(a.joint, b.joint);
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.end, b.end);
+  EXPECT_EQ(a.far(), b.far());
+  EXPECT_EQ(a.composed, b.composed);
+  const double t = a.start + (a.end - a.start) / 3;
+  const Frame<double> f = frame(a, Ball<double>::exact(t)), g = frame(b, Ball<double>::exact(t));
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(f.for_pp[k].v.mid, g.for_pp[k].v.mid);
+    EXPECT_EQ(f.for_qq[k].d.mid, g.for_qq[k].d.mid);
+    EXPECT_EQ(f.for_qq[k].v.rad, g.for_qq[k].v.rad);
+  }
+}
+
+TEST(Legs, AreThoseThatAreMadeAtOnce) {
+  Rng rng(82);
+  for (std::uint64_t i = 0; i < effort(200); ++i) {
+    const Motion p = random_motion(rng, 12), q = random_motion(rng, 12);
+    const double start = rng.real(-1, 1), end = start + rng.real(0, 8);
+    const std::vector<Leg> all = all_legs(pieces_between(p, start, end), pieces_between(q, start, end), start, end);
+    const Legs legs = make_legs(PieceList::between(p, start, end), PieceList::between(q, start, end), start, end);
+    ASSERT_EQ(legs.size(), all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      expect_same(legs[k], all[k]);
+      EXPECT_EQ(legs.place(k).bridge, all[k].bridge);
+      EXPECT_EQ(legs.place(k).start, all[k].time(all[k].start));
+      EXPECT_EQ(legs.place(k).end, all[k].time(all[k].end));
+    }
+    for (int k = 0; k < 20; ++k) {
+      const auto any = static_cast<std::size_t>(rng.below(static_cast<int>(all.size())));
+      expect_same(legs[any], all[any]);
+    }
+    for (const double t : {start, end, rng.real(start, end), start - 1, end + 1}) {
+      std::size_t first = 0;
+      while (first < all.size() && all[first].time(all[first].end) < t) ++first;
+      EXPECT_EQ(legs.first_until(t), first);
+    }
+  }
+}
+
+Legs keyframes(int count) {
+  Motion motion;
+  for (int k = 0; k < count; ++k) {
+    MotionPiece piece;
+    piece.x = {static_cast<double>(k % 2)};
+    piece.until = k + 1;
+    motion.pieces.push_back(piece);
+  }
+  return make_legs(PieceList::between({}, 0, count), PieceList::between(motion, 0, count), 0, count);
+}
+
+/// Whoever holds a leg has the one that others are given, however many there have been between.
+TEST(Legs, AreTheSameWhileHeld) {
+  const Legs legs = keyframes(1000);
+  ASSERT_EQ(legs.size(), 1999u);
+  const std::shared_ptr<const Leg> held = legs.hold(7);
+  std::weak_ptr<const Leg> dropped = legs.hold(8);
+  for (std::size_t k = 0; k < legs.size(); ++k) legs[k];
+  EXPECT_EQ(held->joint, 4);
+  EXPECT_EQ(legs.hold(7), held);
+  EXPECT_TRUE(dropped.expired());
+  const Legs copy = legs;
+  EXPECT_NE(copy.hold(7), held);
+}
+
+TEST(Legs, OneCanComeFirst) {
+  Legs legs = keyframes(30);
+  const double end = legs[20].end;
+  legs.put_first(Leg::bridging(MotionPiece{}, MotionPiece{}, MotionPiece{}, MotionPiece{}, 0));
+  EXPECT_EQ(legs.size(), 60u);
+  EXPECT_TRUE(legs.front().bridge);
+  EXPECT_EQ(legs[21].end, end);
+  EXPECT_EQ(legs.place(0).end, 0);
+  EXPECT_EQ(legs.first_until(0), 0u);
+}
+
+}  // namespace
+}  // namespace taut::testing
