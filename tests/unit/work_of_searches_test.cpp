@@ -52,6 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
         // Bounded in powers of the time itself, the cosine leaves stretches as short as the square of their distance
         // from that instant.
         Limits{"cosine_that_nearly_reaches_one", 1'000'000, 200'000},
+        // A search for the first root in ever shorter stretches, from where a bend alone tells.
+        Limits{"corners_that_leave_along_edges", 30'000, 30'000},
         // Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
         Limits{"ties_beside_a_cosine_that_nearly_reaches_one", 300'000, 2'000'000}),
     [](const auto& test) { return std::string(test.param.scene); });
