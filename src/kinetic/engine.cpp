@@ -4,125 +4,15 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
-#include "pair/placement.hpp"
 
 namespace taut {
 namespace {
 
 /// In units of interruption_point(): of a certificate that is looked at, and of an event with its repair.
-constexpr std::uint64_t work_of_look = 1, work_of_event = 12;
-/// Of a vertex of a tiling that is built from nothing; of every start.
-constexpr std::uint64_t work_of_vertex = 12, work_of_start = 30;
+/// Where functions are lines, all of that costs half.
+constexpr std::uint64_t work_of_look = 1, work_of_event = 12, work_of_event_on_lines = 6;
 
 }  // namespace
-
-Engine::Engine(PairGeometry geometry, Legs legs, EngineObserver* observer, const KnownTilings& known)
-    : geometry_(std::move(geometry)),
-      legs_(std::move(legs)),
-      leg_(legs_.hold(0)),
-      observer_(observer),
-      solver_(geometry_),
-      queue_(certificates_, solver_.pool()),
-      settled_(geometry_, certificates_) {
-  parameter_ = reached_ = leg().start;
-  if (known.map) {
-    take_map(known);
-  } else {
-    build(known);
-  }
-}
-
-namespace {
-
-StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
-  if (known.p && known.q) {
-    if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
-  }
-  interruption_point_before(work_of_vertex * placement.size());
-  placement.tabulate();
-  return build_tiling(placement);
-}
-
-}  // namespace
-
-void Engine::build(const KnownTilings& known) {
-  count_work(work_of_start);
-  Placement placement(geometry_, leg(), parameter_, Positions::on_demand);
-  StaticTiling tiling = tiling_of(placement, known);
-  if (tiling.overlap) {
-    overlap_ = tiling.overlap;
-    state_ = EngineState::overlap;
-    return;
-  }
-  map_ = std::move(tiling.map);
-  initial_root_ = tiling.root;
-  begin(placement);
-}
-
-void Engine::take_map(const KnownTilings& known) {
-  map_ = *known.map;
-  passing_ = true;
-  begin(Placement(geometry_, *known.placed, known.parameter, Positions::on_demand));
-}
-
-/// With the certificates of the map at that placement.
-void Engine::begin(const Placement& placement) {
-  // Edges that a start has removed again may have numbers beyond those that a tiling needs.
-  certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
-  // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
-  // set before anything is allocated again: few events of few motions do. A small map has no corners for more.
-  reserve_certificates(std::min(4 * mixed_edges() + 1024, 4 * std::size_t{geometry_.size()} + 64));
-  add_certificates(placement);
-  at_start_ = placement.stages();
-  queue_.reserve(certificates_.capacity());
-  initial_ = max_active_ = active_;
-  reserve_for_legs();
-  enter_leg();
-  solver_.reserve(active_);
-}
-
-void Engine::begin_question(Legs legs) {
-  events_ = 0;
-  initial_ = max_active_ = active_;
-  settled_.forget();
-  passing_ = false;
-  replan(std::move(legs));
-}
-
-void Engine::reserve_certificates(std::size_t room) {
-  certificates_.reserve(room);
-  settled_.reserve(room);
-  free_.reserve(room);
-}
-
-void Engine::reserve_for_legs() {
-  if (!legs_.straight()) solver_.reserve_cells();
-}
-
-std::size_t Engine::mixed_edges() const {
-  std::size_t count = 0;
-  map_.for_each_changed_edge([&](HalfedgeId, VertexId from, VertexId to) { count += !geometry_.same_body(from, to); });
-  return count;
-}
-
-/// Of all corners with a PQ edge.
-void Engine::add_certificates(const Placement& placement) {
-  map_.for_each_changed_edge([&](HalfedgeId edge, VertexId from, VertexId to) {
-    if (!geometry_.same_body(from, to)) add_certificates_beside(edge, placement);
-  });
-}
-
-void Engine::add_certificates_beside(HalfedgeId edge, const Placement& placement) {
-  for (const HalfedgeId side : {edge, PlanarMap::twin(edge)}) {
-    for (const HalfedgeId h : {map_.previous(side), side}) {
-      if (certificate_of_.get(h.value).valid()) continue;
-      const Corner at = corner(h);
-      if (!is_mixed(at)) continue;
-      Certificate& c = certificates_[add_certificate(h, at).value];
-      c.sign = static_cast<std::int8_t>(placement.orientation(c.u, c.v, c.w));
-    }
-  }
-}
 
 Engine::Corner Engine::corner(HalfedgeId h) const {
   return {map_.origin(h), map_.target(h), map_.target(map_.next(h))};
@@ -276,7 +166,7 @@ bool Engine::step(double t) {
     return true;
   }
   if (next_event(t)) {
-    interruption_point(work_of_event);
+    interruption_point(LegClock::is_straight(leg()) ? work_of_event_on_lines : work_of_event);
     process(next_, leg().bridge ? leg().end : std::min(t, leg().end));
     return state_ != EngineState::contact;
   }
@@ -301,6 +191,18 @@ void Engine::replan(Legs legs) {
   if (state_ == EngineState::finished) state_ = EngineState::running;
   reserve_for_legs();
   enter_leg();
+}
+
+void Engine::reserve_for_legs() {
+  if (!legs_.straight()) solver_.reserve_cells();
+}
+
+void Engine::begin_question(Legs legs) {
+  events_ = 0;
+  initial_ = max_active_ = active_;
+  settled_.forget();
+  passing_ = false;
+  replan(std::move(legs));
 }
 
 void Engine::enter_leg() {

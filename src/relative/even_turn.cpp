@@ -15,6 +15,17 @@ constexpr double least_turn = 64;
 /// Bounds are made with so much room, and kept while they are no larger than twice what is needed.
 constexpr double room_of_bounds = 1.25;
 
+/// Looked at first, as most legs do not.
+bool turns_often(const Leg& leg) {
+  double fastest = 0;
+  const auto look = [&](const Coefficients& angle) { fastest = std::max(fastest, std::fabs(coefficient(angle, 1))); };
+  for (const MotionPiece* piece : {&leg.p, &leg.q}) {
+    if (const auto* given = std::get_if<AngleRotation>(&piece->rotation)) look(given->angle);
+  }
+  look(leg.turn);
+  return fastest * (leg.end - leg.start) > least_turn && fastest < 0x1p100;
+}
+
 /// The coefficients of D over a range from those about its middle.
 template <class Sizes>
 double size_over(const Sizes& size, int terms, int j, double radius) {
@@ -46,12 +57,13 @@ void EvenTurn::Spin::set(const Angle& a) {
 }
 
 std::shared_ptr<const EvenTurn> EvenTurn::of(const Leg& leg) {
-  if (leg.bridge || leg.composed || leg.translation) return nullptr;
+  if (leg.bridge || leg.composed || leg.translation || !turns_often(leg)) return nullptr;
+  if (leg.degree > last) return nullptr;  // a series does not have all of D
   const auto even = std::make_shared<EvenTurn>();
   return even->take(leg) ? even : nullptr;
 }
 
-/// False where a body turns in another way, or by little.
+/// False where a body turns in another way.
 bool EvenTurn::take(const Leg& leg) {
   const auto take_angle = [](const Rotation& rotation, std::optional<Angle>& angle) {
     if (std::holds_alternative<NoRotation>(rotation)) return true;
@@ -70,11 +82,6 @@ bool EvenTurn::take(const Leg& leg) {
     both = p ? *p : *q;
     both->sign = p ? -1 : 1;
   }
-  double fastest = 0;
-  for (const auto* angle : {&p, &q, &both}) {
-    if (*angle) fastest = std::max(fastest, std::fabs((*angle)->c1));
-  }
-  if (!(fastest * (leg.end - leg.start) > least_turn) || !(fastest < 0x1p100)) return false;
   if (p) to_p_.set(*p);
   if (q) to_q_.set(*q);
   if (!aligned_) relative_.set(*both);

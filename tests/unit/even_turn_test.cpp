@@ -49,7 +49,7 @@ Leg random_leg(Rng& rng) {
     }
     if (rng.chance(0.3)) piece->pivot = {rng.real(-1, 1), rng.real(-1, 1)};
   }
-  if (rng.chance(0.1)) p.x.push_back(0.5 / length / length);
+  for (int k = 2; k < 10 && rng.chance(0.3); ++k) q.y.push_back(0.5 / std::pow(1e6 + length, k));
   return Leg::motion(p, q, start, start + length);
 }
 
@@ -129,6 +129,12 @@ TEST(EvenTurn, OtherLegsHaveNone) {
   EXPECT_FALSE(of(AngleRotation{{0, 10}}));
   EXPECT_FALSE(of(AngleRotation{{0, 100, 1}}));
   EXPECT_FALSE(of(NoRotation{}));
+  MotionPiece piece;
+  piece.rotation = AngleRotation{{0, 100}};
+  piece.x = Coefficients(10, 0.5);
+  EXPECT_TRUE(EvenTurn::of(Leg::motion(MotionPiece{}, piece, 0, 1)));
+  piece.x = Coefficients(11, 0.5);
+  EXPECT_FALSE(EvenTurn::of(Leg::motion(MotionPiece{}, piece, 0, 1)));
 }
 
 /// A triangle that turns beside a square, or two that turn unevenly fast.

@@ -19,7 +19,7 @@ Coefficients coefficients(Rng& rng) {
   return c;
 }
 
-MotionPiece random_piece(Rng& rng) {
+MotionPiece piece_of_any_form(Rng& rng) {
   MotionPiece piece;
   piece.x = coefficients(rng);
   piece.y = coefficients(rng);
@@ -48,7 +48,7 @@ Motion random_motion(Rng& rng, int most) {
   Motion motion;
   double t = rng.real(-1, 1);
   for (int k = rng.between(1, most); k > 0; --k) {
-    motion.pieces.push_back(!motion.pieces.empty() && rng.chance(0.1) ? motion.pieces.back() : random_piece(rng));
+    motion.pieces.push_back(!motion.pieces.empty() && rng.chance(0.1) ? motion.pieces.back() : piece_of_any_form(rng));
     motion.pieces.back().until = t += rng.chance(0.3) ? 1 : rng.real(0.1, 1);
   }
   motion.pieces.back().until = INFINITY;

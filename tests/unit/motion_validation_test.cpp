@@ -62,7 +62,7 @@ TEST(MotionValidation, RefusesPiecesThatDoNotFit) {
 }
 
 /// The Chebyshev polynomial of this degree: it reaches 1 and -1 in turn, all over [-1, 1].
-Coefficients chebyshev(int degree) {
+Coefficients chebyshev_polynomial(int degree) {
   Coefficients before{1}, last{0, 1};
   for (int k = 1; k < degree; ++k) {
     Coefficients next(last.size() + 1, 0.0);
@@ -89,9 +89,9 @@ TEST(MotionValidation, TellsCosinesThatReachOneFromOnesBeyondIt) {
   EXPECT_NE(refusal_of_rotation(CosineRotation{{-1 - 0x1p-39}}, 0, 1), "");
   EXPECT_NE(refusal_of_rotation(CosineRotation{{1 + 0x1p-40, 0, -1}}, -1, 1), "") << "it just reaches the bound";
   for (const int degree : {2, 11, 12, 16}) {
-    EXPECT_EQ(refusal_of_rotation(CosineRotation{chebyshev(degree)}, -1, 1), "") << degree;
-    EXPECT_NE(refusal_of_rotation(CosineRotation{chebyshev(degree)}, -1, 1.0001), "") << degree;
-    Coefficients beyond = chebyshev(degree);
+    EXPECT_EQ(refusal_of_rotation(CosineRotation{chebyshev_polynomial(degree)}, -1, 1), "") << degree;
+    EXPECT_NE(refusal_of_rotation(CosineRotation{chebyshev_polynomial(degree)}, -1, 1.0001), "") << degree;
+    Coefficients beyond = chebyshev_polynomial(degree);
     for (double& c : beyond) c *= 1 + 0x1p-38;
     EXPECT_NE(refusal_of_rotation(CosineRotation{beyond}, -0.5, 0.99), "") << degree;
   }
@@ -117,8 +117,8 @@ TEST(MotionValidation, RefusesDirectionsThatVanishAndNoOthers) {
 }
 
 TEST(MotionValidation, AcceptsNothingThatItCouldNotSearch) {
-  EXPECT_EQ(beyond_one(chebyshev(16), -1, 1), std::nullopt);
-  EXPECT_THROW(beyond_one(chebyshev(16), -1, 1, 100), SearchExhausted);
+  EXPECT_EQ(beyond_one(chebyshev_polynomial(16), -1, 1), std::nullopt);
+  EXPECT_THROW(beyond_one(chebyshev_polynomial(16), -1, 1, 100), SearchExhausted);
   const Coefficients sqrt_two{-2, 0, 1}, multiple{0, -2, 0, 1};
   EXPECT_NE(common_zero(sqrt_two, multiple, 0, 2), std::nullopt);
   EXPECT_THROW(common_zero(sqrt_two, multiple, 0, 2, 100), SearchExhausted);

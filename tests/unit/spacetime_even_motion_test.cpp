@@ -38,7 +38,7 @@ LongPose long_pose(const std::vector<MotionPiece>& chain, long double t) {
   return pose;
 }
 
-MotionPiece random_piece(Rng& rng) {
+MotionPiece random_even_piece(Rng& rng) {
   MotionPiece piece;
   if (rng.chance(0.8)) piece.x = {rng.real(-1, 1), rng.real(-1, 1)};
   if (rng.chance(0.8)) piece.y = {rng.real(-1, 1), rng.real(-1, 1)};
@@ -62,8 +62,8 @@ TEST(EvenMotions, StretchesKeepTheirLaw) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     std::vector<MotionPiece> p, q;
-    for (int k = rng.between(0, 2); k > 0; --k) p.push_back(random_piece(rng));
-    for (int k = rng.between(1, 3); k > 0; --k) q.push_back(random_piece(rng));
+    for (int k = rng.between(0, 2); k > 0; --k) p.push_back(random_even_piece(rng));
+    for (int k = rng.between(1, 3); k > 0; --k) q.push_back(random_even_piece(rng));
     const double reach = rng.real(0.01, 0.5), start = rng.real(-1, 1), end = start + std::exp2(-rng.real(0, 30));
     EvenStretch even = EvenMotion(p, q, reach).stretch(start, end);
     const double middle = start + (end - start) / 2;
@@ -101,7 +101,7 @@ TEST(EvenMotions, EdgesThatCross) {
       p.push_back({rng.real(-1, 1), rng.real(-1, 1), 0, 0});
       q.push_back({rng.real(-0.5, 0.5), rng.real(-0.5, 0.5), 0, 0});
     }
-    const std::vector<MotionPiece> motion{random_piece(rng)};
+    const std::vector<MotionPiece> motion{random_even_piece(rng)};
     const double t = rng.real(-1, 1);
     const PairGeometry g(p, q);
     EvenStretch even = EvenMotion({}, motion, 0.8).stretch(t, t);
