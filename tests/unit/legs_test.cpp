@@ -44,7 +44,7 @@ MotionPiece piece_of_any_form(Rng& rng) {
   return piece;
 }
 
-Motion random_motion(Rng& rng, int most) {
+Motion motion_of_any_forms(Rng& rng, int most) {
   Motion motion;
   double t = rng.real(-1, 1);
   for (int k = rng.between(1, most); k > 0; --k) {
@@ -65,7 +65,7 @@ void expect_same(const MotionPiece& a, const MotionPiece& b) {
 TEST(PieceList, GivesBackWhatItWasMadeOf) {
   Rng rng(81);
   for (std::uint64_t i = 0; i < effort(300); ++i) {
-    const Motion motion = random_motion(rng, 8);
+    const Motion motion = motion_of_any_forms(rng, 8);
     const double start = rng.real(-2, 3), end = start + rng.real(0, 4);
     std::vector<MotionPiece> pieces = pieces_between(motion, start, end);
     const PieceList list = PieceList::between(motion, start, end, 3);
@@ -137,7 +137,7 @@ void expect_same(const Leg& a, const Leg& b) {
 TEST(Legs, AreThoseThatAreMadeAtOnce) {
   Rng rng(82);
   for (std::uint64_t i = 0; i < effort(200); ++i) {
-    const Motion p = random_motion(rng, 12), q = random_motion(rng, 12);
+    const Motion p = motion_of_any_forms(rng, 12), q = motion_of_any_forms(rng, 12);
     const double start = rng.real(-1, 1), end = start + rng.real(0, 8);
     const std::vector<Leg> all = all_legs(pieces_between(p, start, end), pieces_between(q, start, end), start, end);
     const Legs legs = make_legs(PieceList::between(p, start, end), PieceList::between(q, start, end), start, end);
