@@ -4,5 +4,5 @@ for each kind of what is drawn to be there."""
 import os
 
 
-def effort(n):
-    return n // 4 if os.environ.get("TAUT_EFFORT") == "tenth" else n
+def effort(n, fewer=None):
+    return fewer or n // 4 if os.environ.get("TAUT_EFFORT") == "tenth" else n
