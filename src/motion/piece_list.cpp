@@ -6,6 +6,12 @@
 #include "motion/rotation_forms.hpp"
 
 namespace taut {
+namespace {
+
+/// From so many on it matters how much room there is that nothing is in.
+constexpr std::size_t many_pieces = 256;
+
+}  // namespace
 
 void PieceList::Packed::add(const MotionPiece& piece) {
   Place place;
@@ -33,6 +39,7 @@ void PieceList::Packed::add(const MotionPiece& piece) {
 }
 
 void PieceList::Packed::trim() {
+  if (places.size() < many_pieces) return;
   places.shrink_to_fit();
   numbers.shrink_to_fit();
 }

@@ -6,6 +6,12 @@
 #include "motion/pieces.hpp"
 
 namespace taut {
+namespace {
+
+/// From so many on it matters how much room there is that nothing is in.
+constexpr std::size_t many_legs = 256;
+
+}  // namespace
 
 /// Two chains of motions, and which of their pieces hold on which stretch.
 struct Legs::Route {
@@ -32,12 +38,13 @@ struct Legs::Route {
   }
   Leg make(std::size_t k) const {
     const LegPlace& at = places[k];
-    const PieceChain of_p = pieces(true, at.stretch), of_q = pieces(false, at.stretch);
-    const bool plain = p.size() == 1 && q.size() == 1;
-    if (!at.bridge) {
-      return plain ? Leg::motion(of_p[0], of_q[0], at.start, at.end)
-                   : Leg::motion_of_chains(of_p, of_q, at.start, at.end);
+    if (!at.bridge && p.size() == 1 && q.size() == 1) {
+      const std::uint32_t* numbers = &followed[at.stretch * 2];
+      return Leg::motion(p[0][numbers[0]], q[0][numbers[1]], at.start, at.end);
     }
+    const PieceChain of_p = pieces(true, at.stretch), of_q = pieces(false, at.stretch);
+    if (!at.bridge) return Leg::motion_of_chains(of_p, of_q, at.start, at.end);
+    const bool plain = p.size() == 1 && q.size() == 1;
     const PieceChain next_p = pieces(true, at.stretch + 1), next_q = pieces(false, at.stretch + 1);
     const bool is_far = far(of_p, of_q, places[k - 1]) || far(next_p, next_q, places[k + 1]);
     return plain ? Leg::bridging(of_p[0], of_q[0], next_p[0], next_q[0], at.start, is_far)
@@ -53,6 +60,7 @@ void Legs::Route::lay(double start, double end) {
     }
   };
   for (std::size_t k = 0; k < at.size(); ++k) at[k] = static_cast<std::uint32_t>(motion(k).number_at(start));
+  std::vector<std::uint32_t> before;
   std::uint32_t stretch = 0;
   for (double t = start;; ++stretch) {
     double until = end;
@@ -61,12 +69,13 @@ void Legs::Route::lay(double start, double end) {
     places.push_back({t, until, false, stretch});
     if (until >= end) break;
     t = until;
-    const std::vector<std::uint32_t> before = at;
+    before = at;
     advance(t);
     bool changes = false;
     for (std::size_t k = 0; k < at.size(); ++k) changes = changes || !motion(k).same_at(before[k], at[k]);
     if (changes) places.push_back({t, t, true, stretch});
   }
+  if (places.size() < many_legs) return;
   places.shrink_to_fit();
   followed.shrink_to_fit();
 }
