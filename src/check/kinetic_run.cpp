@@ -61,7 +61,7 @@ class KineticRun final : public Run {
     if (done_) return true;
     if (effort < needed_) return false;
     needed_ = 0;
-    const InterruptionScope turn(effort < UINT64_MAX - overtime_ ? effort + overtime_ : UINT64_MAX);
+    const InterruptionScope turn(with_overtime(effort));
     const std::uint64_t until = effort < UINT64_MAX - work_spent() ? work_spent() + effort : UINT64_MAX;
     step_began_ = work_spent();
     try {
@@ -70,7 +70,7 @@ class KineticRun final : public Run {
     } catch (const Interrupted& limit) {
       if (!turn.exhausted()) give_up(limit.reason, reached());
       needed_ = std::max(2 * (work_spent() - step_began_), turn.wanted());
-      overtime_ = std::max(short_overtime, turn.wanted());
+      wanted_ = turn.wanted();
     } catch (const Undecidable& limit) {
       give_up(not_decided(limit), reached());
     }
@@ -84,8 +84,12 @@ class KineticRun final : public Run {
   StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
-  /// An event that has begun may go on for so long.
-  static constexpr std::uint64_t short_overtime = 64;
+  /// An event, or a start, that has begun may go on for as long again, and longer where it was foreseen, which is
+  /// rough.
+  std::uint64_t with_overtime(std::uint64_t effort) const {
+    const std::uint64_t more = std::max({effort, wanted_, std::uint64_t{64}});
+    return effort < UINT64_MAX - more ? effort + more : UINT64_MAX;
+  }
 
   void build() {
     const Timer timer(answer_.build_seconds);
@@ -135,9 +139,9 @@ class KineticRun final : public Run {
   std::unique_ptr<Session> session_;
   Answer answer_;
   bool done_ = false;
-  std::uint64_t step_began_ = 0;             ///< work_spent() then
-  std::uint64_t needed_ = 0;                 ///< the next turn has to be as long
-  std::uint64_t overtime_ = short_overtime;  ///< and may take so much longer: what is long is foreseen but roughly
+  std::uint64_t step_began_ = 0;  ///< work_spent() then
+  std::uint64_t needed_ = 0;      ///< the next turn has to be as long
+  std::uint64_t wanted_ = 0;      ///< by a start for which there was no room
 };
 
 }  // namespace
