@@ -111,6 +111,12 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
   return Ahead::passed;
 }
 
+/// How long the vertex is certainly beyond one of the edge's ends from t on.
+double LeafTest::beyond_ends(FrameWindow& window, const Functions& f, double t, double limit) const {
+  return std::max(Course(f.from_start, window, t, -1).positive_until(limit),
+                  Course(f.from_end, window, t, -1).positive_until(limit));
+}
+
 /// Where doubles see no value at t, but a slope, one sign at high precision tells which way the function leaves zero,
 /// and doubles do the rest. `unknown` if they see no slope either, or would soon be at a loss again.
 LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root) {
@@ -143,14 +149,12 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;
     // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
-    double step = std::max(Course(f.from_start, window, t, -1).positive_until(left),
-                           Course(f.from_end, window, t, -1).positive_until(left));
+    double step = beyond_ends(window, f, t, left);
     if (step >= left) return std::nullopt;
     const int sign = f.line.value(window.at(t, f.line.pp)).sign();
     const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
     if (on_side >= left) return std::nullopt;
-    Crossing root;
-    root.pair = pair;
+    Crossing root{pair};
     if (on_side > step) {
       step = on_side;
       const Ahead ahead = look_ahead(window, f, limit, sign, t, root);

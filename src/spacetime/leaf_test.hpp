@@ -36,6 +36,7 @@ class LeafTest {
   bool excluded_in_range(const FrameWindow& window, const VertexEdge& pair) const;
   bool isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
                double& falls_until);
+  double beyond_ends(FrameWindow& window, const Functions& f, double t, double limit) const;
   enum class Ahead : unsigned char { unknown, passed, crossing };
   Ahead look_ahead(FrameWindow& window, const Functions& f, double limit, int sign, double& t, Crossing& root);
   Ahead leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root);
