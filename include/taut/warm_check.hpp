@@ -25,7 +25,9 @@ class WarmCheck {
   /// `engine` is taken to be kinetic. What else the options point to must live as long.
   explicit WarmCheck(const CheckOptions& options = {});
   ~WarmCheck();
+  /// The one moved from may only be destroyed or assigned to.
   WarmCheck(WarmCheck&&) noexcept;
+  /// The same.
   WarmCheck& operator=(WarmCheck&&) noexcept;
 
   /// Throws InputError, as taut::check() does, and then forgets nothing.
