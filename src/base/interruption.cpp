@@ -68,6 +68,10 @@ void interruption_point_before(std::uint64_t work) {
   if (innermost) innermost->look_ahead(work);
 }
 
+void keep_work(std::uint64_t work) {
+  if (innermost) innermost->kept_ += work;
+}
+
 void count_work(std::uint64_t work) { spent += work; }
 
 std::uint64_t work_spent() { return spent; }

@@ -32,10 +32,13 @@ class InterruptionScope {
   bool exhausted() const { return exhausted_; }
   /// How much what comes next takes, if it was not begun because less was left.
   std::uint64_t wanted() const { return wanted_; }
+  /// How much of what was stopped is not lost.
+  std::uint64_t kept() const { return kept_; }
 
  private:
   friend void interruption_point(std::uint64_t);
   friend void interruption_point_before(std::uint64_t);
+  friend void keep_work(std::uint64_t);
   void look();
   void look_ahead(std::uint64_t work);
 
@@ -43,7 +46,7 @@ class InterruptionScope {
   bool limited_ = false;
   std::uint64_t until_ = UINT64_MAX;  ///< which work_spent()
   bool exhausted_ = false;
-  std::uint64_t wanted_ = 0;
+  std::uint64_t wanted_ = 0, kept_ = 0;
   Clock::time_point deadline_{};
   InterruptionScope* outer_;
 };
@@ -62,12 +65,14 @@ class UncountedWork {
   InterruptionScope unlimited_;
 };
 
-/// Counts so much work, and stops it where that is asked for. A unit is what a look at two boxes costs, some 60 ns of
+/// Counts so much work, and stops it where that is asked for. A unit is what a look at two boxes costs, some 50 ns of
 /// 2020: whatever costs far more than that says how much. So the work of different engines can be compared, and is the
 /// same on every machine.
 void interruption_point(std::uint64_t work = 1);
 /// Before something that has to be begun anew if it is stopped, and takes about so much: stops now where less is left.
 void interruption_point_before(std::uint64_t work);
+/// Of what is stopped now, so much is gone on with when it is begun again.
+void keep_work(std::uint64_t work);
 /// Counts it alone, where nothing may be left half done.
 void count_work(std::uint64_t work);
 /// All that this thread has counted so far.

@@ -54,13 +54,21 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
   const bool kinetic_first = lead.engine == EngineName::kinetic;
   Entrant first(lead.engine, scene, options);
   Entrant second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
-  // Touching asks the same once more, for which the same engine is the better one, as a rule.
-  const auto finished = [&](Entrant& winner, const Entrant* other) {
-    const Lead next{winner.engine(), winner.effort().spent() + winner.effort().spent() / 2};
-    Question again = [&next](const Scene& s, const CheckOptions& o) { return answer_in_turns(s, o, next); };
-    if (winner.engine() == EngineName::kinetic) again = unless_soon_apart(winner.effort().spent() / 2, again);
-    Answer answer = with_touching(winner.run(), scene, options, again);
-    if (other) add_time(other->run().answer(), answer);
+  const auto finished = [&](Entrant& winner, Entrant* other) {
+    // Touching asks the same once more, for which the same engine is the better one, as a rule. But where the other one
+    // is nearly done, too, it may not leave that open.
+    const std::uint64_t longer = winner.effort().spent() + winner.effort().spent() / 2;
+    const auto settles = [&] {
+      return other->decides_by(longer) && other->run().answer().outcome == Outcome::free &&
+             !leaves_touching_open(other->run(), options);
+    };
+    Entrant *told = &winner, *left = other;
+    if (other && leaves_touching_open(winner.run(), options) && settles()) std::swap(told, left);
+    const Question again = [&](const Scene& s, const CheckOptions& o) {
+      return answer_in_turns(s, o, {winner.engine(), longer});
+    };
+    Answer answer = with_touching(told->run(), scene, options, again);
+    if (left) add_time(left->run().answer(), answer);
     return answer;
   };
   first.begin();

@@ -46,9 +46,9 @@ class Timer {
   Clock::time_point start_;
 };
 
-/// A turn that ends in the middle of an event leaves it there: the engine keeps what is done, and makes the one search
-/// that it was at anew. So it is taken up again only in a turn that is twice as long as what was lost; and a tiling
-/// that is built from nothing is not begun before there is room for it.
+/// A turn that ends in the middle of an event leaves it there: the engine keeps what is done, and the search for a sign
+/// change that it was at. What is lost nevertheless is taken up again only in a turn that is twice as long; and a
+/// tiling that is built from nothing is not begun before there is room for it.
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher, NearStart* near = nullptr)
@@ -69,7 +69,7 @@ class KineticRun final : public Run {
       done_ = run(until);
     } catch (const Interrupted& limit) {
       if (!turn.exhausted()) give_up(limit.reason, reached());
-      needed_ = std::max(2 * (work_spent() - step_began_), turn.wanted());
+      needed_ = std::max(2 * lost(turn), turn.wanted());
       wanted_ = turn.wanted();
     } catch (const Undecidable& limit) {
       give_up(not_decided(limit), reached());
@@ -89,6 +89,12 @@ class KineticRun final : public Run {
   std::uint64_t with_overtime(std::uint64_t effort) const {
     const std::uint64_t more = std::max({effort, wanted_, std::uint64_t{64}});
     return effort < UINT64_MAX - more ? effort + more : UINT64_MAX;
+  }
+
+  /// What was done for nothing, and has to be begun anew.
+  std::uint64_t lost(const InterruptionScope& turn) const {
+    const std::uint64_t since = std::max(step_began_, session_ ? session_->engine().work_kept() : 0);
+    return work_spent() - std::min(work_spent(), since + turn.kept());
   }
 
   void build() {

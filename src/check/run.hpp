@@ -61,6 +61,8 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 /// closed touching: see Answer::touching.
 using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
+/// Will it be asked again?
+bool leaves_touching_open(const Run& run, const CheckOptions& options);
 /// Asks `otherwise`, unless boxes show with so little work that nothing meets.
 Question unless_soon_apart(std::uint64_t effort, const Question& otherwise);
 

@@ -6,11 +6,15 @@
 
 namespace taut {
 
+bool leaves_touching_open(const Run& run, const CheckOptions& options) {
+  if (run.answer().outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return false;
+  // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.
+  return run.stages().beyond_doubles() != 0;
+}
+
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again) {
   Answer answer = run.answer();
-  if (answer.outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return answer;
-  // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.
-  if (run.stages().beyond_doubles() == 0) return answer;
+  if (!leaves_touching_open(run, options)) return answer;
   CheckOptions closed = options;
   closed.touch = Touch::closed;
   closed.tracer = nullptr;

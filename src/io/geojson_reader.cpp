@@ -1,4 +1,6 @@
 // Polygons as GeoJSON (RFC 7946). Members that taut has no use for are allowed, as the RFC demands.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/json_document.hpp"
@@ -16,6 +18,8 @@ namespace {
 
 const char* const polygon_shape = R"({"type":"Polygon","coordinates":[[[x,y],[x,y],...]]})";
 
+std::string write_polygon() { return fmt::format("write {}", polygon_shape); }
+
 /// The token of a member's value; 0, which is the root and never a member, if there is none.
 std::size_t find_member(const JsonDocument& document, std::size_t object, const std::string& key) {
   const std::size_t end = document.after(object);
@@ -30,7 +34,7 @@ std::size_t get_member(const JsonDocument& document, std::size_t object, const s
   document.require(object, JsonKind::object, path, polygon_shape);
   const std::size_t value = find_member(document, object, key);
   if (value == 0) {
-    throw document.error(object, path, "the key \"" + key + "\" is missing", std::string("write ") + polygon_shape);
+    throw document.error(object, path, "the key \"" + key + "\" is missing", write_polygon());
   }
   document.require(value, kind, path.empty() ? key : path + "." + key, polygon_shape);
   return value;
@@ -116,9 +120,8 @@ class GeoJsonReader {
       for_each_element(list, prefix + "coordinates",
                        [this](std::size_t i, const std::string& p) { read_polygon(i, p); });
     } else {
-      const InputError error =
-          document_.error(type, prefix + "type", "expected a Polygon or MultiPolygon, found " + found_type(name),
-                          std::string("write ") + polygon_shape);
+      const InputError error = document_.error(
+          type, prefix + "type", "expected a Polygon or MultiPolygon, found " + found_type(name), write_polygon());
       if (!lenient_) throw error;
       features_.back().skipped.push_back(error.place() + ": " + found_type(name) + " is no polygon");
     }
@@ -158,8 +161,7 @@ class GeoJsonReader {
   }
 
   void require_some(std::size_t array, const std::string& path, const char* problem) const {
-    if (document_.after(array) == array + 1)
-      throw document_.error(array, path, problem, std::string("write ") + polygon_shape);
+    if (document_.after(array) == array + 1) throw document_.error(array, path, problem, write_polygon());
   }
 
   template <class Visit>
@@ -177,7 +179,7 @@ class GeoJsonReader {
 
 std::vector<GeoFeature> read_features(std::string text, const std::string& name, const ReadLimits& limits, bool lenient,
                                       Quoting quoting) {
-  const JsonDocument document = parse_json(std::move(text), name, std::string("write ") + polygon_shape, quoting);
+  const JsonDocument document = parse_json(std::move(text), name, write_polygon(), quoting);
   require_distinct_keys(document);
   return GeoJsonReader(document, limits, lenient).read();
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// In units of interruption_point(): of a certificate that is looked at, and of an event with its repair.
 /// Where functions are lines, all of that costs half.
-constexpr std::uint64_t work_of_look = 1, work_of_event = 12, work_of_event_on_lines = 6;
+constexpr std::uint64_t work_of_look = 3, work_of_event = 10, work_of_event_on_lines = 5;
 
 }  // namespace
 
@@ -92,6 +92,7 @@ class Requeue {
 /// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
+    work_kept_ = work_spent();
     interruption_point(work_of_look);
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
@@ -233,6 +234,7 @@ void Engine::finish_sweep() {
     const CertificateId id = those_open ? open[i] : CertificateId(i);
     Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
+    work_kept_ = work_spent();
     if (those_open || (!settled_.is_settled(id) && (sweep_.all_due || settled_.was_settled(id)))) {
       // A line costs half of that.
       interruption_point(LegClock::is_straight(leg()) ? i % 2 * work_of_look : work_of_look);
@@ -309,6 +311,7 @@ void Engine::take_up(const RepairReport& report) {
 
 void Engine::finish_event() {
   for (; repaired_.next < repaired_.count; ++repaired_.next) {
+    work_kept_ = work_spent();
     const CertificateId id = repaired_.fresh[repaired_.next];
     solver_.start_at(certificates_[id.value], repaired_.now);
     settled_.unsettle(id);

@@ -71,6 +71,8 @@ class Engine {
   double proved_until() const;
   /// The same in the middle of an event, after an exception.
   double reached() const { return leg().time(reached_); }
+  /// work_spent() when what is done now was begun: all before that is kept if it is stopped.
+  std::uint64_t work_kept() const { return work_kept_; }
 
   /// Processes the next event whose failure time is at most t; false if there is none (then the engine stands at t),
   /// or after a contact.
@@ -175,6 +177,7 @@ class Engine {
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;
+  std::uint64_t work_kept_ = 0;
   std::size_t active_ = 0, initial_ = 0, max_active_ = 0;
   RootState initial_root_ = RootState::disjoint;
   StageCounts at_start_;

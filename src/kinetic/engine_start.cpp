@@ -10,7 +10,7 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(): of a vertex of a tiling that is built from nothing, and of every start.
-constexpr std::uint64_t work_of_vertex = 12, work_of_start = 30;
+constexpr std::uint64_t work_of_vertex = 16, work_of_start = 30;
 
 }  // namespace
 
@@ -75,7 +75,11 @@ void Engine::begin(const Placement& placement) {
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   reserve_for_legs();
-  enter_leg();
+  try {
+    enter_leg();
+  } catch (const Interrupted&) {
+    // What is made by now would be lost. The first step goes on with it, or is stopped.
+  }
   solver_.reserve(active_);
 }
 

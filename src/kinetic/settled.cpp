@@ -20,8 +20,6 @@ constexpr std::size_t patience = 4;
 constexpr std::size_t sample_size = 64;
 constexpr double hopeful_share = 0.6;
 constexpr int regions_per_leg = 4;
-/// Certificates held against a region in a unit of interruption_point().
-constexpr std::size_t looks_per_work = 2;
 
 }  // namespace
 
@@ -149,7 +147,7 @@ bool Settled::hopeful(const PlanRange& region) const {
 /// Makes it the region if it settles this share of the active set.
 bool Settled::accept(const PlanRange& region, double share, std::size_t active) {
   if (!hopeful(region)) return false;
-  count_work(certificates_.size() / looks_per_work);
+  count_work(certificates_.size());
   std::size_t settled = 0;
   trial_.assign(certificates_.size(), false);
   for (std::size_t i = 0; i < certificates_.size(); ++i) {

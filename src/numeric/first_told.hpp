@@ -40,7 +40,7 @@ int told_sign(const Quantity& quantity) {
 /// `ask(zero, stage)` where a stage that cannot tell throws PrecisionExhausted; nothing if none can.
 template <class Ask>
 auto at_some_stage(const Ask& ask, Stage first = Stage::precise)
-    -> std::optional<decltype(ask(double{}, Stage::precise))> {
+    -> std::optional<decltype(ask(Real320{}, Stage::precise))> {
   for (Stage stage = std::max(first, Stage::precise); stage <= last_stage; stage = next_precise(stage)) {
     try {
       return with_stage(stage, [&](auto zero) { return ask(zero, stage); });

@@ -162,12 +162,15 @@ Ball<Real> range_about_zero(const BallPolynomial<Real>& c, std::size_t derivativ
 
 /// The coefficients about that place.
 template <class Real>
-BallPolynomial<Real> expanded(BallPolynomial<Real> c, const Real& place) {
-  const Ball<Real> exact(place, 0.0);
+BallPolynomial<Real> expanded(BallPolynomial<Real> c, const Ball<Real>& place) {
   for (std::size_t k = 0; k + 1 < c.size; ++k) {
-    for (std::size_t i = c.size - 1; i-- > k;) c[i] = c[i] + c[i + 1] * exact;
+    for (std::size_t i = c.size - 1; i-- > k;) c[i] = c[i] + c[i + 1] * place;
   }
   return c;
+}
+template <class Real>
+BallPolynomial<Real> expanded(const BallPolynomial<Real>& c, const Real& place) {
+  return expanded(c, Ball<Real>(place, 0.0));
 }
 
 /// A polynomial given by balls (ascending) over the ball t. It is expanded about the middle first, so that the range is

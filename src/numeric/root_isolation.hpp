@@ -6,6 +6,7 @@
 
 #include "base/interruption.hpp"
 #include "numeric/jet.hpp"
+#include "numeric/root_count.hpp"
 
 namespace taut {
 
@@ -19,6 +20,9 @@ struct RootEnclosure {
 };
 
 namespace detail {
+
+/// In units of interruption_point(), beside the function's.
+constexpr std::uint64_t work_of_step = 9;
 
 /// The range over a ball; no sharper than telling its sign or its slope's needs, where the function has such a one.
 template <class Function, class Real>
@@ -50,6 +54,46 @@ bool is_expanded(const Function& f, const Ball<Real>& t) {
   } else {
     return false;
   }
+}
+
+/// What the signs of derivatives tell of an interval beyond which some signs are known.
+template <class Real>
+struct Outlook {
+  enum : unsigned char { nothing, excluded, one_root, cuts } told = nothing;
+  Real cut[2];  ///< where to cut it, in their order
+  int cut_count = 0;
+};
+
+/// Where the function is not zero, nor falls, in a way that ranges show. `sign` holds just after `lo`.
+template <class Function, class Real>
+Outlook<Real> outlook(const Function& f, int sign, const Real& lo, const Real& hi, const Ball<Real>& whole) {
+  Outlook<Real> seen;
+  if constexpr (requires { f.expansion(whole); }) {
+    const auto polynomial = f.expansion(whole);
+    if (!polynomial) return seen;
+    const Ball<Real> middle(whole.mid, 0.0);
+    const RootCount<Real> count(*polynomial, Ball<Real>(lo, 0.0) - middle, Ball<Real>(hi, 0.0) - middle);
+    const int most = count.most(sign);
+    const int at_end = most == 1 ? value_of(f, Ball<Real>(hi, 0.0)).sign() : 0;
+    if (most == 0 || at_end == sign) {
+      seen.told = Outlook<Real>::excluded;
+      return seen;
+    }
+    // The only root, too, is enclosed far better by what is around the cluster's place.
+    if (const auto cluster = count.cluster()) {
+      for (const double side : {-1.0, 1.0}) {
+        const Real place = whole.mid + cluster->centre + Real(side * cluster->radius);
+        const Real cut = RealTraits<Real>::near(place, cluster->radius);
+        if (lo < cut && cut < hi) seen.cut[seen.cut_count++] = cut;
+      }
+    }
+    if (seen.cut_count > 0) {
+      seen.told = Outlook<Real>::cuts;
+    } else if (at_end == -sign) {
+      seen.told = Outlook<Real>::one_root;
+    }
+  }
+  return seen;
 }
 
 /// The range over [a, b] by the better of three forms: direct, mean value, and second order about the middle.
@@ -113,51 +157,100 @@ class Progress {
   int alike_ = 0;
 };
 
-/// The first root in (a, b] at which the sign changes from `sign`, which holds just after a.
-/// Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted.
-/// The idea: exclude the sign change over an interval, or certify monotonicity, or cut in two, `budget` times at most.
+/// Roots that ranges tell apart take no more than a few halvings: after so many, signs of derivatives are looked at.
+inline constexpr int halvings_without_outlook = 3;
+
+/// Looks for the first root in (a, b] at which a function's sign changes. What an interruption point ends can be gone
+/// on with.
+template <class Real>
+class SignChangeSearch {
+ public:
+  /// `sign` is the function's just after a. So many intervals are looked at at most.
+  void begin(int sign, const Real& a, const Real& b, int budget = 200000) {
+    sign_ = sign;
+    lo_ = a;
+    end_ = b;
+    ends_.assign(1, b);
+    tiny_ = unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
+    budget_ = budget;
+    progress_ = Progress();
+    narrowed_ = 0;
+    root_.reset();
+    exhausted_ = false;
+  }
+  /// The root, isolated. Null if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. The same is
+  /// said again if it is asked again; what the enclosure has been refined to stays.
+  template <class Function, class Cut = Halves>
+  RootEnclosure<Real>* go_on(const Function& f, const Cut& cut = {}) {
+    // Depth first from the left.
+    for (; !ends_.empty() && !root_ && !exhausted_; --budget_) {
+      if (budget_ == 0) throw PrecisionExhausted{};
+      interruption_point(detail::work_of_step);
+      const bool excluded = look(f, cut);
+      if (excluded) leave();
+    }
+    if (exhausted_) throw PrecisionExhausted{};
+    return root_ ? &*root_ : nullptr;
+  }
+
+ private:
+  /// At the first interval that is left. True if the sign holds in it; otherwise it is cut, or it has the root.
+  template <class Function, class Cut>
+  bool look(const Function& f, const Cut& cut) {
+    using B = Ball<Real>;
+    const Real hi = ends_.back();
+    if (!(hi > lo_)) return true;
+    const B whole = B::about_short_middle(lo_, hi);
+    const Jet<Real> wide = detail::range_of(f, whole);
+    const int slope = wide.d.sign();
+    // A slope of the same sign leads away from zero.
+    if (wide.v.sign() == sign_ || slope == sign_) return true;
+    if (!detail::is_expanded(f, whole) &&
+        detail::sign_over(wide, detail::range_of(f, B(whole.mid, 0.0)), whole.rad) == sign_)
+      return true;
+    if (slope == -sign_) {
+      const int at_end = detail::value_of(f, B(hi, 0.0)).sign();
+      if (at_end == -sign_) root_ = RootEnclosure<Real>{lo_, hi};
+      if (at_end != 0) return at_end == sign_;
+    }
+    exhausted_ = exhausted_ || !(RealTraits<Real>::magnitude(Real(hi - lo_)) > tiny_);
+    if (exhausted_) return false;
+    if (++narrowed_ > halvings_without_outlook) {
+      const auto seen = detail::outlook(f, sign_, lo_, hi, whole);
+      if (seen.told == seen.one_root) root_ = RootEnclosure<Real>{lo_, hi};
+      for (int i = seen.cut_count; i-- > 0;) ends_.push_back(seen.cut[i]);
+      if (seen.told != seen.nothing) return seen.told == seen.excluded;
+    }
+    ends_.push_back(RealTraits<Real>::near(cut(lo_, hi), RealTraits<Real>::magnitude(Real(hi - lo_))));
+    return false;
+  }
+  void leave() {
+    const Real hi = ends_.back();
+    exhausted_ =
+        !progress_.goes_on(RealTraits<Real>::magnitude(Real(hi - lo_)), RealTraits<Real>::magnitude(Real(end_ - hi)));
+    lo_ = hi;
+    ends_.pop_back();
+  }
+
+  int sign_ = 0;
+  Real lo_{}, end_{};       ///< everything before `lo` is done
+  std::vector<Real> ends_;  ///< of the intervals that are left, the first one last
+  double tiny_ = 0;
+  int budget_ = 0, narrowed_ = 0;
+  Progress progress_;
+  std::optional<RootEnclosure<Real>> root_;
+  bool exhausted_ = false;
+};
+
+/// The same at once.
 template <class Real, class Function, class Cut = Halves>
 std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b,
                                                      const Cut& cut = {}, int budget = 200000) {
-  using B = Ball<Real>;
-  // Depth first from the left: `lo` is where everything before is done, `ends` the right ends of what is left. The
-  // buffer outlives the call, so that the event loop allocates nothing.
-  thread_local std::vector<Real> ends;
-  ends.assign(1, b);
-  Real lo = a;
-  const double tiny =
-      unit_roundoff<Real>() * 64 * (RealTraits<Real>::magnitude(a) + RealTraits<Real>::magnitude(b) + 0x1p-900);
-  Progress progress;
-  for (; !ends.empty(); --budget) {
-    if (budget == 0) throw PrecisionExhausted{};
-    interruption_point();
-    const Real hi = ends.back();
-    bool excluded = !(hi > lo);
-    if (!excluded) {
-      const B whole = B::about_short_middle(lo, hi);
-      const Jet<Real> wide = detail::range_of(f, whole);
-      const int slope = wide.d.sign();
-      // A slope of the same sign leads away from zero.
-      excluded = wide.v.sign() == sign || slope == sign ||
-                 (!detail::is_expanded(f, whole) &&
-                  detail::sign_over(wide, detail::range_of(f, B(whole.mid, 0.0)), whole.rad) == sign);
-      if (!excluded && slope == -sign) {
-        const int at_end = detail::value_of(f, B(hi, 0.0)).sign();
-        if (at_end == -sign) return RootEnclosure<Real>{lo, hi};
-        excluded = at_end == sign;
-      }
-      if (!excluded) {
-        if (!(RealTraits<Real>::magnitude(Real(hi - lo)) > tiny)) throw PrecisionExhausted{};
-        ends.push_back(RealTraits<Real>::near(cut(lo, hi), RealTraits<Real>::magnitude(Real(hi - lo))));
-        continue;
-      }
-    }
-    if (!progress.goes_on(RealTraits<Real>::magnitude(Real(hi - lo)), RealTraits<Real>::magnitude(Real(b - hi))))
-      throw PrecisionExhausted{};
-    lo = hi;
-    ends.pop_back();
-  }
-  return std::nullopt;
+  // The buffer outlives the call, so that the event loop allocates nothing.
+  thread_local SignChangeSearch<Real> search;
+  search.begin(sign, a, b, budget);
+  const RootEnclosure<Real>* const root = search.go_on(f, cut);
+  return root ? std::optional(*root) : std::nullopt;
 }
 
 /// No shorter one is to be had: its ends are but a few units in the last place apart.
@@ -173,7 +266,7 @@ template <class Real, class Function>
 void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough = 0) {
   using B = Ball<Real>;
   for (int step = 0; step < 4000; ++step) {
-    interruption_point();
+    interruption_point(detail::work_of_step);
     const B whole = B::about_short_middle(r.lo, r.hi);
     const B slope = detail::range_of(f, whole).d;
     const B value = detail::value_of(f, B(whole.mid, 0.0));

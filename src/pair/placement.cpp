@@ -14,7 +14,7 @@ namespace {
 /// The sweep runs along (1, tilt).
 constexpr double tilt = 0.4390625173;
 /// In units of interruption_point().
-constexpr std::uint64_t work_of_precise = 8;
+constexpr std::uint64_t work_of_precise = 16;
 static_assert(1 + tilt * tilt < Placement::steepest_key * Placement::steepest_key);
 
 }  // namespace

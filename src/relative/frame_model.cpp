@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "base/overloaded.hpp"
 #include "relative/even_turn.hpp"
 
 namespace taut {
@@ -13,7 +14,24 @@ namespace {
 constexpr double negligible = 0x1p-900;
 
 /// In units of interruption_point().
-constexpr std::uint64_t work_of_even_turn = 4;
+constexpr std::uint64_t work_of_even_turn = 6;
+
+std::uint64_t work_of_turn(const MotionPiece& piece) {
+  const int work =
+      std::visit(Overloaded{[](const NoRotation&) { return 0; }, [](const AngleRotation&) { return 14; },
+                            [](const DirectionRotation&) { return 39; }, [](const HalfAngleRotation&) { return 16; },
+                            [](const CosineRotation&) { return 26; }},
+                 piece.rotation);
+  return static_cast<std::uint64_t>(work);
+}
+/// Fitted to the times of many thousand questions.
+std::uint64_t work_of_model(const Leg& leg) {
+  if (leg.translation) return 9;
+  if (leg.composed) return 150;
+  const std::uint64_t turns = work_of_turn(leg.p) + work_of_turn(leg.q);
+  if (!taut::turns(leg.p) || !taut::turns(leg.q)) return turns;
+  return turns + (leg.p.rotation.index() == leg.q.rotation.index() ? 25 : 50);
+}
 
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
@@ -69,7 +87,7 @@ FrameModel FrameModel::over(const Leg& leg, double start, double end) {
     if (const auto m = even->model(leg, start, end)) return *m;
   }
   FrameModel m;
-  count_work(leg.translation ? 8 : leg.composed ? 150 : 50);
+  count_work(work_of_model(leg));
   const Ball<double> whole = Ball<double>::between(start, end);
   m.start = start;
   m.end = end;
@@ -94,9 +112,11 @@ bool FrameModel::finite() const {
   return true;
 }
 
+double FrameModel::leave(int i) const { return std::max(0x1p-47 * scale(i), noise[i]) + negligible; }
+
 bool FrameModel::sharp() const {
   for (int i = 0; i < functions; ++i) {
-    if (!(remainder[i] <= std::max(0x1p-47 * scale(i), noise[i]) + negligible)) return false;
+    if (!(remainder[i] <= leave(i))) return false;
   }
   return finite();
 }
@@ -105,7 +125,7 @@ bool FrameModel::barely_sharp() const {
   // 2^9, with room for functions that are several times as large over the longer interval.
   constexpr double growth = 0x1p6;
   for (int i = 0; i < functions; ++i) {
-    if (growth * remainder[i] > std::max(0x1p-47 * scale(i), noise[i]) + negligible) return true;
+    if (growth * remainder[i] > leave(i)) return true;
   }
   return false;
 }
@@ -117,14 +137,32 @@ bool FrameModel::hopeless() const {
   return false;
 }
 
-bool FrameModel::straight(double slack) const {
+double FrameModel::straightness(int i, double slack) const {
   const double share = 0x1p-4 * slack, least = 0x1p-10 * slack;
+  // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
+  return share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i] + negligible;
+}
+
+bool FrameModel::straight(double slack) const {
   for (int i = 0; i < functions; ++i) {
-    // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
-    const double way = share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i];
-    if (!(bend_rad[i] * radius * radius <= way + negligible)) return false;
+    if (!(bend_rad[i] * radius * radius <= straightness(i, slack))) return false;
   }
   return true;
+}
+
+/// What is left out grows with the ninth power of the length. Once that is little, a bend's change beside the way grows
+/// with the second one, or the third. Roots are taken by square roots alone, which are the same everywhere.
+double FrameModel::fitting_share(double slack) const {
+  constexpr double nothing = 0x1p-500;
+  double rest = nothing, turn = nothing;
+  for (int i = 0; i < functions; ++i) {
+    rest = std::max(rest, remainder[i] / leave(i));
+    turn = std::max(turn, bend_rad[i] * radius * radius / straightness(i, slack));
+  }
+  if (!(rest < INFINITY && turn < INFINITY)) return 0.5;
+  const double eighth = std::sqrt(std::sqrt(std::sqrt(rest))), of_64 = std::sqrt(std::sqrt(std::sqrt(eighth)));
+  const double by_rest = of_64 / eighth;
+  return rest > 1 ? by_rest : std::min(by_rest, 1 / std::sqrt(turn));
 }
 
 }  // namespace taut

@@ -54,6 +54,9 @@ struct FrameModel {
   bool sharp() const;
   /// An interval twice as long would hardly be sharp: what is left out grows with the power that comes next.
   bool barely_sharp() const;
+  /// About the longest interval there that is sharp and straight, as a multiple of this one's length; 1/2 where nothing
+  /// tells. A guess, no more.
+  double fitting_share(double slack = 1) const;
   /// Not even the middle of the interval has finite bounds: shorter intervals would not help.
   bool hopeless() const;
   /// The second order is off by little, measured by what the first order covers: steps by bend are nearly the longest.
@@ -94,6 +97,9 @@ struct FrameModel {
   };
   /// What an error of function i is measured by.
   double scale(int i) const { return i < 4 ? size[i] + size[i ^ 1] : 1; }
+  /// So much of it may be left out, and its bend may take it so far from straight.
+  double leave(int i) const;
+  double straightness(int i, double slack) const;
 };
 
 /// Function i of a model by Taylor's formula, from its series about the middle and, as far as that takes more, over all

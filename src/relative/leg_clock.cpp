@@ -14,6 +14,9 @@ FrameSample evaluate_exactly(const Leg& leg, double t, int first) {
   return sample_of(first == 0 ? f.for_pp : f.for_qq);
 }
 
+/// In units of interruption_point(), beside its model.
+constexpr std::uint64_t work_of_cell = 11;
+
 /// Shorter cells than this share of the leg lie at a singular instant.
 constexpr int deepest = 40;
 
@@ -85,6 +88,7 @@ std::uint64_t LegClock::index_of(int level, double t) const {
 
 void LegClock::make(ClockCell& cell) {
   cell.leaf = true;
+  cell.ahead = 0;
   cell.sharp = cell.widest = false;
   if (leg_->bridge) {
     const Frame<double> f = frame(*leg_, Ball<double>::between(0, 1));
@@ -97,11 +101,20 @@ void LegClock::make(ClockCell& cell) {
   const bool divisible = cell.level < deepest && boundary(cell.level + 1, 2 * cell.index + 1) > cell.start &&
                          boundary(cell.level + 1, 2 * cell.index + 1) < cell.end;
   cell.leaf = !divisible || (cell.sharp && cell.model.straight(slack_of_steps)) || cell.model.hopeless();
+  cell.ahead = cell.leaf ? 0 : levels_ahead(cell);
   cell.widest = cell.leaf && cell.sharp && cell.model.barely_sharp();
   cell.pp = curvature_of(cell.model, 0);
   cell.qq = curvature_of(cell.model, 2);
   cell.pp_third = third_of(cell.model, 0);
   cell.qq_third = third_of(cell.model, 2);
+}
+
+/// Rather too few than too many, and only as far as ends of cells are certainly apart.
+int LegClock::levels_ahead(const ClockCell& cell) const {
+  const double least = 0x1p-48 * std::max(std::fabs(cell.start), std::fabs(cell.end));
+  int ahead = std::max(1, -std::ilogb(cell.model.fitting_share(slack_of_steps)) - 1);
+  while (ahead > 1 && (cell.level + ahead > deepest || !(std::ldexp(cell.end - cell.start, -ahead) > least))) --ahead;
+  return ahead;
 }
 
 const ClockCell& LegClock::whole_leg() {
@@ -126,7 +139,7 @@ const ClockCell& LegClock::at_level(int level, std::uint64_t index) {
   const bool held = store_->holds(slot, key);
   ClockCell& cell = store_->cell(slot);
   if (!held) {
-    interruption_point();
+    interruption_point(work_of_cell);
     if (&cell == last_) last_ = nullptr;
     store_->key(slot) = 0;
     place(cell, level, index);
@@ -151,9 +164,8 @@ const ClockCell& LegClock::find_cell(double t) {
   return found;
 }
 
-/// The largest leaf around t, which is mostly as large as the one last found. If that is not seen at once, the way
-/// starts at the smallest cell around t and that one, which is no leaf (or that very leaf): everything larger is none
-/// either.
+/// A leaf around t, about the largest one, which is mostly as large as the one last found. If that is not seen at once,
+/// the way starts below the smallest cell around t and that one, which is no leaf (or at that very leaf).
 const ClockCell& LegClock::find_leaf(double t) {
   int level = level_;
   std::uint64_t index = index_of(level, t), last = index_;
@@ -162,9 +174,10 @@ const ClockCell& LegClock::find_leaf(double t) {
     if (next.widest) return next;
   }
   for (; index != last; index /= 2, last /= 2) --level;
-  const ClockCell* cell = &at_level(level, index);
+  if (level < level_) ++level;
+  const ClockCell* cell = &at_level(level, index_of(level, t));
   while (!cell->leaf) {
-    ++level;
+    level += cell->ahead;
     cell = &at_level(level, index_of(level, t));
   }
   return *cell;
@@ -185,6 +198,7 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
   if (!store_->outlook_known[slot]) {
     place(wide, level, index);
     wide.leaf = wide.sharp = wide.widest = false;
+    wide.ahead = 1;
     const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
     wide.pp_third = third_of(over.for_pp);
     wide.qq_third = third_of(over.for_qq);
@@ -201,6 +215,7 @@ const ClockCell& LegClock::even_outlook(int level, std::uint64_t index) {
   if (deep.outlook_keys[slot] != key) {
     place(wide, level, index);
     wide.leaf = wide.sharp = wide.widest = false;
+    wide.ahead = 1;
     wide.pp_third = even_->third(*leg_, true, wide.start, wide.end);
     wide.qq_third = even_->third(*leg_, false, wide.start, wide.end);
     deep.outlook_keys[slot] = key;

@@ -17,6 +17,7 @@ struct ClockPlace {
   std::uint64_t index;  ///< and this is one of them
   double start, end;
   bool leaf;    ///< fine enough: values come from this cell
+  int ahead;    ///< if it is not, the next cell that may be is by about so many levels finer
   bool sharp;   ///< the model's values are good; if not, the frame itself is evaluated
   bool widest;  ///< a leaf, and the next larger cell is as good as certainly none
 };
@@ -90,6 +91,7 @@ class LegClock {
   double boundary(int level, std::uint64_t index) const;
   std::uint64_t index_of(int level, double t) const;
   void make(ClockCell& cell);
+  int levels_ahead(const ClockCell& cell) const;
   /// The functions of one kind of triple at an instant.
   struct Side {
     int first;  ///< of the model's functions

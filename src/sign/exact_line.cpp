@@ -9,7 +9,7 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(), as measured.
-constexpr std::uint64_t work_of_line = 6, work_of_sign_on_line = 7, work_of_root_on_line = 8;
+constexpr std::uint64_t work_of_line = 5, work_of_sign_on_line = 6, work_of_root_on_line = 7;
 
 }  // namespace
 

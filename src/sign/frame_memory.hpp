@@ -2,6 +2,7 @@
 #pragma once
 
 #include "numeric/stages.hpp"
+#include "sign/kept_searches.hpp"
 #include "sign/taylor_frames.hpp"
 #include "sign/tie_forms.hpp"
 
@@ -12,6 +13,7 @@ struct FrameMemory {
   TieFrames ties;
   TieForms forms;
   TaylorFrames models;
+  KeptSearches searches;
   StageCounts stages;
 
   /// Makes room for what events at one instant need.
@@ -23,6 +25,7 @@ struct FrameMemory {
     ties.reset(leg);
     forms.clear();
     models.clear();
+    searches.clear();
   }
 };
 

@@ -32,7 +32,7 @@ double known_or(double bound, double otherwise) { return std::isnan(bound) ? oth
 }  // namespace
 
 PlanRange PlanRange::over_part(const Leg& leg, double from, double to) {
-  count_work(leg.translation ? 5 : 15);
+  count_work(leg.translation ? 8 : 24);
   const Ball<double> whole = Ball<double>::between(from, to);
   const Frame<double> over = unshifted_frame(leg, whole), middle = unshifted_frame(leg, Ball<double>::exact(whole.mid));
   PlanRange range;

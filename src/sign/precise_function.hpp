@@ -14,18 +14,18 @@ namespace taut {
 /// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
 template <class Real>
 class PreciseFunction {
-  /// What it costs in units of interruption_point(), as measured, within a factor of three either way: a turn needs a
-  /// sine and a cosine, or a root and a quotient, which longer numbers make little dearer; of polynomials a range needs
-  /// them about another place.
-  static constexpr std::uint64_t bits = RealTraits<Real>::bits;
-  static constexpr std::uint64_t work_of_form = 20, work_of_range = 80 + bits / 10, work_of_combination = bits / 8;
-  static constexpr std::uint64_t work_of_doubles = 20;
+  /// What it costs in units of interruption_point(), fitted to the times of many thousand questions: a turn needs a
+  /// sine and a cosine, or a root and a quotient; of polynomials a range needs them about another place.
+  static constexpr std::uint64_t bits = RealTraits<Real>::bits, square = bits * bits / 1024;
+  static constexpr std::uint64_t work_of_form = 25, work_of_range = 5 + bits / 4, work_of_combination = square * 2 / 5;
+  static constexpr std::uint64_t work_of_doubles = 10;
   std::uint64_t work_of_value() const {
-    if (std::is_same_v<Real, double>) return is_polynomial() ? 1 : 5;
-    return is_polynomial() ? 1 + (1 + bits / 320) * static_cast<std::uint64_t>(leg_.degree) : 50 + bits / 8;
+    const auto degree = static_cast<std::uint64_t>(leg_.degree);
+    if (std::is_same_v<Real, double>) return is_polynomial() ? 4 : 20;
+    return is_polynomial() ? 1 + degree * degree * square / 144 : 28 + square * 2 / 9;
   }
-  std::uint64_t work_of_jet() const { return (is_polynomial() ? 6 : 3) * work_of_value(); }
-  std::uint64_t work_of_series() const { return 12 * work_of_value(); }
+  std::uint64_t work_of_jet() const { return is_polynomial() ? 4 + work_of_value() * 3 / 2 : work_of_value() * 9 / 4; }
+  std::uint64_t work_of_series() const { return 5 * work_of_value(); }
 
  public:
   /// `models` are those of the leg, and must outlive it; without, the function has its own.
@@ -54,6 +54,15 @@ class PreciseFunction {
       if (known && known->suits(t)) return true;
     }
     return is_polynomial();
+  }
+  /// Taylor's formula about the middle of a ball, good all over it, if the telling range there is made of such a one.
+  std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& t) const requires(!std::is_same_v<Real, double>) {
+    count_work(2 * work_of_range);
+    const Ball<Real> middle(t.mid, 0.0);
+    if (is_polynomial()) return expanded(polynomial_, middle);
+    const TaylorFrame<Real>* const known = models().known(t);
+    if (!known) return std::nullopt;
+    return expanded(about_middle(*known), since_middle(*known, middle));
   }
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {

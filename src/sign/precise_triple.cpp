@@ -74,6 +74,17 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
   }
 }
 
+template <class Real>
+std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunction<Real>& f, int sign,
+                                                              const PreciseTime& from, double to) const {
+  const Real a = exactly<Real>(from.hi());
+  const auto refined = [&](RootEnclosure<Real>& root) { refine_root(f, sign, root, 0); };
+  if (memory_) return memory_->searches.root({form_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
+  auto root = first_sign_change<Real>(f, sign, a, Real(to));
+  if (root) refined(*root);
+  return root;
+}
+
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   if (t.has_sums()) {
     const ExactLine* const exact = line();
@@ -157,15 +168,15 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
       return *told_by(Stage::first_order, answer);
     }
   }
+  const KeptSearch kept{memory_ ? &memory_->searches : nullptr, form_};
   const auto search = [&](auto zero, Stage stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
-      if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage)) return *answer;
+      if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage, kept)) return *answer;
     }
-    auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to));
+    const auto root = sign_change(f, sign, from, to);
     if (!root) return std::nullopt;
-    refine_root(f, sign, *root, 0);
     return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
   };
   const auto counted = [&](auto zero, Stage stage) {

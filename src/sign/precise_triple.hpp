@@ -54,6 +54,10 @@ class PreciseTriple {
   PreciseFunction<Real> function() const {
     return {leg_, geometry_, form_, memory_ ? &memory_->models : nullptr};
   }
+  /// In (from.hi, to], as a function of time, as sharp as this precision has it; kept where there is memory.
+  template <class Real>
+  std::optional<RootEnclosure<Real>> sign_change(const PreciseFunction<Real>& f, int sign, const PreciseTime& from,
+                                                 double to) const;
   template <class Real>
   void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
 

@@ -11,23 +11,30 @@
 #include <optional>
 
 #include "numeric/root_isolation.hpp"
+#include "sign/kept_searches.hpp"
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut {
 
+/// Where a search of a form is kept, if it is.
+struct KeptSearch {
+  KeptSearches* searches = nullptr;
+  Form form{};
+};
+
 template <class Real>
 class SearchFromEnd {
  public:
-  SearchFromEnd(const PreciseFunction<Real>& f, double end, double direction)
-      : f_(f), end_(end), direction_(direction) {}
+  SearchFromEnd(const PreciseFunction<Real>& f, double end, double direction, const KeptSearch& kept = {})
+      : f_(f), end_(end), direction_(direction), kept_(kept) {}
 
   Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
 
   /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
-    const auto root = search(sign, first.lower(), last.upper());
+    const auto root = search({kept_.form, sign, from, to, direction_ > 0 ? 1 : -1}, first.lower(), last.upper());
     if (!root) return std::nullopt;
     // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
     // interval with `from` in it, the root comes after; an interval before it says nothing.
@@ -67,6 +74,9 @@ class SearchFromEnd {
     Ball<Real> telling_value(const Ball<Real>& s) const {
       const Ball<Real> near_end = polynomial_value(reaching(s), s);
       return near_end.sign() != 0 || !is_hidden_by_last(polynomial_, near_end, s) ? near_end : whole_(s).v;
+    }
+    std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& s) const {
+      return taut::expanded(reaching(s), Ball<Real>(s.mid, 0.0));
     }
     /// Ranges about the middle they all are.
     bool is_expanded(const Ball<Real>&) const { return true; }
@@ -119,17 +129,23 @@ class SearchFromEnd {
   /// In doubles it succeeds soon, or terms that cancel are all that it sees.
   static constexpr int few = 100;
   /// The root, as sharp as this precision has it.
-  std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
-    std::optional<RootEnclosure<Real>> root;
-    if constexpr (!std::is_same_v<Real, double>) {
-      const Expanded expanded(*this, direction_ > 0 ? b : a);
-      root = first_sign_change<Real>(expanded, sign, a, b, Magnitudes{});
-      if (root) taut::refine(expanded, sign, *root);
+  std::optional<RootEnclosure<Real>> search(const KeptSearches::Key& key, const Real& a, const Real& b) const {
+    const int sign = key.sign;
+    if constexpr (std::is_same_v<Real, double>) {
+      auto root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
+      if (root && !is_sharp(*root)) taut::refine(*this, sign, *root);
+      return root;
     } else {
-      root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
+      const Expanded expanded(*this, direction_ > 0 ? b : a);
+      const auto refined = [&](RootEnclosure<Real>& root) {
+        taut::refine(expanded, sign, root);
+        if (!is_sharp(root)) taut::refine(*this, sign, root);
+      };
+      if (kept_.searches) return kept_.searches->root(key, expanded, a, b, Magnitudes{}, refined);
+      auto root = first_sign_change<Real>(expanded, sign, a, b, Magnitudes{});
+      if (root) refined(*root);
+      return root;
     }
-    if (root && !is_sharp(*root)) taut::refine(*this, sign, *root);
-    return root;
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
     if (t == RealMax(end_)) return Ball<Real>::exact(0);
@@ -150,6 +166,7 @@ class SearchFromEnd {
 
   const PreciseFunction<Real>& f_;
   double end_, direction_;
+  KeptSearch kept_;
 };
 
 /// How near to a singular end of the leg a search is made from there.
@@ -184,9 +201,10 @@ inline std::optional<double> division(const Leg& leg, const PreciseTime& from, d
 /// Nothing if this precision does not tell.
 template <class Real>
 std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
-                                                          int sign, const PreciseTime& from, double to, Stage stage) {
+                                                          int sign, const PreciseTime& from, double to, Stage stage,
+                                                          const KeptSearch& kept = {}) {
   try {
-    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end).first_failure(sign, from.hi(), to, stage);
+    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end, kept).first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {
     return std::nullopt;
   }

@@ -21,7 +21,7 @@ T& keep(std::vector<T>& kept, std::size_t& next, T made) {
 }
 
 /// As PreciseFunction counts what it makes.
-constexpr std::uint64_t work_of_frames = 1100;
+constexpr std::uint64_t work_of_frames = 900;
 
 /// The nearest multiple of 2^e, unless that is finer than the number resolves.
 template <class Real>

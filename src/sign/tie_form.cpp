@@ -9,7 +9,7 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(), as measured.
-constexpr std::uint64_t work_of_tie = 13, work_of_root_at_tie = 18, work_of_sign_at_tie = 6;
+constexpr std::uint64_t work_of_tie = 22, work_of_root_at_tie = 30, work_of_sign_at_tie = 10;
 constexpr double rounded_up = 1 + 0x1p-45;
 /// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
 constexpr double much_less = 0x1p-8;

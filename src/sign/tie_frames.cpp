@@ -71,7 +71,7 @@ const TieFrame* TieFrames::around(double lo, double hi) {
   if (const TieFrame* const frame = known(lo, hi)) return frame;
   const auto is_singular = [&](const TieFrame& f) { return f.reach == 0 && lo <= f.about && f.about <= hi; };
   if (std::any_of(kept_.begin(), kept_.end(), is_singular)) return nullptr;
-  count_work(leg_->translation ? 120 : 700);
+  count_work(leg_->translation ? 75 : 430);
   TieFrame& made = slot();
   made = frame_about(*leg_, lo + (hi - lo) / 2);
   return hi - made.about <= made.reach && made.about - lo <= made.reach ? &made : nullptr;

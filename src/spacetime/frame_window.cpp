@@ -12,6 +12,11 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// How little the frame must move in a window that is treated by ranges alone.
 constexpr double rough_motion = 0x1p-16;
 
+/// What is left out goes by the ninth power of a window's length: that of the next one will do if it changes by a half.
+constexpr double cautious = 0.95;
+/// By how much a window that was too long is shortened at once, and how a next one's length may differ.
+constexpr double shortened_most = 0x1p-12, shortened_least = 0.75, grown_most = 2;
+
 }  // namespace
 
 FrameWindow::FrameWindow(const Leg& leg, double start, double limit, double length)
@@ -20,7 +25,8 @@ FrameWindow::FrameWindow(const Leg& leg, double start, double limit, double leng
     make_bridge();
     return;
   }
-  for (double share = length;; share /= 2) {
+  for (double share = length;;
+       share *= std::clamp(cautious * model_.fitting_share(), shortened_most, shortened_least)) {
     end_ = start + share < limit ? start + share : limit;
     const bool shortest = !(start + share / 2 > start);
     if (shortest) end_ = std::min(limit, std::nextafter(start, std::numeric_limits<double>::infinity()));
@@ -29,6 +35,11 @@ FrameWindow::FrameWindow(const Leg& leg, double start, double limit, double leng
     if (make_range() || shortest) return;
     smooth_ = true;
   }
+}
+
+double FrameWindow::fitting_length() const {
+  const double share = smooth_ ? std::clamp(cautious * model_.fitting_share(), 0.5, grown_most) : grown_most;
+  return share * length();
 }
 
 /// Value and slope at t, from the frame itself: a bridge is short, and rare.

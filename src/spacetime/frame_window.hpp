@@ -19,6 +19,8 @@ class FrameWindow {
   double start() const { return start_; }
   double end() const { return end_; }
   double length() const { return end_ - start_; }
+  /// About how long one beside it can be (not of a bridge).
+  double fitting_length() const;
   bool smooth() const { return smooth_; }
   const FrameSample& at(double t, bool pp) {
     if (!(t == cached_)) evaluate(t);

@@ -12,6 +12,9 @@ namespace {
 double below(double x) { return std::nextafter(x, -INFINITY); }
 double above(double x) { return std::nextafter(x, INFINITY); }
 
+/// In units of interruption_point().
+constexpr std::uint64_t work_of_step = 2;
+
 /// Steps shorter than this share of the window do not get on.
 constexpr double least_step = 0x1p-36;
 /// So many get to the end of a window, or the rest is left to a search from a singular end if one is near.
@@ -143,9 +146,13 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
   }
   if (beside_end_.tells(pair, t)) return beside_end_.first(pair, t, limit);
   Functions f = functions(pair);
-  int steps = 0;
-  for (double stride = window.length() * first_stride; t < limit;) {
-    interruption_point();
+  Trail& trail = trails_[geometry_.in_p(pair.vertex) ? 0 : 1];
+  if (!trail.is_of(pair, window.start(), t)) trail = {pair, window.start(), t, t, window.length() * first_stride, 0};
+  t = trail.t;
+  int& steps = trail.steps;
+  double& stride = trail.stride;
+  for (; t < limit; trail.t = t) {
+    interruption_point(work_of_step);
     if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;
     // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.

@@ -1,6 +1,7 @@
 // Does a vertex cross an edge? In doubles with error bounds, step by step; in multi-precision where these get stuck.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -27,6 +28,17 @@ class LeafTest {
   std::uint64_t roots() const { return roots_; }
 
  private:
+  /// How far the pair's steps have come in a window: what is stopped is gone on with, as it is asked for again.
+  struct Trail {
+    VertexEdge pair{};
+    double window = 0, from = 0;  ///< where they began
+    double t = 0, stride = 0;     ///< nothing before t
+    int steps = 0;
+
+    bool is_of(const VertexEdge& other, double start, double at) const {
+      return pair.vertex == other.vertex && pair.edge == other.edge && window == start && from == at && steps > 0;
+    }
+  };
   /// Positive to the left of the edge's line; beyond its start, and its end, negative.
   struct Functions {
     FastFunction line, from_start, from_end;
@@ -51,7 +63,8 @@ class LeafTest {
   /// Of pairs that doubles once did not tell about: the line's function in the first order of the displacement, if it
   /// is zero without it, as where a vertex slides along an edge.
   std::unordered_map<std::uint64_t, std::optional<FastFunction>> first_orders_;
-  StageCounts stages_;  ///< where that told
+  std::array<Trail, 2> trails_;  ///< of pairs with vertices of P, and of Q
+  StageCounts stages_;           ///< where that told
   std::uint64_t roots_ = 0;
 };
 

@@ -32,8 +32,6 @@ enum class Fate : unsigned char {
 
 /// Boxes that move farther than this share of their size are left to shorter stretches of time; others are divided.
 constexpr double patience = 0.75;
-/// After a window could not be made longer than the one before, this many do not try to be.
-constexpr int windows_before_growing = 8;
 
 /// Stretches of time are halved, each with the pairs of boxes about which something is still to be known in it, and
 /// worked on in their order: the motion is evaluated once for all pairs of a stretch. What is to be known is the
@@ -84,12 +82,10 @@ class Walk {
  private:
   static constexpr double length_of_instant = 0x1p-20, shortest_instant = 0x1p-45;
 
-  /// Motions seldom change their character: the last length will do.
+  /// Motions seldom change their character: what fitted the last one will do.
   void next_window(double start, double from, double to) {
-    double wanted = to - from;
-    if (window_) wanted = std::min(wanted, window_->length() * (window_->smooth() && resting_ > 0 ? 1 : 2));
+    const double wanted = window_ ? std::min(to - from, window_->fitting_length()) : to - from;
     window_.emplace(leg_, start, to, wanted);
-    resting_ = window_->length() < 0.75 * wanted ? windows_before_growing : std::max(0, resting_ - 1);
   }
   /// The next part of the whole that is looked at with one window, of a translation all of it; false if there is none.
   bool begin_next() {
@@ -187,7 +183,6 @@ class Walk {
   Question& question_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
-  int resting_ = 0;
   double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a leg that turns, windows begin there
   bool begun_ = false;                      ///< the only part of a translation
   std::vector<Level> levels_;

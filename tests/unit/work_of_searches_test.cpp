@@ -1,10 +1,13 @@
 // What searches near contacts of high order cost: work is the same on every machine.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <sstream>
 #include <string>
 
 #include "base/interruption.hpp"
+#include "check/run.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
@@ -54,9 +57,35 @@ INSTANTIATE_TEST_SUITE_P(
         Limits{"cosine_that_nearly_reaches_one", 1'000'000, 200'000},
         // A search for the first root in ever shorter stretches, from where a bend alone tells.
         Limits{"corners_that_leave_along_edges", 30'000, 30'000},
+        // Halved down to where the displacement tells, each of many searches takes 160 steps.
+        Limits{"touches_of_many_corners_at_one_instant", 60'000, 120'000},
         // Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
         Limits{"ties_beside_a_cosine_that_nearly_reaches_one", 300'000, 2'000'000}),
     [](const auto& test) { return std::string(test.param.scene); });
+
+/// In turns, as two engines share a question, it costs little more: what a turn ends is gone on with.
+std::uint64_t work_in_turns(const Scene& scene, bool kinetic) {
+  CheckOptions options;
+  options.engine = kinetic ? EngineChoice::kinetic : EngineChoice::spacetime;
+  const std::uint64_t before = work_spent();
+  const std::unique_ptr<Run> run = kinetic ? begin_kinetic(scene, options) : begin_spacetime(scene, options);
+  for (std::uint64_t total = 640; !run->work(total - std::min(total - 1, work_spent() - before));) total += total / 8;
+  return work_spent() - before;
+}
+
+TEST(SearchesInTurns, AreNotDoneAnewInEach) {
+  for (const char* name : {"touches_of_many_corners_at_one_instant", "six_fold_tangency", "slivers_touch_and_part",
+                           "needles_that_pass_in_order_six", "fourth_order_touch_while_turning"}) {
+    const Scene scene = read_scene(std::string("tests/corpus/") + name + ".json");
+    for (const bool kinetic : {true, false}) {
+      CheckOptions options;
+      const std::uint64_t before = work_spent();
+      (kinetic ? begin_kinetic(scene, options) : begin_spacetime(scene, options))->work(UINT64_MAX);
+      const std::uint64_t at_once = work_spent() - before;
+      EXPECT_LT(work_in_turns(scene, kinetic), at_once + at_once / 2 + 2000) << name << (kinetic ? " kinetic" : "");
+    }
+  }
+}
 
 /// Halved as long as margins are more than doubles round elsewhere, windows end a unit in the last place long.
 TEST(WorkOfALog, BesideACosineThatNearlyReachesOne) {
