@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What a user of the library does: installs it, and builds against it in each of the usual ways.
-# install_test.sh BUILD SOURCE COMPILER FLAGS: the build and its sources, and how to compile them again.
+# install_test.sh BUILD SOURCE COMPILER FLAGS COLD_FLAGS: the build and its sources, and how they are compiled.
 set -euo pipefail
-build="$1" source="$2" compiler="$3" flags="$4"
+build="$1" source="$2" compiler="$3" flags="$4" cold_flags="$5"
 tree="$build/installed" work="$build/consumers"
 rm -rf "$tree" "$work"
 mkdir -p "$work"
@@ -72,12 +72,13 @@ else
   echo "no pkg-config here: skipped"
 fi
 
-# From the sources: all of the library once more, which only .ci/run has the time for; otherwise what shows whether a
-# consumer is configured right. Nobody waits for what it computes.
-flags=-O1
-sources=(-DTAUT_SOURCE="$source" -DCMAKE_CXX_FLAGS="$flags" -DTAUT_WERROR=ON -DCMAKE_UNITY_BUILD="${TAUT_UNITY:-0}"
-  -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)")
-if [ -n "${TAUT_CONSUMERS:-}" ]; then
+# From the sources. Where many files are compiled as one, as in .ci/run, all of the library: by the same commands as in
+# the build, whose objects are taken then. Otherwise what shows whether a consumer is configured right.
+unity=''
+! grep -q '^CMAKE_UNITY_BUILD:[A-Z]*=ON' "$build/CMakeCache.txt" || unity=ON
+sources=(-DTAUT_SOURCE="$source" -DCMAKE_CXX_FLAGS="$flags" -DTAUT_COLD_FLAGS="$cold_flags" -DTAUT_WERROR=ON
+  -DCMAKE_UNITY_BUILD="$unity" -DCMAKE_CXX_COMPILER_LAUNCHER="/usr/bin/python3;$source/tests/consumer/same_object.py;$build")
+if [ -n "$unity" ]; then
   consumer sources "${sources[@]}"
 else
   configured sources "${sources[@]}"
