@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <utility>
 
 #include "generators/generators.hpp"
 #include "kinetic/session.hpp"
@@ -85,7 +86,15 @@ void compare_map(const Scene& scene, Touch touch, NearStart& near, WarmCounts& c
 
 std::string text(const Scene& scene, const Answer& answer, Touch touch) { return answer_json(scene, answer, touch); }
 
-void ask_many(const Scene& first, Rng& rng, int questions, double size, WarmCounts& counts) {
+/// A scene, and how often it is asked about.
+struct Question {
+  Scene scene;
+  int times;
+};
+
+/// Questions to one WarmCheck, in both modes: next(k) is the k-th of so many.
+template <typename Next>
+void ask_in_turn(int questions, const Next& next, WarmCounts& counts) {
   for (const Touch touch : {Touch::open, Touch::closed}) {
     CheckOptions options;
     options.touch = touch;
@@ -93,10 +102,9 @@ void ask_many(const Scene& first, Rng& rng, int questions, double size, WarmCoun
     WarmCheck warm(options);
     NearStart near;
     for (int k = 0; k < questions && !::testing::Test::HasFailure(); ++k) {
-      // Now and then the very same question.
-      const Scene scene = k == 0 ? first : moved_on(first, rng, size);
+      const auto [scene, times] = next(k);
       const Answer expected = check(scene, options);
-      for (int again = rng.chance(0.2); again >= 0; --again) {
+      for (int again = 0; again < times; ++again) {
         const Answer answer = warm.check(scene);
         EXPECT_EQ(text(scene, answer, touch), text(scene, expected, touch)) << write_scene(scene);
         EXPECT_EQ(answer.events, expected.events);
@@ -107,6 +115,15 @@ void ask_many(const Scene& first, Rng& rng, int questions, double size, WarmCoun
     }
     counts.warm += static_cast<int>(warm.warm_starts());
   }
+}
+
+void ask_many(const Scene& first, Rng& rng, int questions, double size, WarmCounts& counts) {
+  const auto next = [&first, &rng, size](int k) {
+    // Now and then the very same question.
+    Scene scene = k == 0 ? first : moved_on(first, rng, size);
+    return Question{std::move(scene), rng.chance(0.2) ? 2 : 1};
+  };
+  ask_in_turn(questions, next, counts);
 }
 
 void print(const WarmCounts& counts) {
@@ -163,24 +180,13 @@ TEST(WarmCheck, OfManyCertificates) {
   gears.hit = true;
   for (const Scene& given : {gen::make_combs(combs), gen::make_spiral(spirals), gen::make_gears(gears)}) {
     const Scene scene = prepared(given);
-    for (const Touch touch : {Touch::open, Touch::closed}) {
-      CheckOptions options;
-      options.touch = touch;
-      options.engine = EngineChoice::kinetic;
-      WarmCheck warm(options);
-      NearStart near;
-      for (int k = 0; k < 12 && !HasFailure(); ++k) {
-        // Along its own way, to and fro.
-        Scene next = scene;
-        next.start = scene.start + (scene.end - scene.start) * (k % 5) * 1e-4 * (k < 6 ? 1 : 30);
-        const Answer expected = check(next, options), answer = warm.check(next);
-        EXPECT_EQ(text(next, answer, touch), text(next, expected, touch));
-        ++counts.outcomes[to_string(answer.outcome)];
-        compare_map(next, touch, near, counts);
-        ++counts.asked;
-      }
-      counts.warm += static_cast<int>(warm.warm_starts());
-    }
+    // Along its own way, to and fro.
+    const auto next = [&scene](int k) {
+      Question question{scene, 1};
+      question.scene.start += (scene.end - scene.start) * (k % 5) * 1e-4 * (k < 6 ? 1 : 30);
+      return question;
+    };
+    ask_in_turn(12, next, counts);
   }
   print(counts);
   EXPECT_GT(counts.warm, 36);
