@@ -92,7 +92,9 @@ class KeyframeReader {
 
 std::vector<Keyframe> read_keyframes(const JsonDocument& document, std::size_t token, const std::string& path,
                                      const ReadLimits& limits) {
-  document.require(token, JsonKind::array, path, std::string("the keyframes as ") + keyframes_shape);
+  std::string wanted = "the keyframes as ";
+  wanted += keyframes_shape;
+  document.require(token, JsonKind::array, path, wanted);
   const std::size_t end = document.after(token);
   if (end == token + 1) {
     throw document.error(token, path, "there are no keyframes", std::string("write ") + keyframes_shape);
