@@ -61,3 +61,16 @@ function(taut_finish_layers)
     taut_precompile(${target} REUSE_FROM taut_numeric)
   endforeach()
 endfunction()
+
+# Links the library's objects, or those of the layers named, before the program's own. Of an inline function that both
+# have, a linker takes the first one: a program that is compiled without optimisation would slow down the library.
+function(taut_library_first program)
+  set(compiled ${taut_compiled})
+  if(ARGN AND NOT taut_few_files)
+    list(TRANSFORM ARGN PREPEND taut_ OUTPUT_VARIABLE compiled)
+  endif()
+  # Without the precompiled headers, which CMake counts among them.
+  foreach(target ${compiled})
+    target_link_options(${program} PRIVATE $<FILTER:$<TARGET_OBJECTS:${target}>,EXCLUDE,ch$>)
+  endforeach()
+endfunction()
