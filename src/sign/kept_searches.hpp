@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <tuple>
 
@@ -31,14 +32,15 @@ class KeptSearches {
   };
 
   void clear() {
-    std::apply([](auto&... kept) { (kept.clear(), ...); }, kept_);
+    if (kept_) std::apply([](auto&... kept) { (kept.clear(), ...); }, *kept_);
   }
   /// As taut::first_sign_change() has it, from a to b, which are what the key says; refine(root) then encloses it
   /// better.
   template <class Real, class Function, class Cut, class Refine>
   std::optional<RootEnclosure<Real>> root(const Key& key, const Function& f, const Real& a, const Real& b,
                                           const Cut& cut, const Refine& refine) {
-    SignChangeSearch<Real>& search = std::get<Kept<Real>>(kept_).of(key, a, b);
+    if (!kept_) kept_ = std::make_unique<Kepts>();
+    SignChangeSearch<Real>& search = std::get<Kept<Real>>(*kept_).of(key, a, b);
     const std::uint64_t before = work_spent();
     try {
       RootEnclosure<Real>* const found = search.go_on(f, cut);
@@ -77,7 +79,8 @@ class KeptSearches {
     std::size_t next_ = 0;
   };
 
-  std::tuple<Kept<Real320>, Kept<Real640>, Kept<RealMax>> kept_;
+  using Kepts = std::tuple<Kept<Real320>, Kept<Real640>, Kept<RealMax>>;
+  std::unique_ptr<Kepts> kept_;  ///< few questions need any
 };
 
 }  // namespace taut
