@@ -63,8 +63,6 @@ using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
 /// Will it be asked again?
 bool leaves_touching_open(const Run& run, const CheckOptions& options);
-/// Asks `otherwise`, unless boxes show with so little work that nothing meets.
-Question unless_soon_apart(std::uint64_t effort, const Question& otherwise);
 
 /// Of a scene that is not two bodies of one polygon each. Throws InputError.
 Answer run_world(const Scene& scene, const CheckOptions& options);

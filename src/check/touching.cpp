@@ -1,6 +1,4 @@
 // Free, but touching? The two readings of one scene.
-#include <memory>
-
 #include "check/run.hpp"
 #include "taut/error.hpp"
 
@@ -28,18 +26,6 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
     answer.touching_undecided = refused.what();
   }
   return answer;
-}
-
-/// Many events at one instant, as drawings on a grid have them, ask for more than doubles, and yet most bodies that
-/// have them are far from touching. That is seen at once by boxes, while the tiling would go through all events again.
-Question unless_soon_apart(std::uint64_t effort, const Question& otherwise) {
-  return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
-    const std::unique_ptr<Run> boxes = begin_spacetime(scene, options);
-    if (boxes->work(effort) && boxes->answer().outcome == Outcome::free) return boxes->answer();
-    Answer answer = otherwise(scene, options);
-    answer.run_seconds += boxes->answer().build_seconds + boxes->answer().run_seconds;
-    return answer;
-  };
 }
 
 }  // namespace taut

@@ -234,8 +234,8 @@ void Engine::finish_sweep() {
     const CertificateId id = those_open ? open[i] : CertificateId(i);
     Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
-    work_kept_ = work_spent();
     if (those_open || (!settled_.is_settled(id) && (sweep_.all_due || settled_.was_settled(id)))) {
+      work_kept_ = work_spent();
       // A line costs half of that.
       interruption_point(LegClock::is_straight(leg()) ? i % 2 * work_of_look : work_of_look);
       schedule(id, sweep_.t);

@@ -178,10 +178,10 @@ class SignChangeSearch {
     root_.reset();
     exhausted_ = false;
   }
-  /// The root, isolated. Null if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. The same is
-  /// said again if it is asked again; what the enclosure has been refined to stays.
+  /// The root, isolated. Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. The same
+  /// is said again if it is asked again.
   template <class Function, class Cut = Halves>
-  RootEnclosure<Real>* go_on(const Function& f, const Cut& cut = {}) {
+  std::optional<RootEnclosure<Real>> go_on(const Function& f, const Cut& cut = {}) {
     // Depth first from the left.
     for (; !ends_.empty() && !root_ && !exhausted_; --budget_) {
       if (budget_ == 0) throw PrecisionExhausted{};
@@ -190,7 +190,7 @@ class SignChangeSearch {
       if (excluded) leave();
     }
     if (exhausted_) throw PrecisionExhausted{};
-    return root_ ? &*root_ : nullptr;
+    return root_;
   }
 
  private:
@@ -249,8 +249,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   // The buffer outlives the call, so that the event loop allocates nothing.
   thread_local SignChangeSearch<Real> search;
   search.begin(sign, a, b, budget);
-  const RootEnclosure<Real>* const root = search.go_on(f, cut);
-  return root ? std::optional(*root) : std::nullopt;
+  return search.go_on(f, cut);
 }
 
 /// No shorter one is to be had: its ends are but a few units in the last place apart.

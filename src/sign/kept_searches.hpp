@@ -1,8 +1,10 @@
 // Searches that were stopped, or are asked for again.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -35,52 +37,68 @@ class KeptSearches {
     if (kept_) std::apply([](auto&... kept) { (kept.clear(), ...); }, *kept_);
   }
   /// As taut::first_sign_change() has it, from a to b, which are what the key says; refine(root) then encloses it
-  /// better.
+  /// better. That is begun anew if it is stopped: how it is done hangs on where it begins.
   template <class Real, class Function, class Cut, class Refine>
   std::optional<RootEnclosure<Real>> root(const Key& key, const Function& f, const Real& a, const Real& b,
                                           const Cut& cut, const Refine& refine) {
     if (!kept_) kept_ = std::make_unique<Kepts>();
-    SignChangeSearch<Real>& search = std::get<Kept<Real>>(*kept_).of(key, a, b);
+    Place<Real>& place = std::get<Kept<Real>>(*kept_).of(key, a, b);
+    if (place.sharp) return place.sharp;
     const std::uint64_t before = work_spent();
+    std::uint64_t refining = UINT64_MAX;  // work_spent() when that began
     try {
-      RootEnclosure<Real>* const found = search.go_on(f, cut);
-      if (!found) return std::nullopt;
-      refine(*found);
-      return *found;
+      auto root = place.search.go_on(f, cut);
+      if (!root) return std::nullopt;
+      refining = work_spent();
+      refine(*root);
+      return place.sharp = root;
     } catch (const Interrupted&) {
-      keep_work(work_spent() - before);
+      keep_work(std::min(work_spent(), refining) - before);
       throw;
     }
   }
 
  private:
   template <class Real>
+  struct Place {
+    std::optional<Key> key;
+    SignChangeSearch<Real> search;
+    std::optional<RootEnclosure<Real>> sharp;  ///< what came of it, once it has been refined
+  };
+  template <class Real>
   class Kept {
    public:
     void clear() {
-      for (Place& p : places_) p.key.reset();
+      for (Place<Real>& p : places_) p.key.reset();
     }
-    SignChangeSearch<Real>& of(const Key& key, const Real& a, const Real& b) {
-      for (Place& p : places_) {
-        if (p.key == key) return p.search;
+    Place<Real>& of(const Key& key, const Real& a, const Real& b) {
+      for (Place<Real>& p : places_) {
+        if (p.key == key) return p;
       }
-      Place& place = places_[next_++ % places_.size()];
+      Place<Real>& place = places_[next_++ % places_.size()];
       place.key = key;
       place.search.begin(key.sign, a, b);
-      return place.search;
+      place.sharp.reset();
+      return place;
     }
 
    private:
-    struct Place {
-      std::optional<Key> key;
-      SignChangeSearch<Real> search;
-    };
-    std::array<Place, 4> places_;
+    std::array<Place<Real>, 4> places_;
     std::size_t next_ = 0;
   };
 
   using Kepts = std::tuple<Kept<Real320>, Kept<Real640>, Kept<RealMax>>;
   std::unique_ptr<Kepts> kept_;  ///< few questions need any
 };
+
+/// The root, kept if `kept` is not null.
+template <class Real, class Function, class Cut, class Refine>
+std::optional<RootEnclosure<Real>> sharp_root(KeptSearches* kept, const KeptSearches::Key& key, const Function& f,
+                                              const Real& a, const Real& b, const Cut& cut, const Refine& refine) {
+  if (kept) return kept->root(key, f, a, b, cut, refine);
+  auto root = first_sign_change<Real>(f, key.sign, a, b, cut);
+  if (root) refine(*root);
+  return root;
+}
 
 }  // namespace taut

@@ -79,10 +79,8 @@ std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunct
                                                               const PreciseTime& from, double to) const {
   const Real a = exactly<Real>(from.hi());
   const auto refined = [&](RootEnclosure<Real>& root) { refine_root(f, sign, root, 0); };
-  if (memory_) return memory_->searches.root({form_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
-  auto root = first_sign_change<Real>(f, sign, a, Real(to));
-  if (root) refined(*root);
-  return root;
+  KeptSearches* const kept = memory_ ? &memory_->searches : nullptr;
+  return sharp_root(kept, {form_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
 }
 
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {

@@ -141,10 +141,7 @@ class SearchFromEnd {
         taut::refine(expanded, sign, root);
         if (!is_sharp(root)) taut::refine(*this, sign, root);
       };
-      if (kept_.searches) return kept_.searches->root(key, expanded, a, b, Magnitudes{}, refined);
-      auto root = first_sign_change<Real>(expanded, sign, a, b, Magnitudes{});
-      if (root) refined(*root);
-      return root;
+      return sharp_root(kept_.searches, key, expanded, a, b, Magnitudes{}, refined);
     }
   }
   Ball<Real> root_of_distance(const RealMax& t) const {

@@ -158,7 +158,7 @@ TEST(SignChangeSearch, GoesOnWhereItWasStopped) {
   for (;;) {
     const InterruptionScope turn(64);
     try {
-      const auto* const root = search.go_on(parts);
+      const auto root = search.go_on(parts);
       ASSERT_TRUE(root && expected);
       EXPECT_EQ(root->lo, expected->lo);
       EXPECT_EQ(root->hi, expected->hi);
