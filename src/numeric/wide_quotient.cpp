@@ -74,7 +74,6 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
 
 template WideFloat<192> WideFloat<192>::quotient(const WideFloat&, const WideFloat&);
 template WideFloat<320> WideFloat<320>::quotient(const WideFloat&, const WideFloat&);
-template WideFloat<640> WideFloat<640>::quotient(const WideFloat&, const WideFloat&);
 template WideFloat<960> WideFloat<960>::quotient(const WideFloat&, const WideFloat&);
 
 }  // namespace taut

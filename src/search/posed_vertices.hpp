@@ -34,9 +34,7 @@ class PosedVertices {
   std::vector<Vector> positions_;
   double error_ = 0;
   bool turned_ = true;  ///< its axes may not be the world's
-  mutable std::tuple<std::optional<Pose<double>>, std::optional<Pose<Real320>>, std::optional<Pose<Real640>>,
-                     std::optional<Pose<Real960>>>
-      poses_;
+  mutable std::tuple<std::optional<Pose<double>>, std::optional<Pose<Real320>>, std::optional<Pose<Real960>>> poses_;
 };
 
 }  // namespace taut

@@ -15,18 +15,18 @@
 namespace taut::testing {
 namespace {
 
-bool holds(const Ball<double>& narrow, const Ball<Real640>& wide) {
+bool holds(const Ball<double>& narrow, const Ball<Real960>& wide) {
   const double slack = 0x1p-60 * (1 + std::fabs(narrow.mid));
-  return RealTraits<Real640>::magnitude(wide.mid - Real640(narrow.mid)) <= narrow.rad + slack;
+  return RealTraits<Real960>::magnitude(wide.mid - Real960(narrow.mid)) <= narrow.rad + slack;
 }
 
-TEST(SinCosOfSum, AreThoseOf640Bits) {
+TEST(SinCosOfSum, AreThoseOf960Bits) {
   Rng rng(71);
   for (std::uint64_t i = 0; i < effort(20000); ++i) {
     const double hi = rng.chance(0.1) ? 0 : rng.sign() * std::ldexp(rng.real(0.5, 1), rng.between(-30, 40));
     const double lo = rng.sign() * std::ldexp(rng.real(0.5, 1), -11 - rng.below(40));
     const SinCos<double> got = sin_cos_of_sum(hi, lo);
-    const SinCos<Real640> want = sin_cos(Ball<Real640>::exact(hi) + Ball<Real640>::exact(lo));
+    const SinCos<Real960> want = sin_cos(Ball<Real960>::exact(hi) + Ball<Real960>::exact(lo));
     ASSERT_TRUE(holds(got.sin, want.sin)) << hi << " + " << lo;
     ASSERT_TRUE(holds(got.cos, want.cos)) << hi << " + " << lo;
   }
@@ -54,25 +54,25 @@ Leg random_leg(Rng& rng) {
 }
 
 /// The six functions of a model.
-std::array<Jet<Real640>, 6> functions_at(const Leg& leg, double t) {
-  const Frame<Real640> f = frame(leg, Ball<Real640>::exact(t));
+std::array<Jet<Real960>, 6> functions_at(const Leg& leg, double t) {
+  const Frame<Real960> f = frame(leg, Ball<Real960>::exact(t));
   return {f.for_pp[1], f.for_pp[2], f.for_qq[1], f.for_qq[2], f.for_pp[3], f.for_pp[4]};
 }
 
-void expect_within(const Ball<Real640>& truth, double value, double error, const char* what) {
-  EXPECT_LE(RealTraits<Real640>::magnitude(truth.mid - Real640(value)), error) << what;
+void expect_within(const Ball<Real960>& truth, double value, double error, const char* what) {
+  EXPECT_LE(RealTraits<Real960>::magnitude(truth.mid - Real960(value)), error) << what;
 }
 
 /// The polynomials, their derivatives, and the bounds of the second and third derivatives.
 void expect_laws(const Leg& leg, const FrameModel& m, double t) {
-  const std::array<Jet<Real640>, 6> truth = functions_at(leg, t);
+  const std::array<Jet<Real960>, 6> truth = functions_at(leg, t);
   double value[6], slope[6], values[4], slopes[4], seconds[4];
   m.evaluate(t, value, slope);
   for (std::size_t i = 0; i < 6; ++i) {
     expect_within(truth[i].v, value[i], m.error[i], "value");
     expect_within(truth[i].d, slope[i], m.error_d[i], "slope");
     expect_within(truth[i].dd, m.bend[i], m.bend_rad[i], "bend");
-    EXPECT_LE(RealTraits<Real640>::magnitude(truth[i].v.mid), m.size[i] * (1 + 0x1p-20) + m.error[i]);
+    EXPECT_LE(RealTraits<Real960>::magnitude(truth[i].v.mid), m.size[i] * (1 + 0x1p-20) + m.error[i]);
   }
   for (const int first : {0, 2}) {
     m.evaluate(t, first, values, slopes, seconds);
@@ -85,10 +85,10 @@ void expect_laws(const Leg& leg, const FrameModel& m, double t) {
 
 /// By the mean value theorem a difference of second derivatives is a third one somewhere between.
 void expect_third(const Leg& leg, const FrameThird& third, int first, double a, double b) {
-  const std::array<Jet<Real640>, 6> at_a = functions_at(leg, a), at_b = functions_at(leg, b);
+  const std::array<Jet<Real960>, 6> at_a = functions_at(leg, a), at_b = functions_at(leg, b);
   for (int k = 0; k < 4; ++k) {
     const auto i = static_cast<std::size_t>(k < 2 ? first + k : 2 + k);
-    const double change = RealTraits<Real640>::magnitude(at_b[i].dd.mid - at_a[i].dd.mid);
+    const double change = RealTraits<Real960>::magnitude(at_b[i].dd.mid - at_a[i].dd.mid);
     EXPECT_LE(change, third.most[k] * (b - a) * (1 + 0x1p-20) + 0x1p-300);
   }
 }

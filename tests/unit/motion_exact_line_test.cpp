@@ -80,8 +80,8 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
       const int sign = precise.sign_at(start, Stage::precise);
       if (sign == 0) continue;
       const auto failure = precise.first_failure(sign, start, 1);
-      const PreciseFunction<Real640> f(s.leg, s.geometry, triple);
-      auto root = first_sign_change<Real640>(f, sign, Real640(0), Real640(1));
+      const PreciseFunction<Real960> f(s.leg, s.geometry, triple);
+      auto root = first_sign_change<Real960>(f, sign, Real960(0), Real960(1));
       ASSERT_EQ(failure.has_value(), root.has_value()) << "seed " << seed;
       if (!failure) continue;
       ++found;

@@ -237,7 +237,7 @@ TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
   const Bounded zero = level0.value(clock.at(3.0, true)), one = level1.value(clock.at(3.0, true));
   EXPECT_LE(std::fabs(zero.value), zero.error);
   EXPECT_GT(std::fabs(one.value), one.error);
-  const int precise = PreciseFunction<Real640>(leg, g, triple)(Ball<Real640>::exact(3.0)).v.sign();
+  const int precise = PreciseFunction<Real960>(leg, g, triple)(Ball<Real960>::exact(3.0)).v.sign();
   EXPECT_EQ(one.value > 0 ? 1 : -1, precise);
   // Not identically zero: there is no level one.
   const Leg oblique = Leg::motion({}, {{-3, 1}, {1, 0x1p-60}, NoRotation{}}, 0, 10);

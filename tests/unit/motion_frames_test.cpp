@@ -134,7 +134,6 @@ void expect_leg(const Leg& leg, const std::array<BodyMotion, 2>& bodies, double 
   const Complex in_p = times_conjugate(x_p, way), in_q = times_conjugate(x_q, way);
   expect_frame<double>(leg, t, p, q, in_p, in_q);
   expect_frame<Real320>(leg, t, p, q, in_p, in_q);
-  expect_frame<Real640>(leg, t, p, q, in_p, in_q);
   expect_frame<Real960>(leg, t, p, q, in_p, in_q);
 }
 
@@ -193,7 +192,6 @@ TEST(Trig, ContainsTheExactValues) {
     sin_cos(Wide(x), sine, cosine);
     expect_trig<double>(x, sine, cosine);
     expect_trig<Real320>(x, sine, cosine);
-    expect_trig<Real640>(x, sine, cosine);
     expect_trig<Real960>(x, sine, cosine);
     if (HasFailure()) return;
   }

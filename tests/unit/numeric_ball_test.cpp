@@ -162,7 +162,6 @@ void check_laws(std::uint64_t rounds) {
 
 TEST(BallLaws, HoldInDoubles) { check_laws<double>(20000); }
 TEST(BallLaws, HoldAt320Bits) { check_laws<Real320>(6000); }
-TEST(BallLaws, HoldAt640Bits) { check_laws<Real640>(4000); }
 TEST(BallLaws, HoldAt960Bits) { check_laws<Real960>(4000); }
 
 }  // namespace

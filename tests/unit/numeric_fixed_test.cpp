@@ -120,7 +120,7 @@ TEST(Fixed, TakesFloatingNumbers) {
   Rng rng(13);
   for (std::uint64_t round = 0; round < effort(20000); ++round) {
     expect_conversion<Real320>(rng);
-    expect_conversion<Real640>(rng);
+    expect_conversion<Real960>(rng);
   }
 }
 

@@ -102,7 +102,7 @@ void ball_containment() {
 }
 TEST(Ball, ContainmentInDoubles) { ball_containment<double>(); }
 TEST(Ball, ContainmentAt320Bits) { ball_containment<Real320>(); }
-TEST(Ball, ContainmentAt640Bits) { ball_containment<Real640>(); }
+TEST(Ball, ContainmentAt960Bits) { ball_containment<Real960>(); }
 
 TEST(Ball, WhatIsUndefinedHasNoSign) {
   using B = Ball<double>;
@@ -136,9 +136,8 @@ void sin_cos_against(double limit) {
   }
 }
 TEST(SinCos, DoublesAgainst320Bits) { sin_cos_against<double, Real320>(5e5); }
-TEST(SinCos, LargeAnglesGoThroughMultiPrecision) { sin_cos_against<double, Real640>(1e15); }
-TEST(SinCos, Stage320Against640) { sin_cos_against<Real320, Real640>(1e6); }
-TEST(SinCos, Stage640Against960) { sin_cos_against<Real640, Real960>(1e6); }
+TEST(SinCos, LargeAnglesGoThroughMultiPrecision) { sin_cos_against<double, Real960>(1e15); }
+TEST(SinCos, Stage320Against960) { sin_cos_against<Real320, Real960>(1e6); }
 
 TEST(SinCos, NearMultiplesOfAQuarterTurn) {
   for (int k = -2000; k < 2000; ++k) {
@@ -153,13 +152,13 @@ TEST(SinCos, NearMultiplesOfAQuarterTurn) {
 }
 
 TEST(SinCos, KnownValues) {
-  const SinCos<Real640> one = sin_cos(Ball<Real640>::exact(1));
+  const SinCos<Real960> one = sin_cos(Ball<Real960>::exact(1));
   const mpz_class digits(
       "84147098480789650665250232163029899962256306079837106567275170999191040439123966894863974354");
   const Fraction scale(mpz_class("1" + std::string(92, '0')));
   EXPECT_LT(abs(Fraction(exact_fraction(one.sin.mid) - digits / scale)),
             Fraction(1) / mpz_class("1" + std::string(88, '0')));
-  const Ball<Real640> unit = one.sin * one.sin + one.cos * one.cos - Ball<Real640>::exact(1);
+  const Ball<Real960> unit = one.sin * one.sin + one.cos * one.cos - Ball<Real960>::exact(1);
   EXPECT_EQ(unit.sign(), 0);
   EXPECT_LT(unit.magnitude(), 1e-180);
 }

@@ -81,13 +81,12 @@ void expect_operations(std::uint64_t rounds) {
 
 TEST(WideFloat, RoundsToNearestAt192Bits) { expect_operations<WideFloat<192>>(4000); }
 TEST(WideFloat, RoundsToNearestAt320Bits) { expect_operations<WideFloat<320>>(4000); }
-TEST(WideFloat, RoundsToNearestAt640Bits) { expect_operations<WideFloat<640>>(2000); }
 TEST(WideFloat, RoundsToNearestAt960Bits) { expect_operations<WideFloat<960>>(2000); }
 
 /// What is a number of this length comes out exactly: products, quotients and roots of shorter ones.
 TEST(WideFloat, IsExactWhereItCanBe) {
   using Half = WideFloat<320>;
-  using Number = WideFloat<640>;
+  using Number = WideFloat<960>;
   Rng rng(1);
   for (std::uint64_t i = 0; i < effort(4000); ++i) {
     const Number a(any_wide<Half>(rng)), b(any_wide<Half>(rng));
@@ -126,7 +125,7 @@ TEST(WideFloat, ConvertsLengths) {
     const Real960 wide = any_wide<Real960>(rng);
     if (wide.is_zero()) continue;
     expect_rounded(Real320(wide), exact_fraction(wide), 0, "320 bits");
-    expect_rounded(Real640(wide), exact_fraction(wide), 0, "640 bits");
+    expect_rounded(WideFloat<192>(wide), exact_fraction(wide), 0, "192 bits");
     const Real320 narrow(wide);
     EXPECT_EQ(Real320(Real960(narrow)), narrow);
     EXPECT_EQ(exact_fraction(Real960(narrow)), exact_fraction(narrow));
@@ -180,7 +179,7 @@ TEST(WideFloat, IsUndefinedWhereNothingIs) {
     for (const Real320& y : {x + one, one - x, x * zero, one / x, zero / x, sqrt(x), -x, abs(x), ldexp(x, -5)}) {
       EXPECT_FALSE(y.is_defined());
     }
-    EXPECT_FALSE(Real640(x).is_defined());
+    EXPECT_FALSE(WideFloat<192>(x).is_defined());
     EXPECT_FALSE(Real320(Real960(x)).is_defined());
     EXPECT_FALSE(x < one || x > one || x == one || x == x);
     EXPECT_TRUE(std::isnan(x.to_double()));
@@ -201,7 +200,6 @@ void expect_pi() {
 }
 TEST(WideFloat, KnowsPi) {
   expect_pi<Real320>();
-  expect_pi<Real640>();
   expect_pi<Real960>();
 }
 
