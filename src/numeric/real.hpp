@@ -6,17 +6,26 @@
 #include <cstring>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "numeric/wide_float.hpp"
 
 namespace taut {
 
-/// The precisions of the multi-precision stages, in order: one is added here, and nowhere else. Beyond the last one the
-/// answer is `undecided`. (One between the two told next to nothing, and was an eighth of the engines' code.)
+/// The precisions of the multi-precision stages, in order: one is added here, and its length where WideFloat is
+/// compiled. Beyond the last one the answer is `undecided`. One more between the two would tell what the last one tells
+/// as well, for an eighth more of the engines' code: so few questions get that far that what they cost does not show.
 #define TAUT_FOR_EACH_PRECISION(DO) DO(Real320) DO(Real960)
 using Real320 = WideFloat<320>;
 using Real960 = WideFloat<960>;
 using Precisions = std::tuple<Real320, Real960>;
+namespace detail {
+template <template <class> class Of, class... Reals, class... Before>
+std::tuple<Of<Before>..., Of<Reals>...> of_each(const std::tuple<Reals...>&, const std::tuple<Before...>&);
+}  // namespace detail
+/// What there is one of for each precision, and for other numbers before them: a tuple of Of<Real>.
+template <template <class> class Of, class... Before>
+using OfEachPrecision = decltype(detail::of_each<Of>(std::declval<Precisions>(), std::tuple<Before...>()));
 inline constexpr int precise_stages = static_cast<int>(std::tuple_size_v<Precisions>);
 /// The widest type: every number of a narrower stage converts to it exactly.
 using RealMax = std::tuple_element_t<precise_stages - 1, Precisions>;

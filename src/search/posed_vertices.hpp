@@ -34,7 +34,9 @@ class PosedVertices {
   std::vector<Vector> positions_;
   double error_ = 0;
   bool turned_ = true;  ///< its axes may not be the world's
-  mutable std::tuple<std::optional<Pose<double>>, std::optional<Pose<Real320>>, std::optional<Pose<Real960>>> poses_;
+  template <class Real>
+  using Known = std::optional<Pose<Real>>;
+  mutable OfEachPrecision<Known, double> poses_;
 };
 
 }  // namespace taut

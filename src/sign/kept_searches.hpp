@@ -87,7 +87,7 @@ class KeptSearches {
     std::size_t next_ = 0;
   };
 
-  using Kepts = std::tuple<Kept<Real320>, Kept<RealMax>>;
+  using Kepts = OfEachPrecision<Kept>;
   std::unique_ptr<Kepts> kept_;  ///< few questions need any
 };
 
