@@ -14,11 +14,12 @@ namespace taut {
 
 /// The precisions of the multi-precision stages, in order: one is added here, and its length where WideFloat is
 /// compiled. Beyond the last one the answer is `undecided`. One more between the two would tell what the last one tells
-/// as well, for an eighth more of the engines' code: so few questions get that far that what they cost does not show.
+/// as well, for a sixth more of the engines' code: so few questions get that far that what they cost does not show.
 #define TAUT_FOR_EACH_PRECISION(DO) DO(Real320) DO(Real960)
 using Real320 = WideFloat<320>;
 using Real960 = WideFloat<960>;
 using Precisions = std::tuple<Real320, Real960>;
+
 namespace detail {
 template <template <class> class Of, class... Reals, class... Before>
 std::tuple<Of<Before>..., Of<Reals>...> of_each(const std::tuple<Reals...>&, const std::tuple<Before...>&);
