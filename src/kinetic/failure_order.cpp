@@ -34,7 +34,7 @@ void FailureSolver::separate(Certificate& a, Certificate& b) {
   const auto stage_of = [this](const Certificate& c) {
     return c.precise < 0 ? Stage::doubles : pool_[static_cast<std::size_t>(c.precise)].stage;
   };
-  const Stage stage = next_precise(std::min(stage_of(a), stage_of(b)));
+  const Stage stage = next_closer(std::min(stage_of(a), stage_of(b)));
   if (stage > last_stage) throw Undecidable{"the order of two events"};
   if (stage_of(a) < stage) sharpen(a, stage);
   if (stage_of(b) < stage) sharpen(b, stage);

@@ -13,11 +13,11 @@
 
 namespace taut {
 
-/// ask(stage) from the first stage at high precision on, until the answer is not empty, or not zero; else that empty
-/// answer.
+/// ask(stage) from a stage on, usually the first at high precision, until the answer is not empty, or not zero; else
+/// that empty answer.
 template <class Ask>
-auto first_told(const Ask& ask) -> decltype(ask(Stage::precise)) {
-  for (Stage stage = Stage::precise; stage <= last_stage; stage = next_precise(stage)) {
+auto first_told(const Ask& ask, Stage first = Stage::precise) -> decltype(ask(Stage::precise)) {
+  for (Stage stage = first; stage <= last_stage; stage = next_precise(stage)) {
     if (auto answer = ask(stage)) return answer;
   }
   return {};

@@ -77,7 +77,15 @@ class Fixed {
     }
     return a;
   }
-  friend Fixed operator-(const Fixed& a, const Fixed& b) { return a + -b; }
+  friend Fixed operator-(Fixed a, const Fixed& b) {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < limbs; ++i) {
+      const Wide difference = Wide{a.limb_[i]} - b.limb_[i] - borrow;
+      a.limb_[i] = static_cast<std::uint64_t>(difference);
+      borrow = static_cast<std::uint64_t>(difference >> 64) & 1;
+    }
+    return a;
+  }
   /// Less than lost_in_product nearer to zero than the product, or it.
   friend Fixed operator*(const Fixed& a, const Fixed& b) {
     const Fixed x = a.is_negative() ? -a : a, y = b.is_negative() ? -b : b;
@@ -207,7 +215,11 @@ class FixedBall {
     sum.check();
     return sum;
   }
-  friend FixedBall operator-(const FixedBall& a, const FixedBall& b) { return a + -b; }
+  friend FixedBall operator-(const FixedBall& a, const FixedBall& b) {
+    FixedBall difference(a.mid_ - b.mid_, (a.rad_ + b.rad_) * up, (a.most_ + b.most_) * up);
+    difference.check();
+    return difference;
+  }
   friend FixedBall operator*(const FixedBall& a, const FixedBall& b) {
     if (a.is_zero() || b.is_zero()) return {};
     FixedBall product(a.mid_ * b.mid_, (a.most_ * b.rad_ + b.most_ * a.rad_ + Fixed::lost_in_product) * up,

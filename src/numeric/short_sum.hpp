@@ -35,8 +35,12 @@ class ShortSum {
 
   std::size_t size() const { return size_; }
   double part(std::size_t i) const { return part_[i]; }
-  /// Within an ulp of the number.
-  double leading() const { return size_ > 0 ? part_[size_ - 1] : 0; }
+  /// Within two units in the last place of the number: the largest part may be far from it.
+  double approximate() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += part_[i];
+    return sum;
+  }
   /// Exact: the parts lie within 960 bits.
   RealMax real() const {
     RealMax sum(0);
@@ -47,24 +51,26 @@ class ShortSum {
   /// -1, 0 or 1 as the number is less than, equal to, or greater than `o`.
   int compare(const ShortSum& o) const {
     std::size_t i = size_, k = o.size_;
-    for (; i > 0 && k > 0; --i, --k) {
-      const double a = part_[i - 1], b = o.part_[k - 1], d = a - b;
-      if (d == 0) continue;
-      // What the other parts add is less than two units in the last place of either.
-      if (std::fabs(d) > 0x1p-49 * (std::fabs(a) + std::fabs(b))) return d > 0 ? 1 : -1;
-      return compare_rest(i, o, k);
-    }
-    return compare_rest(i, o, k);
+    while (i > 0 && k > 0 && part_[i - 1] == o.part_[k - 1]) --i, --k;
+    // The largest part has the sign of all.
+    if (k == 0) return i == 0 ? 0 : (part_[i - 1] > 0 ? 1 : -1);
+    if (i == 0) return o.part_[k - 1] > 0 ? -1 : 1;
+    const double d = part_[i - 1] - o.part_[k - 1];
+    if (std::fabs(d) > up * (most_below(i - 1) + o.most_below(k - 1))) return d > 0 ? 1 : -1;
+    ExactSum<2 * capacity> difference;
+    while (i-- > 0) difference.add(part_[i]);
+    while (k-- > 0) difference.add(-o.part_[k]);
+    return difference.sign();
   }
   /// The largest double not above, and the smallest not below.
   double floor() const {
-    double x = leading();
-    if (size_ < 2) return x;
-    // The rest is less than twice its largest part: usually far less than the distance to the next double.
-    const double next_part = part_[size_ - 2];
-    if (std::fabs(next_part) < 0x1p-55 * std::fabs(x) && std::fabs(x) > 0x1p-900) {
-      return next_part > 0 ? x : std::nextafter(x, -INFINITY);
+    if (size_ < 2) return approximate();
+    // Usually the rest is far less than the distance of the largest part to the next double.
+    const double largest = part_[size_ - 1], next_part = part_[size_ - 2];
+    if (most_below(size_ - 1) < 0x1p-54 * std::fabs(largest) && std::fabs(largest) > 0x1p-900) {
+      return next_part > 0 ? largest : std::nextafter(largest, -INFINITY);
     }
+    double x = approximate();
     while (compare(ShortSum(x)) < 0) x = std::nextafter(x, -INFINITY);
     for (double next; compare(ShortSum(next = std::nextafter(x, INFINITY))) >= 0;) x = next;
     return x;
@@ -72,16 +78,11 @@ class ShortSum {
   double ceiling() const { return -negated().floor(); }
 
  private:
-  /// Of the first i parts and the other's first k.
-  int compare_rest(std::size_t i, const ShortSum& o, std::size_t k) const {
-    // The largest part has the sign of all.
-    if (k == 0) return i == 0 ? 0 : (part_[i - 1] > 0 ? 1 : -1);
-    if (i == 0) return o.part_[k - 1] > 0 ? -1 : 1;
-    ExactSum<2 * capacity> difference;
-    while (i-- > 0) difference.add(part_[i]);
-    while (k-- > 0) difference.add(-o.part_[k]);
-    return difference.sign();
-  }
+  static constexpr double up = 1 + 0x1p-50;
+
+  /// A bound of what the first i parts add up to: as they do not overlap, less than twice the largest of them. That may
+  /// be as much as the part above them.
+  double most_below(std::size_t i) const { return i > 0 ? 2 * std::fabs(part_[i - 1]) : 0; }
   ShortSum negated() const {
     ShortSum n = *this;
     for (std::size_t i = 0; i < size_; ++i) n.part_[i] = -part_[i];

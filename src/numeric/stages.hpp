@@ -19,6 +19,7 @@ enum class Stage : std::uint8_t {
   doubles,      ///< with a bound of the error
   first_order,  ///< doubles with the displacement in them, or on the part that is linear in it
   exact,        ///< sums of doubles
+  beside,       ///< doubles, from the root of a form that is nearly the same
   fixed,        ///< numbers of a fixed length, whose point is fixed
   precise,      ///< balls of the first of the Precisions; the others follow
 };
@@ -32,6 +33,8 @@ inline constexpr Stage last_stage = stage_of_precision(precise_stages - 1);
 constexpr Stage next_precise(Stage stage) {
   return stage < Stage::precise ? Stage::precise : static_cast<Stage>(static_cast<int>(stage) + 1);
 }
+/// The same for instants and their order, of which much may be known beside another one.
+constexpr Stage next_closer(Stage stage) { return stage < Stage::beside ? Stage::beside : next_precise(stage); }
 
 /// Runs the generic lambda with a value of the number type of a stage at high precision.
 template <int Precision = 0, class Action>

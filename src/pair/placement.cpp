@@ -120,14 +120,29 @@ int Placement::close_orientation(VertexId a, VertexId b, VertexId c) const {
     if (const int s = geometry_->rigid_orientation(a, b, c)) return s;
     throw Undecidable{"three vertices of one body are collinear even after the displacement"};
   }
-  return precise_sign("the orientation of three vertices", [&](auto zero) {
-    using N = decltype(zero);
-    N ax, ay, bx, by, cx, cy;
-    position(a, ax, ay);
-    position(b, bx, by);
-    position(c, cx, cy);
-    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-  });
+  return precise_orientation(a, b, c);
+}
+
+int Placement::precise_orientation(VertexId a, VertexId b, VertexId c) const {
+  // Turned so that the least is first, and mirrored so that the greatest is last.
+  while (b < a || c < a) std::tie(a, b, c) = std::tuple(b, c, a);
+  const bool mirrored = c < b;
+  if (mirrored) std::swap(b, c);
+  if (held_signs_.empty()) held_signs_.resize(signs_to_hold);
+  const std::size_t place = a.value * std::size_t{0x9e3779b1} + b.value * std::size_t{0x85ebca77} + c.value;
+  HeldSign& held = held_signs_[(place >> 7 ^ place) % signs_to_hold];
+  if (held.a != a || held.b != b || held.c != c) {
+    const int sign = precise_sign("the orientation of three vertices", [&](auto zero) {
+      using N = decltype(zero);
+      N ax, ay, bx, by, cx, cy;
+      position(a, ax, ay);
+      position(b, bx, by);
+      position(c, cx, cy);
+      return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    });
+    held = {a, b, c, sign};
+  }
+  return mirrored ? -held.sign : held.sign;
 }
 
 bool Placement::before(VertexId a, VertexId b) const {

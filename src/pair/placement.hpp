@@ -80,6 +80,7 @@ class Placement {
   void find_position(VertexId v, N& x, N& y) const;
   double orientation_bound(double products, double differences, double coordinate) const;
   int close_orientation(VertexId a, VertexId b, VertexId c) const;
+  int precise_orientation(VertexId a, VertexId b, VertexId c) const;
   /// The sign of what `quantity` makes of a zero of a number's type, where doubles do not tell it.
   template <class Quantity>
   int precise_sign(const char* what, const Quantity& quantity) const;
@@ -107,6 +108,13 @@ class Placement {
   };
   static constexpr std::size_t places_to_hold = 64;
   mutable std::vector<Held> held_;  ///< made when first asked for
+  /// Their orientations in the same way: of the same three vertices one part of the construction asks after the other.
+  struct HeldSign {
+    VertexId a, b, c;
+    int sign = 0;
+  };
+  static constexpr std::size_t signs_to_hold = 256;
+  mutable std::vector<HeldSign> held_signs_;
   mutable StageCounts stages_;
 };
 

@@ -38,19 +38,28 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
 
 bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& f) {
   if (leg.bridge || !vanishes_before_displacement(leg, g, form)) return false;
+  f = displacement_part(leg, g, form);
+  return true;
+}
+
+FastFunction FastFunction::displacement_part(const Leg& leg, const PairGeometry& g, const Form& form) {
   const DisplacedPoint &pa = g.point(form.a), &pb = g.point(form.b), &pc = g.point(form.c);
   constexpr double up = 0x1p200;
   const Point a = seen(leg, pa, form.pp), c = seen(leg, pc, !form.pp);
   // What the displacement changes in the edge and in the points, each times the rest. The motion's terms have the edge
   // alone in them.
-  const FormPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
-  const FormPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
+  FormPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
+  FormPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
+  edge.measure(form.measure);
+  points.measure(form.measure);
+  if (form.measure == Measure::offset_x || form.measure == Measure::offset_y) edge.ex = edge.ey = 0;
   std::array<double, 5> sum = coefficients_on(leg, form.pp, edge, 0.0);
   const std::array<double, 5> more = coefficients_on(leg, form.pp, points, 0.0);
   for (const std::size_t i : {0, 3, 4}) sum[i] += more[i];
   const double w = std::fabs(points.ex) + std::fabs(points.ey), shift = leg.offset_size();
   const double size_a = size_of(pa) + shift, size_c = size_of(pc) + shift;
   const double way_a = std::fabs(points.ax) + std::fabs(points.ay), way_c = std::fabs(points.cx) + std::fabs(points.cy);
+  FastFunction f;
   f.pp = form.pp;
   f.level1 = true;
   f.take(sum);
@@ -63,7 +72,7 @@ bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const Form& 
   }
   // The square of the displacement, scaled once.
   f.floor_error = displacement_room * (1 + size_a + size_c + f.w) * (1 + f.w + way_a + way_c);
-  return true;
+  return f;
 }
 
 double FastFunction::root_of(const FrameModel& model, double t) const {

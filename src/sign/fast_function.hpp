@@ -20,6 +20,8 @@ struct FastFunction {
   bool level1 = false;
 
   static FastFunction level_zero(const Leg& leg, const PairGeometry& g, const Form& form);
+  /// The part that is linear in the displacement, scaled as at level 1, whatever level 0 is.
+  static FastFunction displacement_part(const Leg& leg, const PairGeometry& g, const Form& form);
   /// The next level if level 0 is exactly zero at all times of the leg; false otherwise.
   static bool level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& result);
 

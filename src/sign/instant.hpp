@@ -52,7 +52,8 @@ struct Instant {
 inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t,
                    FrameMemory* memory = nullptr) {
   const PreciseTriple f(leg, g, form, memory);
-  return first_told([&](Stage stage) { return instant.refine(leg, g, stage, t, memory) ? f.sign_at(t, stage) : 0; });
+  const auto sign = [&](Stage stage) { return instant.refine(leg, g, stage, t, memory) ? f.sign_at(t, stage) : 0; };
+  return first_told(sign, Stage::beside);
 }
 
 /// Of three vertices that are on one line, the middle one: sign(form) tells the sign of a form at that instant.

@@ -1,8 +1,10 @@
 #include "sign/precise_triple.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.hpp"
+#include "geometry/displacement.hpp"
 #include "numeric/first_told.hpp"
 #include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
@@ -38,6 +40,9 @@ RootEnclosure<Real> enclosure(const PreciseTime& t) {
   return {around(t.lo()).lower(), around(t.hi()).upper()};
 }
 
+/// What is known better was not rounded before the displacement, and is good enough to tell ties.
+constexpr double all_but_displacement = 0x1p-16 * displacement_unit;
+
 /// The slope over an enclosure in doubles, if it is known well enough for Newton's steps to gain many bits each.
 std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const RealMax& lo, const RealMax& hi) {
   const Ball<double> slope = f(Ball<double>::between(double_floor(lo), double_above(hi))).d;
@@ -54,13 +59,39 @@ const ExactLine* PreciseTriple::line() const {
   return line_->exact() ? &*line_ : nullptr;
 }
 
-/// The function about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs
-/// less than polynomials about it.
-const TieForm* PreciseTriple::near(const PreciseTime& t) const {
+/// The frame about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs less
+/// than polynomials about it.
+const TieFrame* PreciseTriple::frame_near(const PreciseTime& t) const {
   if (!memory_ || !t.has_sums()) return nullptr;
   const double lo = t.floor(), hi = t.ceiling();
-  const TieFrame* const frame = lo < hi ? memory_->ties.around(lo, hi) : memory_->ties.known(lo, hi);
-  return frame ? &memory_->forms.of(*frame, leg_, geometry_, form_) : nullptr;
+  return lo < hi ? memory_->ties.around(lo, hi) : memory_->ties.known(lo, hi);
+}
+
+/// The function's root within reach of such an instant, if one of those known so far tells it; before more is tried, as
+/// well as that.
+const RootOfTie* PreciseTriple::root_beside(const PreciseTime& t, Stage stage) const {
+  if (!memory_ || !t.has_sums()) return nullptr;
+  const TieFrame* const frame = memory_->ties.known(t.floor(), t.ceiling());
+  const double enough = stage == Stage::beside ? INFINITY : all_but_displacement;
+  return frame ? memory_->forms.root_beside(*frame, leg_, geometry_, form_, enough) : nullptr;
+}
+
+/// It is monotone all over the reach.
+int PreciseTriple::sign_beside_root(const PreciseTime& t, Stage stage) const {
+  const RootOfTie* const root = root_beside(t, stage);
+  if (!root) return 0;
+  const std::optional<bool> is_first = t.is_first(root->at);
+  return !is_first ? 0 : *is_first ? -root->slope_sign : root->slope_sign;
+}
+
+/// By numbers of a fixed length; others may be told from it afterwards.
+std::optional<PreciseTime> PreciseTriple::root_of_tie(int sign, const PreciseTime& t, Stage stage,
+                                                      double enough) const {
+  const TieFrame* const frame = frame_near(t);
+  if (!frame) return std::nullopt;
+  const auto root = memory_->forms.of(*frame, leg_, geometry_, form_).root(sign, stage, enough);
+  if (root && enough == 0) memory_->forms.note_root(*frame, leg_, geometry_, form_, *root);
+  return root;
 }
 
 template <class Real>
@@ -84,12 +115,17 @@ std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunct
 }
 
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
+  if (stage <= Stage::precise) {
+    const int sign = sign_beside_root(t, stage);
+    if (sign != 0 || stage == Stage::beside) return told_by(Stage::beside, sign);
+  }
   if (t.has_sums()) {
     const ExactLine* const exact = line();
     if (const int sign = exact ? exact->sign_over(t) : 0) return told_by(Stage::exact, sign);
     if (stage == Stage::precise) {
-      const TieForm* const tie = near(t);
-      if (const int sign = tie ? tie->sign_over(t) : 0) return told_by(Stage::fixed, sign);
+      const TieFrame* const frame = frame_near(t);
+      const int sign = frame ? memory_->forms.of(*frame, leg_, geometry_, form_).sign_over(t) : 0;
+      if (sign != 0) return told_by(Stage::fixed, sign);
     }
   }
   return told_by(stage, with_stage(stage, [&](auto zero) {
@@ -189,14 +225,22 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
 
 bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough) const {
   if (t.stage >= stage) return true;
+  if (stage <= Stage::precise) {
+    const RootOfTie* const root = root_beside(t, stage);
+    if (root && root->slope_sign == -sign) {
+      t = root->at;
+      t.stage = stage;
+      return told_by(Stage::beside, true);
+    }
+    if (stage == Stage::beside) return false;
+  }
   if (stage == Stage::precise) {
     const ExactLine* const exact = line();
     if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
       t = *told_by(Stage::exact, root);
       return true;
     }
-    const TieForm* const tie = near(t);
-    if (const auto root = tie ? tie->root(sign, stage, enough) : std::nullopt) {
+    if (const auto root = root_of_tie(sign, t, stage, enough)) {
       t = *told_by(Stage::fixed, root);
       return true;
     }

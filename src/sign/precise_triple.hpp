@@ -49,7 +49,10 @@ class PreciseTriple {
     if (answer && memory_) memory_->stages.add(stage);
     return answer;
   }
-  const TieForm* near(const PreciseTime& t) const;
+  const TieFrame* frame_near(const PreciseTime& t) const;
+  const RootOfTie* root_beside(const PreciseTime& t, Stage stage) const;
+  std::optional<PreciseTime> root_of_tie(int sign, const PreciseTime& t, Stage stage, double enough) const;
+  int sign_beside_root(const PreciseTime& t, Stage stage) const;
   template <class Real>
   PreciseFunction<Real> function() const {
     return {leg_, geometry_, form_, memory_ ? &memory_->models : nullptr};

@@ -3,56 +3,68 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 
+#include "sign/near_form.hpp"
 #include "sign/tie_form.hpp"
 
 namespace taut {
 
+/// A root, and the sign of the slope there and all over a frame's reach.
+struct RootOfTie {
+  PreciseTime at;
+  int slope_sign = 0;
+  double error = 0;  ///< of its distance from a root that is known to all digits
+};
+
 /// A certificate that begins at such an instant often fails at it, too: its sign is asked for first, then its root, and
 /// to make the form costs as much as either. So the last forms of a leg are kept, each in the one place that its
-/// vertices tell.
+/// vertices tell. The last roots are kept with them, for forms that are nearly proportional to theirs.
 class TieForms {
  public:
   /// Makes room, so that nothing is allocated when it is asked for.
   void reserve() {
-    if (!kept_) kept_.reset(new std::array<Kept, places>);
+    if (!kept_) kept_.reset(new Kept);
   }
   void clear() {
     if (!kept_ || is_clear_) return;
-    for (Kept& k : *kept_) k.used = false;
+    for (Place& place : kept_->places) place.used = false;
+    roots_noted_ = 0;
     is_clear_ = true;
   }
   /// The form about the frame's instant, valid until the next call. All frames are of the same leg, all forms of the
   /// same bodies, until it is cleared.
-  const TieForm& of(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form) {
-    reserve();
-    Kept& kept = (*kept_)[place_of(form)];
-    if (kept.used && kept.about == frame.about && kept.form == form) return kept.tie;
-    is_clear_ = kept.used = false;
-    kept.tie = TieForm(frame, leg, g, form);
-    kept.form = form;
-    kept.about = frame.about;
-    kept.used = true;
-    return kept.tie;
-  }
+  const TieForm& of(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form);
+  /// Its root within reach, if one that is known tells it with an error below `enough`; valid as long.
+  const RootOfTie* root_beside(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form,
+                               double enough);
+  /// From now on its root, which is given by sums, is known.
+  void note_root(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form,
+                 const PreciseTime& root);
 
  private:
-  static constexpr std::size_t places = 128;
-
-  struct Kept {
-    bool used = false;
+  struct Place {
+    bool used = false, has_tie = false, has_near = false;
     double about = 0;
     Form form;
     TieForm tie;
+    NearForm near;
+    std::optional<RootOfTie> root;
+    std::uint64_t roots_seen = 0;  ///< how many had been noted when one was looked for,
+    double enough = 0;             ///< with such an error
   };
-  static std::size_t place_of(const Form& form) {
-    const std::size_t mixed = form.a.value * std::size_t{0x9e3779b1} + form.b.value * std::size_t{0x85ebca77} +
-                              form.c.value * std::size_t{0xc2b2ae3d} + static_cast<std::size_t>(form.measure);
-    return (mixed >> 8 ^ mixed >> 16 ^ mixed) % places;
-  }
+  struct Kept {
+    std::array<Place, 128> places;
+    std::array<KnownRoot, 32> roots;
+  };
 
-  std::unique_ptr<std::array<Kept, places>> kept_;
+  Place& place_of(const TieFrame& frame, const Form& form);
+  const NearForm& near_of(Place& place, const TieFrame& frame, const Leg& leg, const PairGeometry& g);
+
+  std::unique_ptr<Kept> kept_;
+  std::uint64_t roots_noted_ = 0;
   bool is_clear_ = true;
 };
 

@@ -31,6 +31,16 @@ std::array<double, TieFrame::terms + 1> powers_of(double x) {
 
 using FrameAround = FrameOf<ModelSeries<double>>;
 
+/// All over the ball that the series are made over.
+FrameSample sample_over(const std::array<ModelSeries<double>, 5>& over) {
+  std::array<Jet<double>, 5> f;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto term = [&](int k) { return over[i].terms > k ? over[i].c[k] : Ball<double>::exact(0); };
+    f[i] = {term(0), term(1), Ball<double>::exact(0)};
+  }
+  return sample_of(f);
+}
+
 bool leaves_out_nothing(const FrameAround& over, double last_power) {
   double rest = 0;
   for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i]) + rest_of(over.for_qq[i]);
@@ -51,6 +61,8 @@ TieFrame frame_about(const Leg& leg, double about) {
     const auto at = frame_series(leg, Ball<Real320>::exact(about));
     take(at.for_pp, over.for_pp, made.pp, made.pp_rest);
     take(at.for_qq, over.for_qq, made.qq, made.qq_rest);
+    made.pp_over = sample_over(over.for_pp);
+    made.qq_over = sample_over(over.for_qq);
     break;
   }
   return made;

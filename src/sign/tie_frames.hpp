@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "numeric/fixed.hpp"
+#include "relative/frame_sample.hpp"
 #include "relative/leg.hpp"
 
 namespace taut {
@@ -24,9 +25,12 @@ struct TieFrame {
   std::array<std::array<FixedBall, terms>, 5> pp, qq;
   /// Bounds of the next coefficient within reach: nothing else is left out.
   std::array<double, 5> pp_rest{}, qq_rest{};
+  /// Values and slopes in doubles, with bounds that hold all over the reach.
+  FrameSample pp_over, qq_over;
 
   const std::array<std::array<FixedBall, terms>, 5>& functions(bool of_pp) const { return of_pp ? pp : qq; }
   const std::array<double, 5>& rest(bool of_pp) const { return of_pp ? pp_rest : qq_rest; }
+  const FrameSample& over(bool of_pp) const { return of_pp ? pp_over : qq_over; }
 };
 
 /// Those of one leg that were asked for last.

@@ -105,28 +105,5 @@ TEST(ExactLine, SaysSoWhenProductsUnderflow) {
   EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());
 }
 
-TEST(ShortSum, ComparesAndRoundsExactly) {
-  const auto number = [](std::initializer_list<double> parts) {
-    ExactSum<8> sum;
-    for (const double x : parts) sum.add(x);
-    return ShortSum::of(sum);
-  };
-  const ShortSum one = number({1}), more = number({1, 0x1p-200}), less = number({1, -0x1p-200});
-  EXPECT_EQ(one.compare(one), 0);
-  EXPECT_LT(one.compare(more), 0);
-  EXPECT_GT(one.compare(less), 0);
-  EXPECT_EQ(more.floor(), 1);
-  EXPECT_EQ(more.ceiling(), std::nextafter(1, 2));
-  EXPECT_EQ(less.floor(), std::nextafter(1, 0));
-  EXPECT_EQ(less.ceiling(), 1);
-  EXPECT_EQ(one.floor(), 1);
-  EXPECT_EQ(one.ceiling(), 1);
-  EXPECT_EQ(ShortSum(0).compare(number({0x1p-300})), -1);
-  EXPECT_EQ(ShortSum(0).floor(), 0);
-  // The same number, split differently.
-  EXPECT_EQ(number({1, 0x1p-53, 0x1p-54}).compare(number({1, 0x1.8p-53})), 0);
-  EXPECT_EQ(more.real() - one.real(), RealMax(0x1p-200));
-}
-
 }  // namespace
 }  // namespace taut::testing
