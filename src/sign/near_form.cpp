@@ -13,7 +13,7 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(), as measured.
-constexpr std::uint64_t work_of_near_form = 6, work_of_root_beside = 3;
+constexpr std::uint64_t work_of_near_form = 5, work_of_distance = 3, work_of_root_beside = 5;
 constexpr double bound_up = 1 + 0x1p-45;
 /// Residuals of nearly proportional forms are below this share of the coefficients.
 constexpr double nearly = 0x1p-40;
@@ -86,7 +86,7 @@ Bounded NearForm::scaled_value(const FrameSample& over, const NearForm& other, b
 }
 
 std::optional<Bounded> NearForm::distance_from(const TieFrame& frame, const KnownRoot& known) const {
-  count_work(work_of_root_beside);
+  count_work(work_of_distance);
   const NearForm& other = known.form;
   if (!may_be_proportional_to(other)) return std::nullopt;
   const bool turned = std::fabs(other.rough_.ey) > std::fabs(other.rough_.ex);
@@ -110,6 +110,7 @@ KnownRoot::KnownRoot(const NearForm& of, const TieFrame& frame, const PreciseTim
 
 /// Rounded to what matters beside the error.
 PreciseTime KnownRoot::at_distance(const Bounded& h) const {
+  count_work(work_of_root_beside);
   ExactSum<ShortSum::capacity - 1> middle;
   std::size_t left = from.size();
   for (; left > 0 && middle.size() < ShortSum::capacity - 2; --left) {
