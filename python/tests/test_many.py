@@ -58,6 +58,26 @@ def test_rows_are_the_answers_of_check(options):
     assert len(seen) >= 3
 
 
+def rack(teeth, up):
+    """A comb with many corners, whose tiling takes longer than the rest of a short question."""
+    outline = [(k + x, y) for k in range(teeth) for x, y in ((0, 0), (0.2, 2), (0.3, 2), (0.5, 0))] + [(teeth, -1), (0, -1)]
+    return outline[::-1] if up else [(x + 0.5, 3 - y) for x, y in outline]
+
+
+def test_rows_near_each_other_are_asked_by_the_kinetic_engine_as_if_alone():
+    rng = random.Random(4)
+    scene = Scene([Body("rack", rack(9, True)), Body("comb", rack(9, False))], (0, 1))
+    starts = numpy.cumsum([(rng.gauss(0, 0.002), rng.gauss(0, 0.002), rng.gauss(0, 0.2)) for _ in range(150)], axis=0)
+    ends = [(rng.uniform(-0.3, 0.3), rng.choice((0, 0, 1, -1)), 0) for _ in starts]
+    rows = KeyframeRows.between(starts, starts + ends, pivot=(4, 2))
+    for touch in ("open", "closed"):
+        found = [taut2d.check_many(scene, {"comb": rows}, engine="kinetic", touch=touch, threads=n) for n in (1, 2, 3)]
+        assert len({f.tobytes() for f in found}) == 1
+        for k, row in enumerate(found[0]):
+            assert_same(row, taut2d.check(scene.with_motion("comb", rows[k]), engine="kinetic", touch=touch), ["rack", "comb"])
+        assert set(found[0]["outcome"]) >= {Outcome.FREE, Outcome.CONTACT}
+
+
 def test_rows_of_worlds():
     rng = random.Random(2)
     plate = Body("plate", taut2d.Part([(-9, -9), (9, -9), (9, 9), (-9, 9)], [[(-6, -6), (-6, 6), (6, 6), (6, -6)]]))

@@ -27,23 +27,6 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
   return answer;
 }
 
-/// Asks `otherwise`, unless boxes show with so little work that nothing meets, or that the bodies rest on each other
-/// from the start. Many events at one instant, as drawings on a grid have them, ask for more than doubles, and yet most
-/// bodies that have them are far from touching, or touch at once. That is seen soon by boxes, while the tiling would be
-/// built again, and go through all events.
-Question unless_soon_told(std::uint64_t effort, const Question& otherwise) {
-  return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
-    const std::unique_ptr<Run> boxes = begin_spacetime(scene, options);
-    if (boxes->work(effort)) {
-      const Answer& told = boxes->answer();
-      if (told.outcome == Outcome::free || (told.contact && told.contact->time.hi <= scene.start)) return told;
-    }
-    Answer answer = otherwise(scene, options);
-    answer.run_seconds += boxes->answer().build_seconds + boxes->answer().run_seconds;
-    return answer;
-  };
-}
-
 /// By the tiling; but whether what stays free touches is left to boxes where they tell soon.
 Answer check_by_tiling(const Scene& scene, const CheckOptions& options) {
   const std::uint64_t before = work_spent();

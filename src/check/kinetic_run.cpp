@@ -170,9 +170,10 @@ Answer run_kinetic(const Scene& scene, const CheckOptions& options) { return run
 
 NearAnswer run_kinetic(const Scene& scene, const CheckOptions& options, NearStart& near) {
   const auto afresh = [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); };
+  const std::uint64_t before = work_spent();
   KineticRun run(scene, options, nullptr, &near);
   run.work(UINT64_MAX);
-  const Answer answer = with_touching(run, scene, options, afresh);
+  const Answer answer = with_touching(run, scene, options, unless_soon_told((work_spent() - before) / 2, afresh));
   // Neither do limits stop the other way at the same place, nor need it have asked about touching.
   const bool settled = answer.outcome != Outcome::undecided && answer.touching_undecided.empty();
   if (run.began_near() && !settled) return {run_kinetic(scene, options), false};
