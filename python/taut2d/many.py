@@ -72,7 +72,8 @@ def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] 
     ``shapes``: {name of a body: a list of its shape in each row}. Shapes that come again are prepared once.
     ``times``: an array (rows, 2) of when each row begins and ends; None: as the scene.
     ``threads``: how many; None is one for each processor. The answers are the same for any number.
-    ``max_seconds``, ``max_events``: for each row, as in check(); ``touch``, ``engine`` as there.
+    ``max_seconds``, ``max_events``: for each row, as in check(); ``touch``, ``engine`` as there. With the engine
+    "kinetic", rows that begin near others go on from the tiling of one of these, with the same answers.
 
     The result is a structured array of answer_dtype(): "outcome" (see Outcome), "t_lo" and "t_hi" (which certainly
     contain the time of the contact), "free_until", "point", "normal", "pair" (the two bodies, by their place in the
