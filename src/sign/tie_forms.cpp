@@ -57,7 +57,7 @@ const RootOfTie* TieForms::root_beside(const TieFrame& frame, const Leg& leg, co
   place.enough = enough;
   // What was noted last is nearest.
   for (std::uint64_t k = roots_noted_; k-- > std::max(seen, roots_noted_ - std::min(roots_noted_, most));) {
-    const KnownRoot& known = kept_->roots[k % most];
+    const KnownRoot& known = kept_->roots[static_cast<std::size_t>(k % most)];
     if (!near.is_beside(known.form)) continue;
     const auto distance = near.distance_from(frame, known);
     if (!distance || !(distance->error < enough)) continue;
@@ -71,7 +71,8 @@ void TieForms::note_root(const TieFrame& frame, const Leg& leg, const PairGeomet
                          const PreciseTime& root) {
   const NearForm& near = near_of(place_of(frame, form), frame, leg, g);
   if (near.slope_sign() == 0) return;
-  kept_->roots[roots_noted_++ % kept_->roots.size()] = KnownRoot(near, frame, root);
+  const std::uint64_t place = roots_noted_++ % kept_->roots.size();
+  kept_->roots[static_cast<std::size_t>(place)] = KnownRoot(near, frame, root);
 }
 
 }  // namespace taut
