@@ -23,11 +23,6 @@ constexpr double part_that_matters = 0x1p-10;
 /// All but the motion's terms, which have the edge alone in them.
 constexpr std::size_t terms_of_points[] = {0, 3, 4};
 
-template <class N>
-std::array<N, 5> coefficients(bool translation, bool pp, const FormPoints<N>& points) {
-  return translation ? translation_coefficients(pp, points, N()) : form_coefficients(pp, points);
-}
-
 /// The first form's edge, and the points of the first from those of the second.
 template <class N>
 FormPoints<N> edge_and_differences(const FormPoints<N>& p, const FormPoints<N>& o) {
@@ -43,7 +38,7 @@ double size_of_edge(const FormPoints<double>& p) { return std::fabs(p.ex) + std:
 }  // namespace
 
 NearForm::NearForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form)
-    : about_(frame.about), pp_(form.pp), translation_(leg.translation) {
+    : about_(frame.about), pp_(form.pp) {
   count_work(work_of_near_form);
   const FrameSample& over = frame.over(pp_);
   slope_ = FastFunction::level_zero(leg, g, form).slope(over);
@@ -54,21 +49,21 @@ NearForm::NearForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g,
 }
 
 /// By doubles without bounds: if they err, a chance is missed.
-bool NearForm::may_be_proportional_to(const NearForm& o) const {
+bool NearForm::may_be_proportional_to(const Leg& leg, const NearForm& o) const {
   const double size = size_of_edge(rough_), other = size_of_edge(o.rough_);
   if (!(std::fabs(cross(rough_.ex, rough_.ey, o.rough_.ex, o.rough_.ey)) <= nearly * size * other)) return false;
-  const auto c = coefficients(translation_, pp_, edge_and_differences(rough_, o.rough_));
+  const auto c = coefficients_on(leg, pp_, edge_and_differences(rough_, o.rough_), 0.0);
   return std::fabs(c[0]) <= nearly * size && std::fabs(c[3]) <= nearly * size && std::fabs(c[4]) <= nearly * size;
 }
 
 /// Of this form at the other's root, times the larger coordinate of the other's edge: that is y if it is turned.
-Bounded NearForm::scaled_value(const FrameSample& over, const NearForm& other, bool turned) const {
+Bounded NearForm::scaled_value(const FrameSample& over, const Leg& leg, const NearForm& other, bool turned) const {
   const FormPoints<DoubleDouble>&p = given_, &o = other.given_;
   const DoubleDouble &mine = turned ? p.ey : p.ex, &others = turned ? o.ey : o.ex;
   const DoubleDouble crossed = cross(p.ex, p.ey, o.ex, o.ey), zero;
   const FormPoints<DoubleDouble> d{turned ? crossed : zero, turned ? zero : -crossed, o.ax, o.ay, o.cx, o.cy};
-  std::array<DoubleDouble, 5> residual = coefficients(translation_, pp_, d);
-  const auto more = coefficients(translation_, pp_, edge_and_differences(p, o));
+  std::array<DoubleDouble, 5> residual = coefficients_on(leg, pp_, d, zero);
+  const auto more = coefficients_on(leg, pp_, edge_and_differences(p, o), zero);
   for (const std::size_t i : terms_of_points) residual[i] = residual[i] + others * more[i];
   const double error_of[] = {over.error_0, over.error_a, over.error_a, over.error_b, over.error_b};
   Bounded sum{0, 0};
@@ -85,12 +80,12 @@ Bounded NearForm::scaled_value(const FrameSample& over, const NearForm& other, b
   return {sum.value, (sum.error + std::fabs(sum.value) * 0x1p-49) * bound_up};
 }
 
-std::optional<Bounded> NearForm::distance_from(const TieFrame& frame, const KnownRoot& known) const {
+std::optional<Bounded> NearForm::distance_from(const TieFrame& frame, const Leg& leg, const KnownRoot& known) const {
   count_work(work_of_distance);
   const NearForm& other = known.form;
-  if (!may_be_proportional_to(other)) return std::nullopt;
+  if (!may_be_proportional_to(leg, other)) return std::nullopt;
   const bool turned = std::fabs(other.rough_.ey) > std::fabs(other.rough_.ex);
-  const Bounded value = scaled_value(frame.over(pp_), other, turned);
+  const Bounded value = scaled_value(frame.over(pp_), leg, other, turned);
   // By the mean value theorem.
   const double factor = turned ? other.rough_.ey : other.rough_.ex;
   const double least = (std::fabs(slope_.value) - slope_.error) / bound_up;

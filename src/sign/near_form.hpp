@@ -38,14 +38,14 @@ class NearForm {
   /// Where the form has its only root within reach, seen from that of another one beside it, whose enclosure counts as
   /// a point. Nothing if the two are not so nearly proportional that this is known far better than a double holds
   /// instants. The slope has a sign.
-  std::optional<Bounded> distance_from(const TieFrame& frame, const KnownRoot& known) const;
+  std::optional<Bounded> distance_from(const TieFrame& frame, const Leg& leg, const KnownRoot& known) const;
 
  private:
-  bool may_be_proportional_to(const NearForm& o) const;
-  Bounded scaled_value(const FrameSample& over, const NearForm& other, bool turned) const;
+  bool may_be_proportional_to(const Leg& leg, const NearForm& o) const;
+  Bounded scaled_value(const FrameSample& over, const Leg& leg, const NearForm& other, bool turned) const;
 
   double about_ = 0;
-  bool pp_ = false, translation_ = false;
+  bool pp_ = false;
   FormPoints<DoubleDouble> given_;  ///< before the displacement
   FormPoints<double> rough_{};
   Bounded displaced_{};  ///< the value that the displacement adds, in its unit, all over the reach

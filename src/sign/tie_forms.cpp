@@ -59,7 +59,7 @@ const RootOfTie* TieForms::root_beside(const TieFrame& frame, const Leg& leg, co
   for (std::uint64_t k = roots_noted_; k-- > std::max(seen, roots_noted_ - std::min(roots_noted_, most));) {
     const KnownRoot& known = kept_->roots[static_cast<std::size_t>(k % most)];
     if (!near.is_beside(known.form)) continue;
-    const auto distance = near.distance_from(frame, known);
+    const auto distance = near.distance_from(frame, leg, known);
     if (!distance || !(distance->error < enough)) continue;
     place.root = RootOfTie{known.at_distance(*distance), near.slope_sign(), distance->error};
     return &*place.root;
