@@ -25,7 +25,8 @@ constexpr double most_samples = 16;
 /// Of each of a link's outlines, about so many vertices are looked for where nothing is.
 constexpr std::uint32_t outline_vertices = 8;
 
-const PieceChain at_rest;
+/// The chain of what does not move: none.
+const PieceChain world_chain;
 
 /// The link's box all over the stretch, in the world's frame.
 SweptBox box_over(const Stretch& s, const spacetime::Box& box) {
@@ -154,7 +155,7 @@ RobotFinding RobotSearch::sampled(double from, double to) {
   RobotFinding free;
   free.lo = free.hi = to;
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, from, to);
+    const EvenLeg leg(world_chain, states_[k].chain, *states_[k].tree, from, to);
     if (!find_near(k, leg.stretch(from, to).everywhere())) continue;
     const double steps = std::min(box_.longest() / states_[k].size, most_samples);
     for (double share = 1; share <= steps; share *= 2) {
@@ -214,7 +215,7 @@ std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hie
 RobotFinding RobotSearch::at(double t) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
     const LinkState& state = states_[k];
-    const EvenLeg leg(at_rest, state.chain, *state.tree, t, t + 1);
+    const EvenLeg leg(world_chain, state.chain, *state.tree, t, t + 1);
     if (!find_near(k, leg.stretch(t, t).everywhere())) continue;
     if (const auto other = overlapped(leg, *state.tree, t, &state))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
@@ -268,7 +269,7 @@ RobotFinding RobotSearch::along(double from, double to, bool any) {
   best.lo = best.hi = to;
   const auto over = [&] { return best.outcome != Outcome::free && any_; };
   for (std::size_t k = 0; k < links_.size() && !over(); ++k) {
-    const EvenLeg leg(at_rest, states_[k].chain, *states_[k].tree, from, to);
+    const EvenLeg leg(world_chain, states_[k].chain, *states_[k].tree, from, to);
     cover(k, leg, from, to, 0, best);
   }
   for (const LinkPair& pair : pairs_) {
@@ -298,8 +299,8 @@ void RobotSearch::cross(Leg bridge, const Hierarchy& mover, Names names, RobotFi
 /// rounding, which the stretch is widened by.
 void RobotSearch::find_crossed(std::size_t link, double t) {
   const Hierarchy& mover = *states_[link].tree;
-  const EvenLeg before(at_rest, states_[link].before, mover, t, t + 1);
-  const EvenLeg after(at_rest, states_[link].chain, mover, t, t + 1);
+  const EvenLeg before(world_chain, states_[link].before, mover, t, t + 1);
+  const EvenLeg after(world_chain, states_[link].chain, mover, t, t + 1);
   Stretch s = before.stretch(t, t).everywhere();
   const Stretch to = after.stretch(t, t).everywhere();
   const auto gap = [](const spacetime::Path& a, const spacetime::Path& b) {

@@ -2,76 +2,61 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cmath>
+#include <utility>
+
+#include "base/interruption.hpp"
 
 namespace taut {
-namespace {
 
-SweptBox around_all(const std::vector<SweptBox>& boxes, std::uint32_t first, std::uint32_t count) {
-  SweptBox all = boxes[first];
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    all.lo_x = std::min(all.lo_x, boxes[i].lo_x);
-    all.lo_y = std::min(all.lo_y, boxes[i].lo_y);
-    all.hi_x = std::max(all.hi_x, boxes[i].hi_x);
-    all.hi_y = std::max(all.hi_y, boxes[i].hi_y);
+BoxTree::BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups) {
+  if (boxes.empty()) return;
+  entries_.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    entries_.push_back({boxes[i], static_cast<int>(i), groups.empty() ? several : groups[i]});
   }
-  return all;
-}
-
-}  // namespace
-
-BoxTree::BoxTree(const std::vector<SweptBox>& boxes) : boxes_(boxes), index_(boxes.size()) {
-  std::iota(index_.begin(), index_.end(), 0);
-  if (!boxes.empty()) divide(0, static_cast<std::uint32_t>(boxes.size()), 0);
+  divide(root());
 }
 
 /// At the median of the boxes' middles, along the longer side.
-void BoxTree::divide(std::uint32_t first, std::uint32_t count, std::uint32_t node) {
-  if (around_.size() <= node) around_.resize(node + 1);
-  const SweptBox all = around_all(boxes_, first, count);
-  around_[node] = all;
-  if (count <= leaf) return;
-  const bool along_x = all.hi_x - all.lo_x >= all.hi_y - all.lo_y;
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), first);
-  const auto key = [&](std::uint32_t i) {
-    return along_x ? boxes_[i].lo_x + boxes_[i].hi_x : boxes_[i].lo_y + boxes_[i].hi_y;
-  };
-  std::nth_element(order.begin(), order.begin() + count / 2, order.end(), [&](std::uint32_t i, std::uint32_t k) {
-    return std::pair(key(i), index_[i]) < std::pair(key(k), index_[k]);
-  });
-  std::vector<SweptBox> boxes;
-  std::vector<int> index;
-  for (const std::uint32_t i : order) {
-    boxes.push_back(boxes_[i]);
-    index.push_back(index_[i]);
+void BoxTree::divide(const Run& run) {
+  const std::span<Entry> entries = std::span(entries_).subspan(run.first, run.count);
+  Node node{entries.front().box, entries.front().group};
+  for (const Entry& e : entries) {
+    node.around = node.around.with(e.box);
+    if (e.group != node.group) node.group = several;
   }
-  std::copy(boxes.begin(), boxes.end(), boxes_.begin() + first);
-  std::copy(index.begin(), index.end(), index_.begin() + first);
-  divide(first, count / 2, 2 * node + 1);
-  divide(first + count / 2, count - count / 2, 2 * node + 2);
+  if (nodes_.size() <= run.node) nodes_.resize(run.node + 1);
+  nodes_[run.node] = node;
+  if (run.count <= leaf) return;
+  const bool along_x = node.around.hi_x - node.around.lo_x >= node.around.hi_y - node.around.lo_y;
+  const auto key = [&](const Entry& e) {
+    const double sum = along_x ? e.box.lo_x + e.box.hi_x : e.box.lo_y + e.box.hi_y;
+    return std::pair(std::isnan(sum) ? 0 : sum, e.index);  // a box may be infinite both ways
+  };
+  std::nth_element(entries.begin(), entries.begin() + run.count / 2, entries.end(),
+                   [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  divide(run.half(0));
+  divide(run.half(1));
 }
 
 template <class Visit>
 bool BoxTree::search(const SweptBox& box, const Visit& visit) const {
-  struct Run {
-    std::uint32_t first, count, node;
-  };
-  if (boxes_.empty()) return false;
+  if (entries_.empty()) return false;
   // Depths differ by one at most, so 64 are enough for any number of boxes.
   std::array<Run, 64> stack;
   std::size_t size = 0;
-  stack[size++] = {0, static_cast<std::uint32_t>(boxes_.size()), 0};
+  stack[size++] = root();
   while (size > 0) {
     const Run run = stack[--size];
-    if (!around_[run.node].meets(box)) continue;
+    if (!nodes_[run.node].around.meets(box)) continue;
     if (run.count > leaf) {
-      stack[size++] = {run.first + run.count / 2, run.count - run.count / 2, 2 * run.node + 2};
-      stack[size++] = {run.first, run.count / 2, 2 * run.node + 1};
+      stack[size++] = run.half(1);
+      stack[size++] = run.half(0);
       continue;
     }
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-      if (boxes_[i].meets(box) && visit(index_[i])) return true;
+      if (entries_[i].box.meets(box) && visit(entries_[i].index)) return true;
     }
   }
   return false;
@@ -88,6 +73,46 @@ void BoxTree::find(const SweptBox& box, std::vector<int>& found) const {
     return false;
   });
   std::sort(found.begin() + begin, found.end());
+}
+
+void BoxTree::each_two(const std::function<void(int, int)>& visit) const {
+  if (!entries_.empty()) each_within(root(), visit);
+}
+
+void BoxTree::each_within(const Run& run, const std::function<void(int, int)>& visit) const {
+  if (nodes_[run.node].group != several) return;
+  if (run.count > leaf) {
+    each_within(run.half(0), visit);
+    each_within(run.half(1), visit);
+    each_between(run.half(0), run.half(1), visit);
+    return;
+  }
+  for (std::uint32_t i = run.first; i < run.first + run.count; ++i) each_of(entries_[i], run.first, i, visit);
+}
+
+void BoxTree::each_between(const Run& a, const Run& b, const std::function<void(int, int)>& visit) const {
+  interruption_point();
+  const Node &left = nodes_[a.node], &right = nodes_[b.node];
+  if (left.group != several && left.group == right.group) return;
+  if (!left.around.meets(right.around)) return;
+  const Run &larger = a.count < b.count ? b : a, &other = a.count < b.count ? a : b;
+  if (larger.count > leaf) {
+    each_between(larger.half(0), other, visit);
+    each_between(larger.half(1), other, visit);
+    return;
+  }
+  for (std::uint32_t i = a.first; i < a.first + a.count; ++i) each_of(entries_[i], b.first, b.first + b.count, visit);
+}
+
+/// With those from first to before last.
+void BoxTree::each_of(const Entry& entry, std::uint32_t first, std::uint32_t last,
+                      const std::function<void(int, int)>& visit) const {
+  for (std::uint32_t i = first; i < last; ++i) {
+    interruption_point();
+    const Entry& other = entries_[i];
+    if (entry.group != several && entry.group == other.group) continue;
+    if (entry.box.meets(other.box)) visit(entry.index, other.index);
+  }
 }
 
 }  // namespace taut

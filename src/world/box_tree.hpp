@@ -1,7 +1,9 @@
-// A tree over boxes that do not change: which of them meet another one.
+// A tree over boxes that do not change: which of them meet another one, and which meet each other?
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "world/swept_box.hpp"
@@ -13,24 +15,50 @@ namespace taut {
 class BoxTree {
  public:
   BoxTree() = default;
-  explicit BoxTree(const std::vector<SweptBox>& boxes);
+  /// Boxes of one group do not ask about each other: `groups` has a number for each box, or none.
+  explicit BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups = {});
 
   /// Does any of them meet the box?
   bool any(const SweptBox& box) const;
   /// Adds the indices of those that do, in order.
   void find(const SweptBox& box, std::vector<int>& found) const;
+  /// Calls visit(i, j) for every two that meet, once, those of one group left out: these cost nothing, however many of
+  /// them meet.
+  void each_two(const std::function<void(int, int)>& visit) const;
 
  private:
   /// Small runs are looked at box by box.
   static constexpr std::uint32_t leaf = 4;
+  static constexpr int several = -1;
+  struct Entry {
+    SweptBox box;
+    int index;
+    int group;  ///< several: none
+  };
+  struct Node {
+    SweptBox around;
+    int group;  ///< of all that are in it
+  };
+  /// Entries first to first + count, below a node. The two halves of a run are the children of its node.
+  struct Run {
+    std::uint32_t first, count, node;
+    Run half(std::uint32_t which) const {
+      const std::uint32_t before = count / 2;
+      return which == 0 ? Run{first, before, 2 * node + 1} : Run{first + before, count - before, 2 * node + 2};
+    }
+  };
+  Run root() const { return {0, static_cast<std::uint32_t>(entries_.size()), 0}; }
   /// Calls visit(index) for boxes that meet until it returns true; true if it did.
   template <class Visit>
   bool search(const SweptBox& box, const Visit& visit) const;
-  void divide(std::uint32_t first, std::uint32_t count, std::uint32_t node);
+  void divide(const Run& run);
+  void each_within(const Run& run, const std::function<void(int, int)>& visit) const;
+  void each_of(const Entry& entry, std::uint32_t first, std::uint32_t last,
+               const std::function<void(int, int)>& visit) const;
+  void each_between(const Run& a, const Run& b, const std::function<void(int, int)>& visit) const;
 
-  std::vector<SweptBox> around_;  ///< by node: the children of k are 2 k + 1 and 2 k + 2
-  std::vector<SweptBox> boxes_;
-  std::vector<int> index_;
+  std::vector<Node> nodes_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace taut

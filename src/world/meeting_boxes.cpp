@@ -1,10 +1,9 @@
 #include "world/meeting_boxes.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 
 #include "base/interruption.hpp"
+#include "world/box_tree.hpp"
 
 namespace taut {
 
@@ -23,20 +22,18 @@ MeetingBoxes::MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies
 }
 
 void MeetingBoxes::each(const std::function<void(int, int, bool)>& visit) const {
-  std::vector<std::size_t> order(bodies_.size()), active;
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return std::pair(boxes_[i].lo_x, i) < std::pair(boxes_[j].lo_x, j); });
-  for (const std::size_t i : order) {
-    std::erase_if(active, [&](std::size_t j) { return boxes_[j].hi_x < boxes_[i].lo_x; });
-    for (const std::size_t j : active) {
-      interruption_point();
-      if (!boxes_[i].meets(boxes_[j]) || !plan_.asked(bodies_[i], bodies_[j])) continue;
-      visit(std::min(bodies_[i], bodies_[j]), std::max(bodies_[i], bodies_[j]),
-            is_long(plan_, bodies_[i], boxes_[i], bodies_[j], boxes_[j]));
-    }
-    active.push_back(i);
+  // In a world of two bodies they are asked about even if they move together.
+  std::vector<int> groups;
+  if (plan_.bodies().size() > 2) {
+    groups.reserve(bodies_.size());
+    for (const int b : bodies_) groups.push_back(plan_.bodies()[static_cast<std::size_t>(b)].group);
   }
+  BoxTree(boxes_, groups).each_two([&](int i, int j) {
+    const auto [first, last] = std::minmax(i, j);
+    const int a = bodies_[static_cast<std::size_t>(first)], b = bodies_[static_cast<std::size_t>(last)];
+    if (!plan_.asked(a, b)) return;
+    visit(a, b, is_long(plan_, a, boxes_[static_cast<std::size_t>(first)], b, boxes_[static_cast<std::size_t>(last)]));
+  });
 }
 
 }  // namespace taut

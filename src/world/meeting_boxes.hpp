@@ -17,8 +17,8 @@ class MeetingBoxes {
  public:
   MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies, double from, double to);
 
-  /// Calls visit(a, b, longer) for all pairs of bodies whose boxes meet and that are asked about: a sweep along x.
-  /// `longer`: is_long().
+  /// Calls visit(a, b, longer) for all pairs of bodies a < b whose boxes meet and that are asked about. `longer`:
+  /// is_long().
   void each(const std::function<void(int, int, bool)>& visit) const;
   /// Of each body, for those who go on with them.
   std::vector<SweptBox> take_boxes() { return std::move(boxes_); }

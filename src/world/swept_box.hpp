@@ -15,6 +15,11 @@ struct SweptBox {
     const double more = margin * (1 + 0x1p-40) + (margin > 0 ? 0x1p-48 : 0);
     return {lo_x - more, lo_y - more, hi_x + more, hi_y + more};
   }
+  /// The box around both.
+  SweptBox with(const SweptBox& o) const {
+    return {lo_x < o.lo_x ? lo_x : o.lo_x, lo_y < o.lo_y ? lo_y : o.lo_y, hi_x > o.hi_x ? hi_x : o.hi_x,
+            hi_y > o.hi_y ? hi_y : o.hi_y};
+  }
   double longest() const { return hi_x - lo_x > hi_y - lo_y ? hi_x - lo_x : hi_y - lo_y; }
 };
 
