@@ -59,12 +59,18 @@ bool FlatSides::above(VertexId a, VertexId b) {
   return sum.sign() > 0;
 }
 
+FlatSides::Extremes& FlatSides::Known::of(std::uint32_t node, std::size_t all) {
+  if (blocks.empty()) blocks.resize(all / size + 1);
+  auto& block = blocks[node / size];
+  if (!block) block = std::make_unique<std::array<Extremes, size>>();
+  return (*block)[node % size];
+}
+
 /// Of a box from those of its halves, so that each vertex is looked at once for each edge.
-const FlatSides::Extremes& FlatSides::extremes(bool of_p, std::uint32_t node) {
+FlatSides::Extremes FlatSides::extremes(bool of_p, std::uint32_t node) {
   const Hierarchy& tree = of_p ? trees_.p : trees_.q;
-  std::vector<Extremes>& all = of_p ? of_p_ : of_q_;
-  if (all.empty()) all.resize(tree.size());
-  if (all[node].known) return all[node];
+  Extremes& known = (of_p ? of_p_ : of_q_).of(node, tree.size());
+  if (known.known) return known;
   interruption_point();
   const BoxNode& box = tree.node(node);
   Extremes a, b;
@@ -75,7 +81,7 @@ const FlatSides::Extremes& FlatSides::extremes(bool of_p, std::uint32_t node) {
     a = extremes(of_p, box.left);
     b = extremes(of_p, box.right);
   }
-  return all[node] = {above(a.low, b.low) ? b.low : a.low, above(b.high, a.high) ? b.high : a.high, true};
+  return known = {above(a.low, b.low) ? b.low : a.low, above(b.high, a.high) ? b.high : a.high, true};
 }
 
 /// Is `low`, of one body, above `high`, of the other one?

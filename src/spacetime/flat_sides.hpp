@@ -8,7 +8,9 @@
 // always.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "spacetime/walk.hpp"
@@ -29,7 +31,13 @@ class FlatSides {
     VertexId low, high;
     bool known = false;
   };
-  const Extremes& extremes(bool of_p, std::uint32_t node);
+  /// Of one tree's boxes. Few of a large tree are asked for, so they have room in blocks, made when one is.
+  struct Known {
+    static constexpr std::uint32_t size = 256;
+    std::vector<std::unique_ptr<std::array<Extremes, size>>> blocks;
+    Extremes& of(std::uint32_t node, std::size_t all);
+  };
+  Extremes extremes(bool of_p, std::uint32_t node);
   bool above(VertexId a, VertexId b);
   bool clear(VertexId low, VertexId high);
 
@@ -40,7 +48,7 @@ class FlatSides {
   bool exact_ = true;  ///< has every order of vertices been, so far?
   Vector n_{}, unit_{}, offset_{};
   StageCounts stages_;
-  std::vector<Extremes> of_p_, of_q_;  ///< none before one is asked for
+  Known of_p_, of_q_;
 };
 
 }  // namespace taut::spacetime
