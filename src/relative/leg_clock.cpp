@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/interruption.hpp"
 #include "relative/even_turn.hpp"
@@ -48,6 +49,44 @@ void LegClock::reset(const Leg& leg) {
   index_ = 0;
   last_ = nullptr;
   stored_ = straight_cell_made_ = false;
+}
+
+/// The store that nobody has, of this thread. It is gone when the thread ends, but clocks of static objects may end
+/// later.
+class LegClock::Spare {
+ public:
+  static Store* take() { return over_ ? nullptr : std::exchange(own().store_, nullptr); }
+  static void give(Store* store) {
+    if (over_ || own().store_) {
+      delete store;
+    } else {
+      own().store_ = store;
+    }
+  }
+  Spare() = default;
+  Spare(const Spare&) = delete;
+  Spare& operator=(const Spare&) = delete;
+  ~Spare() {
+    delete store_;
+    over_ = true;
+  }
+
+ private:
+  static Spare& own() {
+    static thread_local Spare spare;
+    return spare;
+  }
+  static thread_local bool over_;
+  Store* store_ = nullptr;
+};
+
+thread_local bool LegClock::Spare::over_ = false;
+
+void LegClock::Keep::operator()(Store* store) const { Spare::give(store); }
+
+LegClock::StorePointer LegClock::room() {
+  if (Store* spare = Spare::take()) return StorePointer(spare);
+  return StorePointer(new Store);  // not touched, so not Store()
 }
 
 void LegClock::Store::clear() {

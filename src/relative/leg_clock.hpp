@@ -43,7 +43,7 @@ class LegClock {
   /// Makes room for a leg that is not straight, so that nothing is allocated when it comes, but for what the first
   /// singular instant needs.
   void reserve_cells() {
-    if (!store_) store_.reset(new Store);  // not touched, so not std::make_unique
+    if (!store_) store_ = room();
   }
   /// Of room for cells, most of which is never touched.
   std::size_t bytes() const { return store_ ? sizeof(Store) + (store_->deep ? sizeof(Store::Deep) : 0) : 0; }
@@ -142,7 +142,16 @@ class LegClock {
     std::uint64_t& key(std::size_t slot) { return slot < own ? keys[slot] : deep->keys[slot - own]; }
     ClockCell& cell(std::size_t slot) { return slot < own ? cells[slot] : deep->cells[slot - own]; }
   };
-  std::unique_ptr<Store> store_;
+  /// A thread keeps the last store that a clock of its own had, for the next one: memory that a system gives and takes
+  /// for each question costs more than a small question does.
+  struct Keep {
+    void operator()(Store* store) const;
+  };
+  using StorePointer = std::unique_ptr<Store, Keep>;
+  class Spare;
+  static StorePointer room();
+
+  StorePointer store_;
   bool stored_ = false;  ///< the store is this leg's
 };
 
