@@ -15,7 +15,7 @@ namespace taut {
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Boxes of one group do not ask about each other: `groups` has a number for each box, or none.
+  /// `groups` has a number, 0 or more, for each box, or nothing: see each_two().
   explicit BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups = {});
 
   /// Does any of them meet the box?
@@ -29,11 +29,11 @@ class BoxTree {
  private:
   /// Small runs are looked at box by box.
   static constexpr std::uint32_t leaf = 4;
-  static constexpr int several = -1;
+  static constexpr int several = -1;  ///< of boxes: they are in no group
   struct Entry {
     SweptBox box;
     int index;
-    int group;  ///< several: none
+    int group;
   };
   struct Node {
     SweptBox around;
