@@ -13,7 +13,7 @@ from effort import effort
 
 
 def main():
-    count = sys.argv[2] if len(sys.argv) > 2 else str(effort(2000, 150))
+    count = sys.argv[2] if len(sys.argv) > 2 else str(effort(2000))
     lines = subprocess.run([sys.argv[1], count], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     kinds, bad = collections.Counter(), 0
     for line in lines:

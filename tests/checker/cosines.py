@@ -4,11 +4,35 @@ import math
 from fractions import Fraction
 
 
-def exact(c, t):
-    v = Fraction(0)
-    for x in reversed(c):
-        v = v * Fraction(t) + Fraction(x)
-    return v
+class Exact:
+    """A polynomial with coefficients c / 2^scale, in integers: a fraction's common divisors take longer than all else."""
+
+    def __init__(self, c, scale):
+        self.c, self.scale = c, scale
+
+    @classmethod
+    def of(cls, doubles):
+        ratios = [float(x).as_integer_ratio() for x in doubles]
+        scale = max(d.bit_length() for _, d in ratios) - 1
+        return cls([n << (scale - d.bit_length() + 1) for n, d in ratios], scale)
+
+    def at(self, t):
+        """The value at a double, as an integer over two to the power of the second number."""
+        m, d = float(t).as_integer_ratio()
+        e, v, power = d.bit_length() - 1, 0, 0
+        for x in reversed(self.c):
+            v = v * m + (x << power)
+            power += e
+        return v, self.scale + power - e
+
+    def is_negative(self, t):
+        return self.at(t)[0] < 0
+
+    def derivative(self):
+        return Exact([k * x for k, x in enumerate(self.c)][1:], self.scale)
+
+    def minus(self, n):
+        return Exact([self.c[0] - (n << self.scale), *self.c[1:]], self.scale)
 
 
 def value(c, t):
@@ -20,7 +44,8 @@ def value(c, t):
 
 def excess(a, t):
     """|a| - 1."""
-    return abs(exact(a, t)) - 1
+    v, scale = a.at(t)
+    return Fraction(abs(v) - (1 << scale), 1 << scale)
 
 
 def before(t):
@@ -40,14 +65,14 @@ def touches(a, t):
 def roots(c, places, start, end):
     found, ends = [], [start, *places, end]
     for lo, hi in zip(ends, ends[1:]):
-        rises = exact(c, lo) < 0
-        if rises == (exact(c, hi) < 0):
+        rises = c.is_negative(lo)
+        if rises == c.is_negative(hi):
             continue
         while True:
             middle = lo + (hi - lo) / 2
             if not lo < middle < hi:
                 break
-            if (exact(c, middle) < 0) == rises:
+            if c.is_negative(middle) == rises:
                 lo = middle
             else:
                 hi = middle
@@ -56,15 +81,15 @@ def roots(c, places, start, end):
 
 
 def candidates(a, start, end):
-    derivatives = [[Fraction(x) for x in a]]
-    while len(derivatives[-1]) > 2:
-        derivatives.append([k * x for k, x in enumerate(derivatives[-1])][1:])
+    derivatives = [a]
+    while len(derivatives[-1].c) > 2:
+        derivatives.append(derivatives[-1].derivative())
     found, places = [], []
     for c in derivatives[:0:-1]:
         places = roots(c, places, start, end)
         found += places
     for extreme in (1, -1):
-        found += roots([Fraction(a[0]) - extreme, *a[1:]], places, start, end)
+        found += roots(a.minus(extreme), places, start, end)
     return found
 
 
@@ -91,13 +116,14 @@ def cuts(a, start, end):
     return sorted(noted)[1:-1]
 
 
-def pieces(a, start, end):
-    """Of the polynomial a: until when, None for the last, and "cosine", or which way the body rests."""
-    out, begin = [], start
+def pieces(doubles, start, end):
+    """Of a polynomial: until when, None for the last, and "cosine", or which way the body rests."""
+    a, out, begin = Exact.of(doubles), [], start
     for until in [*cuts(a, start, end), None]:
         last = end if until is None else until
         middle = begin + (last - begin) / 2
         rests = excess(a, middle) > 0 or all(touches(a, t) for t in (begin, middle, last))
-        out.append([until, ("not turned" if value(a, middle) > 0 else "half a turn") if rests else "cosine"])
+        turned = "not turned" if value(doubles, middle) > 0 else "half a turn"
+        out.append([until, turned if rests else "cosine"])
         begin = until
     return out
