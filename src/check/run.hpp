@@ -31,6 +31,8 @@ class Run {
 /// The scene and the options must live as long as the run. Throw InputError.
 std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options);
+/// Of bodies that are known not to overlap at the start.
+std::unique_ptr<Run> begin_spacetime_apart(const Scene& scene, const CheckOptions& options);
 
 /// By the kinetic data structure and nothing else. Throws InputError.
 Answer run_kinetic(const Scene& scene, const CheckOptions& options);

@@ -46,9 +46,10 @@ class Tree {
 /// One question with all that it is asked about.
 class SpacetimeQuestion {
  public:
-  SpacetimeQuestion(const Scene& scene, Touch touch)
+  SpacetimeQuestion(const Scene& scene, Touch touch, bool apart)
       : scene_(scene),
         touch_(touch),
+        apart_(apart),
         plan_(plan_pair(scene, validated_facts(scene))),
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(Role::p, plan_, geometry_, touch == Touch::open),
@@ -61,9 +62,7 @@ class SpacetimeQuestion {
     const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &stages_at_start_);
     stages_ = stages_at_start_;
     if (!overlap) return true;
-    const auto overlap_of = [&](const PairGeometry& shapes) {
-      return spacetime::overlapping(shapes, legs_[0], scene_.start).has_value();
-    };
+    const auto overlap_of = [&](const PairGeometry& shapes) { return !apart_ && overlap_inwards(shapes); };
     if (const auto touching = contact_at_start(
             witness(), legs_[0], scene_.start, [&] { return *overlap; }, overlap_of)) {
       answer.outcome = Outcome::contact;
@@ -98,10 +97,15 @@ class SpacetimeQuestion {
 
  private:
   spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
+  bool overlap_inwards(const PairGeometry& shapes) const {
+    const Tree p(Role::p, plan_, shapes, true), q(Role::q, plan_, shapes, true);
+    return spacetime::overlapping(shapes, {p.get(), q.get()}, legs_[0], scene_.start).has_value();
+  }
   Witness witness() const { return {plan_, geometry_, touch_ == Touch::open}; }
 
   const Scene& scene_;
   Touch touch_;
+  bool apart_;  ///< the bodies are known not to overlap at the start
   PairPlan plan_;
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
@@ -112,12 +116,13 @@ class SpacetimeQuestion {
 
 class SpacetimeRun final : public Run {
  public:
-  SpacetimeRun(const Scene& scene, const CheckOptions& options) : scope_(options.stop, options.max_seconds) {
+  SpacetimeRun(const Scene& scene, const CheckOptions& options, bool apart)
+      : scope_(options.stop, options.max_seconds) {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     const Clock::time_point start = Clock::now();
     const std::string stopped = what_stops([&] {
-      question_.emplace(scene, options.touch);
+      question_.emplace(scene, options.touch, apart);
       done_ = !question_->start(answer_);
       scope_.check();
     });
@@ -159,11 +164,15 @@ class SpacetimeRun final : public Run {
 }  // namespace
 
 std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options) {
-  return std::make_unique<SpacetimeRun>(scene, options);
+  return std::make_unique<SpacetimeRun>(scene, options, false);
+}
+
+std::unique_ptr<Run> begin_spacetime_apart(const Scene& scene, const CheckOptions& options) {
+  return std::make_unique<SpacetimeRun>(scene, options, true);
 }
 
 Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
-  SpacetimeRun run(scene, options);
+  SpacetimeRun run(scene, options, false);
   run.work(UINT64_MAX);
   return with_touching(run, scene, options, run_spacetime);
 }

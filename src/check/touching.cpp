@@ -35,7 +35,8 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
 /// again, and go through all events.
 Question unless_soon_told(std::uint64_t effort, const Question& otherwise) {
   return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
-    const std::unique_ptr<Run> boxes = begin_spacetime(scene, options);
+    // They are free with open touching.
+    const std::unique_ptr<Run> boxes = begin_spacetime_apart(scene, options);
     if (boxes->work(effort)) {
       const Answer& told = boxes->answer();
       if (told.outcome == Outcome::free || (told.contact && told.contact->time.hi <= scene.start)) return told;

@@ -16,6 +16,9 @@ constexpr double shortest_of_clearance = 0x1p-30;
 constexpr double shortest_of_all = 0x1p-60;
 /// An error that is no more than this share of all lengths is that of rounding, and does not shrink with the stretch.
 constexpr double error_of_rounding = 0x1p-42;
+/// Nor does one of which no more than this share does, which counts turns once, where the error counts them up to some
+/// ten times. (On a bridge nothing shrinks: all of it is rounding.)
+constexpr double share_that_shrinks = 0x1p-5;
 
 /// Where are the bodies nearest on one leg: what the walk asks.
 class LegClearance {
@@ -50,13 +53,17 @@ class LegClearance {
  private:
   /// Are the bounds of doubles all that keeps the two from being farther apart than the tolerance wants? Then still
   /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on
-  /// a bridge, say, all over which bodies may nearly touch.
+  /// a bridge, say, all over which bodies may nearly touch. Nor where the tolerance is less than doubles tell: bodies
+  /// that slide on each other, a little apart, would be followed by steps as short as that.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
+    const double error = s.in_p.error;
     const bool is_short = s.r <= shortest_of_clearance * (leg_.end - leg_.start);
-    const bool is_rounding = s.in_p.error <= error_of_rounding * s.in_p.reach;
-    if (!is_short && !(is_rounding && motion(s, p, q) <= s.in_p.error)) return false;
+    const bool is_rounding = error <= error_of_rounding * s.in_p.reach;
+    const bool beyond_doubles =
+        s.rest <= share_that_shrinks * error && best_.distance - tolerance_.least(best_.distance) <= error;
+    if (!is_short && !beyond_doubles && !(is_rounding && motion(s, p, q) <= error)) return false;
     for (const double errors : {1, 2, 4, 8}) {
-      const double margin = tolerance_.least(best_.distance) - errors * s.in_p.error;
+      const double margin = tolerance_.least(best_.distance) - errors * error;
       if (!farther(s, p, q, towards, margin)) continue;
       best_.unresolved = std::min(best_.unresolved, std::max(0.0, margin));
       return true;
@@ -115,6 +122,12 @@ void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, co
     const TimeInterval window{std::max(from, at.start), std::min(to, at.end)};
     if (!at.bridge && window.lo <= window.hi) search_leg(geometry, trees, legs, i, window, tolerance, best);
   }
+}
+
+void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, const Stretch& stretch,
+                            const ClearanceTolerance& tolerance, Nearest& best) {
+  LegClearance question(geometry, leg, 0, tolerance, best);
+  Walk<LegClearance>(trees, leg, question).in_middle_of(stretch);
 }
 
 }  // namespace taut::spacetime

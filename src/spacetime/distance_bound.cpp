@@ -27,14 +27,14 @@ double vertex_bound(const Carriage& carriage, double r, Vector vertex, Vector fr
 
 class PieceBound {
  public:
-  PieceBound(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const ClearanceTolerance& tolerance)
-      : geometry_(geometry), trees_(trees), legs_(legs), tolerance_(tolerance) {}
+  PieceBound(const PairGeometry& geometry, const TreePair& trees, const ClearanceTolerance& tolerance)
+      : geometry_(geometry), trees_(trees), tolerance_(tolerance) {}
 
   /// Of the edges that are nearest in the middle of the stretch.
-  double of(const Stretch& s) const {
+  double of(const Leg& leg, const Stretch& s) const {
     Nearest nearest;
     nearest.distance = INFINITY;
-    find_nearest_within(geometry_, trees_, legs_, s.middle, s.middle, tolerance_, nearest);
+    find_nearest_in_middle(geometry_, trees_, leg, s, tolerance_, nearest);
     if (!(nearest.distance < INFINITY)) return INFINITY;
     const Vector a = point(nearest.edge_p), b = point(geometry_.next(nearest.edge_p));
     const Vector c = point(nearest.edge_q), d = point(geometry_.next(nearest.edge_q));
@@ -47,19 +47,19 @@ class PieceBound {
 
   const PairGeometry& geometry_;
   const TreePair& trees_;
-  const Legs& legs_;
   const ClearanceTolerance& tolerance_;
 };
 
 double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double to) {
-  if (leg.translation) return piece.of(Stretch::of_translation(leg, TranslationPolynomial(leg), from, to));
-  double most = 0;
+  if (leg.translation) return piece.of(leg, Stretch::of_translation(leg, TranslationPolynomial(leg), from, to));
+  double most = 0, length = to - from;
   for (double t = from; t < to;) {
     interruption_point();
-    FrameWindow window(leg, t, to, to - t);
+    FrameWindow window(leg, t, to, length);
     const double end = window.end();
-    most = std::max(
-        most, piece.of(window.smooth() ? Stretch::of_window(leg, window, t, end) : Stretch::of_range(leg, window)));
+    const Stretch s = window.smooth() ? Stretch::of_window(leg, window, t, end) : Stretch::of_range(leg, window);
+    most = std::max(most, piece.of(leg, s));
+    length = window.fitting_length();
     t = end;
   }
   return most;
@@ -69,7 +69,7 @@ double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double
 
 double distance_bound(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
                       const ClearanceTolerance& tolerance) {
-  const PieceBound piece(geometry, trees, legs, tolerance);
+  const PieceBound piece(geometry, trees, tolerance);
   double most = 0;
   for (std::size_t i = legs.first_until(from); i < legs.size(); ++i) {
     const LegPlace at = legs.place(i);

@@ -69,11 +69,19 @@ class Walk {
     if (leg_.translation) return through(t, t);
     const double whole = leg_.end - leg_.start;
     for (double some = whole * length_of_instant;; some *= 0x1p-10) {
-      window_.emplace(leg_, std::max(leg_.start, std::min(t, leg_.end - some)), leg_.end, some);
-      while (window_->end() < t) window_.emplace(leg_, window_->end(), leg_.end, some);
+      window_.emplace(leg_, t < leg_.end ? t : std::max(leg_.start, leg_.end - some), leg_.end, some);
+      while (window_->end() < t) window_.emplace(leg_, window_->end(), leg_.end, window_->fitting_length());
       if (window_->smooth() || some < whole * shortest_instant) break;
     }
     begin_at_root(t, t);
+    work_off();
+  }
+  /// In the middle of a stretch that somebody has, with that one's errors.
+  void in_middle_of(const Stretch& s) {
+    begin_at_root(s.middle, s.middle);
+    begin_pairs(levels_.back());
+    stretch_.emplace(s);
+    stretch_->r = 0;
     work_off();
   }
   /// The window around the stretch at hand, unless the leg is a translation.
@@ -134,10 +142,13 @@ class Walk {
       levels_.push_back({level.start, level.middle(), level.last, pairs_.size()});
     }
   }
-  bool begin(const Level& level) {
+  void begin_pairs(const Level& level) {
     pairs_.resize(level.last);
     todo_.clear();
     next_ = level.first;
+  }
+  bool begin(const Level& level) {
+    begin_pairs(level);
     if (!question_.begins(level.start)) return false;
     stretch_.emplace(stretch(level.start, level.end));
     return true;

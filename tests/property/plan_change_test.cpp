@@ -8,6 +8,7 @@
 #include "generators/generators.hpp"
 #include "support/audit.hpp"
 #include "support/effort.hpp"
+#include "support/prepared_scene.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/error.hpp"
@@ -73,10 +74,7 @@ TEST(PlanChange, MapsStayRight) {
 
 /// Moves the second body of prepared shapes by steps of x, y and an angle, to and fro, one in each unit of time.
 void compare_moved_on(Scene scene, Point slide, double turn, double from_angle, AuditCounts& counts) {
-  for (Body& body : scene.bodies) {
-    body.prepared = prepare(body.polygon, body.name);
-    body.polygon.clear();
-  }
+  scene = without_polygons(prepared(scene));
   const auto plan = [](double x, double y, double angle, Point velocity, double spin, double t) {
     MotionPiece piece;
     piece.x = {x - velocity.x * t, velocity.x};

@@ -15,6 +15,7 @@
 #include "relative/make_legs.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
+#include "support/prepared_scene.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "support/same_answer.hpp"
@@ -30,17 +31,6 @@
 
 namespace taut::testing {
 namespace {
-
-Scene prepared(Scene scene) {
-  for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
-  return scene;
-}
-
-/// With nothing but the prepared shapes.
-Scene without_polygons(Scene scene) {
-  for (Body& body : scene.bodies) body.polygon.clear();
-  return scene;
-}
 
 struct JoinCounts {
   std::map<std::string, int> roots;
@@ -190,21 +180,11 @@ TEST(PreparedShape, StandsForItsPolygonEverywhere) {
   EXPECT_THROW(check(nothing), InputError);
 }
 
-/// Bodies of one polygon, prepared; those of several parts stay as they are.
-Scene prepared_world(Scene scene) {
-  for (Body& body : scene.bodies) {
-    if (!body.parts.empty()) continue;
-    body.prepared = prepare(body.polygon, body.name);
-    body.polygon.clear();
-  }
-  return scene;
-}
-
 TEST(PreparedShape, WorldsOfThemHaveTheAnswersOfTheBarePolygons) {
   std::uint64_t contacts = 0, known = 0;
   for (std::uint64_t number = 0; number < effort(150); ++number) {
     SCOPED_TRACE("world " + std::to_string(number));
-    const Scene scene = scene_of(random_world(number)), world = prepared_world(scene);
+    const Scene scene = scene_of(random_world(number)), world = without_polygons(prepared(scene));
     for (const Body& body : world.bodies) known += body.prepared != nullptr;
     for (const Touch touch : {Touch::open, Touch::closed}) {
       CheckOptions options;

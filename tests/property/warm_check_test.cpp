@@ -11,6 +11,7 @@
 #include "kinetic/session.hpp"
 #include "pair/placement.hpp"
 #include "support/effort.hpp"
+#include "support/prepared_scene.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/io.hpp"
@@ -21,14 +22,6 @@
 
 namespace taut::testing {
 namespace {
-
-Scene prepared(Scene scene) {
-  for (Body& body : scene.bodies) {
-    body.prepared = prepare(body.polygon, body.name);
-    body.polygon.clear();
-  }
-  return scene;
-}
 
 /// A body at this place and turn, from which it moves on as random motions do.
 MotionPiece placed(const Point& at, double turn) {
@@ -140,7 +133,7 @@ TEST(WarmCheck, AnswersAsIfNothingHadBeenAskedBefore) {
                               Family::spirals, Family::stars, Family::convex}) {
     for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(effort(40), 12) && !HasFailure(); ++seed) {
       const double size = std::ldexp(1.0, -rng.between(0, 8));
-      ask_many(prepared(random_scene(seed, family)), rng, 8, size, counts);
+      ask_many(without_polygons(prepared(random_scene(seed, family))), rng, 8, size, counts);
     }
   }
   print(counts);
@@ -159,7 +152,7 @@ TEST(WarmCheck, OnCoarseGridsToo) {
   SceneOptions options;
   options.grid = true;
   for (std::uint64_t seed = 0; seed < effort(60) && !HasFailure(); ++seed) {
-    const Scene first = prepared(random_scene(seed, Family::combs, options));
+    const Scene first = without_polygons(prepared(random_scene(seed, Family::combs, options)));
     ask_many(first, rng, 4, rng.chance(0.5) ? 0 : 0.25, counts);
   }
   print(counts);
@@ -179,7 +172,7 @@ TEST(WarmCheck, OfManyCertificates) {
   gears.teeth_2 = 25;
   gears.hit = true;
   for (const Scene& given : {gen::make_combs(combs), gen::make_spiral(spirals), gen::make_gears(gears)}) {
-    const Scene scene = prepared(given);
+    const Scene scene = without_polygons(prepared(given));
     // Along its own way, to and fro.
     const auto next = [&scene](int k) {
       Question question{scene, 1};
@@ -198,12 +191,12 @@ TEST(WarmCheck, TakesScenesThatCannotBeginNear) {
   Scene bare;
   bare.bodies = {{"a", {{0, 0}, {1, 0}, {0, 1}}, {}}, {"b", {{3, 0}, {4, 0}, {3, 1}}, {}}};
   EXPECT_EQ(warm.check(bare).outcome, Outcome::free);
-  const Scene shaped = prepared(bare);
+  const Scene shaped = without_polygons(prepared(bare));
   EXPECT_EQ(warm.check(shaped).outcome, Outcome::free);
   EXPECT_EQ(warm.check(shaped).outcome, Outcome::free);
   EXPECT_EQ(warm.warm_starts(), 1u);
   // Other shapes, though they look the same; half a turn; refused input.
-  EXPECT_EQ(warm.check(prepared(bare)).outcome, Outcome::free);
+  EXPECT_EQ(warm.check(without_polygons(prepared(bare))).outcome, Outcome::free);
   EXPECT_EQ(warm.warm_starts(), 1u);
   Scene turned = shaped;
   turned.bodies[0].motion.pieces = {placed({0, 0}, 3)};

@@ -126,10 +126,10 @@ TEST(LargeWorlds, AreVaried) {
 
 TEST(SmallWorlds, AreVaried) {
   std::size_t bodies = 0, holes = 0, parts = 0, parents = 0, ignored = 0;
-  std::map<std::string, int> families, ties;
+  std::map<std::string, int> seen, ties;
   for (std::uint64_t number = 0; number < 400; ++number) {
     const LargeWorld made = small_world(number);
-    ++families[made.family];
+    ++seen[made.family];
     EXPECT_GE(made.world.bodies.size(), 2u);
     EXPECT_LE(made.world.bodies.size(), 8u);
     bodies += made.world.bodies.size();
@@ -147,7 +147,7 @@ TEST(SmallWorlds, AreVaried) {
       if (pair.contact) ties[made.family] += !times.insert(std::round(0x1p40 * pair.contact->time.lo)).second;
     }
   }
-  EXPECT_EQ(families.size(), 7u);
+  EXPECT_EQ(seen.size(), 7u);
   EXPECT_LT(bodies, 2000u);
   EXPECT_GT(holes, 100u);
   EXPECT_GT(parts, 100u);

@@ -21,6 +21,7 @@
 #include "soak_totals.hpp"
 #include "support/carried_scene.hpp"
 #include "support/exact_comparison.hpp"
+#include "support/prepared_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
@@ -52,9 +53,7 @@ std::string refutation(const Answer& answer, const Verified& v) {
 
 /// Prepared shapes must not change anything.
 std::string prepared_difference(const SoakScene& s, const CheckOptions& options, const Answer& bare) {
-  Scene scene = s.scene;
-  for (Body& body : scene.bodies) body.prepared = prepare(body.polygon, body.name);
-  const Answer answer = run_kinetic(scene, options);
+  const Answer answer = run_kinetic(prepared(s.scene), options);
   if (answer.outcome != bare.outcome) return "prepared shapes give another outcome";
   if (answer.events != bare.events) return "prepared shapes give another number of events";
   if (!bare.contact) return {};

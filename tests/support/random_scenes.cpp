@@ -11,15 +11,15 @@ namespace {
 
 constexpr int quarter_cos[] = {1, 0, -1, 0}, quarter_sin[] = {0, 1, 0, -1};
 
-struct Way {
+struct Track {
   Coefficients x, y;
 };
 
-Way straight_way(const Point& d, double reach) { return {{0, d.x * reach}, {0, d.y * reach}}; }
+Track straight_way(const Point& d, double reach) { return {{0, d.x * reach}, {0, d.y * reach}}; }
 
-Way polynomial_way(Rng& rng, const Point& d, double reach) {
+Track polynomial_way(Rng& rng, const Point& d, double reach) {
   const int degree = rng.between(2, 5);
-  Way w{Coefficients(degree + 1, 0.0), Coefficients(degree + 1, 0.0)};
+  Track w{Coefficients(degree + 1, 0.0), Coefficients(degree + 1, 0.0)};
   const bool there_and_back = rng.chance(0.4);
   if (there_and_back) w = {{0, 4 * d.x * reach, -4 * d.x * reach}, {0, 4 * d.y * reach, -4 * d.y * reach}};
   w.x.resize(degree + 1);
@@ -217,7 +217,7 @@ Motion random_motion(Rng& rng, const Drive& drive) {
   } else if (form >= MotionKind::angle) {
     reach *= rng.pick(std::vector<double>{0, 0.3, 1});
   }
-  Way way;
+  Track way;
   if (form == MotionKind::rest) {
     way = {{0}, {0}};
   } else if (form == MotionKind::linear || (form >= MotionKind::angle && rng.chance(0.5))) {

@@ -173,20 +173,22 @@ TEST(Orientation, TheRangeMayBeUsedToItsEnds) {
   EXPECT_EQ(orientation_of({e, 2 * e}, {2 * e, 4 * e}, {3 * e, std::nextafter(6 * e, 1.0)}), 1);
 }
 
+Stage stage_of(const Point& a, const Point& b, const Point& c) { return orientation_staged(a, b, c).stage; }
+
 TEST(Orientation, TellsWhichStageAnswered) {
-  EXPECT_EQ(orientation_staged({0, 0}, {1, 0}, {0, 1}).stage, Stage::doubles);
+  EXPECT_EQ(stage_of({0, 0}, {1, 0}, {0, 1}), Stage::doubles);
   // Axis-aligned collinear points are everyday input and need no exact arithmetic.
-  EXPECT_EQ(orientation_staged({0, 3}, {1, 3}, {7, 3}).stage, Stage::doubles);
-  EXPECT_EQ(orientation_staged({0.1, 0}, {0.1, 0.3}, {0.1, 17}).stage, Stage::doubles);
-  EXPECT_EQ(orientation_staged({0, 0}, {1, 1}, {3, 3}).stage, Stage::exact);
-  EXPECT_EQ(orientation_staged({0.5, 0.5}, {12, 12}, {24, std::nextafter(24, 25)}).stage, Stage::exact);
+  EXPECT_EQ(stage_of({0, 3}, {1, 3}, {7, 3}), Stage::doubles);
+  EXPECT_EQ(stage_of({0.1, 0}, {0.1, 0.3}, {0.1, 17}), Stage::doubles);
+  EXPECT_EQ(stage_of({0, 0}, {1, 1}, {3, 3}), Stage::exact);
+  EXPECT_EQ(stage_of({0.5, 0.5}, {12, 12}, {24, std::nextafter(24, 25)}), Stage::exact);
 
   std::mt19937 engine(5);  // on random input the filter must almost always do
   int exact = 0;
   for (int i = 0; i < 100000; ++i) {
     const auto real = [&] { return static_cast<double>(engine()) * 0x1p-32; };
     const Point a{real(), real()}, b{real(), real()}, c{real(), real()};
-    exact += orientation_staged(a, b, c).stage == Stage::exact;
+    exact += stage_of(a, b, c) == Stage::exact;
   }
   EXPECT_LE(exact, 1);
 }
