@@ -12,6 +12,9 @@ namespace {
 /// More than the rounding of the few operations on what a stretch says, and of its directions' lengths.
 constexpr double rounded_up = 1 + 0x1p-40;
 
+/// Where bodies turn, a stretch is looked at in so short parts at least: its bound is an upper end that people see.
+constexpr double longest_share = 0.125;
+
 /// Of a moving vertex from an edge that rests, in the edge's frame.
 double vertex_bound(const Carriage& carriage, double r, Vector vertex, Vector from, Vector to) {
   const Vector way = to - from;
@@ -52,14 +55,15 @@ class PieceBound {
 
 double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double to) {
   if (leg.translation) return piece.of(leg, Stretch::of_translation(leg, TranslationPolynomial(leg), from, to));
-  double most = 0, length = to - from;
+  const double longest = (to - from) * longest_share;
+  double most = 0, length = longest;
   for (double t = from; t < to;) {
     interruption_point();
     FrameWindow window(leg, t, to, length);
     const double end = window.end();
     const Stretch s = window.smooth() ? Stretch::of_window(leg, window, t, end) : Stretch::of_range(leg, window);
     most = std::max(most, piece.of(leg, s));
-    length = window.fitting_length();
+    length = std::min(longest, window.fitting_length());
     t = end;
   }
   return most;
