@@ -69,7 +69,7 @@ void Engine::begin(const Placement& placement) {
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
   // set before anything is allocated again: few events of few motions do. A small map has no corners for more.
-  reserve_certificates(std::min(4 * mixed_edges() + 512, 4 * std::size_t{geometry_.size()} + 64));
+  reserve_certificates(std::min(4 * mixed_edges() + 128, 4 * std::size_t{geometry_.size()} + 64));
   add_certificates(placement);
   at_start_ = placement.stages();
   queue_.reserve(certificates_.capacity());
