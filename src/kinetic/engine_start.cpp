@@ -68,7 +68,8 @@ void Engine::begin(const Placement& placement) {
   // Edges that a start has removed again may have numbers beyond those that a tiling needs.
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
   // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
-  // set before anything is allocated again: few events of few motions do. A small map has no corners for more.
+  // set before anything is allocated again: few events of few motions do. A small map has no corners for more; and more
+  // than a small question needs would be asked of the system, and given back, by each.
   reserve_certificates(std::min(4 * mixed_edges() + 128, 4 * std::size_t{geometry_.size()} + 64));
   add_certificates(placement);
   at_start_ = placement.stages();
