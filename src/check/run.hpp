@@ -63,8 +63,8 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 /// closed touching: see Answer::touching.
 using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
-/// Asks `otherwise`, unless boxes show with so little work that nothing meets, or at once that the bodies rest on each
-/// other from the start.
+/// For with_touching(), whose bodies are known to be free: asks `otherwise`, unless boxes show with so little work that
+/// nothing meets, or at once that the bodies rest on each other from the start.
 Question unless_soon_told(std::uint64_t effort, const Question& otherwise);
 /// Will it be asked again?
 bool leaves_touching_open(const Run& run, const CheckOptions& options);

@@ -16,8 +16,8 @@ constexpr double shortest_of_clearance = 0x1p-30;
 constexpr double shortest_of_all = 0x1p-60;
 /// An error that is no more than this share of all lengths is that of rounding, and does not shrink with the stretch.
 constexpr double error_of_rounding = 0x1p-42;
-/// Nor does one of which no more than this share does, which counts turns once, where the error counts them up to some
-/// ten times. (On a bridge nothing shrinks: all of it is rounding.)
+/// Nor does one of which the part that shrinks (Stretch::rest) is no more than this share. That part counts turns once,
+/// where the error counts them up to some ten times. On a bridge it is zero: all of the error is rounding.
 constexpr double share_that_shrinks = 0x1p-5;
 
 /// Where are the bodies nearest on one leg: what the walk asks.

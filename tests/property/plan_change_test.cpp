@@ -12,7 +12,6 @@
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/error.hpp"
-#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 
 namespace taut::testing {

@@ -24,7 +24,6 @@
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
 #include "taut/separator.hpp"
-#include "taut/shape.hpp"
 #include "taut/simulation.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/prepared_tiling.hpp"

@@ -15,7 +15,6 @@
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/io.hpp"
-#include "taut/shape.hpp"
 #include "taut/warm_check.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/static_tiling.hpp"

@@ -25,7 +25,6 @@
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
-#include "taut/shape.hpp"
 #include "world_examination.hpp"
 
 namespace taut::testing {

@@ -1,6 +1,7 @@
 // What questions about distances cost where doubles tell little: work is the same on every machine.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "base/interruption.hpp"
