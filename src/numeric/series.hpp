@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "numeric/jet.hpp"
+#include "numeric/reciprocals.hpp"
 
 namespace taut {
 
@@ -168,10 +169,10 @@ void sin_cos(const Series<Real, N>& a, Series<Real, N>& sine, Series<Real, N>& c
   std::array<Ball<Real>, N + 1> slope;  // k times the coefficient
   for (int k = 1; k <= N && k < a.terms; ++k) slope[k] = a.c[k] * static_cast<double>(k);
   for (int k = 1; k <= N && k < sine.terms; ++k) {
-    const Ball<Real> divisor = Ball<Real>::exact(k);
+    const Ball<Real>& share = reciprocal<Real>(k);
     const int last = std::min(k, a.terms - 1);
-    sine.c[k] = convolution(slope.data(), cosine.c.data(), 1, last, k) / divisor;
-    cosine.c[k] = -convolution(slope.data(), sine.c.data(), 1, last, k) / divisor;
+    sine.c[k] = convolution(slope.data(), cosine.c.data(), 1, last, k) * share;
+    cosine.c[k] = -convolution(slope.data(), sine.c.data(), 1, last, k) * share;
   }
 }
 

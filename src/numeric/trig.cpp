@@ -1,5 +1,8 @@
 #include "numeric/trig.hpp"
 
+#include <array>
+#include <cstddef>
+
 namespace taut {
 namespace {
 
@@ -54,16 +57,38 @@ SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
   }
 }
 
-/// `sum` and all the terms -z / ((1 + odd) (2 + odd)), z^2 / ((1 + odd) ... (4 + odd)), ... that matter.
+constexpr int halvings = 10;
+constexpr int most_terms = 40;  // 2^(-20 n) / (2 n)! is less than 2^-968 from 34 on
+
+/// 1/k!, to the number's precision.
 template <class Real>
-Ball<Real> alternating_series(Ball<Real> sum, const Ball<Real>& z, int odd) {
-  Ball<Real> term = Ball<Real>::exact(1);
-  for (int n = 1;; ++n) {
-    term = -(term * z / Ball<Real>::exact((2.0 * n - 1 + odd) * (2.0 * n + odd)));
-    sum = sum + term;
-    if (term.magnitude() < unit_roundoff<Real>() * 0x1p-8) break;
+const std::array<Ball<Real>, 2 * most_terms>& reciprocal_factorials() {
+  static const auto all = [] {
+    std::array<Ball<Real>, 2 * most_terms> made;
+    made[0] = Ball<Real>::exact(1);
+    for (std::size_t k = 1; k < made.size(); ++k) made[k] = made[k - 1] / Ball<Real>::exact(static_cast<double>(k));
+    return made;
+  }();
+  return all;
+}
+
+/// The sum of w^(n - first) / (2 n + odd)! from n = first on, |w| <= 2^-20, by Horner's rule over the terms that
+/// matter.
+template <class Real>
+Ball<Real> series_of_squares(const Ball<Real>& w, int first, int odd) {
+  const auto& reciprocals = reciprocal_factorials<Real>();
+  const auto share = [&](int n) -> const Ball<Real>& { return reciprocals[static_cast<std::size_t>(2 * n + odd)]; };
+  const double size = w.magnitude();
+  double power = size;  // of the first term that is left out
+  int last = first;
+  while (last + 2 < most_terms && power * share(last + 1).magnitude() > unit_roundoff<Real>() * 0x1p-8) {
+    ++last;
+    power *= size;
   }
-  sum.rad = detail::inflate(sum.rad + term.magnitude());
+  Ball<Real> sum = share(last);
+  for (int n = last; n-- > first;) sum = sum * w + share(n);
+  // What is left out shrinks at least by half from term to term.
+  sum.rad = detail::inflate(sum.rad + 2 * power * share(last + 1).magnitude());
   return sum;
 }
 
@@ -80,11 +105,10 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   const B turns(Real::of_integer(k), 0.0);
   const B quarter(half_pi, 4 * unit_roundoff<Real>());
   // Work at the middle; the radius of x is added at the end (both functions have slope at most 1).
-  constexpr int halvings = 10;
   const B r = (B(x.mid, 0.0) - turns * quarter) * std::ldexp(1.0, -halvings);
-  const B z = r * r;
+  const B w = -(r * r);
   // sin(r)/r and 1 - cos(r), |r| < 2^-10, to below the working precision.
-  const B sine = alternating_series(B::exact(1), z, 1), versine = -alternating_series(B::exact(0), z, 0);
+  const B sine = series_of_squares(w, 0, 1), versine = -(w * series_of_squares(w, 1, 0));
   // Doubling: with v = 1 - cos a: 1 - cos 2a = 2 v (2 - v), sin 2a = 2 sin a (1 - v). Stable for small a.
   B s = r * sine, v = versine;
   for (int i = 0; i < halvings; ++i) {

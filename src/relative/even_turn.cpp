@@ -9,21 +9,25 @@
 namespace taut {
 namespace {
 
-/// Less than this, in radians, is a few dozen cells.
-constexpr double least_turn = 64;
-
 /// Bounds are made with so much room, and kept while they are no larger than twice what is needed.
 constexpr double room_of_bounds = 1.25;
 
-/// Looked at first, as most legs do not.
-bool turns_often(const Leg& leg) {
+/// Looked at first, as many legs do not.
+bool turns(const Leg& leg) {
   double fastest = 0;
   const auto look = [&](const Coefficients& angle) { fastest = std::max(fastest, std::fabs(coefficient(angle, 1))); };
   for (const MotionPiece* piece : {&leg.p, &leg.q}) {
     if (const auto* given = std::get_if<AngleRotation>(&piece->rotation)) look(given->angle);
   }
   look(leg.turn);
-  return fastest * (leg.end - leg.start) > least_turn && fastest < 0x1p100;
+  return fastest > 0 && fastest < 0x1p100;
+}
+
+/// A bound of how long a vector is that reaches so far in x and in y.
+double length_of(double x, double y) {
+  const double square = x * x + y * y, sum = std::fabs(x) + std::fabs(y);
+  const bool in_range = square > 0x1p-900 && square < 0x1p900;
+  return in_range ? std::min(sum, std::sqrt(square) * (1 + 0x1p-50)) : sum;
 }
 
 /// The coefficients of D over a range from those about its middle.
@@ -57,7 +61,7 @@ void EvenTurn::Spin::set(const Angle& a) {
 }
 
 std::shared_ptr<const EvenTurn> EvenTurn::of(const Leg& leg) {
-  if (leg.bridge || leg.composed || leg.translation || !turns_often(leg)) return nullptr;
+  if (leg.bridge || leg.composed || leg.translation || !turns(leg)) return nullptr;
   if (leg.degree > last) return nullptr;  // a series does not have all of D
   const auto even = std::make_shared<EvenTurn>();
   return even->take(leg) ? even : nullptr;
@@ -98,8 +102,8 @@ EvenTurn::Way EvenTurn::way_about(const Leg& leg, double m) const {
   for (int k = 0; k < way.terms; ++k) {
     way.x[k] = d[0].c[k].mid;
     way.y[k] = d[1].c[k].mid;
-    way.size[k] = std::fabs(way.x[k]) + std::fabs(way.y[k]);
-    way.error[k] = d[0].c[k].rad + d[1].c[k].rad;
+    way.size[k] = length_of(way.x[k], way.y[k]);
+    way.error[k] = length_of(d[0].c[k].rad, d[1].c[k].rad);
   }
   return way;
 }
@@ -155,7 +159,10 @@ bool EvenTurn::turn(const Spin& spin, const Way& way, double m, int i, FrameMode
     out.c[k][i] = x;
     out.c[k][i + 1] = y;
   }
-  for (int part = i; part < i + 2; ++part) out.bend[part] = 2 * out.c[2][part];
+  for (int part = i; part < i + 2; ++part) {
+    out.bend[part] = 2 * out.c[2][part];
+    out.bound_by_coefficients(part);
+  }
   return true;
 }
 

@@ -18,8 +18,7 @@ namespace taut {
 /// is not.
 class EvenTurn {
  public:
-  /// Null if the leg is another one, or turns by so little that it has few models: those that composing makes are as
-  /// good.
+  /// Null if the leg is another one.
   static std::shared_ptr<const EvenTurn> of(const Leg& leg);
   /// Of the part [start, end] of that leg. Nothing where an angle is too large.
   std::optional<FrameModel> model(const Leg& leg, double start, double end) const;

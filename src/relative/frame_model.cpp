@@ -72,13 +72,30 @@ void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, con
   const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.bend[i]) + m.radius * size_ddd);
   m.error[i] = known_or_infinite(error + underflow_slack);
   m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
-  m.bend_rad[i] = known_or_infinite((vague_dd + size_dd) * (1 + 0x1p-40) + underflow_slack);
   m.error_dd[i] = known_or_infinite(error_dd * (1 + 0x1p-40) + underflow_slack);
-  // The one from the series over the interval is far better where that is long.
-  const double by_middle = known_or_infinite((vague_ddd + size_ddd) * (1 + 0x1p-40) + underflow_slack);
-  const double by_range = over.terms > 3 ? 6 * over.c[3].magnitude() : 0;
-  m.third[i] = by_range < by_middle ? by_range * (1 + 0x1p-40) : by_middle;
+  m.vague_bend[i] = known_or_infinite(vague_dd);
+  m.vague_third[i] = known_or_infinite(vague_ddd);
+  m.bend_rad[i] = INFINITY;
+  // The one from the series over the interval is far better than the coefficients' where that is long.
+  m.third[i] = known_or_infinite((over.terms > 3 ? 6 * over.c[3].magnitude() : 0) * (1 + 0x1p-40));
+  m.bound_by_coefficients(i);
   if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
+}
+
+void FrameModel::bound_by_coefficients(int i) {
+  double bend_moves = 0, third_is = 0, power = 1;
+  for (int k = 3; k < model_degree; ++k) {
+    const double falling = k * (k - 1) * std::fabs(c[k][i]) * power;  // times r^(k - 3)
+    third_is += falling * (k - 2);
+    bend_moves += falling * radius;
+    power *= radius;
+  }
+  const auto least = [](double kept, double vague, double known) {
+    const double bound = (vague + known) * (1 + 0x1p-40) + underflow_slack;
+    return bound < kept ? bound : kept;
+  };
+  bend_rad[i] = least(bend_rad[i], vague_bend[i], bend_moves);
+  third[i] = least(third[i], vague_third[i], third_is);
 }
 
 FrameModel FrameModel::over(const Leg& leg, double start, double end) {

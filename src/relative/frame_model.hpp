@@ -68,9 +68,14 @@ struct FrameModel {
   double c[model_degree][functions];  ///< by power, then function
   double error[functions], error_d[functions], error_dd[functions];
   double bend[functions], bend_rad[functions], third[functions];
-  double remainder[functions];  ///< the part of the error that shrinks with the interval
-  double noise[functions];      ///< the part that does not: the middle's own uncertainty
-  double size[functions];       ///< bounds of |f_i|
+  double vague_bend[functions], vague_third[functions];  ///< what of these bounds is not the coefficients'
+  double remainder[functions];                           ///< the part of the error that shrinks with the interval
+  double noise[functions];                               ///< the part that does not: the middle's own uncertainty
+  double size[functions];                                ///< bounds of |f_i|
+
+  /// Of function i, how far its second derivative goes from the middle's, and how large the third one is, by the
+  /// coefficients as they are, if that is less than what is known.
+  void bound_by_coefficients(int i);
 
  private:
   /// Horner's rule for a pair of functions and their slopes.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/interruption.hpp"
 #include "relative/even_turn.hpp"
@@ -49,44 +48,6 @@ void LegClock::reset(const Leg& leg) {
   index_ = 0;
   last_ = nullptr;
   stored_ = straight_cell_made_ = false;
-}
-
-/// The store that nobody has, of this thread. It is gone when the thread ends, but clocks of static objects may end
-/// later.
-class LegClock::Spare {
- public:
-  static Store* take() { return over_ ? nullptr : std::exchange(own().store_, nullptr); }
-  static void give(Store* store) {
-    if (over_ || own().store_) {
-      delete store;
-    } else {
-      own().store_ = store;
-    }
-  }
-  Spare() = default;
-  Spare(const Spare&) = delete;
-  Spare& operator=(const Spare&) = delete;
-  ~Spare() {
-    delete store_;
-    over_ = true;
-  }
-
- private:
-  static Spare& own() {
-    static thread_local Spare spare;
-    return spare;
-  }
-  static thread_local bool over_;
-  Store* store_ = nullptr;
-};
-
-thread_local bool LegClock::Spare::over_ = false;
-
-void LegClock::Keep::operator()(Store* store) const { Spare::give(store); }
-
-LegClock::StorePointer LegClock::room() {
-  if (Store* spare = Spare::take()) return StorePointer(spare);
-  return StorePointer(new Store);  // not touched, so not Store()
 }
 
 void LegClock::Store::clear() {
@@ -235,12 +196,7 @@ const ClockCell* LegClock::outlook(const ClockPlace& cell) {
   if (key >= own || store_->keys[slot] == key) return &at_level(level, index);
   ClockCell& wide = store_->cells[slot];
   if (!store_->outlook_known[slot]) {
-    place(wide, level, index);
-    wide.leaf = wide.sharp = wide.widest = false;
-    wide.ahead = 1;
-    const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
-    wide.pp_third = third_of(over.for_pp);
-    wide.qq_third = third_of(over.for_qq);
+    make_outlook(wide, level, index);
     store_->outlook_known[slot] = true;
   }
   return &wide;
@@ -252,14 +208,24 @@ const ClockCell& LegClock::even_outlook(int level, std::uint64_t index) {
   Store::Deep& deep = *store_->deep;
   ClockCell& wide = deep.outlooks[slot];
   if (deep.outlook_keys[slot] != key) {
-    place(wide, level, index);
-    wide.leaf = wide.sharp = wide.widest = false;
-    wide.ahead = 1;
-    wide.pp_third = even_->third(*leg_, true, wide.start, wide.end);
-    wide.qq_third = even_->third(*leg_, false, wide.start, wide.end);
+    make_outlook(wide, level, index);
     deep.outlook_keys[slot] = key;
   }
   return wide;
+}
+
+void LegClock::make_outlook(ClockCell& wide, int level, std::uint64_t index) const {
+  place(wide, level, index);
+  wide.leaf = wide.sharp = wide.widest = false;
+  wide.ahead = 1;
+  if (even_) {
+    wide.pp_third = even_->third(*leg_, true, wide.start, wide.end);
+    wide.qq_third = even_->third(*leg_, false, wide.start, wide.end);
+  } else {
+    const auto over = frame_to_third_order(*leg_, Ball<double>::between(wide.start, wide.end));
+    wide.pp_third = third_of(over.for_pp);
+    wide.qq_third = third_of(over.for_qq);
+  }
 }
 
 void LegClock::evaluate(double t, Side& side) {

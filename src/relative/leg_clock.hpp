@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "base/spare.hpp"
 #include "relative/frame_model.hpp"
 #include "relative/frame_sample.hpp"
 
@@ -43,7 +44,7 @@ class LegClock {
   /// Makes room for a leg that is not straight, so that nothing is allocated when it comes, but for what the first
   /// singular instant needs.
   void reserve_cells() {
-    if (!store_) store_ = room();
+    if (!store_) store_ = Spare<Store>::take();
   }
   /// Of room for cells, most of which is never touched.
   std::size_t bytes() const { return store_ ? sizeof(Store) + (store_->deep ? sizeof(Store::Deep) : 0) : 0; }
@@ -84,6 +85,7 @@ class LegClock {
 
   const ClockCell& at_level(int level, std::uint64_t index);
   const ClockCell& even_outlook(int level, std::uint64_t index);
+  void make_outlook(ClockCell& cell, int level, std::uint64_t index) const;
   const ClockCell& whole_leg();
   void place(ClockCell& cell, int level, std::uint64_t index) const;
   const ClockCell& find_cell(double t);
@@ -142,16 +144,7 @@ class LegClock {
     std::uint64_t& key(std::size_t slot) { return slot < own ? keys[slot] : deep->keys[slot - own]; }
     ClockCell& cell(std::size_t slot) { return slot < own ? cells[slot] : deep->cells[slot - own]; }
   };
-  /// A thread keeps the last store that a clock of its own had, for the next one: memory that a system gives and takes
-  /// for each question costs more than a small question does.
-  struct Keep {
-    void operator()(Store* store) const;
-  };
-  using StorePointer = std::unique_ptr<Store, Keep>;
-  class Spare;
-  static StorePointer room();
-
-  StorePointer store_;
+  Spare<Store>::Pointer store_;
   bool stored_ = false;  ///< the store is this leg's
 };
 

@@ -15,9 +15,13 @@ std::size_t mixed(const Form& form) {
 
 TieForms::Place& TieForms::place_of(const TieFrame& frame, const Form& form) {
   reserve();
+  if (is_stale_) {
+    for (Place& place : kept_->places) place.used = false;
+    is_stale_ = false;
+  }
   Place& place = kept_->places[mixed(form) % kept_->places.size()];
   if (place.used && place.about == frame.about && place.form == form) return place;
-  is_clear_ = place.has_tie = place.has_near = false;
+  place.has_tie = place.has_near = false;
   place.root.reset();
   place.roots_seen = 0;
   place.form = form;

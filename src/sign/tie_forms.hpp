@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
+#include "base/spare.hpp"
 #include "sign/near_form.hpp"
 #include "sign/tie_form.hpp"
 
@@ -26,13 +26,11 @@ class TieForms {
  public:
   /// Makes room, so that nothing is allocated when it is asked for.
   void reserve() {
-    if (!kept_) kept_.reset(new Kept);
+    if (!kept_) kept_ = Spare<Kept>::take();
   }
   void clear() {
-    if (!kept_ || is_clear_) return;
-    for (Place& place : kept_->places) place.used = false;
     roots_noted_ = 0;
-    is_clear_ = true;
+    is_stale_ = true;
   }
   /// The form about the frame's instant, valid until the next call. All frames are of the same leg, all forms of the
   /// same bodies, until it is cleared.
@@ -63,9 +61,9 @@ class TieForms {
   Place& place_of(const TieFrame& frame, const Form& form);
   const NearForm& near_of(Place& place, const TieFrame& frame, const Leg& leg, const PairGeometry& g);
 
-  std::unique_ptr<Kept> kept_;
+  Spare<Kept>::Pointer kept_;
   std::uint64_t roots_noted_ = 0;
-  bool is_clear_ = true;
+  bool is_stale_ = true;  ///< forms that are kept are of another leg, or of another owner
 };
 
 }  // namespace taut

@@ -71,18 +71,19 @@ TieFrame frame_about(const Leg& leg, double about) {
 }  // namespace
 
 const TieFrame* TieFrames::known(double lo, double hi) const {
+  if (!kept_) return nullptr;
   const auto reaches = [&](const TieFrame& f) {
     return f.reach > 0 && lo >= f.about - f.reach && hi <= f.about + f.reach;
   };
-  const auto found = std::find_if(kept_.begin(), kept_.end(), reaches);
-  return found == kept_.end() ? nullptr : &*found;
+  const auto found = std::find_if(kept_->begin(), kept_->end(), reaches);
+  return found == kept_->end() ? nullptr : &*found;
 }
 
 const TieFrame* TieFrames::around(double lo, double hi) {
   if (!leg_ || leg_->bridge || (leg_->translation && leg_->degree <= 1)) return nullptr;
   if (const TieFrame* const frame = known(lo, hi)) return frame;
   const auto is_singular = [&](const TieFrame& f) { return f.reach == 0 && lo <= f.about && f.about <= hi; };
-  if (std::any_of(kept_.begin(), kept_.end(), is_singular)) return nullptr;
+  if (kept_ && std::any_of(kept_->begin(), kept_->end(), is_singular)) return nullptr;
   count_work(leg_->translation ? 75 : 430);
   TieFrame& made = slot();
   made = frame_about(*leg_, lo + (hi - lo) / 2);
@@ -90,10 +91,10 @@ const TieFrame* TieFrames::around(double lo, double hi) {
 }
 
 TieFrame& TieFrames::slot() {
-  if (kept_.empty()) reserve();
-  if (kept_.size() < most_kept) return kept_.emplace_back();
+  reserve();
+  if (kept_->size() < most_kept) return kept_->emplace_back();
   next_ = (next_ + 1) % most_kept;
-  return kept_[next_];
+  return (*kept_)[next_];
 }
 
 }  // namespace taut

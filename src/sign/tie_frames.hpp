@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "base/spare.hpp"
 #include "numeric/fixed.hpp"
 #include "relative/frame_sample.hpp"
 #include "relative/leg.hpp"
@@ -37,11 +38,16 @@ struct TieFrame {
 class TieFrames {
  public:
   /// Makes room, so that nothing is allocated when it is asked for.
-  void reserve() { kept_.reserve(most_kept); }
+  void reserve() {
+    if (kept_) return;
+    kept_ = Spare<std::vector<TieFrame>>::take();
+    kept_->clear();
+    kept_->reserve(most_kept);
+  }
   /// Prepares a leg; the reference must stay valid.
   void reset(const Leg& leg) {
     leg_ = &leg;
-    kept_.clear();
+    if (kept_) kept_->clear();
     next_ = 0;
   }
   /// One that reaches over [lo, hi], valid until the next call; none where that is too long for it to be of use, on
@@ -56,7 +62,7 @@ class TieFrames {
   TieFrame& slot();
 
   const Leg* leg_ = nullptr;
-  std::vector<TieFrame> kept_;
+  Spare<std::vector<TieFrame>>::Pointer kept_;
   std::size_t next_ = 0;  ///< which was replaced last
 };
 

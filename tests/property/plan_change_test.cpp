@@ -106,7 +106,7 @@ TEST(PlanChange, GoesOnToThePosesOfLargePreparedShapes) {
   combs.teeth = static_cast<int>(effort(1024));
   for (const double share : {0.01, 0.3}) compare_moved_on(gen::make_combs(combs), {0.1 * share, 0.03}, 0, 0, counts);
   gen::SpiralOptions spiral;
-  spiral.side_points = static_cast<int>(effort(2048));
+  spiral.side_points = std::max(100, static_cast<int>(effort(2048)));
   for (const double turn : {0.001, 0.1}) compare_moved_on(gen::make_spiral(spiral), {}, turn, 1.7, counts);
   EXPECT_GT(counts.compared, 20u);
 }

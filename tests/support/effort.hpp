@@ -1,6 +1,7 @@
 // How much a random test does: less where every access is watched, and where somebody waits.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -21,16 +22,22 @@ inline constexpr bool watched = true;
 inline constexpr bool watched = false;
 #endif
 
-/// n, or a tenth of it: under the sanitizers, which make everything about that much slower, and where TAUT_EFFORT says
-/// so, as `./dev test` does.
-inline std::uint64_t effort(std::uint64_t n) {
+/// Of so many rounds, one is gone: all of them, every tenth under the sanitizers, which make everything about that much
+/// slower, and where TAUT_EFFORT says `tenth`, as `./dev test` does; every fortieth where both is so.
+inline std::uint64_t one_of() {
   static const char* const said = std::getenv("TAUT_EFFORT");
-  static const bool tenth = watched || (said && std::string_view(said) == "tenth");
-  return tenth ? n / 10 : n;
+  static const bool tenth = said && std::string_view(said) == "tenth";
+  return watched && tenth ? 40 : watched || tenth ? 10 : 1;
 }
 
-/// What a count over effort(n) rounds has to exceed: n, or half of its share where that is less, since fewer samples
-/// stray farther.
-inline std::uint64_t enough(std::uint64_t n) { return effort(n) == n ? n : effort(n) / 2; }
+/// How many of n rounds to go. Where a tenth is few, it is not made fewer.
+inline std::uint64_t effort(std::uint64_t n) {
+  constexpr std::uint64_t few = 20;
+  return one_of() <= 10 ? n / one_of() : std::max(n / one_of(), std::min(n / 10, few));
+}
+
+/// What a count over effort(N) rounds has to exceed, if that is n for N of them: half of its share where rounds are
+/// left out, since fewer samples stray farther.
+inline std::uint64_t enough(std::uint64_t n) { return one_of() == 1 ? n : n / one_of() / 2; }
 
 }  // namespace taut::testing

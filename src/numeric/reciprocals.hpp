@@ -1,0 +1,25 @@
+// Reciprocals of small whole numbers, by which series divide: a product costs a third of a quotient.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "numeric/ball.hpp"
+
+namespace taut {
+
+/// 1/k for k = 1 .. 32, to the number's precision.
+template <class Real>
+const Ball<Real>& reciprocal(int k) {
+  static const auto all = [] {
+    std::array<Ball<Real>, 33> made;
+    made[0] = Ball<Real>::exact(0);
+    for (std::size_t i = 1; i < made.size(); ++i) {
+      made[i] = Ball<Real>::exact(1) / Ball<Real>::exact(static_cast<double>(i));
+    }
+    return made;
+  }();
+  return all[static_cast<std::size_t>(k)];
+}
+
+}  // namespace taut
