@@ -28,14 +28,15 @@ struct Clearance {
   std::string reason;  ///< why it is not decided; empty otherwise
   Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
-  /// Why the bracket of `nearest` is wider than was asked for, where curves run along each other for long; else empty.
+  /// Why the bracket of `nearest` is wider than was asked for, as where a limit of time was reached or curves run along
+  /// each other for long; else empty.
   std::string wide = {};
 };
 
 /// How precise the bracket is to be.
 struct ClearanceOptions {
-  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate; wider only where the highest precision does not tell
-  /// whether a margin is kept. At least 1e-12.
+  /// hi - lo <= relative * hi + 1e-12 of the largest coordinate; wider only where `wide` says why: where the highest
+  /// precision does not tell whether a margin is kept, or a limit was reached. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
   double max_seconds = 1e300;

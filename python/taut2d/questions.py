@@ -88,7 +88,7 @@ class NearestPoints:
 class Clearance:
     """How close bodies come. ``nearest``: of the closest pair; None if no pair is asked about, or nothing was decided:
     ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``wide``: why the bracket is wider than
-    was asked for, where curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
+    was asked for, as where a limit of time was reached or curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
     prints."""
 
     nearest: Optional[NearestPoints]

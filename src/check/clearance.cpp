@@ -50,8 +50,10 @@ class ClearanceSearch {
     }
     answer_.coverage.apart =
         answer_.coverage.pairs - answer_.coverage.ignored - answer_.coverage.at_rest - answer_.coverage.checked;
-    if (answer_.nearest)
+    if (answer_.nearest) {
       answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -plan_.exponent()) * (1 - 0x1p-50));
+      if (is_wide(*answer_.nearest)) answer_.wide = why_;
+    }
     std::sort(answer_.pairs.begin(), answer_.pairs.end(),
               [](const NearestPoints& a, const NearestPoints& b) { return a.pair < b.pair; });
     return std::move(answer_);
@@ -62,6 +64,10 @@ class ClearanceSearch {
     double bound;
     int a, b;
   };
+
+  bool is_wide(const NearestPoints& found) const {
+    return found.hi - found.lo > options_.relative * found.hi + 1e-12 * std::ldexp(plan_.largest(), -plan_.exponent());
+  }
 
   /// All pairs, those first whose boxes come nearest.
   std::vector<BoxedPair> pairs_by_distance() const {
@@ -93,9 +99,10 @@ class ClearanceSearch {
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
       spacetime::find_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
-      spacetime::settle_nearest(search.geometry, search.trees(), search.legs(), {plan_.start(), plan_.end()},
-                                tolerance_, nearest);
+      const std::string why = spacetime::settle_nearest(search.geometry, search.trees(), search.legs(),
+                                                        {plan_.start(), plan_.end()}, tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
+      if (!why.empty()) why_ = why;
       if (!options_.all_pairs && !(nearest.distance < before)) return;
       describe(search, nearest, found);
     }
@@ -137,6 +144,7 @@ class ClearanceSearch {
   spacetime::ClearanceTolerance tolerance_;
   double best_;                ///< internal units
   double certain_ = INFINITY;  ///< no pair comes closer than this where that is not told as well as was asked for
+  std::string why_;            ///< that is so
   Clearance answer_;
 };
 

@@ -1,5 +1,7 @@
 #include "spacetime/crossings_beside_end.hpp"
 
+#include <algorithm>
+
 #include "numeric/undecided.hpp"
 #include "sign/search_from_end.hpp"
 
@@ -12,6 +14,8 @@ const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdg
   if (!known.hopeless && !known.tells(from)) {
     try {
       known.crossing = precise_.first(pair, from, until);
+      // It is not later, though its enclosure may be rounded to beyond the end.
+      if (known.crossing) known.crossing->hi = std::min(known.crossing->hi, until);
       known.from = from;
       known.to = until;
     } catch (const Undecidable&) {

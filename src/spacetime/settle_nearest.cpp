@@ -23,16 +23,17 @@ void take_approach(const PairGeometry& geometry, const MarginResult& found, doub
 
 }  // namespace
 
-void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const TimeInterval& window,
-                    const ClearanceTolerance& tolerance, Nearest& best) {
+std::string settle_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
+                           const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
   double certain = best.unresolved;
   // Most often doubles have found the least distance, and only the bound from below is missing.
   double margin = tolerance.least(best.distance);
   for (int step = 0; certain < tolerance.least(best.distance); ++step) {
     interruption_point();
-    if (!(margin > certain && margin < best.distance) || step == most_halvings) return;
+    if (!(margin > certain && margin < best.distance) || step == most_halvings)
+      return "doubles do not tell the distance better";
     const MarginResult found = first_closer(geometry, trees, legs, margin, window);
-    if (found.outcome == MarginResult::undecided) return;
+    if (found.outcome == MarginResult::undecided) return found.reason;
     if (found.outcome == MarginResult::free) {
       best.unresolved = certain = margin;
     } else {
@@ -41,6 +42,7 @@ void settle_nearest(const PairGeometry& geometry, const TreePair& trees, const L
     margin = std::fmin(tolerance.least(best.distance), certain + (best.distance - certain) / 2);
   }
   best.unresolved = INFINITY;
+  return {};
 }
 
 }  // namespace taut::spacetime

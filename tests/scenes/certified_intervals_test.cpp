@@ -161,5 +161,17 @@ TEST(Intervals, TouchingIsNoneWhenOpenAndAnInstantWhenClosed) {
   expect_meets(found.intervals[0].to, json{1, 1}, 1e-12);
 }
 
+/// Enclosures of what happens at the very end are rounded to beyond it.
+TEST(Intervals, OfCornersThatMeetAsAnInfiniteSpeedIsReached) {
+  const Scene scene = read_scene("tests/corpus/touch_as_an_infinite_speed_is_reached.json");
+  EXPECT_TRUE(intervals(scene).intervals.empty());
+  CheckOptions closed;
+  closed.touch = Touch::closed;
+  const Intervals found = intervals(scene, closed);
+  ASSERT_EQ(found.intervals.size(), 1u);
+  expect_meets(found.intervals[0].from, json{1, 1}, 1e-12);
+  EXPECT_EQ(found.intervals[0].to.hi, 1);
+}
+
 }  // namespace
 }  // namespace taut

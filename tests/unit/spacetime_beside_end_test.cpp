@@ -86,7 +86,8 @@ TEST(CrossingsBesideEnd, TellOfEachStretchWhatASearchOfItDoes) {
 /// Where corners meet at the very end.
 TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
   Seen seen;
-  for (const char* name : {"infinite_speed_at_both_ends", "root_before_the_start_of_a_leg"}) {
+  for (const char* name :
+       {"infinite_speed_at_both_ends", "root_before_the_start_of_a_leg", "touch_as_an_infinite_speed_is_reached"}) {
     SCOPED_TRACE(name);
     compare(read_scene("tests/corpus/" + std::string(name) + ".json"), seen);
   }

@@ -48,5 +48,30 @@ TEST(WorkOfAProfile, OfSliversThatSlideALittleApart) {
   expect_profile("slivers_that_slide_a_little_apart", 956, 1'000'000);
 }
 
+/// Slivers beside an infinite speed, for which the search takes half a minute: what is known when a limit ends it is
+/// said, and that it is not what was asked for.
+TEST(WorkOfAClearance, WhatALimitLeavesWideIsSaidToBe) {
+  const Scene slivers = parse_scene(R"({"format":"taut-scene/1","time":[0,1],"bodies":[
+    {"name":"Q","polygon":[[-20,-6.103515625e-05],[0,-6.103515625e-05],[10,-3.0517578125e-05],[0,0],[-20,0],
+                           [-10,-3.0517578125e-05]],
+     "motion":{"x":[-10,0,-10],"y":[1.52587890625e-05,0,0,0,0,0,-0.0001220703125],"rotation":{"cosine":[0,-1]}}},
+    {"name":"P","polygon":[[10,-3.0517578125e-05],[0,-3.0517578125e-05],[0,0],[20,0],[20,-3.0517578125e-05]],
+     "motion":{"rotation":{"cosine":[1,0,-2]}}}]})");
+  int brackets = 0;
+  for (const double seconds : {0.1, 0.5, 1.0}) {
+    ClearanceOptions options;
+    options.max_seconds = seconds;
+    const Clearance found = clearance(slivers, options);
+    ASSERT_NE(found.nearest.has_value(), !found.reason.empty());
+    if (!found.nearest) continue;
+    ++brackets;
+    EXPECT_LE(found.nearest->lo, 4.5776367e-5);
+    EXPECT_GE(found.nearest->hi, 4.5776347e-5);
+    const bool narrow = found.nearest->hi - found.nearest->lo <= 1e-9 * found.nearest->hi + 2e-11;
+    EXPECT_EQ(found.wide.empty(), narrow) << found.wide;
+  }
+  if (brackets == 0) GTEST_SKIP() << "so slow that not even a first bracket was there";
+}
+
 }  // namespace
 }  // namespace taut
