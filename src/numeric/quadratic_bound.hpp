@@ -49,6 +49,18 @@ inline double positive_until(double a, double b, double c, double d, double limi
   return further > h ? further : h;
 }
 
+/// The same where it is known up to h = `known`: tries `step` more than that, then twice as much more, and so on, so
+/// often, but no further than `most`.
+inline double positive_over(double a, double b, double c, double d, double known, double step, double most, int tries) {
+  for (; known < most && tries > 0; --tries, step *= 2) {
+    const double limit = known + step < most ? known + step : most;
+    const double bend = c - d * limit * one_third;
+    if (!positive_throughout(a, b, bend, limit)) return std::fmax(known, positive_until(a, b, bend, limit));
+    known = limit;
+  }
+  return known;
+}
+
 /// Some h such that a + b h + c h^2/2 <= 0 is certain there, close to the first root; infinity if there may be none.
 inline double negative_from(double a, double b, double c) {
   const double square = b * b, product = 2 * a * c;

@@ -22,6 +22,8 @@ class EvenTurn {
   static std::shared_ptr<const EvenTurn> of(const Leg& leg);
   /// Of the part [start, end] of that leg. Nothing where an angle is too large.
   std::optional<FrameModel> model(const Leg& leg, double start, double end) const;
+  /// Are bounds of the third derivatives the same over every part?
+  bool is_steady() const { return constant_way_.has_value(); }
   /// Bounds of the third derivatives over a part.
   FrameThird third(const Leg& leg, bool pp, double start, double end) const;
 

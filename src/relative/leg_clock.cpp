@@ -38,6 +38,11 @@ FrameThird third_of(const std::array<ThirdSeries, 5>& over) {
 void LegClock::reset(const Leg& leg) {
   leg_ = &leg;
   even_ = leg.even_turn();
+  steady_ = even_ && even_->is_steady();
+  if (steady_) {
+    pp_steady_ = even_->third(leg, true, leg.start, leg.end);
+    qq_steady_ = even_->third(leg, false, leg.start, leg.end);
+  }
   straight_ = is_straight(leg);
   if (straight_) {
     straight_middle_ = leg.start + (leg.end - leg.start) / 2;

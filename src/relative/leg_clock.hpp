@@ -70,6 +70,11 @@ class LegClock {
   const ClockCell* wider(const ClockPlace& cell);
   /// The same, with nothing but its place and third derivatives: far cheaper to make.
   const ClockCell* outlook(const ClockPlace& cell);
+  /// Bounds of the third derivatives that hold on all of the leg and are hardly worse than those over a part of it, if
+  /// there are any.
+  const FrameThird* third_throughout(bool of_pp) const {
+    return !steady_ ? nullptr : of_pp ? &pp_steady_ : &qq_steady_;
+  }
 
  private:
   /// Where cell number 2^level + index is kept: those down to level 8 each in a slot of their own, deeper ones (some
@@ -111,6 +116,8 @@ class LegClock {
 
   const Leg* leg_ = nullptr;
   std::shared_ptr<const EvenTurn> even_;  ///< if that is what the leg is
+  bool steady_ = false;                   ///< and third derivatives have the same bounds everywhere:
+  FrameThird pp_steady_{}, qq_steady_{};
   bool straight_ = false;
   double straight_middle_ = 0;
   FrameSample straight_side_{};

@@ -57,6 +57,14 @@ void FastRoots::take_bounds(const FastFunction& f, Course& course, const ClockCe
 double FastRoots::positive_beyond(const Root& r, const Course& now, double value, int cells) {
   const FastFunction& f = r.function;
   const double slope = r.sign * now.slope.value - now.slope.error, bend = r.sign * now.bend.value - now.bend.error;
+  if (now.local) {
+    if (const FrameThird* all = clock_.third_throughout(f.pp)) {
+      const double most = above(leg().end - now.t);
+      const double length = now.cell.end - now.cell.start, inside = now.cell.end - now.t;
+      const double h = positive_over(value, slope, bend, f.third(*all), inside, length, most, cells);
+      return h < most ? std::max(now.cell.end, below(now.t + h)) : leg().end;
+    }
+  }
   double reached = now.cell.end;
   const auto wider = [&](const ClockPlace& cell) { return now.local ? clock_.outlook(cell) : clock_.wider(cell); };
   for (const ClockCell* wide = wider(now.cell); wide; wide = wider(*wide)) {
