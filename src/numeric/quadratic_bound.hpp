@@ -51,8 +51,9 @@ inline double positive_until(double a, double b, double c, double d, double limi
 
 /// The same where it is known up to h = `known`: tries `step` more than that, then twice as much more, and so on, so
 /// often, but no further than `most`.
-inline double positive_over(double a, double b, double c, double d, double known, double step, double most, int tries) {
-  for (; known < most && tries > 0; --tries, step *= 2) {
+inline double positive_over(double a, double b, double c, double d, double known, double step, double most,
+                            int doublings) {
+  for (; known < most && doublings > 0; --doublings, step *= 2) {
     const double limit = known + step < most ? known + step : most;
     const double bend = c - d * limit * one_third;
     if (!positive_throughout(a, b, bend, limit)) return std::fmax(known, positive_until(a, b, bend, limit));

@@ -57,7 +57,7 @@ SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
   }
 }
 
-constexpr int halvings = 10;
+constexpr int halvings_of_angle = 10;
 constexpr int most_terms = 40;  // 2^(-20 n) / (2 n)! is less than 2^-968 from 34 on
 
 /// 1/k!, to the number's precision.
@@ -105,13 +105,13 @@ SinCos<Real> sin_cos_multi(const Ball<Real>& x) {
   const B turns(Real::of_integer(k), 0.0);
   const B quarter(half_pi, 4 * unit_roundoff<Real>());
   // Work at the middle; the radius of x is added at the end (both functions have slope at most 1).
-  const B r = (B(x.mid, 0.0) - turns * quarter) * std::ldexp(1.0, -halvings);
+  const B r = (B(x.mid, 0.0) - turns * quarter) * std::ldexp(1.0, -halvings_of_angle);
   const B w = -(r * r);
   // sin(r)/r and 1 - cos(r), |r| < 2^-10, to below the working precision.
   const B sine = series_of_squares(w, 0, 1), versine = -(w * series_of_squares(w, 1, 0));
   // Doubling: with v = 1 - cos a: 1 - cos 2a = 2 v (2 - v), sin 2a = 2 sin a (1 - v). Stable for small a.
   B s = r * sine, v = versine;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < halvings_of_angle; ++i) {
     const B one_minus = B::exact(1) - v;
     s = s * one_minus * 2.0;
     v = v * (B::exact(2) - v) * 2.0;

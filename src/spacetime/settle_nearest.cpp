@@ -4,6 +4,7 @@
 
 #include "base/interruption.hpp"
 #include "spacetime/margin.hpp"
+#include "spacetime/stretch.hpp"
 
 namespace taut::spacetime {
 namespace {
@@ -21,13 +22,66 @@ void take_approach(const PairGeometry& geometry, const MarginResult& found, doub
   best.edge_q = first ? found.pair.peer : found.pair.vertex;
 }
 
+/// Lowers the least distance to what it is at some instants. Each costs far less than a question about a margin does,
+/// which only tells that one is not kept, and each such answer halves what is open.
+class Looks {
+ public:
+  Looks(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, const TimeInterval& window,
+        const ClearanceTolerance& tolerance, Nearest& best)
+      : geometry_(geometry), trees_(trees), legs_(legs), window_(window), tolerance_(tolerance), best_(best) {}
+
+  /// Where bodies turn with infinite speed: what is nearest there need not be so a rounding away.
+  void at_singular_ends() {
+    for (std::size_t i = legs_.first_until(window_.lo); i < legs_.size(); ++i) {
+      const LegPlace place = legs_.place(i);
+      if (place.start > window_.hi) break;
+      if (place.bridge) continue;
+      const std::shared_ptr<const Leg> leg = legs_.hold(i);
+      for (const double t : {leg->start, leg->end}) {
+        if (leg->singular_at(t)) at(*leg, i, t);
+      }
+    }
+  }
+  /// Where they come closer than a margin, and then at instants farther and farther from there.
+  void after(const MarginResult& found) {
+    const LegPlace place = legs_.place(found.leg);
+    if (place.bridge) return;
+    const std::shared_ptr<const Leg> leg = legs_.hold(found.leg);
+    const double end = std::fmin(place.end, window_.hi);
+    for (double way = end - found.hi, share = 1; share > 0x1p-40; share /= 4)
+      at(*leg, found.leg, found.hi + way * share);
+  }
+
+ private:
+  void at(const Leg& leg, std::size_t index, double t) {
+    if (!(t >= std::fmax(leg.start, window_.lo) && t <= std::fmin(leg.end, window_.hi))) return;
+    interruption_point();
+    Nearest there = best_;
+    find_nearest_in_middle(geometry_, trees_, leg, Stretch::at_instant(leg, t), tolerance_, there);
+    if (!(there.distance < best_.distance)) return;
+    there.leg = index;
+    there.unresolved = best_.unresolved;  // which is of all of the window
+    best_ = there;
+  }
+
+  const PairGeometry& geometry_;
+  const TreePair& trees_;
+  const Legs& legs_;
+  TimeInterval window_;
+  ClearanceTolerance tolerance_;
+  Nearest& best_;
+};
+
 }  // namespace
 
 std::string settle_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
                            const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
   double certain = best.unresolved;
-  // Most often doubles have found the least distance, and only the bound from below is missing.
-  double margin = tolerance.least(best.distance);
+  Looks looks(geometry, trees, legs, window, tolerance, best);
+  if (certain < tolerance.least(best.distance)) looks.at_singular_ends();
+  // Most often doubles have found the least distance, and only the bound from below is missing; or nearly so: then it
+  // is looked for farther and farther below what they have found, not halfway down to nothing.
+  double margin = tolerance.least(best.distance), below = best.distance - margin;
   for (int step = 0; certain < tolerance.least(best.distance); ++step) {
     interruption_point();
     if (!(margin > certain && margin < best.distance) || step == most_halvings)
@@ -38,8 +92,11 @@ std::string settle_nearest(const PairGeometry& geometry, const TreePair& trees, 
       best.unresolved = certain = margin;
     } else {
       take_approach(geometry, found, margin, best);
+      looks.after(found);
+      below *= 8;
     }
-    margin = std::fmin(tolerance.least(best.distance), certain + (best.distance - certain) / 2);
+    const double halfway = certain + (best.distance - certain) / 2;
+    margin = std::fmin(tolerance.least(best.distance), std::fmax(halfway, best.distance - below));
   }
   best.unresolved = INFINITY;
   return {};

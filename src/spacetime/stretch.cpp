@@ -177,6 +177,20 @@ Stretch Stretch::of_window(const Leg& leg, FrameWindow& window, double start, do
   return out;
 }
 
+Stretch Stretch::at_instant(const Leg& leg, double t) {
+  Stretch out;
+  out.middle = t;
+  const FrameValues<Real320> there = frame_values(leg, Ball<Real320>::exact(t));
+  const auto sample = [](const std::array<Ball<Real320>, 5>& values) {
+    std::array<Jet<double>, 5> rests;
+    for (std::size_t i = 0; i < 5; ++i) {
+      rests[i] = {detail::in_doubles(values[i]), Ball<double>::exact(0), Ball<double>::exact(0)};
+    }
+    return sample_of(rests);
+  };
+  assemble(out, leg, sample(there.for_pp), FrameCurvature{}, sample(there.for_qq), FrameCurvature{});
+  return out;
+}
 Stretch Stretch::of_range(const Leg& leg, const FrameWindow& window) {
   Stretch out;
   out.middle = window.start();

@@ -71,6 +71,9 @@ struct Stretch {
   static Stretch of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end);
   /// Part of a smooth window.
   static Stretch of_window(const Leg& leg, FrameWindow& window, double start, double end);
+  /// An instant of a leg that is no bridge, at high precision: there errors are those of rounding to doubles, also
+  /// where the motion is singular.
+  static Stretch at_instant(const Leg& leg, double t);
   /// All of a window that is not smooth: everything rests, up to the error.
   static Stretch of_range(const Leg& leg, const FrameWindow& window);
 };
