@@ -40,10 +40,11 @@ scenes() { # scenes COUNT
     }
   }'
 }
-scenes 2000 >scenes.jsonl
+count=8000
+scenes "$count" >scenes.jsonl
 "$taut" check --json --lines scenes.jsonl >whole.jsonl 2>/dev/null
 code=$?
-[ "$(wc -l <whole.jsonl)" = 2000 ] && [ "$code" = 2 ] || fail "the scenes are not as they should be: exit code $code"
+[ "$(wc -l <whole.jsonl)" = "$count" ] && [ "$code" = 2 ] || fail "the scenes are not as they should be: exit code $code"
 check=(check --json --lines scenes.jsonl)
 
 # Shards have all scenes, each once: taken in turn, in the order of the scenes.
@@ -95,7 +96,7 @@ kill -TERM "$run"
 wait "$run"
 code=$?
 head -c "$(stat -c %s stopped.jsonl)" whole.jsonl | cmp -s - stopped.jsonl || fail "a run that was stopped has other answers"
-if [ "$(wc -l <stopped.jsonl)" -lt 2000 ]; then
+if [ "$(wc -l <stopped.jsonl)" -lt "$count" ]; then
   grep -q 'stopped; the same command goes on behind the last answer in stopped.jsonl' err || fail "no word about the stop"
   [ "$code" = 3 ] || [ "$code" = 2 ] || fail "a run that was stopped: exit code $code"
 fi

@@ -14,6 +14,7 @@
 #include "spacetime/course.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/random_scenes.hpp"
+#include "taut/io.hpp"
 #include "tiling/free_triangulation.hpp"
 
 namespace taut::testing {
@@ -155,8 +156,26 @@ void for_stretches(const Leg& leg, const Action& action) {
         if (leg.translation) action(Stretch::of_translation(leg, polynomial, lo, hi), lo, hi);
       }
     }
+    if (!leg.bridge) action(Stretch::at_instant(leg, start), start, start);
     t = end;
   }
+  if (!leg.bridge) action(Stretch::at_instant(leg, leg.end), leg.end, leg.end);
+}
+
+/// At an instant nothing is left but rounding, also where the motion is singular.
+TEST(SpacetimeStretch, AtAnInstantIsAsGoodAsDoublesAre) {
+  const Setting s = setting(read_scene("tests/corpus/touch_as_an_infinite_speed_is_reached.json"));
+  int singular = 0;
+  for (const Leg& leg : s.legs) {
+    if (leg.bridge) continue;
+    for (const double t : {leg.start, leg.end}) {
+      singular += leg.singular_at(t);
+      const Stretch there = Stretch::at_instant(leg, t);
+      EXPECT_LE(there.in_p.error, 0x1p-43 * there.in_p.reach);
+      EXPECT_LE(there.in_q.error, 0x1p-43 * there.in_q.reach);
+    }
+  }
+  EXPECT_GT(singular, 0);
 }
 
 /// A distance along an edge as a parabola against 320 bits.
