@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "motion/pose.hpp"
 #include "numeric/trig.hpp"
@@ -9,8 +11,17 @@
 namespace taut {
 namespace {
 
-/// Bounds are made with so much room, and kept while they are no larger than twice what is needed.
-constexpr double room_of_bounds = 1.25;
+/// The least number of so many binary digits that is no less than x >= 0. Bounds are made for such numbers, so that
+/// many models have the same ones, and no model hangs on which was made before it.
+double first_digits_above(double x, int digits) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  const std::uint64_t rest = (std::uint64_t{1} << (53 - digits)) - 1;
+  bits = (bits + rest) & ~rest;
+  std::memcpy(&x, &bits, sizeof bits);
+  return x;
+}
+constexpr int digits_of_size = 3, digits_of_error = 2, digits_of_radius = 32;
 
 /// Looked at first, as many legs do not.
 bool turns(const Leg& leg) {
@@ -166,22 +177,18 @@ bool EvenTurn::turn(const Spin& spin, const Way& way, double m, int i, FrameMode
   return true;
 }
 
-const EvenTurn::Bounds& EvenTurn::bounds_for(double radius, const Way& way) const {
-  const auto fits = [](double kept, double wanted) { return wanted <= kept && kept <= 2 * wanted; };
+const EvenTurn::Bounds& EvenTurn::bounds_for(double radius, Way way) const {
+  radius = first_digits_above(radius, digits_of_radius);
+  for (int k = 0; k < way.terms && !constant_way_; ++k) {
+    way.size[k] = first_digits_above(way.size[k], digits_of_size);
+    way.error[k] = first_digits_above(way.error[k], digits_of_error);
+  }
   for (const Bounds& b : kept_) {
-    bool good = radius <= b.radius && b.radius <= radius * (1 + 0x1p-30) && b.way.terms == way.terms;
-    for (int k = 0; good && k < way.terms; ++k)
-      good = fits(b.way.size[k], way.size[k]) && fits(b.way.error[k], way.error[k]);
-    if (good) return b;
+    if (b.radius == radius && b.way.terms == way.terms && b.way.size == way.size && b.way.error == way.error) return b;
   }
   Bounds& fresh = kept_[next_++ % kept_.size()];
-  fresh.way.terms = way.terms;
-  const double room = constant_way_ ? 1 : room_of_bounds;
-  for (int k = 0; k < way.terms; ++k) {
-    fresh.way.size[k] = way.size[k] * room;
-    fresh.way.error[k] = way.error[k] * room;
-  }
-  fresh.radius = radius * (1 + 0x1p-40);
+  fresh.way = way;
+  fresh.radius = radius;
   FrameModel& model = fresh.model;
   model = {};
   model.radius = fresh.radius;

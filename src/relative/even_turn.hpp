@@ -46,16 +46,16 @@ class EvenTurn {
     int terms = 1;
     std::array<double, last + 1> x{}, y{}, size{}, error{};  ///< bounds of |(x, y)|, and of what is missing
   };
-  /// What is the same for all models of a radius and with ways no larger: all but the coefficients.
+  /// What is the same for all models of a radius and with ways of such sizes: all but the coefficients.
   struct Bounds {
     double radius = -1;
-    Way way;  ///< without x and y
+    Way way;
     FrameModel model;
   };
 
   bool take(const Leg& leg);
   Way way_about(const Leg& leg, double m) const;
-  const Bounds& bounds_for(double radius, const Way& way) const;
+  const Bounds& bounds_for(double radius, Way way) const;
   void bound(const Spin& spin, const Way& way, int i, FrameModel& model) const;
   static bool turn(const Spin& spin, const Way& way, double m, int i, FrameModel& out);
 
