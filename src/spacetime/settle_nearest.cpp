@@ -47,9 +47,8 @@ class Looks {
     const LegPlace place = legs_.place(found.leg);
     if (place.bridge) return;
     const std::shared_ptr<const Leg> leg = legs_.hold(found.leg);
-    const double end = std::fmin(place.end, window_.hi);
-    for (double way = end - found.hi, share = 1; share > 0x1p-40; share /= 4)
-      at(*leg, found.leg, found.hi + way * share);
+    const double way = std::fmin(place.end, window_.hi) - found.hi;
+    for (double share = 1; way > 0 && share > 0x1p-40; share /= 4) at(*leg, found.leg, found.hi + way * share);
   }
 
  private:

@@ -148,29 +148,30 @@ TEST(Intervals, BeginWithTheFirstContactAndMirrorInTime) {
   EXPECT_THROW(range(scene, -1), InputError);
 }
 
+/// Where bodies do no more than touch: none, and the only one if touching counts.
+OverlapInterval only_by_touching(const Scene& scene) {
+  EXPECT_TRUE(intervals(scene).intervals.empty());
+  CheckOptions closed;
+  closed.touch = Touch::closed;
+  const Intervals found = intervals(scene, closed);
+  EXPECT_EQ(found.intervals.size(), 1u);
+  return found.intervals.empty() ? OverlapInterval{} : found.intervals[0];
+}
+
 TEST(Intervals, TouchingIsNoneWhenOpenAndAnInstantWhenClosed) {
   Scene scene = there_and_back(1);
   // It turns back where the faces touch.
   scene.bodies[1].motion = from_keyframes({{0, 4}, {1, 1}, {2, 4}});
-  EXPECT_TRUE(intervals(scene).intervals.empty());
-  CheckOptions closed;
-  closed.touch = Touch::closed;
-  const Intervals found = intervals(scene, closed);
-  ASSERT_EQ(found.intervals.size(), 1u);
-  expect_meets(found.intervals[0].from, json{1, 1}, 1e-12);
-  expect_meets(found.intervals[0].to, json{1, 1}, 1e-12);
+  const OverlapInterval found = only_by_touching(scene);
+  expect_meets(found.from, json{1, 1}, 1e-12);
+  expect_meets(found.to, json{1, 1}, 1e-12);
 }
 
 /// Enclosures of what happens at the very end are rounded to beyond it.
 TEST(Intervals, OfCornersThatMeetAsAnInfiniteSpeedIsReached) {
-  const Scene scene = read_scene("tests/corpus/touch_as_an_infinite_speed_is_reached.json");
-  EXPECT_TRUE(intervals(scene).intervals.empty());
-  CheckOptions closed;
-  closed.touch = Touch::closed;
-  const Intervals found = intervals(scene, closed);
-  ASSERT_EQ(found.intervals.size(), 1u);
-  expect_meets(found.intervals[0].from, json{1, 1}, 1e-12);
-  EXPECT_EQ(found.intervals[0].to.hi, 1);
+  const OverlapInterval found = only_by_touching(read_scene("tests/corpus/touch_as_an_infinite_speed_is_reached.json"));
+  expect_meets(found.from, json{1, 1}, 1e-12);
+  EXPECT_EQ(found.to.hi, 1);
 }
 
 }  // namespace
