@@ -132,6 +132,13 @@ Ball<Real> operator/(const Ball<Real>& a, const Ball<Real>& b) {
   return Ball<Real>(m, detail::inflate((mm * b.rad + (a.rad + 0x1p-1060)) / distance + detail::rounding(m)));
 }
 
+/// Times 2^by, |by| <= 900.
+template <class Real>
+Ball<Real> scaled(const Ball<Real>& a, int by) {
+  using std::ldexp;
+  return {ldexp(a.mid, by), detail::inflate(a.rad * power_of_two(by))};
+}
+
 /// Multiplication by a power of two, or any double that is exact.
 template <class Real>
 Ball<Real> operator*(const Ball<Real>& a, double b) {

@@ -6,11 +6,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 
 #include "numeric/ball.hpp"
 #include "numeric/real.hpp"
+#include "numeric/two_words.hpp"
 
 namespace taut {
 
@@ -64,48 +66,75 @@ class Fixed {
       carry = carry != 0 && limb == 0 ? 1 : 0;
     }
   }
+  /// Times 2^by, less than a unit too small; what leaves the range at its end is lost.
+  Fixed scaled(int by) const {
+    const bool up = by >= 0;
+    const auto words = static_cast<std::size_t>(std::abs(by) / 64);
+    const int bits = std::abs(by) % 64;
+    const std::uint64_t beyond = is_negative() ? ~std::uint64_t{0} : 0;
+    // Limbs of this number, with zeros before the first one and signs behind the last.
+    const auto limb = [&](std::size_t i) { return i < limbs ? limb_[i] : beyond; };
+    Fixed result;
+    for (std::size_t i = 0; i < limbs; ++i) {
+      if (!up) {
+        const std::uint64_t here = limb(i + words), above = limb(i + words + 1);
+        result.limb_[i] = bits == 0 ? here : here >> bits | above << (64 - bits);
+      } else if (i >= words) {
+        const std::uint64_t here = limb_[i - words], below = i > words ? limb_[i - words - 1] : 0;
+        result.limb_[i] = bits == 0 ? here : here << bits | below >> (64 - bits);
+      }
+    }
+    return result;
+  }
   friend Fixed operator-(Fixed a) {
     a.negate();
     return a;
   }
   friend Fixed operator+(Fixed a, const Fixed& b) {
-    Wide carry = 0;
+    std::uint64_t carry = 0;
+#pragma GCC unroll 6
     for (std::size_t i = 0; i < limbs; ++i) {
-      carry += Wide{a.limb_[i]} + b.limb_[i];
-      a.limb_[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+      const TwoWords sum = TwoWords{a.limb_[i]} + b.limb_[i] + carry;
+      a.limb_[i] = low_word(sum);
+      carry = high_word(sum);
     }
     return a;
   }
   friend Fixed operator-(Fixed a, const Fixed& b) {
     std::uint64_t borrow = 0;
+#pragma GCC unroll 6
     for (std::size_t i = 0; i < limbs; ++i) {
-      const Wide difference = Wide{a.limb_[i]} - b.limb_[i] - borrow;
-      a.limb_[i] = static_cast<std::uint64_t>(difference);
-      borrow = static_cast<std::uint64_t>(difference >> 64) & 1;
+      const TwoWords difference = TwoWords{a.limb_[i]} - b.limb_[i] - borrow;
+      a.limb_[i] = low_word(difference);
+      borrow = high_word(difference) & 1;
     }
     return a;
   }
-  /// Less than lost_in_product nearer to zero than the product, or it.
+  /// Less than lost_in_product from the product.
   friend Fixed operator*(const Fixed& a, const Fixed& b) {
-    const Fixed x = a.is_negative() ? -a : a, y = b.is_negative() ? -b : b;
-    // Row by row, columns of the full product from the one below the last place on: those below it are less than three
-    // units there. Most numbers have rows of zeros.
+    // Row by row, columns of the full product from the one below the last place on: those below it are less than four
+    // units there. Most numbers have rows of zeros, and so that they stay zeros, the first factor is taken without its
+    // sign; the second one's words are those of b, or of b + 2^384.
     constexpr std::size_t first = fraction_bits / 64 - 1;
+    const Fixed x = a.is_negative() ? -a : a;
     std::array<std::uint64_t, 2 * limbs> sum{};
+#pragma GCC unroll 6
     for (std::size_t i = 0; i < limbs; ++i) {
-      if (x.limb_[i] == 0) continue;
-      Wide carry = 0;
+      const std::uint64_t row = x.limb_[i];
+      if (row == 0) continue;
+      std::uint64_t carry = 0;
+#pragma GCC unroll 6
       for (std::size_t k = i < first ? first - i : 0; k < limbs; ++k) {
-        carry += Wide{x.limb_[i]} * y.limb_[k] + sum[i + k];
-        sum[i + k] = static_cast<std::uint64_t>(carry);
-        carry >>= 64;
+        const TwoWords column = TwoWords{row} * b.limb_[k] + sum[i + k] + carry;
+        sum[i + k] = low_word(column);
+        carry = high_word(column);
       }
-      sum[i + limbs] = static_cast<std::uint64_t>(carry);
+      sum[i + limbs] = carry;
     }
     Fixed result;
     std::memcpy(result.limb_.data(), sum.data() + first + 1, sizeof result.limb_);
-    if (a.is_negative() != b.is_negative()) result.negate();
+    if (b.is_negative()) result = result - x.moved_up();
+    if (a.is_negative()) result.negate();
     return result;
   }
 
@@ -136,7 +165,12 @@ class Fixed {
   static constexpr std::size_t most_parts = 8;
 
  private:
-  __extension__ using Wide = unsigned __int128;
+  /// Times 2^64, whatever that takes from its first word.
+  Fixed moved_up() const {
+    Fixed up;
+    for (std::size_t i = 1; i < limbs; ++i) up.limb_[i] = limb_[i - 1];
+    return up;
+  }
 
   /// Sets bits that are not set yet.
   void put(std::uint64_t digits, int place) {
@@ -199,6 +233,13 @@ class FixedBall {
   FixedBall tightened() const {
     const double size = std::fabs(about());
     return {mid_, rad_, std::min(most_, (size * up + rad_) * up)};
+  }
+  /// Times 2^by, |by| <= 900.
+  FixedBall scaled(int by) const {
+    const double factor = power_of_two(by), most = most_ * factor;
+    if (!(most < Fixed::limit)) return anything();
+    if (is_zero()) return {};
+    return FixedBall(mid_.scaled(by), (rad_ * factor + Fixed::unit) * up, (most + Fixed::unit) * up);
   }
   void widen(double by) {
     rad_ = (rad_ + by) * up;

@@ -14,6 +14,21 @@ struct SinCos {
   Ball<Real> sin, cos;
 };
 
+/// Turns the pair by k quarter turns.
+template <class Real>
+SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
+  switch (k & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
 /// Both functions over the ball x (radians).
 SinCos<double> sin_cos(const Ball<double>& x);
 template <class Real>

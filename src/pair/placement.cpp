@@ -167,8 +167,8 @@ const Placement::PoseIn<N>& Placement::pose_in() const {
     const PoseIn<Ball<Real320>>& from = pose_in<Ball<Real320>>();
     pose = {FixedBall::of(from.x), FixedBall::of(from.y), FixedBall::of(from.c), FixedBall::of(from.s)};
   } else {
-    const auto f = frame(*leg_, N::exact(t_)).for_pp;
-    pose = {f[1].v, f[2].v, f[3].v, f[4].v};
+    const auto f = frame_values(*leg_, N::exact(t_)).for_pp;
+    pose = {f[1], f[2], f[3], f[4]};
   }
   return *pose;
 }

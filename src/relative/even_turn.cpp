@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
+#include <utility>
 
 #include "motion/pose.hpp"
+#include "numeric/reciprocals.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut {
@@ -54,6 +57,16 @@ double size_over(const Sizes& size, int terms, int j, double radius) {
 
 }  // namespace
 
+/// That of a turn alone.
+const EvenTurn::Way& EvenTurn::one_way() {
+  static const Way one = [] {
+    Way way;
+    way.x[0] = way.size[0] = 1;
+    return way;
+  }();
+  return one;
+}
+
 bool EvenTurn::Angle::at(double m, double& re, double& im) const {
   if (!(std::fabs(c1 * m) < 0x1p39 && std::fabs(c0) < 0x1p39)) return false;
   const TwoDoubles way = two_product(c1, m), sum = two_sum(way.hi, c0);
@@ -65,10 +78,29 @@ bool EvenTurn::Angle::at(double m, double& re, double& im) const {
   return true;
 }
 
+void EvenTurn::Angle::at(double m, FixedBall& re, FixedBall& im) const {
+  using B = Ball<Real320>;
+  const B angle = (B::exact(c0) + B::exact(c0_low)) + (B::exact(c1) + B::exact(c1_low)) * B::exact(m);
+  const SinCos<Real320> both = sin_cos(angle);
+  re = FixedBall::of(both.cos);
+  im = FixedBall::of(sign < 0 ? -both.sin : both.sin);
+}
+
 /// Each step rounds twice, and the rate is no closer to its double than another rounding.
 void EvenTurn::Spin::set(const Angle& a) {
   angle = a;
   for (int k = 0; k < last; ++k) u[k + 1] = u[k] * (a.sign * a.c1) / (k + 1);
+}
+
+EvenTurn::Powers<FixedBall> EvenTurn::Spin::precise_powers(int exponent) const {
+  Powers<FixedBall> powers;
+  powers[0] = FixedBall::exact(1);
+  if (!angle) return powers;
+  const double unit = angle->sign * power_of_two(exponent);
+  const FixedBall rate = FixedBall::exact(unit * angle->c1) + FixedBall::exact(unit * angle->c1_low);
+  // A product takes as long as its first factor has words.
+  for (int k = 0; k < last; ++k) powers[k + 1] = rate * powers[k] * FixedBall::of(reciprocal<Real320>(k + 1));
+  return powers;
 }
 
 std::shared_ptr<const EvenTurn> EvenTurn::of(const Leg& leg) {
@@ -119,57 +151,65 @@ EvenTurn::Way EvenTurn::way_about(const Leg& leg, double m) const {
   return way;
 }
 
+/// Bounds of D's coefficients about any instant so near to the middle.
+EvenTurn::Powers<double> EvenTurn::sizes_within(const Way& way, double radius) {
+  Powers<double> sizes{};
+  for (int j = 0; j < way.terms; ++j) {
+    sizes[j] = size_over(way.size, way.terms, j, radius) + size_over(way.error, way.terms, j, radius);
+  }
+  return sizes;
+}
+
+/// A bound of coefficient k of a function, from bounds of D's coefficients.
+double EvenTurn::size_of(const Spin& spin, const Powers<double>& sizes, int terms, int k) {
+  double sum = 0;
+  for (int j = 0; j < terms && j <= k; ++j) sum += std::fabs(spin.u[k - j]) * sizes[j];
+  return sum * (1 + 0x1p-44);
+}
+
 /// Of functions i and i + 1, whose coefficients about any instant are no larger than these.
 void EvenTurn::bound(const Spin& spin, const Way& way, int i, FrameModel& model) const {
   ModelSeries<double> point, range;
-  const auto product = [&](const auto& size, int k) {
-    double sum = 0;
-    for (int j = 0; j < way.terms && j <= k; ++j) sum += std::fabs(spin.u[k - j]) * size(j);
-    return sum * (1 + 0x1p-44);
-  };
-  const auto at_middle = [&](int j) { return way.size[j]; };
-  const auto missing = [&](int j) { return way.error[j]; };
-  const auto over = [&](int j) {
-    return size_over(way.size, way.terms, j, model.radius) + size_over(way.error, way.terms, j, model.radius);
-  };
   for (int k = 0; k <= last; ++k) {
     // Sine and cosine to 2^-50 each; roundings: 3 k of the powers, 3 of a complex product, 2 of each term and sum.
-    const double size = product(at_middle, k), share = 0x1p-49 + (3 * k + 4 + 2 * way.terms) * 0x1p-53;
-    point.c[k] = Ball<double>(size, size * share + product(missing, k) + underflow_slack);
+    const double size = size_of(spin, way.size, way.terms, k), share = 0x1p-49 + (3 * k + 4 + 2 * way.terms) * 0x1p-53;
+    point.c[k] = Ball<double>(size, size * share + size_of(spin, way.error, way.terms, k) + underflow_slack);
   }
-  range.c[3] = Ball<double>(0, product(over, 3));
-  range.c[last] = Ball<double>(0, product(over, last));
+  const Powers<double> over = sizes_within(way, model.radius);
+  range.c[3] = Ball<double>(0, size_of(spin, over, way.terms, 3));
+  range.c[last] = Ball<double>(0, size_of(spin, over, way.terms, last));
   for (int part = 0; part < 2; ++part) take_series(model, i + part, point, range);
 }
 
-/// Their coefficients.
+/// The coefficients of two functions about an instant at which a body is turned by (re, im).
+template <class N, class Take>
+void EvenTurn::turned(const Powers<N>& u, const WayOf<N>& way, const N& re, const N& im, const Take& take) {
+  N turned_x[last + 1], turned_y[last + 1];
+  for (int j = 0; j < way.terms; ++j) {
+    turned_x[j] = re * way.x[j] - im * way.y[j];
+    turned_y[j] = re * way.y[j] + im * way.x[j];
+  }
+  for (int k = 0; k < model_degree; ++k) {
+    N x{}, y{};
+    for (int j = 0; j < way.terms && j <= k; ++j) {
+      N a = u[k - j] * turned_x[j], b = u[k - j] * turned_y[j];
+      // Times a power of i.
+      if ((k - j) & 1) std::tie(a, b) = std::pair(-b, a);
+      if ((k - j) & 2) a = -a, b = -b;
+      x = x + a;
+      y = y + b;
+    }
+    take(k, x, y);
+  }
+}
+
 bool EvenTurn::turn(const Spin& spin, const Way& way, double m, int i, FrameModel& out) {
   double re = 1, im = 0;
   if (spin.angle && !spin.angle->at(m, re, im)) return false;
-  std::array<double, 2> turned[last + 1];
-  for (int j = 0; j < way.terms; ++j) turned[j] = {re * way.x[j] - im * way.y[j], re * way.y[j] + im * way.x[j]};
-  for (int k = 0; k < model_degree; ++k) {
-    double x = 0, y = 0;
-    for (int j = 0; j < way.terms && j <= k; ++j) {
-      const double u = spin.u[k - j], a = u * turned[j][0], b = u * turned[j][1];
-      // Times a power of i.
-      switch ((k - j) & 3) {
-        case 0:
-          x += a, y += b;
-          break;
-        case 1:
-          x -= b, y += a;
-          break;
-        case 2:
-          x -= a, y -= b;
-          break;
-        default:
-          x += b, y -= a;
-      }
-    }
+  turned<double>(spin.u, way, re, im, [&](int k, double x, double y) {
     out.c[k][i] = x;
     out.c[k][i + 1] = y;
-  }
+  });
   for (int part = i; part < i + 2; ++part) {
     out.bend[part] = 2 * out.c[2][part];
     out.bound_by_coefficients(part);
@@ -193,11 +233,7 @@ const EvenTurn::Bounds& EvenTurn::bounds_for(double radius, Way way) const {
   model = {};
   model.radius = fresh.radius;
   model.terms = 1;
-  bound(to_p_, fresh.way, 0, model);
-  bound(aligned_ ? to_p_ : to_q_, fresh.way, 2, model);
-  Way one;
-  one.size[0] = 1;
-  bound(relative_, one, 4, model);
+  for (int pair = 0; pair < pairs; ++pair) bound(spin(pair), pair < 2 ? fresh.way : one_way(), 2 * pair, model);
   return fresh;
 }
 
@@ -209,26 +245,88 @@ std::optional<FrameModel> EvenTurn::model(const Leg& leg, double start, double e
   m->end = end;
   m->middle = times.mid;
   m->radius = times.rad;
-  Way one;
-  one.x[0] = 1;
-  const bool known = turn(to_p_, way, times.mid, 0, *m) && turn(aligned_ ? to_p_ : to_q_, way, times.mid, 2, *m) &&
-                     turn(relative_, one, times.mid, 4, *m);
-  if (!known) m.reset();
+  for (int pair = 0; pair < pairs; ++pair) {
+    if (!turn(spin(pair), pair < 2 ? way : one_way(), times.mid, 2 * pair, *m)) return std::nullopt;
+  }
   return m;
 }
 
 FrameThird EvenTurn::third(const Leg& leg, bool pp, double start, double end) const {
   const Ball<double> times = Ball<double>::between(start, end);
   const Way way = way_about(leg, times.mid);
-  const Spin& spin = pp || aligned_ ? to_p_ : to_q_;
-  double of_way = 0;
-  for (int j = 0; j < way.terms && j <= 3; ++j) {
-    of_way += std::fabs(spin.u[3 - j]) *
-              (size_over(way.size, way.terms, j, times.rad) + size_over(way.error, way.terms, j, times.rad));
-  }
-  of_way = 6 * of_way * (1 + 0x1p-40);
+  const Spin& spin = this->spin(pp ? 0 : 1);
+  const double of_way = 6 * size_of(spin, sizes_within(way, times.rad), way.terms, 3) * (1 + 0x1p-40);
   const double of_turn = 6 * std::fabs(relative_.u[3]) * (1 + 0x1p-40);
   return {{of_way, of_way, of_turn, of_turn}};
+}
+
+EvenTurn::WayOf<FixedBall> EvenTurn::precise_way(const Leg& leg, double m, int exponent) {
+  const std::array<ModelSeries<Real320>, 2> d = way_series(leg, Ball<Real320>::exact(m));
+  WayOf<FixedBall> way;
+  way.terms = std::max(d[0].terms, d[1].terms);
+  for (int k = 0; k < way.terms; ++k) {
+    way.x[k] = FixedBall::of(scaled(d[0].c[k], k * exponent));
+    way.y[k] = FixedBall::of(scaled(d[1].c[k], k * exponent));
+  }
+  return way;
+}
+
+const EvenTurn::Precise& EvenTurn::precise(const Leg& leg, int exponent) const {
+  if (precise_ && precise_->exponent == exponent) return *precise_;
+  precise_.emplace();
+  precise_->exponent = exponent;
+  for (int pair = 0; pair < pairs; ++pair) precise_->u[pair] = spin(pair).precise_powers(exponent);
+  if (constant_way_) precise_->constant_way = precise_way(leg, leg.start, exponent);
+  return *precise_;
+}
+
+double EvenTurn::rest_within(const Leg& leg, double m, int exponent) const {
+  const double radius = power_of_two(exponent);
+  const Way way = way_about(leg, m);
+  const Powers<double> over = sizes_within(way, radius);
+  double most = std::fabs(relative_.u[last]);
+  for (int pair = 0; pair < 2; ++pair) most = std::max(most, size_of(spin(pair), over, way.terms, last));
+  for (int k = 0; k < last; ++k) most *= radius;
+  return most * (1 + 0x1p-44);
+}
+
+EvenTurn::Expansion EvenTurn::expansion(const Leg& leg, double m, int exponent) const {
+  const Precise& given = precise(leg, exponent);
+  const WayOf<FixedBall> way = given.constant_way ? *given.constant_way : precise_way(leg, m, exponent);
+  WayOf<FixedBall> one;
+  one.x[0] = FixedBall::exact(1);
+  // Coefficients in t - m about any instant within the radius are no larger than these.
+  const double radius = power_of_two(exponent);
+  const Way about = way_about(leg, m);
+  const Powers<double> over = sizes_within(about, radius);
+  // One turn after the other is the relative one.
+  FixedBall p_re = FixedBall::exact(1), q_re = p_re, p_im, q_im;
+  if (to_p_.angle) to_p_.angle->at(m, p_re, p_im);
+  if (to_q_.angle) to_q_.angle->at(m, q_re, q_im);
+  Expansion made;
+  for (int pair = 0; pair < pairs; ++pair) {
+    const Spin& s = spin(pair);
+    const int i = 2 * pair;
+    const bool of_q = pair == 1 && !aligned_, both = pair == 2 && !aligned_;
+    const FixedBall re = both ? p_re * q_re + p_im * q_im : pair == 2 ? FixedBall::exact(1) : of_q ? q_re : p_re;
+    const FixedBall im = both ? p_im * q_re - p_re * q_im : pair == 2 ? FixedBall() : of_q ? q_im : p_im;
+    turned<FixedBall>(given.u[pair], pair < 2 ? way : one, re, im, [&](int k, const FixedBall& x, const FixedBall& y) {
+      made.c[i][k] = x;
+      made.c[i + 1][k] = y;
+    });
+    const auto size = [&](int k) { return pair < 2 ? size_of(s, over, about.terms, k) : size_of(s, {1}, 1, k); };
+    double rest = size(last);
+    for (int k = 0; k < last; ++k) rest *= radius;
+    for (int part = i; part < i + 2; ++part) {
+      const auto& c = made.c[part];
+      const double value = c[0].about(), slope = c[1].about();
+      made.rest[part] = rest * (1 + 0x1p-44);
+      made.over[part] = {{value, detail::inflate(c[0].error_of(value) + size(1) * radius)},
+                         {slope / radius, detail::inflate(c[1].error_of(slope) / radius + 2 * size(2) * radius)},
+                         Ball<double>::exact(0)};
+    }
+  }
+  return made;
 }
 
 }  // namespace taut

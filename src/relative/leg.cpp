@@ -289,15 +289,18 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t) { return fr
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t) {
   return frame_at<ThirdSeries>(leg, t);
 }
-std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t) {
-  std::array<ModelSeries<double>, 2> d;
+template <class Real>
+std::array<ModelSeries<Real>, 2> way_series(const Leg& leg, const Ball<Real>& t) {
+  std::array<ModelSeries<Real>, 2> d;
   if (leg.far()) {
-    way_between(leg, LocalTime<double>(*leg.local(), t), true, d[0], d[1]);
+    way_between(leg, LocalTime<Real>(*leg.local(), t), true, d[0], d[1]);
   } else {
     way_between(leg, t, true, d[0], d[1]);
   }
   return d;
 }
+template std::array<ModelSeries<double>, 2> way_series(const Leg&, const Ball<double>&);
+template std::array<ModelSeries<Real320>, 2> way_series(const Leg&, const Ball<Real320>&);
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols) {
   return motion_frame<Symbolic>(leg, SymbolicTime{&symbols}, true);
 }

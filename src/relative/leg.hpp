@@ -176,7 +176,8 @@ Frame<double> unshifted_frame(const Leg& leg, const Ball<double>& t);
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const Leg& leg, const Ball<double>& t);
 /// Of a motion leg that is not composed: the two coordinates of D, as its frame has them.
-std::array<ModelSeries<double>, 2> way_series(const Leg& leg, const Ball<double>& t);
+template <class Real>
+std::array<ModelSeries<Real>, 2> way_series(const Leg& leg, const Ball<Real>& t);
 /// As exact expressions (not of a bridge).
 FrameOf<Symbolic> symbolic_frame(const Leg& leg, SymbolicLeg& symbols);
 

@@ -14,11 +14,11 @@ constexpr double rounded_up = 1 + 0x1p-45;
 /// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
 constexpr double much_less = 0x1p-8;
 
-/// The time since `about`, of a sum of doubles.
-FixedBall since(double about, const ShortSum& t) {
+/// The time since `about`, of a sum of doubles, in units of 2^exponent.
+FixedBall since(double about, int exponent, const ShortSum& t) {
   FixedBall h = -FixedBall::exact(about);
   for (std::size_t i = t.size(); i-- > 0;) h = h + FixedBall::exact(t.part(i));
-  return h.tightened();
+  return h.tightened().scaled(-exponent);
 }
 
 /// Exactly this number.
@@ -27,7 +27,7 @@ FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * ro
 }  // namespace
 
 TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, const Form& form)
-    : about_(frame.about), reach_(frame.reach), power_(frame.power) {
+    : about_(frame.about), exponent_(frame.exponent) {
   count_work(work_of_tie);
   const FormPoints<FixedBall> points = points_of<FixedBall>(leg, g, form, Shape::displaced);
   const std::array<FixedBall, 5> a = coefficients_on(leg, form.pp, points, FixedBall());
@@ -41,7 +41,7 @@ TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, c
     }
     rest_ = (rest_ + a[i].most() * frame.rest(form.pp)[i]) * rounded_up;
   }
-  c_[0].widen(rest_ * power_[TieFrame::terms] * rounded_up);
+  c_[0].widen(rest_);
   set_steepness();
 }
 
@@ -49,8 +49,8 @@ TieForm::TieForm(const TieFrame& frame, const Leg& leg, const PairGeometry& g, c
 void TieForm::set_steepness() {
   const double slope = c_[1].about();
   double change = 0;
-  for (std::size_t k = 2; k < terms_; ++k) change += static_cast<double>(k) * c_[k].most() * power_[k - 1];
-  change += static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1];
+  for (std::size_t k = 2; k < terms_; ++k) change += static_cast<double>(k) * c_[k].most();
+  change += static_cast<double>(TieFrame::terms) * rest_;
   change = (change + c_[1].error_of(slope)) * rounded_up;
   steep_ = {(std::fabs(slope) - change) / rounded_up, (std::fabs(slope) + change) * rounded_up, slope};
 }
@@ -64,9 +64,9 @@ FixedBall TieForm::value(const FixedBall& h) const {
 
 int TieForm::sign_over(const PreciseTime& t) const {
   count_work(work_of_sign_at_tie);
-  const double width = t.width_of_sums();
-  const FixedBall from = since(about_, t.sum_lo());
-  if (!(from.most() + width <= reach_)) return 0;
+  const double width = t.width_of_sums() / power_of_two(exponent_);
+  const FixedBall from = since(about_, exponent_, t.sum_lo());
+  if (!(from.most() + width <= 1)) return 0;
   const FixedBall v = value(from);
   const double about = v.about(), sure = std::fabs(about) - v.error_of(about) - width * steep_.most * rounded_up;
   if (!(sure > 0)) return 0;
@@ -81,13 +81,14 @@ Fixed TieForm::newton_step(const Fixed& h, const Fixed& v) const {
   for (std::size_t k = terms_; k-- > 2;) bend = bend * since + static_cast<double>(k) * c_[k].about();
   const Fixed slope = c_[1].mid() + Fixed(std::clamp(bend * since, -1.0, 1.0));
   const double steep = slope.approximate(), first = v.approximate() / steep;
-  if (!(std::fabs(first) < reach_)) return Fixed(std::copysign(reach_, first));
+  if (!(std::fabs(first) < 1)) return Fixed(std::copysign(1.0, first));
   return Fixed(first) + Fixed((v - Fixed(first) * slope).approximate() / steep);
 }
 
 std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) const {
   count_work(work_of_root_at_tie);
   if (!(steep_.least > 0) || (steep_.signed_about > 0) != (sign < 0)) return std::nullopt;
+  enough /= power_of_two(exponent_);
   FixedBall h, v = c_[0];
   double error = INFINITY;
   for (int left = 12;; --left) {
@@ -103,10 +104,11 @@ std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) c
 
 /// The enclosure of what is no farther than `error` from h.
 std::optional<PreciseTime> TieForm::around(const Fixed& h, double error, Stage stage) const {
-  if (!(std::fabs(h.approximate()) * rounded_up + error < reach_)) return std::nullopt;
+  if (!(std::fabs(h.approximate()) * rounded_up + error < 1)) return std::nullopt;
   const FixedBall about = FixedBall::exact(about_);
   if (about.rad() > 0) return std::nullopt;
-  const Fixed at = about.mid() + h, spread = Fixed(error * rounded_up) + Fixed(Fixed::unit);
+  const Fixed at = about.mid() + h.scaled(exponent_);
+  const Fixed spread = Fixed(error * power_of_two(exponent_) * rounded_up) + Fixed(2 * Fixed::unit);
   return PreciseTime(ShortSum(at - spread), ShortSum(at + spread), stage);
 }
 
@@ -114,16 +116,16 @@ FixedBall TieForm::slope(const FixedBall& h) const {
   FixedBall sum;
   for (std::size_t k = terms_; k-- > 1;) sum = sum * h + c_[k] * FixedBall::exact(static_cast<double>(k));
   // Of what the terms leave out.
-  sum.widen(static_cast<double>(TieFrame::terms) * rest_ * power_[TieFrame::terms - 1] * rounded_up);
+  sum.widen(static_cast<double>(TieFrame::terms) * rest_ * rounded_up);
   return sum;
 }
 
 std::optional<TieForm::Turn> TieForm::turn() const {
   const double bend = 2 * c_[2].about();
   double change = 2 * c_[2].error_of(bend);
-  for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most() * power_[k - 2];
+  for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most();
   constexpr double last = TieFrame::terms * (TieFrame::terms - 1.0);
-  const double least = std::fabs(bend) - (change + last * rest_ * power_[TieFrame::terms - 2]) * rounded_up;
+  const double least = std::fabs(bend) - (change + last * rest_) * rounded_up;
   if (!(least > 0)) return std::nullopt;
   Fixed h;
   double steep = 0, noise = 0;
@@ -132,13 +134,13 @@ std::optional<TieForm::Turn> TieForm::turn() const {
     steep = s.about();
     noise = s.error_of(steep);
     if (left == 0 || !(std::fabs(steep) > 4 * noise)) break;
-    h = h + Fixed(std::clamp(-steep / bend, -reach_, reach_));
-    if (!(std::fabs(h.approximate()) < 0.5 * reach_)) return std::nullopt;
+    h = h + Fixed(std::clamp(-steep / bend, -1.0, 1.0));
+    if (!(std::fabs(h.approximate()) < 0.5)) return std::nullopt;
   }
   // The extreme is as much beyond the value here as the slope that is left makes of it.
   FixedBall v = value(chosen(h));
   const double open = std::fabs(steep) + noise;
-  if (!(open < 0.25 * reach_ * least)) return std::nullopt;
+  if (!(open < 0.25 * least)) return std::nullopt;
   v.widen(open * open / least);
   if (v.sign() == 0) return std::nullopt;
   return Turn{h, v.sign(), bend > 0 ? 1 : -1, std::sqrt(2 * std::fabs(v.about() / bend))};

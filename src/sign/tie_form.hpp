@@ -10,8 +10,8 @@
 
 namespace taut {
 
-/// The form as a polynomial in the time since the frame's instant, the displacement included. Everything is enclosed;
-/// what these numbers are too short for is left to other stages.
+/// The form as a polynomial in the time since the frame's instant, in units of its reach, the displacement included.
+/// Everything is enclosed; what these numbers are too short for is left to other stages.
 class TieForm {
  public:
   TieForm() = default;
@@ -25,10 +25,10 @@ class TieForm {
 
   /// Where the function turns: as symmetric mechanisms touch zero without the displacement.
   struct Turn {
-    Fixed at;         ///< about there, since the frame's instant
+    Fixed at;         ///< about there, since the frame's instant, in units of its reach
     int value_sign;   ///< of its extreme value
     int bend_sign;    ///< of its second derivative, all over the reach
-    double half_gap;  ///< about how far from it the roots are, if the two signs differ
+    double half_gap;  ///< about how far from it the roots are, if the two signs differ, in these units
   };
   /// The only one within reach, if there is no other for certain, and its value's sign is known.
   std::optional<Turn> turn() const;
@@ -48,8 +48,8 @@ class TieForm {
   Fixed newton_step(const Fixed& h, const Fixed& v) const;
   std::optional<PreciseTime> around(const Fixed& h, double error, Stage stage) const;
 
-  double about_ = 0, reach_ = 0;
-  std::array<double, TieFrame::terms + 1> power_{};  ///< of the reach
+  double about_ = 0;
+  int exponent_ = 0;  ///< of the unit
   std::array<FixedBall, TieFrame::terms> c_;
   std::size_t terms_ = 0;  ///< those from there on are zero
   double rest_ = 0;        ///< a bound of the next coefficient

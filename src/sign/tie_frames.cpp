@@ -4,32 +4,28 @@
 #include <cmath>
 
 #include "base/interruption.hpp"
+#include "relative/even_turn.hpp"
 
 namespace taut {
 namespace {
 
-double rest_of(const ModelSeries<double>& f) {
-  return f.terms > static_cast<int>(TieFrame::terms) ? f.c[TieFrame::terms].magnitude() : 0;
+double rest_of(const ModelSeries<double>& f, double reach) {
+  double rest = f.terms > static_cast<int>(TieFrame::terms) ? f.c[TieFrame::terms].magnitude() : 0;
+  for (std::size_t k = 0; k < TieFrame::terms; ++k) rest *= reach;
+  return rest * (1 + 0x1p-44);
 }
 
 void take(const std::array<ModelSeries<Real320>, 5>& at, const std::array<ModelSeries<double>, 5>& over,
-          std::array<std::array<FixedBall, TieFrame::terms>, 5>& functions, std::array<double, 5>& rest) {
+          const TieFrame& frame, std::array<std::array<FixedBall, TieFrame::terms>, 5>& functions,
+          std::array<double, 5>& rest) {
   for (std::size_t i = 0; i < 5; ++i) {
-    for (std::size_t k = 0; k < TieFrame::terms; ++k) {
-      functions[i][k] = static_cast<int>(k) < at[i].terms ? FixedBall::of(at[i].c[k]) : FixedBall();
+    for (int k = 0; k < static_cast<int>(TieFrame::terms); ++k) {
+      FixedBall& to = functions[i][static_cast<std::size_t>(k)];
+      to = k < at[i].terms ? FixedBall::of(scaled(at[i].c[k], k * frame.exponent)) : FixedBall();
     }
-    rest[i] = rest_of(over[i]);
+    rest[i] = rest_of(over[i], frame.reach);
   }
 }
-
-std::array<double, TieFrame::terms + 1> powers_of(double x) {
-  std::array<double, TieFrame::terms + 1> power;
-  power[0] = 1;
-  for (std::size_t k = 1; k < power.size(); ++k) power[k] = power[k - 1] * x;
-  return power;
-}
-
-using FrameAround = FrameOf<ModelSeries<double>>;
 
 /// All over the ball that the series are made over.
 FrameSample sample_over(const std::array<ModelSeries<double>, 5>& over) {
@@ -41,30 +37,59 @@ FrameSample sample_over(const std::array<ModelSeries<double>, 5>& over) {
   return sample_of(f);
 }
 
-bool leaves_out_nothing(const FrameAround& over, double last_power) {
+/// Where bodies turn evenly, the coefficients are known.
+bool take_even(const Leg& leg, const EvenTurn& even, TieFrame& frame) {
+  if (!(even.rest_within(leg, frame.about, frame.exponent) < Fixed::lost_in_product)) return false;
+  const EvenTurn::Expansion at = even.expansion(leg, frame.about, frame.exponent);
+  const auto take_side = [&](std::size_t first, auto& functions, auto& rest) {
+    functions[0][0] = FixedBall::exact(1);
+    std::array<Jet<double>, 5> over{Jet<double>::constant(1)};
+    for (std::size_t i = 1; i < 5; ++i) {
+      const std::size_t from = i < 3 ? first + i - 1 : i + 1;  // as FrameModel has them
+      functions[i] = at.c[from];
+      rest[i] = at.rest[from];
+      over[i] = at.over[from];
+    }
+    return sample_of(over);
+  };
+  frame.pp_over = take_side(0, frame.pp, frame.pp_rest);
+  frame.qq_over = take_side(2, frame.qq, frame.qq_rest);
+  return true;
+}
+
+using FrameAround = FrameOf<ModelSeries<double>>;
+
+bool leaves_out_nothing(const FrameAround& over, double reach) {
   double rest = 0;
-  for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i]) + rest_of(over.for_qq[i]);
-  return rest * last_power < Fixed::lost_in_product;
+  for (std::size_t i = 0; i < 5; ++i) rest += rest_of(over.for_pp[i], reach) + rest_of(over.for_qq[i], reach);
+  return rest < Fixed::lost_in_product;
+}
+
+bool take_any(const Leg& leg, TieFrame& frame) {
+  const FrameAround over = frame_series(leg, Ball<double>(frame.about, frame.reach));
+  if (!leaves_out_nothing(over, frame.reach)) return false;
+  const auto at = frame_series(leg, Ball<Real320>::exact(frame.about));
+  take(at.for_pp, over.for_pp, frame, frame.pp, frame.pp_rest);
+  take(at.for_qq, over.for_qq, frame, frame.qq, frame.qq_rest);
+  frame.pp_over = sample_over(over.for_pp);
+  frame.qq_over = sample_over(over.for_qq);
+  return true;
 }
 
 /// It reaches so far that the terms make up the functions, up to less than the numbers resolve; nowhere, if the motion
 /// is singular there.
-TieFrame frame_about(const Leg& leg, double about) {
+TieFrame frame_about(const Leg& leg, const EvenTurn* even, double about) {
   TieFrame made;
   made.about = about;
-  const double least = 0x1p-50 * std::max(std::fabs(about), leg.end - leg.start);
-  for (double reach = 0x1p-34 * (leg.end - leg.start); reach > least; reach /= 4) {
-    const FrameAround over = frame_series(leg, Ball<double>(about, reach));
-    made.power = powers_of(reach);
-    if (!leaves_out_nothing(over, made.power.back())) continue;
-    made.reach = reach;
-    const auto at = frame_series(leg, Ball<Real320>::exact(about));
-    take(at.for_pp, over.for_pp, made.pp, made.pp_rest);
-    take(at.for_qq, over.for_qq, made.qq, made.qq_rest);
-    made.pp_over = sample_over(over.for_pp);
-    made.qq_over = sample_over(over.for_qq);
-    break;
+  const double length = leg.end - leg.start, least = 0x1p-50 * std::max(std::fabs(about), length);
+  if (!(length > 0x1p-800 && length < 0x1p60)) return made;
+  // Polynomials of a low degree leave out nothing, other functions mostly nothing at the second length.
+  for (int e = std::ilogb(length) - (leg.translation ? 34 : 37); power_of_two(e) > least; e -= 2) {
+    made.exponent = e;
+    made.reach = power_of_two(e);
+    if (even ? take_even(leg, *even, made) : take_any(leg, made)) return made;
   }
+  made.reach = 0;
   return made;
 }
 
@@ -84,9 +109,10 @@ const TieFrame* TieFrames::around(double lo, double hi) {
   if (const TieFrame* const frame = known(lo, hi)) return frame;
   const auto is_singular = [&](const TieFrame& f) { return f.reach == 0 && lo <= f.about && f.about <= hi; };
   if (kept_ && std::any_of(kept_->begin(), kept_->end(), is_singular)) return nullptr;
-  count_work(leg_->translation ? 75 : 430);
+  const EvenTurn* const even = leg_->even_turn().get();
+  count_work(leg_->translation ? 75 : even ? 50 : 300);
   TieFrame& made = slot();
-  made = frame_about(*leg_, lo + (hi - lo) / 2);
+  made = frame_about(*leg_, even, lo + (hi - lo) / 2);
   return hi - made.about <= made.reach && made.about - lo <= made.reach ? &made : nullptr;
 }
 

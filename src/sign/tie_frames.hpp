@@ -17,14 +17,15 @@
 
 namespace taut {
 
-/// The functions' Taylor polynomials in the time since `about`, for times no farther from it than `reach`.
+/// The functions' Taylor polynomials in the time since `about`, for times no farther from it than `reach`, which is the
+/// unit: so slow motions and fast ones have coefficients of the same sizes, and those of high powers are short.
 struct TieFrame {
   static constexpr std::size_t terms = model_degree;
 
   double about = 0, reach = 0;
-  std::array<double, terms + 1> power{};  ///< of the reach: 1, reach, ...
+  int exponent = 0;  ///< reach is 2^exponent, or 0
   std::array<std::array<FixedBall, terms>, 5> pp, qq;
-  /// Bounds of the next coefficient within reach: nothing else is left out.
+  /// Bounds of the next coefficient: nothing else is left out.
   std::array<double, 5> pp_rest{}, qq_rest{};
   /// Values and slopes in doubles, with bounds that hold all over the reach.
   FrameSample pp_over, qq_over;

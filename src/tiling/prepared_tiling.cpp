@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tiling/geodesic_faces.hpp"
+#include "tiling/hulls_apart.hpp"
 
 namespace taut {
 namespace {
@@ -180,15 +181,18 @@ class Joiner {
     const std::size_t most_p = in_any_case ? geometry_.np : worthwhile(geometry_.np);
     const std::size_t most_q = in_any_case ? geometry_.nq : worthwhile(geometry_.nq);
     const NodeSet near_p = near_nodes(tree_p, tree_q, margin, most_p);
-    if (near_p.size > most_p) return std::nullopt;
-    const NodeSet near_q = near_nodes(tree_q, tree_p, margin, most_q);
-    if (near_q.size > most_q) return std::nullopt;
+    // Hulls that meet, though no part of one body is within the other's, would cut one of them in two.
+    const bool apart = near_p.size == 0 ? near_nodes(tree_q, tree_p, margin, 0).size == 0 : rest_apart(near_p.size);
+    NodeSet near_q;
+    if (!apart) {
+      if (near_p.size > most_p) return std::nullopt;
+      near_q = near_nodes(tree_q, tree_p, margin, most_q);
+      if (near_q.size > most_q) return std::nullopt;
+    }
     map_ = PlanarMap::joined(p_.map, q_.map);
     const auto number_p = PlanarMap::first_in_joined(p_.map, q_.map);
     const auto number_q = PlanarMap::second_in_joined(p_.map, q_.map);
     std::vector<HalfedgeId> hull_p, hull_q;
-    // Hulls that meet, though no part of one body is within the other's, would cut one of them in two.
-    const bool apart = near_p.size == 0 && near_q.size == 0;
     if (apart) {
       hull_p.reserve(p_.hull.size());
       hull_q.reserve(q_.hull.size());
@@ -216,6 +220,18 @@ class Joiner {
  private:
   /// If more than a quarter of the nodes are near, an outline and its triangulation cost as much as those of the whole.
   static std::size_t worthwhile(std::size_t vertices) { return vertices / 4 + 8; }
+
+  /// Where so many nodes of P are near Q that it is worth the way around both hulls.
+  bool rest_apart(std::size_t near) const {
+    if (32 * near < p_.hull.size() + q_.hull.size()) return false;
+    const auto corners = [](const ShapeTiling& shape, std::uint32_t first) {
+      std::vector<VertexId> vertices;
+      vertices.reserve(shape.hull.size());
+      for (const HalfedgeId h : shape.hull) vertices.emplace_back(first + shape.map.origin(h).value);
+      return vertices;
+    };
+    return hulls_apart(place_, corners(p_, 0), corners(q_, geometry_.np));
+  }
 
   /// The edges that only open nodes' geodesics run along.
   void remove_faces(const ShapeTiling& shape, const ShapeOutline& outline, const PlanarMap::Renumbering& number) {

@@ -99,6 +99,52 @@ TEST(PreparedShape, JoinedTilingsOfLargeBodiesAreThoseFromScratch) {
   EXPECT_EQ(counts.roots.size(), 4u) << "a state of the root was never seen";
 }
 
+/// A body on one side of the line y = 0, with collinear points and notches along it, turned and moved.
+Polygon flat_sided(Rng& rng, double side, const Point& way, const Point& at) {
+  Polygon p;
+  double x = rng.between(-6, 0);
+  for (int k = rng.between(1, 7); k >= 0; --k) {
+    p.push_back({x, 0});
+    x += rng.between(1, 3);
+    if (k > 0 && rng.chance(0.3)) {
+      // A corner on the line more, so that a notch never meets the last one.
+      for (const Point& q : {Point{x, 0}, Point{x, -1}, Point{x + 1, -1}, Point{x + 1, 0}}) p.push_back(q);
+      x += 1 + rng.between(1, 3);
+    }
+  }
+  p.push_back({p.back().x + rng.between(0, 2), double(-rng.between(2, 4))});
+  p.push_back({p.front().x - rng.between(0, 2), double(-rng.between(2, 4))});
+  if (rng.chance(0.2)) p.erase(p.begin() + 1, p.end() - 2);  // a corner on the line
+  for (Point& q : p) {
+    const double y = side * q.y;
+    q = {way.x * q.x - way.y * y + at.x, way.y * q.x + way.x * y + at.y};
+  }
+  if (side > 0) std::reverse(p.begin(), p.end());
+  return p;
+}
+
+/// Hulls that doubles cannot tell apart are joined as those of bodies that are far from each other.
+TEST(PreparedShape, BodiesThatRestOnEachOtherAreJoined) {
+  Rng rng(81);
+  JoinCounts counts;
+  for (std::uint64_t round = 0; round < effort(800) && !HasFailure(); ++round) {
+    const Point ways[] = {{1, 0}, {0, 1}, {-1, 0}, {3, 2}, {-1, 4}, {0.6, 0.8}, {0.1, -0.7}};
+    const Point way = ways[rng.below(7)], at{rng.between(-3, 3) / 4.0, rng.between(-3, 3) / 4.0};
+    Scene scene;
+    scene.end = 1;
+    scene.bodies = {{"below", flat_sided(rng, 1, way, at), {}}, {"above", flat_sided(rng, -1, way, at), {}}};
+    const int kind = rng.below(4);
+    if (kind == 1) scene.bodies[1].motion.pieces = {{{0, way.x}, {0, way.y}, NoRotation{}}};  // slides
+    if (kind == 2) std::swap(scene.bodies[0], scene.bodies[1]);
+    if (kind == 3) {  // turns with what it rests on
+      for (Body& body : scene.bodies) body.motion.pieces = {{{0}, {0}, AngleRotation{{0, 1}}}};
+    }
+    compare_tilings(scene, 1, false, counts);
+  }
+  EXPECT_LT(counts.overlaps, counts.joined) << "displaced outwards all overlap, and some by rounding";
+  EXPECT_GT(counts.joined, 9 * counts.refused) << counts.joined << " joined, " << counts.refused << " refused";
+}
+
 TEST(PreparedShape, ChordsKeepOutOfThePocketsOfAThinBody) {
   // A ring with a narrow mouth and a smooth outside: chords of its hull would cut through its cavity.
   Scene scene;

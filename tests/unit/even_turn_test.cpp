@@ -2,6 +2,7 @@
 // they are few or many.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/interruption.hpp"
@@ -121,6 +122,52 @@ TEST(EvenTurn, ModelsEncloseTheFrame) {
     }
   }
   EXPECT_GT(sharp, effort(300));
+}
+
+Real960 number_of(const Fixed& x) {
+  Real960 sum = 0;
+  x.each_part([&sum](double part) { sum += Real960(part); });
+  return sum;
+}
+
+/// What the coefficients make of an instant, |h| <= 1, give or take their errors and the rest.
+void expect_expansion(const EvenTurn::Expansion& e, double h, const std::array<Jet<Real960>, 6>& truth) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    Real960 sum = 0;
+    double error = 0, power = 1;
+    for (std::size_t k = e.c[i].size(); k-- > 0;) sum = sum * Real960(h) + number_of(e.c[i][k].mid());
+    for (const FixedBall& c : e.c[i]) {
+      error += c.rad() * power;
+      power *= std::fabs(h);
+    }
+    error = (error + e.rest[i]) * (1 + 0x1p-40);
+    if (!(error < INFINITY && e.over[i].d.rad < INFINITY)) continue;
+    EXPECT_LE(abs(truth[i].v.mid - sum), Real960(error + truth[i].v.rad)) << "value";
+    expect_within(truth[i].v, e.over[i].v.mid, e.over[i].v.rad, "value over the radius");
+    expect_within(truth[i].d, e.over[i].d.mid, e.over[i].d.rad, "slope over the radius");
+  }
+}
+
+TEST(EvenTurn, ExpansionsEncloseTheFrame) {
+  Rng rng(73);
+  std::uint64_t sharp = 0, rounds = 0;
+  for (std::uint64_t i = 0; i < effort(400) && !HasFailure(); ++i) {
+    const Leg leg = random_leg(rng);
+    const auto even = EvenTurn::of(leg);
+    ASSERT_TRUE(even);
+    const double m = leg.start + (leg.end - leg.start) * rng.real(0, 1);
+    const int exponent = std::ilogb(leg.end - leg.start) - rng.between(10, 40);
+    const double radius = std::ldexp(1.0, exponent);
+    const EvenTurn::Expansion e = even->expansion(leg, m, exponent);
+    EXPECT_LE(*std::max_element(e.rest.begin(), e.rest.end()), even->rest_within(leg, m, exponent) * (1 + 0x1p-40));
+    for (const double share : {-1.0, 0.0, rng.real(-1, 1), 1.0}) {
+      const double t = m + share * radius;
+      if (std::fabs(t - m) <= radius) expect_expansion(e, (t - m) / radius, functions_at(leg, t));
+    }
+    ++rounds;
+    sharp += e.c[4][0].rad() < 0x1p-300 && e.over[4].d.rad < 1e-3 * (1 + std::fabs(e.over[4].d.mid));
+  }
+  EXPECT_GT(sharp, rounds / 4);
 }
 
 TEST(EvenTurn, OtherLegsHaveNone) {

@@ -52,6 +52,13 @@ struct Known {
   bool is_anything() const { return !(ball.rad() < INFINITY); }
 };
 
+Known scaled(const Known& k, int by) {
+  mpq_class number = k.number;
+  if (by < 0) mpq_div_2exp(number.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(-by));
+  if (by > 0) mpq_mul_2exp(number.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(by));
+  return {k.ball.scaled(by), number};
+}
+
 void expect_known(const Known& k) {
   if (k.is_anything()) return;
   const mpq_class mid = rational_of(k.ball.mid()), rad(k.ball.rad()), most(k.ball.most());
@@ -70,6 +77,7 @@ TEST(Fixed, ResultsAreInTheirBalls) {
     const Known a = Known::of(rng), b = Known::of(rng);
     const Known results[] = {a,
                              {-a.ball, -a.number},
+                             scaled(a, rng.between(-400, 400)),
                              {a.ball + b.ball, a.number + b.number},
                              {a.ball - b.ball, a.number - b.number},
                              {a.ball * b.ball, a.number * b.number}};

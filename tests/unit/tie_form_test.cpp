@@ -5,12 +5,14 @@
 
 #include <cmath>
 
+#include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
 #include "relative/make_legs.hpp"
 #include "sign/precise_triple.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
+#include "taut/io.hpp"
 
 namespace taut::testing {
 namespace {
@@ -104,6 +106,31 @@ Scene riding(double height) {
   return scene;
 }
 
+/// Two cams that turn past each other within such a time.
+StageCounts stages_of_cams(double time) {
+  Scene scene = taut::read_scene(std::string("tests/corpus/symmetric_cams.json"));
+  scene.end *= time;
+  for (Body& body : scene.bodies) {
+    for (MotionPiece& piece : body.motion.pieces) {
+      piece.until *= time;
+      if (auto* turns = std::get_if<AngleRotation>(&piece.rotation)) turns->angle[1] /= time;
+    }
+  }
+  Session session(scene, Touch::open, nullptr);
+  while (!session.finished()) session.step(scene.end);
+  return session.engine().stages();
+}
+
+/// Frames about ties count time in units of their own.
+TEST(TieForm, FastMotionsAndSlowOnesAreToldByTheSameStages) {
+  const StageCounts once = stages_of_cams(1);
+  EXPECT_GT(once[Stage::fixed], 0u);
+  for (const double time : {0x1p-30, 0x1p-10, 0x1p10, 0x1p25}) {
+    EXPECT_EQ(stages_of_cams(time)[Stage::fixed], once[Stage::fixed]) << time;
+    EXPECT_EQ(stages_of_cams(time)[Stage::precise], once[Stage::precise]) << time;
+  }
+}
+
 TEST(TieForm, TurnsTellWhetherZeroIsReached) {
   int reached = 0, missed = 0;
   for (const double height : {0.0, 0x1p-56, -0x1p-56, 0x1p-50, -0x1p-50}) {
@@ -125,13 +152,13 @@ TEST(TieForm, TurnsTellWhetherZeroIsReached) {
           const auto turn = tie.turn();
           if (!turn) continue;
           const PreciseFunction<Real960> f(leg, geometry, form);
-          const RealMax at = RealMax(frame->about) + ShortSum(turn->at).real();
+          const RealMax at = RealMax(frame->about) + RealMax(frame->reach) * ShortSum(turn->at).real();
           EXPECT_EQ(f.value(Ball<Real960>(at, 0.0)).sign(), turn->value_sign);
           if (turn->value_sign == turn->bend_sign) {
             ++missed;
             continue;
           }
-          if (!(turn->half_gap < 0.25 * frame->reach)) continue;
+          if (!(turn->half_gap < 0.25)) continue;
           ++reached;
           for (const int side : {-1, 1}) {
             const auto root = tie.root_beside(*turn, side, Stage::precise);
