@@ -12,6 +12,10 @@ thread_local std::uint64_t spent = 0, next_look = 0;
 constexpr double for_ever = 1e9;
 constexpr std::uint64_t between_looks = 64;
 
+std::uint64_t after(std::uint64_t work, std::uint64_t more) {
+  return more < UINT64_MAX - work ? work + more : UINT64_MAX;
+}
+
 }  // namespace
 
 InterruptionScope::InterruptionScope(const std::atomic<bool>* stop, double max_seconds)
@@ -21,8 +25,8 @@ InterruptionScope::InterruptionScope(const std::atomic<bool>* stop, double max_s
   innermost = this;
 }
 
-InterruptionScope::InterruptionScope(std::uint64_t effort)
-    : until_(effort < UINT64_MAX - spent ? spent + effort : UINT64_MAX), outer_(innermost) {
+InterruptionScope::InterruptionScope(std::uint64_t effort, std::uint64_t overtime)
+    : end_(after(spent, effort)), until_(after(end_, overtime)), outer_(innermost) {
   innermost = this;
   next_look = spent + between_looks;
 }
@@ -44,7 +48,7 @@ void InterruptionScope::look() {
 
 void InterruptionScope::look_ahead(std::uint64_t work) {
   check();
-  if (spent + work <= until_) return;
+  if (work <= end_ && spent <= end_ - work) return;
   exhausted_ = true;
   wanted_ = work;
   throw Interrupted{"the effort was used up"};

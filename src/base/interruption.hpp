@@ -20,8 +20,8 @@ class InterruptionScope {
 
   /// `stop` may be null. The limit counts from now, in seconds.
   InterruptionScope(const std::atomic<bool>* stop, double max_seconds);
-  /// For about so much work from now: the same every time.
-  explicit InterruptionScope(std::uint64_t effort);
+  /// For about so much work from now: the same every time. What has begun by then may go on for as much as `overtime`.
+  explicit InterruptionScope(std::uint64_t effort, std::uint64_t overtime = 0);
   ~InterruptionScope();
   InterruptionScope(const InterruptionScope&) = delete;
   InterruptionScope& operator=(const InterruptionScope&) = delete;
@@ -44,7 +44,7 @@ class InterruptionScope {
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;
-  std::uint64_t until_ = UINT64_MAX;  ///< which work_spent()
+  std::uint64_t end_ = UINT64_MAX, until_ = UINT64_MAX;  ///< which work_spent(), without overtime and with it
   bool exhausted_ = false;
   std::uint64_t wanted_ = 0, kept_ = 0;
   Clock::time_point deadline_{};

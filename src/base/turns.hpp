@@ -18,7 +18,7 @@ enum class TurnEnd : unsigned char { open, given_up, decided };
 class Contestant {
  public:
   /// A first turn: as long as a small question takes.
-  static constexpr std::uint64_t first_turn = 640;
+  static constexpr std::uint64_t first_turn = 256;
 
   /// Counts what `begin` does.
   template <class Begin>

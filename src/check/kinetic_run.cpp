@@ -47,8 +47,9 @@ class Timer {
 };
 
 /// A turn that ends in the middle of an event leaves it there: the engine keeps what is done, and the search for a sign
-/// change that it was at. What is lost nevertheless is taken up again only in a turn that is twice as long; and a
-/// tiling that is built from nothing is not begun before there is room for it.
+/// change that it was at. An event that has begun may go on for as long again as the turn, and longer where it was
+/// foreseen, which is rough. What is lost nevertheless is taken up again only in a turn that is twice as long; and what
+/// cannot be left half done is not begun before there is room for it.
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher, NearStart* near = nullptr)
@@ -61,7 +62,7 @@ class KineticRun final : public Run {
     if (done_) return true;
     if (effort < needed_) return false;
     needed_ = 0;
-    const InterruptionScope turn(with_overtime(effort));
+    const InterruptionScope turn(effort, std::max({effort, wanted_, std::uint64_t{64}}));
     const std::uint64_t until = effort < UINT64_MAX - work_spent() ? work_spent() + effort : UINT64_MAX;
     step_began_ = work_spent();
     try {
@@ -84,13 +85,6 @@ class KineticRun final : public Run {
   StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
-  /// An event, or a start, that has begun may go on for as long again, and longer where it was foreseen, which is
-  /// rough.
-  std::uint64_t with_overtime(std::uint64_t effort) const {
-    const std::uint64_t more = std::max({effort, wanted_, std::uint64_t{64}});
-    return effort < UINT64_MAX - more ? effort + more : UINT64_MAX;
-  }
-
   /// What was done for nothing, and has to be begun anew.
   std::uint64_t lost(const InterruptionScope& turn) const {
     const std::uint64_t since = std::max(step_began_, session_ ? session_->engine().work_kept() : 0);

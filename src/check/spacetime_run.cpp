@@ -17,6 +17,9 @@
 namespace taut {
 namespace {
 
+/// In units of interruption_point(), beside the plan.
+constexpr std::uint64_t work_of_spacetime_start = 25;
+
 using Clock = std::chrono::steady_clock;
 using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
@@ -55,7 +58,9 @@ class SpacetimeQuestion {
         tree_p_(Role::p, plan_, geometry_, touch == Touch::open),
         tree_q_(Role::q, plan_, geometry_, touch == Touch::open),
         legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
-        search_(geometry_, trees(), legs_) {}
+        search_(geometry_, trees(), legs_) {
+    count_work(work_of_spacetime_start);
+  }
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {

@@ -222,11 +222,12 @@ void Engine::enter_leg() {
 /// Sees to it that every certificate is settled or scheduled from t on. `all_due`: none is scheduled yet; otherwise
 /// those that were not settled are.
 void Engine::look_at_settled(double t, bool all_due) {
-  sweep_ = {settled_.look(leg(), t, active_, all_due), all_due, t, 0};
+  sweep_ = {Settled::Due::unknown, all_due, t, 0};
   finish_sweep();
 }
 
 void Engine::finish_sweep() {
+  if (sweep_.due == Settled::Due::unknown) sweep_.due = settled_.look(leg(), sweep_.t, active_, sweep_.all_due);
   const std::vector<CertificateId>& open = settled_.open();
   const bool those_open = sweep_.due == Settled::Due::those_open;
   const std::size_t count = those_open ? open.size() : sweep_.due == Settled::Due::as_marked ? certificates_.size() : 0;

@@ -10,7 +10,7 @@ namespace taut {
 namespace {
 
 /// In units of interruption_point(): of a vertex of a tiling that is built from nothing, and of every start.
-constexpr std::uint64_t work_of_vertex = 16, work_of_start = 30;
+constexpr std::uint64_t work_of_vertex = 16, work_of_start = 80;
 
 }  // namespace
 

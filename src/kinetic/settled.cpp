@@ -20,6 +20,8 @@ constexpr std::size_t patience = 4;
 constexpr std::size_t sample_size = 64;
 constexpr double hopeful_share = 0.6;
 constexpr int regions_per_leg = 4;
+/// In units of interruption_point(), for each certificate.
+constexpr std::uint64_t work_of_region = 3;
 
 }  // namespace
 
@@ -99,6 +101,7 @@ bool Settled::choose(const Leg& leg, double t, std::size_t active) {
     --skip_;
     return false;
   }
+  interruption_point_before(work_of_region * certificates_.size());
   --regions_left_;
   for (const double share : {1.0, 0x1p-4, 0x1p-8}) {
     const double until = t + (leg.end - t) * share;

@@ -46,10 +46,12 @@ class Settled {
   /// What the engine has to do after look().
   enum class Due : unsigned char {
     nothing,     ///< all is as it was
+    unknown,     ///< that has not been seen yet; never what look() says
     those_open,  ///< the certificates of open() are due
     as_marked,   ///< is_settled() is new: those were_settled() and are no more are due, too
   };
-  /// Sees which certificates are settled from t on, of `active` ones. `all_due`: none is scheduled yet.
+  /// Sees which certificates are settled from t on, of `active` ones. `all_due`: none is scheduled yet. May be
+  /// interrupted before it begins.
   Due look(const Leg& leg, double t, std::size_t active, bool all_due);
   bool is_settled(CertificateId id) const { return settled_[id.value]; }
   bool was_settled(CertificateId id) const { return settled_before_[id.value]; }

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "base/interruption.hpp"
 #include "motion/pieces.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
 namespace {
+
+/// In units of interruption_point().
+constexpr std::uint64_t work_of_plan = 55;
 
 BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.size, facts.first, facts.reversed}; }
 
@@ -56,6 +60,7 @@ double diameter_squared_of(const Body& body) {
 ShapeFacts facts_of(const Body& body) { return body.prepared ? body.prepared->facts() : facts_of(body.polygon); }
 
 PairPlan plan_pair(const Scene& scene, const std::array<ShapeFacts, 2>& facts) {
+  count_work(work_of_plan);
   PairPlan plan;
   int exponent = 0;
   std::frexp(std::max(facts[0].largest, facts[1].largest), &exponent);

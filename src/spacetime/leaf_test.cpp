@@ -139,6 +139,21 @@ LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, do
   return Ahead::passed;
 }
 
+/// Goes on past zero, or at high precision for a stride that grows.
+LeafTest::Ahead LeafTest::leave_short_steps(FrameWindow& window, const Functions& f, double limit, int sign, double& t,
+                                            double& stride, Crossing& root) {
+  const Ahead beyond = sign == 0 ? leave_zero(window, f, limit, t, root) : Ahead::unknown;
+  if (beyond != Ahead::unknown) return beyond;
+  const double to = std::min(limit, std::max(above(t), t + stride));
+  if (auto found = precise_.first(root.pair, t, to)) {
+    root = *found;
+    return Ahead::crossing;
+  }
+  t = to;
+  stride *= stride_growth;
+  return Ahead::passed;
+}
+
 std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& pair, double t, double limit) {
   if (!window.smooth()) {
     if (excluded_in_range(window, pair)) return std::nullopt;
@@ -178,13 +193,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
       continue;
     }
     if (beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
-    const Ahead beyond = sign == 0 ? leave_zero(window, f, limit, t, root) : Ahead::unknown;
-    if (beyond == Ahead::crossing) return root;
-    if (beyond == Ahead::passed) continue;
-    const double to = std::min(limit, std::max(above(t), t + stride));
-    if (auto found = precise_.first(pair, t, to)) return found;
-    t = to;
-    stride *= stride_growth;
+    if (leave_short_steps(window, f, limit, sign, t, stride, root) == Ahead::crossing) return root;
   }
   return std::nullopt;
 }

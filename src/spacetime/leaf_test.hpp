@@ -52,6 +52,8 @@ class LeafTest {
   enum class Ahead : unsigned char { unknown, passed, crossing };
   Ahead look_ahead(FrameWindow& window, const Functions& f, double limit, int sign, double& t, Crossing& root);
   Ahead leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root);
+  Ahead leave_short_steps(FrameWindow& window, const Functions& f, double limit, int sign, double& t, double& stride,
+                          Crossing& root);
   void newton(FrameWindow& window, const FastFunction& line, int sign, Crossing& root) const;
   Beside beside(FrameWindow& window, const Functions& f, const Crossing& root) const;
 

@@ -37,7 +37,7 @@ class TriangulationSweep {
     out_.origin.reserve(3 * triangles);
     out_.twin.reserve(3 * triangles);
     for (const VertexId v : order) {
-      interruption_point();
+      interruption_point(2);
       visit(v);
       if (overlap_) return overlap_;
     }

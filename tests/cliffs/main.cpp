@@ -19,6 +19,7 @@
 #include "command_line/command_line.hpp"
 #include "generators/shapes.hpp"
 #include "soak/soak_scene.hpp"
+#include "support/prepared_scene.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -47,7 +48,8 @@ struct CliffOptions {
 };
 
 /// The shortest of a few runs, more of them if they are short. Bodies are prepared before.
-Timed time_of(Scene scene, EngineChoice engine, Touch touch, double limit) {
+Timed time_of(const Scene& bare, EngineChoice engine, Touch touch, double limit) {
+  const Scene scene = prepared(bare);
   CheckOptions options;
   options.engine = engine;
   options.touch = touch;
