@@ -20,7 +20,13 @@ constexpr double error_of_rounding = 0x1p-42;
 /// where the error counts them up to some ten times. On a bridge it is zero: all of the error is rounding.
 constexpr double share_that_shrinks = 0x1p-5;
 
-/// Where are the bodies nearest on one leg: what the walk asks.
+/// So many looks at an edge of each body, and so many more for each vertex, and the walk gives up.
+constexpr std::uint64_t most_leaf_looks = 20000, looks_of_vertex = 64;
+
+/// Where are the bodies nearest on one leg: what the walk asks. Where two edges keep nearly the least distance for
+/// long, steps are as short as the root of the tolerance, and there may be millions of them. Then it gives up: nothing
+/// is certain from below, until a margin is asked for (settle_nearest()), by functions that are followed to their
+/// roots.
 class LegClearance {
  public:
   LegClearance(const PairGeometry& geometry, const Leg& leg, std::size_t index, const ClearanceTolerance& tolerance,
@@ -30,12 +36,14 @@ class LegClearance {
         leg_(leg),
         index_(index),
         tolerance_(tolerance),
-        best_(best) {}
+        best_(best),
+        looks_left_(most_leaf_looks + looks_of_vertex * geometry.size()) {}
 
   static constexpr bool nearer_first = true;  ///< it may spare the other
   const double shortest;
   bool begins(double) const { return true; }
   Fate look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+    if (looks_left_ == 0) return Fate::done;
     const Stretch& s = time.bounds;
     const bool leaf = p.count == 1 && q.count == 1;
     const Path way = s.in_p.place(q.box.centre, p.box.centre);
@@ -44,8 +52,8 @@ class LegClearance {
     if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return Fate::done;
     if (!leaf && motion(s, p.box, q.box) <= patience * (p.box.radius + q.box.radius)) return Fate::divided;
     if (leaf && is_resolved(s, p.box, q.box, towards)) return Fate::done;
-    if (time.divisible) return Fate::deferred;
-    if (!leaf && best_.unresolved > 0) return Fate::divided;
+    if (time.divisible && !(leaf && --looks_left_ == 0)) return Fate::deferred;
+    if (!leaf && looks_left_ > 0 && best_.unresolved > 0) return Fate::divided;
     best_.unresolved = 0;
     return Fate::done;
   }
@@ -90,6 +98,7 @@ class LegClearance {
   std::size_t index_;
   ClearanceTolerance tolerance_;
   Nearest& best_;
+  std::uint64_t looks_left_;
 };
 
 /// An instant, if the window is one.

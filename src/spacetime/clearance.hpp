@@ -14,7 +14,8 @@ struct Nearest {
   std::size_t leg = 0;
   double parameter = 0;
   VertexId edge_p, edge_q;  ///< the edges that come so close, by their first vertices
-  /// No distance is less than this where doubles did not tell as well as was asked for; infinite if they always did.
+  /// No distance is less than this where doubles did not tell as well as was asked for, or not soon; infinite if they
+  /// always did.
   double unresolved = INFINITY;
 };
 

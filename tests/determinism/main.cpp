@@ -1,8 +1,9 @@
-// The same scene gives the same bytes of `check --json`, `trace` and `prove`, whoever compiled taut, for what machine.
+// The same scene gives the same bytes of `check --json`, `trace` and `prove`, and of questions about times and
+// distances, whoever compiled taut, for what machine.
 //
 // Computes them through the library, as the commands do, for every scene of the repository and for those of
 // scenes.txt, in both touch modes, and compares a hash of each with hashes.txt. Nothing is left out: elapsed time is
-// only in the answer if it is asked for, and the version of taut is in none of the three.
+// only in the answer if it is asked for, and the version of taut is in none of them.
 //
 // scenes.txt has scenes of the soak (`./dev soak --print N`), one a line. They are kept as text because the generators
 // call the C library's sin, cos and exp, whose last bits differ from one machine to the next.
@@ -18,7 +19,9 @@
 
 #include "io/trace_json.hpp"
 #include "proof/bytes.hpp"
+#include "taut/clearance.hpp"
 #include "taut/error.hpp"
+#include "taut/intervals.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
 
@@ -45,16 +48,42 @@ class LinesTracer : public Tracer {
   io::TraceWriter writer_;
 };
 
-/// "ANSWERS TRACE PROOF TOUCH": hashes of the answers of both engines, of the trace, and of the proof.
-std::string examine(const Scene& scene, Touch touch) {
+/// When bodies overlap; and of scenes for which that does not take seconds how far from each other they are, which is
+/// the same for both ways of touching.
+std::string questions(const Scene& scene, Touch touch, bool distances) {
+  std::string answers;
+  try {
+    CheckOptions options;
+    options.touch = touch;
+    answers = intervals_json(scene, intervals(scene, options), touch) + '\n';
+    if (!distances || touch == Touch::closed) return answers;
+    ClearanceOptions least;
+    least.relative = 1e-6;
+    answers += clearance_json(scene, clearance(scene, least)) + '\n';
+    ProfileOptions profile;
+    profile.instants = 5;
+    profile.relative = 1e-6;
+    profile.halvings = 10;
+    answers += profile_json(scene, distance_profile(scene, profile)) + '\n';
+  } catch (const InputError& error) {
+    answers += error.what();
+  }
+  return answers;
+}
+
+/// "ANSWERS TRACE PROOF QUESTIONS TOUCH": hashes of the answers of both engines and of both in turn, of the trace, of
+/// the proof, and of the questions.
+std::string examine(const Scene& scene, Touch touch, bool distances) {
   LinesTracer trace(scene);
   std::ostringstream proof;
   std::string answers;
   CheckOptions options;
   options.touch = touch;
   try {
-    options.engine = EngineChoice::spacetime;
-    answers = answer_json(scene, check(scene, options), touch) + '\n';
+    for (const EngineChoice engine : {EngineChoice::spacetime, EngineChoice::either}) {
+      options.engine = engine;
+      answers += answer_json(scene, check(scene, options), touch) + '\n';
+    }
     options.engine = EngineChoice::kinetic;
     options.tracer = &trace;
     const std::string kinetic = answer_json(scene, prove(scene, proof, options), touch) + '\n';
@@ -63,7 +92,8 @@ std::string examine(const Scene& scene, Touch touch) {
   } catch (const InputError& error) {
     answers += error.what();
   }
-  return hash_text(answers) + ' ' + hash_text(trace.lines) + ' ' + hash_text(proof.str()) + ' ' + to_string(touch);
+  return hash_text(answers) + ' ' + hash_text(trace.lines) + ' ' + hash_text(proof.str()) + ' ' +
+         hash_text(questions(scene, touch, distances)) + ' ' + to_string(touch);
 }
 
 std::vector<std::string> lines_of(const fs::path& file) {
@@ -111,7 +141,11 @@ std::string first_difference(const std::vector<std::string>& expected, const std
 int run(const fs::path& root, bool update) {
   std::vector<std::string> found;
   for_each_scene(root, [&found](const std::string& name, const Scene& scene) {
-    for (const Touch touch : {Touch::open, Touch::closed}) found.push_back(examine(scene, touch) + ' ' + name);
+    // Those of the corpus are there because they are hard.
+    const bool distances = !name.starts_with("tests/corpus");
+    for (const Touch touch : {Touch::open, Touch::closed}) {
+      found.push_back(examine(scene, touch, distances) + ' ' + name);
+    }
   });
   std::string all;
   for (const std::string& line : found) all += line + '\n';
@@ -119,14 +153,14 @@ int run(const fs::path& root, bool update) {
   for (const std::string& line : found) std::printf("%s\n", line.c_str());
   const fs::path file = root / "tests/determinism/hashes.txt";
   if (update) {
-    write_file(file.string(),
-               "# answers, trace, proof, touch, scene: ./dev determinism --update\n" + all + found.back() + '\n');
+    write_file(file.string(), "# answers, trace, proof, questions, touch, scene: ./dev determinism --update\n" + all +
+                                  found.back() + '\n');
     return 0;
   }
   const std::string difference = first_difference(lines_of(file), found);
   if (difference.empty()) return 0;
   std::fprintf(stderr,
-               "the first of the lines (hashes of answers, trace and proof, touch, scene) that differ:\n%s\n"
+               "the first of the lines (hashes of answers, trace, proof and questions, touch, scene) that differ:\n%s\n"
                "If the change of answers is meant, on every platform: ./dev determinism --update\n",
                difference.c_str());
   return 1;

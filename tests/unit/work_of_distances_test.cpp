@@ -1,10 +1,13 @@
 // What questions about distances cost where doubles tell little: work is the same on every machine.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "base/interruption.hpp"
+#include "search/pair_search.hpp"
+#include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
 
@@ -46,6 +49,22 @@ TEST(WorkOfAProfile, ThatIsGreatestAtAnInfiniteSpeed) {
 
 TEST(WorkOfAProfile, OfSliversThatSlideALittleApart) {
   expect_profile("slivers_that_slide_a_little_apart", 956, 1'000'000);
+}
+
+/// Two edges stay within 1e-7 of each other for long, at lengths of 1: steps that tell by how much are as short as
+/// that, and the walk that took them went on for more than ten minutes. It leaves the rest to margins now, and says so.
+TEST(WorkOfASearch, GivesUpWhereEdgesStayAsNear) {
+  const Scene scene = in_corpus("cosine_ends_at_a_joint");
+  const WorldPlan plan(scene);
+  const PairSearch search(plan, 0, 1, false);
+  spacetime::Nearest nearest;
+  nearest.distance = INFINITY;
+  const InterruptionScope limit(nullptr, many_seconds);
+  const std::uint64_t before = work_spent();
+  spacetime::find_nearest_within(search.geometry, search.trees(), search.legs(), 0, 1.5, {1e-6, 1e-12}, nearest);
+  EXPECT_LT(work_spent() - before, 200'000u);
+  EXPECT_EQ(nearest.unresolved, 0);
+  EXPECT_LT(nearest.distance, 2e-7);
 }
 
 /// Slivers beside an infinite speed, for which the search takes half a minute: what is known when a limit ends it is
