@@ -18,7 +18,8 @@ namespace {
 /// A stretch that may have the greatest distance: those that may have the greatest one are halved first.
 struct Candidate {
   double most, from, to;
-  bool operator<(const Candidate& o) const { return most < o.most; }
+  /// Of those that are alike, as in symmetric scenes, the first one comes first, whoever wrote the queue.
+  bool operator<(const Candidate& o) const { return most != o.most ? most < o.most : from > o.from; }
 };
 
 class ProfileSearch {

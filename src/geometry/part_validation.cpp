@@ -55,7 +55,8 @@ void require_rings_apart(const Part& part, const std::string& name) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
       edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()], ring, static_cast<int>(i)});
   }
-  std::sort(edges.begin(), edges.end(), [](const RingEdge& e, const RingEdge& f) { return e.lo_x() < f.lo_x(); });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const RingEdge& e, const RingEdge& f) { return e.lo_x() < f.lo_x(); });
   std::vector<const RingEdge*> active;
   for (const RingEdge& e : edges) {
     interruption_point();

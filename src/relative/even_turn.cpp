@@ -183,7 +183,7 @@ void EvenTurn::bound(const Spin& spin, const Way& way, int i, FrameModel& model)
 
 /// The coefficients of two functions about an instant at which a body is turned by (re, im).
 template <class N, class Take>
-void EvenTurn::turned(const Powers<N>& u, const WayOf<N>& way, const N& re, const N& im, const Take& take) {
+void EvenTurn::turned(const Powers<N>& u, const EvenWay<N>& way, const N& re, const N& im, const Take& take) {
   N turned_x[last + 1], turned_y[last + 1];
   for (int j = 0; j < way.terms; ++j) {
     turned_x[j] = re * way.x[j] - im * way.y[j];
@@ -260,9 +260,9 @@ FrameThird EvenTurn::third(const Leg& leg, bool pp, double start, double end) co
   return {{of_way, of_way, of_turn, of_turn}};
 }
 
-EvenTurn::WayOf<FixedBall> EvenTurn::precise_way(const Leg& leg, double m, int exponent) {
+EvenWay<FixedBall> EvenTurn::precise_way(const Leg& leg, double m, int exponent) {
   const std::array<ModelSeries<Real320>, 2> d = way_series(leg, Ball<Real320>::exact(m));
-  WayOf<FixedBall> way;
+  EvenWay<FixedBall> way;
   way.terms = std::max(d[0].terms, d[1].terms);
   for (int k = 0; k < way.terms; ++k) {
     way.x[k] = FixedBall::of(scaled(d[0].c[k], k * exponent));
@@ -292,8 +292,8 @@ double EvenTurn::rest_within(const Leg& leg, double m, int exponent) const {
 
 EvenTurn::Expansion EvenTurn::expansion(const Leg& leg, double m, int exponent) const {
   const Precise& given = precise(leg, exponent);
-  const WayOf<FixedBall> way = given.constant_way ? *given.constant_way : precise_way(leg, m, exponent);
-  WayOf<FixedBall> one;
+  const EvenWay<FixedBall> way = given.constant_way ? *given.constant_way : precise_way(leg, m, exponent);
+  EvenWay<FixedBall> one;
   one.x[0] = FixedBall::exact(1);
   // Coefficients in t - m about any instant within the radius are no larger than these.
   const double radius = power_of_two(exponent);
@@ -314,16 +314,18 @@ EvenTurn::Expansion EvenTurn::expansion(const Leg& leg, double m, int exponent) 
       made.c[i][k] = x;
       made.c[i + 1][k] = y;
     });
-    const auto size = [&](int k) { return pair < 2 ? size_of(s, over, about.terms, k) : size_of(s, {1}, 1, k); };
-    double rest = size(last);
+    const Powers<double>& sizes = pair < 2 ? over : one_way().size;
+    const int terms = pair < 2 ? about.terms : 1;
+    double rest = size_of(s, sizes, terms, last);
     for (int k = 0; k < last; ++k) rest *= radius;
     for (int part = i; part < i + 2; ++part) {
       const auto& c = made.c[part];
       const double value = c[0].about(), slope = c[1].about();
       made.rest[part] = rest * (1 + 0x1p-44);
-      made.over[part] = {{value, detail::inflate(c[0].error_of(value) + size(1) * radius)},
-                         {slope / radius, detail::inflate(c[1].error_of(slope) / radius + 2 * size(2) * radius)},
-                         Ball<double>::exact(0)};
+      made.over[part] = {
+          {value, detail::inflate(c[0].error_of(value) + size_of(s, sizes, terms, 1) * radius)},
+          {slope / radius, detail::inflate(c[1].error_of(slope) / radius + 2 * size_of(s, sizes, terms, 2) * radius)},
+          Ball<double>::exact(0)};
     }
   }
   return made;

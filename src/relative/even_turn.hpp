@@ -11,6 +11,13 @@
 
 namespace taut {
 
+/// D about an instant: coefficients of its coordinates.
+template <class N>
+struct EvenWay {
+  int terms = 1;
+  std::array<N, model_degree + 1> x{}, y{};
+};
+
 /// With frames as complex numbers the functions are e^(i a(t)), or that times D(t), where the angle a is linear in t.
 /// About an instant m, e^(i a(m + h)) is e^(i a(m)) times the series of e^(i r h), r being the rate: which is the same
 /// at all instants, up to a turn by a(m). So is what a polynomial in h leaves out. A model then takes one sine and one
@@ -59,20 +66,14 @@ class EvenTurn {
     void set(const Angle& a);
     Powers<FixedBall> precise_powers(int exponent) const;
   };
-  /// D about an instant.
-  template <class N>
-  struct WayOf {
-    int terms = 1;
-    Powers<N> x{}, y{};
-  };
-  struct Way : WayOf<double> {
+  struct Way : EvenWay<double> {
     Powers<double> size{}, error{};  ///< bounds of |(x, y)|, and of what is missing
   };
   /// What all expansions with an exponent have in common.
   struct Precise {
-    int exponent = 0;
+    int exponent;
     std::array<Powers<FixedBall>, FrameModel::functions / 2> u;
-    std::optional<WayOf<FixedBall>> constant_way;
+    std::optional<EvenWay<FixedBall>> constant_way;
   };
   /// What is the same for all models of a radius and with ways of such sizes: all but the coefficients.
   struct Bounds {
@@ -93,9 +94,9 @@ class EvenTurn {
   static Powers<double> sizes_within(const Way& way, double radius);
   static double size_of(const Spin& spin, const Powers<double>& sizes, int terms, int k);
   const Precise& precise(const Leg& leg, int exponent) const;
-  static WayOf<FixedBall> precise_way(const Leg& leg, double m, int exponent);
+  static EvenWay<FixedBall> precise_way(const Leg& leg, double m, int exponent);
   template <class N, class Take>
-  static void turned(const Powers<N>& u, const WayOf<N>& way, const N& re, const N& im, const Take& take);
+  static void turned(const Powers<N>& u, const EvenWay<N>& way, const N& re, const N& im, const Take& take);
 
   static constexpr int pairs = FrameModel::functions / 2;
   Spin to_p_, to_q_, relative_;  ///< of conj(x_P) and conj(x_Q), and of conj(x_P) x_Q

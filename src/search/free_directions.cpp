@@ -308,7 +308,7 @@ std::vector<VertexArc> FreeDirections::free() {
     ends.push_back({arc.to, -1});
     if (before(arc.to, arc.from)) ++count;
   }
-  std::sort(ends.begin(), ends.end(), [this](const End& a, const End& b) { return before(a.at, b.at); });
+  std::stable_sort(ends.begin(), ends.end(), [this](const End& a, const End& b) { return before(a.at, b.at); });
   std::vector<VertexArc> found;
   std::optional<VertexDirection> begun;
   const bool free_at_first = count == 0;

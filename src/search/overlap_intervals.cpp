@@ -61,7 +61,7 @@ class IntervalSearch {
   /// Some double must lie strictly between, at which the overlap can be asked for.
   bool apart(double before, double after) const { return std::nextafter(before, plan_.end()) < after; }
   static void sort(std::span<LegCrossing> some) {
-    std::sort(some.begin(), some.end(), [](const LegCrossing& a, const LegCrossing& b) {
+    std::stable_sort(some.begin(), some.end(), [](const LegCrossing& a, const LegCrossing& b) {
       return std::pair(a.leg, a.lo) < std::pair(b.leg, b.lo);
     });
   }

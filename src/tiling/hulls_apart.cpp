@@ -66,7 +66,8 @@ bool hulls_apart(const Placement& placement, const std::vector<VertexId>& hull_p
   const double close = 16 * placement.position_error();
   if (!(widest > -close)) return false;
   std::erase_if(edges, [&](const HullEdge& e) { return e.gap < widest - close; });
-  std::sort(edges.begin(), edges.end(), [](const HullEdge& a, const HullEdge& b) { return a.length > b.length; });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const HullEdge& a, const HullEdge& b) { return a.length > b.length; });
   if (edges.size() > edges_to_try) edges.resize(edges_to_try);
   return std::any_of(edges.begin(), edges.end(), [&](const HullEdge& e) {
     const std::vector<VertexId>& other = e.of_p ? hull_q : hull_p;

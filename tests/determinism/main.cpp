@@ -166,16 +166,26 @@ int run(const fs::path& root, bool update) {
   return 1;
 }
 
+/// What the last of a scene's hashes is of.
+int show(const fs::path& root, const std::string& wanted) {
+  for_each_scene(root, [&wanted](const std::string& name, const Scene& scene) {
+    if (name == wanted) std::fputs(questions(scene, Touch::open, true).c_str(), stdout);
+  });
+  return 0;
+}
+
 }  // namespace
 }  // namespace taut::determinism
 
 int main(int argc, char** argv) {
   const bool update = argc == 3 && std::string(argv[2]) == "--update";
-  if (argc < 2 || (argc > 2 && !update)) {
-    std::fprintf(stderr, "usage: taut_determinism REPOSITORY [--update]\n");
+  const bool show = argc == 4 && std::string(argv[2]) == "--show";
+  if (argc < 2 || (argc > 2 && !update && !show)) {
+    std::fprintf(stderr, "usage: taut_determinism REPOSITORY [--update | --show SCENE]\n");
     return 2;
   }
   try {
+    if (show) return taut::determinism::show(argv[1], argv[3]);
     return taut::determinism::run(argv[1], update);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
