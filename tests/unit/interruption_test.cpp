@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/interruption.hpp"
+#include "check/run.hpp"
 #include "generators/generators.hpp"
 #include "kinetic/session.hpp"
 #include "support/effort.hpp"
@@ -239,6 +240,19 @@ TEST_P(Interruption, OfProofs) {
     std::istringstream in(text);
     verify(scene(), in);
   });
+}
+
+/// A limit that is reached while shapes are prepared for both engines makes an answer, too. It had been thrown through.
+TEST(InterruptionOfBothEngines, WhileShapesArePrepared) {
+  for (const Hostile& hostile : hostile_scenes()) {
+    if (std::string(hostile.name) != "a cavity") continue;
+    const Scene scene = hostile.make();
+    const InterruptionScope past(nullptr, 0);
+    const Answer answer = run_either(scene, {});
+    EXPECT_EQ(answer.outcome, Outcome::undecided);
+    EXPECT_EQ(answer.reason, "the time limit was reached");
+    EXPECT_EQ(answer.free_until, scene.start);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Hostile, Interruption, ::testing::ValuesIn(hostile_scenes()), [](const auto& given) {
