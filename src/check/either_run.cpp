@@ -1,10 +1,10 @@
 // Two engines in turn. Each is far ahead of the other on some motions, and nobody knows beforehand on which.
 #include <memory>
-#include <optional>
+#include <string>
 
-#include "base/interruption.hpp"
 #include "base/turns.hpp"
 #include "check/run.hpp"
+#include "numeric/undecided.hpp"
 #include "pair/pair_plan.hpp"
 
 namespace taut {
@@ -92,19 +92,18 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
 Answer run_either(const Scene& scene, const CheckOptions& options) {
   // Both engines, and the question about touching, share what is made of the shapes alone. None of that is counted, so
   // that who is first does not depend on what was prepared beforehand.
-  std::optional<Scene> prepared;
-  try {
-    prepared = with_prepared_shapes(scene);
-  } catch (const Interrupted& limit) {
-    // Of a scope around this question: nothing has been asked yet.
+  Scene prepared;
+  const std::string stopped = what_stops([&] { prepared = with_prepared_shapes(scene); });
+  if (!stopped.empty()) {
+    // By a scope around this question: nothing has been asked yet.
     Answer answer;
     answer.outcome = Outcome::undecided;
     answer.engine = EngineName::spacetime;
     answer.free_until = scene.start;
-    answer.reason = limit.reason;
+    answer.reason = stopped;
     return answer;
   }
-  return answer_in_turns(*prepared, options, {EngineName::spacetime, Contestant::first_turn});
+  return answer_in_turns(prepared, options, {EngineName::spacetime, Contestant::first_turn});
 }
 
 }  // namespace taut
