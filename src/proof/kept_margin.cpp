@@ -1,39 +1,49 @@
 #include "proof/kept_margin.hpp"
 
 #include "sign/closeness.hpp"
-#include "sign/precise_time.hpp"
+#include "sign/precise_root.hpp"
 
 namespace taut::proof {
 namespace {
 
-/// Is a function negative at all times of [from, to]?
+/// Is a function negative at all times of [from, to]? Throws PrecisionExhausted.
 template <class Real, class Function>
-bool stays_negative(const Function& f, double from, double to) {
+bool stays_negative(const Leg& leg, const Function& f, double from, double to, Stage stage) {
   const int sign = f.value(Ball<Real>::exact(from)).sign();
   if (sign == 0) throw PrecisionExhausted{};
-  return sign < 0 && (!(from < to) || !first_sign_change<Real>(f, -1, Real(from), Real(to)));
+  if (sign > 0 || !(from < to)) return sign < 0;
+  return !first_change<Real>(leg, f, -1, PreciseTime::between(from, from), to, stage);
+}
+
+/// ask(zero, stage) as at_some_stage() has it, in doubles first, which nearly always tell. False if none does.
+template <class Ask>
+bool holds_at_some_stage(const Ask& ask) {
+  try {
+    return ask(double{}, Stage::doubles);
+  } catch (const PrecisionExhausted&) {
+    return at_some_stage(ask).value_or(false);
+  }
 }
 
 }  // namespace
 
 bool KeptMargin::vertices(const RangePair& edges, double from, double to) const {
   const VertexId a = pair_.onto_q(edges).vertex, c = pair_.onto_p(edges).vertex;
-  return at_some_stage([&](auto zero, Stage) {
-           using Real = decltype(zero);
-           return stays_negative<Real>(VertexCloseness<Real>(leg_, pair_.geometry, a, c, margin_), from, to);
-         })
-      .value_or(false);
+  return holds_at_some_stage([&](auto zero, Stage stage) {
+    using Real = decltype(zero);
+    const VertexCloseness<Real> f(leg_, pair_.geometry, a, c, margin_, &models_);
+    return stays_negative<Real>(leg_, f, from, to, stage);
+  });
 }
 
 bool KeptMargin::aside(Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from, double to) const {
   if (why > Aside::behind_second) return false;
   if (why != Aside::right) return stays_aside(pair_.geometry, lifetimes, incidence, why, from, Instant::exactly(to));
-  return at_some_stage([&](auto zero, Stage) {
-           using Real = decltype(zero);
-           const LineCloseness<Real> line(leg_, pair_.geometry, incidence.line(pair_.geometry), margin_);
-           return stays_negative<Real>(line, from, to);
-         })
-      .value_or(false);
+  return holds_at_some_stage([&](auto zero, Stage stage) {
+    using Real = decltype(zero);
+    const LineCloseness<Real> f(leg_, pair_.geometry, incidence.line(pair_.geometry), margin_, &models_);
+    return stays_negative<Real>(leg_, f, from, to, stage);
+  });
 }
 
 bool closer_at(const PairGeometry& g, const Leg& leg, double margin, const Incidence& pair, bool is_edge,

@@ -3,6 +3,7 @@
 
 #include "proof/fine_instant.hpp"
 #include "proof/separation.hpp"
+#include "sign/taylor_frames.hpp"
 
 namespace taut::proof {
 
@@ -24,6 +25,7 @@ class KeptMargin {
   const RangedPair& pair_;
   const Leg& leg_;
   double margin_;
+  mutable TaylorFrames models_;  ///< of the leg, which many features are asked about
 };
 
 /// Is the incidence's vertex certainly closer than the margin to the edge, or to the other vertex, at that parameter?

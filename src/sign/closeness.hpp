@@ -2,9 +2,11 @@
 // are positive where it is.
 //
 // Neither needs a solver of its own. The distance of a vertex from an edge's line less a margin m is the orientation
-// and m times the edge's length, which rests in its body. The distance of two vertices is made of the two coordinates
-// of one in the frame of the other, which are forms.
+// and m times the edge's length, which rests in its body: a form and a constant. The distance of two vertices is made
+// of the two coordinates of one in the frame of the other, which are forms.
 #pragma once
+
+#include <algorithm>
 
 #include "numeric/first_told.hpp"
 #include "sign/precise_function.hpp"
@@ -14,21 +16,18 @@ namespace taut {
 /// m |b - a| + (b - a) x (c - a): positive where the vertex is behind the edge's line, or not as far as the margin in
 /// front of it, that is to its right.
 template <class Real>
-class LineCloseness {
+class LineCloseness : public PreciseFunction<Real> {
  public:
-  LineCloseness(const Leg& leg, const PairGeometry& g, const Form& line, double margin)
-      : orientation_(leg, g, line), room_(length(g, line) * margin) {}
+  LineCloseness(const Leg& leg, const PairGeometry& g, const Form& line, double margin, TaylorFrames* models = nullptr)
+      : LineCloseness(leg, g, line, length(g, line) * margin, models) {}
 
-  Jet<Real> operator()(const Ball<Real>& t) const {
-    Jet<Real> f = orientation_(t);
-    f.v = f.v + room_;
-    return f;
-  }
-  Ball<Real> value(const Ball<Real>& t) const { return orientation_.value(t) + room_; }
   /// Is it certain that it is not even behind the line by more than the margin?
-  bool not_behind(const Ball<Real>& t) const { return (room_ - orientation_.value(t)).sign() > 0; }
+  bool not_behind(const Ball<Real>& t) const { return (room_ * 2 - this->value(t)).sign() > 0; }
 
  private:
+  LineCloseness(const Leg& leg, const PairGeometry& g, const Form& line, const Ball<Real>& room, TaylorFrames* models)
+      : PreciseFunction<Real>(leg, g, line, room, models), room_(room) {}
+
   static Ball<Real> length(const PairGeometry& g, const Form& line) {
     using B = Ball<Real>;
     const DisplacedPoint &a = g.point(line.a), &b = g.point(line.b);
@@ -37,7 +36,6 @@ class LineCloseness {
     return sqrt(x * x + y * y);
   }
 
-  PreciseFunction<Real> orientation_;
   Ball<Real> room_;
 };
 
@@ -46,21 +44,58 @@ template <class Real>
 class VertexCloseness {
  public:
   /// a and c are of different bodies.
-  VertexCloseness(const Leg& leg, const PairGeometry& g, VertexId a, VertexId c, double margin)
-      : x_(leg, g, {a, a, c, g.in_p(a), Measure::offset_x}),
-        y_(leg, g, {a, a, c, g.in_p(a), Measure::offset_y}),
+  VertexCloseness(const Leg& leg, const PairGeometry& g, VertexId a, VertexId c, double margin,
+                  TaylorFrames* models = nullptr)
+      : x_(leg, g, {a, a, c, g.in_p(a), Measure::offset_x}, models),
+        y_(leg, g, {a, a, c, g.in_p(a), Measure::offset_y}, models),
         square_(Ball<Real>::exact(margin) * Ball<Real>::exact(margin)) {}
 
-  Jet<Real> operator()(const Ball<Real>& t) const {
-    const Jet<Real> x = x_(t), y = y_(t);
-    return Jet<Real>::constant(square_) - (x * x + y * y);
+  Jet<Real> operator()(const Ball<Real>& t) const { return combined(x_(t), y_(t)); }
+  Jet<Real> operator()(const TimeFromEnd<Real>& t) const { return combined(x_(t), y_(t)); }
+  Ball<Real> value(const Ball<Real>& t) const { return combined(x_.value(t), y_.value(t)); }
+  Jet<Real> telling_range(const Ball<Real>& t) const { return (*this)(t); }
+
+  /// As PreciseFunction has them: a polynomial in the root of the distance from a singular end,
+  BallPolynomial<Real> terms_from_end(double end, double direction) const {
+    const BallPolynomial<Real> x = x_.terms_from_end(end, direction), y = y_.terms_from_end(end, direction);
+    BallPolynomial<Real> sum;
+    for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(-(coefficient(x, x, k) + coefficient(y, y, k)));
+    sum[0] = sum[0] + square_;
+    return sum;
   }
-  Ball<Real> value(const Ball<Real>& t) const {
-    const Ball<Real> x = x_.value(t), y = y_.value(t);
-    return square_ - (x * x + y * y);
+  /// whose last term is a range, over all s up to there: of a product that is made of the factors' derivatives there.
+  Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
+    const auto up_to_there = Ball<Real>::between(Real(std::min(farthest, 0.0)), Real(std::max(farthest, 0.0)));
+    Ball<Real> sum = Ball<Real>::exact(0);
+    for (const PreciseFunction<Real>* const offset : {&x_, &y_}) {
+      BallPolynomial<Real> p = offset->terms_from_end(end, direction);
+      p.push_back(offset->last_term_from_end(end, direction, farthest));
+      const BallPolynomial<Real> ranges = expanded(p, up_to_there);
+      sum = sum - coefficient(ranges, ranges, last_from_end);
+    }
+    return sum;
+  }
+  Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
+    return x_.telling_range(from_end, s);
   }
 
  private:
+  template <class Values>
+  Values combined(const Values& x, const Values& y) const {
+    const Values sum = x * x + y * y;
+    if constexpr (std::is_same_v<Values, Jet<Real>>) {
+      return Jet<Real>::constant(square_) - sum;
+    } else {
+      return square_ - sum;
+    }
+  }
+  /// That of power k of a product.
+  static Ball<Real> coefficient(const BallPolynomial<Real>& p, const BallPolynomial<Real>& q, std::size_t k) {
+    Ball<Real> sum = Ball<Real>::exact(0);
+    for (std::size_t i = 0; i <= k; ++i) sum = sum + p[i] * q[k - i];
+    return sum;
+  }
+
   PreciseFunction<Real> x_, y_;
   Ball<Real> square_;
 };

@@ -30,6 +30,10 @@ class PreciseFunction {
  public:
   /// `models` are those of the leg, and must outlive it; without, the function has its own.
   PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, TaylorFrames* models = nullptr)
+      : PreciseFunction(leg, g, form, Ball<Real>::exact(0), models) {}
+  /// The form and a constant.
+  PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, const Ball<Real>& constant,
+                  TaylorFrames* models)
       : leg_(leg), pp_(form.pp), shared_(models) {
     if (!std::is_same_v<Real, double>) count_work(work_of_form);
     const Origin origin = leg.translation ? Origin::powers : Origin::frame;
@@ -39,6 +43,7 @@ class PreciseFunction {
     } else {
       coefficients_ = coefficients_on(leg, form.pp, p, Ball<Real>::exact(0));
     }
+    coefficients_[0] = coefficients_[0] + constant;  // the first of the frame's functions is 1
     if (leg.translation) expand();
     if (leg.bridge) expand_bridge();
   }

@@ -8,37 +8,10 @@
 #include "numeric/first_told.hpp"
 #include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
-#include "sign/search_from_end.hpp"
+#include "sign/precise_root.hpp"
 
 namespace taut {
 namespace {
-
-template <class Real>
-Ball<Real> as_ball(const PreciseTime& t) {
-  const RealMax lo = t.lo(), hi = t.hi(), middle = (lo + hi) / 2;
-  Ball<Real> b(Real(middle), 0.0);
-  const double half = RealTraits<RealMax>::magnitude(RealMax(hi - lo));
-  b.rad = detail::inflate(half + RealTraits<RealMax>::magnitude(middle) * (4 * unit_roundoff<Real>()));
-  return b;
-}
-
-/// The number at this precision; where that would round it, a search from there on might start beyond a root.
-template <class Real>
-Real exactly(const RealMax& x) {
-  const Real rounded(x);
-  if (RealMax(rounded) != x) throw PrecisionExhausted{};
-  return rounded;
-}
-
-/// An enclosure at this precision, rounded outwards.
-template <class Real>
-RootEnclosure<Real> enclosure(const PreciseTime& t) {
-  const auto around = [](const RealMax& x) {
-    const Real rounded(x);
-    return Ball<Real>(rounded, RealMax(rounded) == x ? 0 : detail::inflate(2 * detail::rounding(rounded)));
-  };
-  return {around(t.lo()).lower(), around(t.hi()).upper()};
-}
 
 /// What is known better was not rounded before the displacement, and is good enough to tell ties.
 constexpr double all_but_displacement = 0x1p-16 * displacement_unit;
@@ -130,7 +103,7 @@ int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   }
   return told_by(stage, with_stage(stage, [&](auto zero) {
                    using Real = decltype(zero);
-                   return function<Real>().telling_value(as_ball<Real>(t)).sign();
+                   return function<Real>().telling_value(ball_of<Real>(t)).sign();
                  }));
 }
 
@@ -198,7 +171,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     // In the distance's root the motion is so smooth that doubles nearly always do. The displacement is in them: at the
     // end itself, where much is exact, they may tell what only that tells.
     const PreciseFunction<double> f(leg_, geometry_, form_);
-    if (const auto answer = search_from_end(leg_, f, end, sign, from, to, Stage::doubles)) {
+    if (const auto answer = search_from_end<double>(leg_, f, end, sign, from, to, Stage::doubles)) {
       return *told_by(Stage::first_order, answer);
     }
   }
@@ -207,7 +180,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
-      if (const auto answer = search_from_end(leg_, f, end, sign, from, to, stage, kept)) return *answer;
+      if (const auto answer = search_from_end<Real>(leg_, f, end, sign, from, to, stage, kept)) return *answer;
     }
     const auto root = sign_change(f, sign, from, to);
     if (!root) return std::nullopt;

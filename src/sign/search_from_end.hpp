@@ -23,10 +23,15 @@ struct KeptSearch {
   Form form{};
 };
 
+/// How many intervals a search may look at. In doubles it succeeds soon, or terms that cancel are all that it sees.
 template <class Real>
+inline constexpr int search_budget = std::is_same_v<Real, double> ? 100 : 200000;
+
+/// Of a form, or of what is made of forms (see LineCloseness and VertexCloseness).
+template <class Real, class Function = PreciseFunction<Real>>
 class SearchFromEnd {
  public:
-  SearchFromEnd(const PreciseFunction<Real>& f, double end, double direction, const KeptSearch& kept = {})
+  SearchFromEnd(const Function& f, double end, double direction, const KeptSearch& kept = {})
       : f_(f), end_(end), direction_(direction), kept_(kept) {}
 
   Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
@@ -126,13 +131,11 @@ class SearchFromEnd {
     mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ between levels
   };
 
-  /// In doubles it succeeds soon, or terms that cancel are all that it sees.
-  static constexpr int few = 100;
   /// The root, as sharp as this precision has it.
   std::optional<RootEnclosure<Real>> search(const KeptSearches::Key& key, const Real& a, const Real& b) const {
     const int sign = key.sign;
     if constexpr (std::is_same_v<Real, double>) {
-      auto root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, few);
+      auto root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, search_budget<Real>);
       if (root && !is_sharp(*root)) taut::refine(*this, sign, *root);
       return root;
     } else {
@@ -161,7 +164,7 @@ class SearchFromEnd {
     return Ball<RealMax>::exact(end_) + exact * exact * direction_;
   }
 
-  const PreciseFunction<Real>& f_;
+  const Function& f_;
   double end_, direction_;
   KeptSearch kept_;
 };
@@ -196,12 +199,13 @@ inline std::optional<double> division(const Leg& leg, const PreciseTime& from, d
 }
 
 /// Nothing if this precision does not tell.
-template <class Real>
-std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const PreciseFunction<Real>& f, int end,
-                                                          int sign, const PreciseTime& from, double to, Stage stage,
+template <class Real, class Function>
+std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const Function& f, int end, int sign,
+                                                          const PreciseTime& from, double to, Stage stage,
                                                           const KeptSearch& kept = {}) {
   try {
-    return SearchFromEnd<Real>(f, end > 0 ? leg.start : leg.end, end, kept).first_failure(sign, from.hi(), to, stage);
+    const SearchFromEnd<Real, Function> search(f, end > 0 ? leg.start : leg.end, end, kept);
+    return search.first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sign/precise_time.hpp"
+#include "sign/taylor_frames.hpp"
 #include "spacetime/crossing.hpp"
 
 namespace taut::spacetime {
@@ -42,11 +43,17 @@ class PreciseApproaches {
   int side(const VertexPeer& pair, double t) const;
 
  private:
+  template <class Real, class Use>
+  auto with_functions(const VertexPeer& pair, const Use& use) const;
+  template <class Real>
+  std::optional<PreciseTime> first_root(const VertexPeer& pair, double from, double to, Stage stage) const;
+  bool none_in_doubles(const VertexPeer& pair, double from, double to) const;
   void refine(Approach& a, Stage stage) const;
 
   const PairGeometry& geometry_;
   const Leg& leg_;
   double margin_;
+  mutable TaylorFrames models_;  ///< of the leg, which many pairs are asked about
 };
 
 }  // namespace taut::spacetime

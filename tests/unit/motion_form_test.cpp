@@ -7,6 +7,7 @@
 #include "geometry/displacement.hpp"
 #include "pair/placement.hpp"
 #include "relative/leg_clock.hpp"
+#include "sign/closeness.hpp"
 #include "sign/fast_function.hpp"
 #include "sign/plan_range.hpp"
 #include "sign/precise_function.hpp"
@@ -114,6 +115,24 @@ TEST(Form, IsTheOrientationInTheWorldForEveryFormOfMotion) {
   }
 }
 
+/// The polynomial about the end holds the function everywhere up to there.
+template <class Function>
+void expect_held_by_terms(const Function& f, double end, double direction) {
+  for (const double near : {direction * 0.05, direction * 0.01}) {
+    BallPolynomial<Real320> polynomial = f.terms_from_end(end, direction);
+    polynomial.push_back(f.last_term_from_end(end, direction, near));
+    for (const double share : {0.0, 0.01, 0.5, 1.0}) {
+      const Ball<Real320> at = Ball<Real320>::exact(near * share);
+      const Jet<Real320> expanded = polynomial_range(polynomial, at);
+      const Jet<Real320> direct = f(TimeFromEnd<Real320>{end, direction, at});
+      EXPECT_EQ((expanded.v - direct.v).sign(), 0);
+      EXPECT_EQ((expanded.d - direct.d).sign(), 0);
+      EXPECT_EQ((expanded.dd - direct.dd).sign(), 0);
+      EXPECT_LT(expanded.v.rad, share < 0.1 ? 1e-20 : 1e-3);
+    }
+  }
+}
+
 /// Both ways to the same function: g(s) = f(end + direction s^2), so g' = 2 direction s f'.
 TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
   Rng rng(7);
@@ -150,25 +169,45 @@ TEST(Form, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     // At the end itself everything is finite, where in t the slope is not.
     const Jet<Real320> there = f(TimeFromEnd<Real320>{end, direction, Ball<Real320>::exact(0)});
     EXPECT_LT(there.v.rad + there.d.rad + there.dd.rad, 1e-80);
-    // The polynomial about the end holds the function everywhere up to there, also of another form, for which the
-    // frame functions are known already.
+    // Also of another form, for which the frame functions are known already, and of what is made of forms.
     TaylorFrames shared;
-    for (const unsigned vertex : {6U, 4U}) {
-      const PreciseFunction<Real320> h(leg, g, Form::of(g, VertexId(0), VertexId(1), VertexId(vertex)), &shared);
-      for (const double near : {direction * 0.05, direction * 0.01}) {
-        BallPolynomial<Real320> polynomial = h.terms_from_end(end, direction);
-        polynomial.push_back(h.last_term_from_end(end, direction, near));
-        for (const double share : {0.0, 0.01, 0.5, 1.0}) {
-          const Ball<Real320> at = Ball<Real320>::exact(near * share);
-          const Jet<Real320> expanded = polynomial_range(polynomial, at);
-          const Jet<Real320> direct = h(TimeFromEnd<Real320>{end, direction, at});
-          EXPECT_EQ((expanded.v - direct.v).sign(), 0);
-          EXPECT_EQ((expanded.d - direct.d).sign(), 0);
-          EXPECT_EQ((expanded.dd - direct.dd).sign(), 0);
-          EXPECT_LT(expanded.v.rad, share < 0.1 ? 1e-20 : 1e-3);
-        }
-      }
-    }
+    const auto line = [&](unsigned c) { return Form::of(g, VertexId(0), VertexId(1), VertexId(c)); };
+    expect_held_by_terms(PreciseFunction<Real320>(leg, g, line(6), &shared), end, direction);
+    expect_held_by_terms(PreciseFunction<Real320>(leg, g, line(4), &shared), end, direction);
+    expect_held_by_terms(LineCloseness<Real320>(leg, g, line(6), 0.25, &shared), end, direction);
+    expect_held_by_terms(VertexCloseness<Real320>(leg, g, VertexId(0), VertexId(6), 0.25, &shared), end, direction);
+    expect_held_by_terms(VertexCloseness<Real320>(leg, g, VertexId(6), VertexId(0), 0.25, &shared), end, direction);
+  }
+}
+
+/// Closeness by its definition: of points in the world, where the leg's own functions play no part.
+TEST(Closeness, IsThatOfDistances) {
+  Rng rng(9);
+  for (int i = 0; i < 400; ++i) {
+    const PairGeometry g = random_pair(rng);
+    const MotionPiece p = random_piece(rng), q = random_piece(rng);
+    const Leg leg = Leg::motion(p, q, 0, 1);
+    const double t = rng.real(0, 1), margin = rng.real(0.1, 2);
+    const auto at = [&](unsigned v) {
+      long double x, y;
+      world(g.in_p(VertexId(v)) ? p : q, t, g.point(VertexId(v)), x, y);
+      return std::pair(x, y);
+    };
+    const auto [ax, ay] = at(0);
+    const auto [bx, by] = at(1);
+    const auto [cx, cy] = at(6);
+    const Ball<Real320> now = Ball<Real320>::exact(t);
+    const long double square = (cx - ax) * (cx - ax) + (cy - ay) * (cy - ay);
+    const VertexCloseness<Real320> vertices(leg, g, VertexId(0), VertexId(6), margin);
+    EXPECT_NEAR(RealTraits<Real320>::to_double(vertices(now).v.mid), static_cast<double>(margin * margin - square),
+                1e-13);
+    const long double turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    const long double length = std::sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+    const LineCloseness<Real320> line(leg, g, Form::of(g, VertexId(0), VertexId(1), VertexId(6)), margin);
+    EXPECT_NEAR(RealTraits<Real320>::to_double(line(now).v.mid), static_cast<double>(turn + margin * length), 1e-13);
+    EXPECT_NEAR(RealTraits<Real320>::to_double(line.value(now).mid), static_cast<double>(turn + margin * length),
+                1e-13);
+    EXPECT_EQ(line.not_behind(now), turn < margin * length);
   }
 }
 

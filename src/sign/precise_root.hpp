@@ -1,0 +1,63 @@
+// The first root of a function of the leg's parameter, at one precision: of a form and a margin, which no memory keeps.
+#pragma once
+
+#include "sign/search_from_end.hpp"
+
+namespace taut {
+
+template <class Real>
+Ball<Real> ball_of(const PreciseTime& t) {
+  const RealMax lo = t.lo(), hi = t.hi(), middle = (lo + hi) / 2;
+  Ball<Real> b(Real(middle), 0.0);
+  const double half = RealTraits<RealMax>::magnitude(RealMax(hi - lo));
+  b.rad = detail::inflate(half + RealTraits<RealMax>::magnitude(middle) * (4 * unit_roundoff<Real>()));
+  return b;
+}
+
+/// The number at this precision; where that would round it, a search from there on might start beyond a root.
+template <class Real>
+Real exactly(const RealMax& x) {
+  const Real rounded(x);
+  if (RealMax(rounded) != x) throw PrecisionExhausted{};
+  return rounded;
+}
+
+/// An enclosure at this precision, rounded outwards.
+template <class Real>
+RootEnclosure<Real> enclosure(const PreciseTime& t) {
+  const auto around = [](const RealMax& x) {
+    const Real rounded(x);
+    return Ball<Real>(rounded, RealMax(rounded) == x ? 0 : detail::inflate(2 * detail::rounding(rounded)));
+  };
+  return {around(t.lo()).lower(), around(t.hi()).upper()};
+}
+
+/// The first change of sign in (from.hi, to], where `sign` holds just after `from`. Throws PrecisionExhausted.
+template <class Real, class Function>
+std::optional<PreciseTime> first_change(const Leg& leg, const Function& f, int sign, const PreciseTime& from, double to,
+                                        Stage stage) {
+  if (const auto cut = division(leg, from, to)) {
+    if (auto first = first_change<Real>(leg, f, sign, from, *cut, stage)) return first;
+    return first_change<Real>(leg, f, sign, PreciseTime::between(*cut, *cut), to, stage);
+  }
+  if (const int end = singular_end(leg, from, to)) {
+    if (const auto told = search_from_end<Real>(leg, f, end, sign, from, to, stage)) return *told;
+  }
+  auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to), Halves{}, search_budget<Real>);
+  if (!root) return std::nullopt;
+  refine(f, sign, *root);
+  return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
+}
+
+/// Shrinks an isolating enclosure; `sign` is that before the root. Throws PrecisionExhausted.
+template <class Real, class Function>
+PreciseTime refined_change(const Leg& leg, const Function& f, int sign, const PreciseTime& t, Stage stage) {
+  if (const int end = singular_end(leg, t, t.ceiling())) {
+    return SearchFromEnd<Real, Function>(f, end > 0 ? leg.start : leg.end, end).refined(sign, t, stage, 0);
+  }
+  RootEnclosure<Real> root = enclosure<Real>(t);
+  refine(f, sign, root);
+  return PreciseTime{RealMax(root.lo), RealMax(root.hi), stage};
+}
+
+}  // namespace taut
