@@ -20,8 +20,12 @@ constexpr double error_of_rounding = 0x1p-42;
 /// where the error counts them up to some ten times. On a bridge it is zero: all of the error is rounding.
 constexpr double share_that_shrinks = 0x1p-5;
 
-/// So many looks at an edge of each body, and so many more for each vertex, and the walk gives up.
-constexpr std::uint64_t most_leaf_looks = 20000, looks_of_vertex = 64;
+/// After so many looks at an edge of each body the walk gives up. A pin that turns in its bore shows each of its edges
+/// to each of the bore's: a few looks at each pair are no sign of steps that are too short.
+std::uint64_t most_leaf_looks(const PairGeometry& g) {
+  constexpr std::uint64_t at_least = 20000, of_pair = 4, at_most = 1 << 23;
+  return at_least + std::min(of_pair * g.np * g.nq, at_most);
+}
 
 /// Where are the bodies nearest on one leg: what the walk asks. Where two edges keep nearly the least distance for
 /// long, steps are as short as the root of the tolerance, and there may be millions of them. Then it gives up: nothing
@@ -37,7 +41,7 @@ class LegClearance {
         index_(index),
         tolerance_(tolerance),
         best_(best),
-        looks_left_(most_leaf_looks + looks_of_vertex * geometry.size()) {}
+        looks_left_(most_leaf_looks(geometry)) {}
 
   static constexpr bool nearer_first = true;  ///< it may spare the other
   const double shortest;
