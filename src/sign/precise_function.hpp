@@ -14,18 +14,27 @@ namespace taut {
 /// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
 template <class Real>
 class PreciseFunction {
-  /// What it costs in units of interruption_point(), fitted to the times of many thousand questions: a turn needs a
-  /// sine and a cosine, or a root and a quotient; of polynomials a range needs them about another place.
+  /// What it costs in units of interruption_point(), fitted to instructions counted: a product of numbers three times
+  /// as long is less than three times as much, sines are nine times. A turn needs a sine and a cosine, or a root and a
+  /// quotient; of polynomials a range needs them about another place.
   static constexpr std::uint64_t bits = RealTraits<Real>::bits, square = bits * bits / 1024;
-  static constexpr std::uint64_t work_of_form = 25, work_of_range = 5 + bits / 4, work_of_combination = square * 2 / 5;
-  static constexpr std::uint64_t work_of_doubles = 10;
+  static constexpr std::uint64_t work_of_form = 25, work_of_range = 5 + bits / 4,
+                                 work_of_combination = 30 + square / 10;
+  static constexpr std::uint64_t work_of_series = 230 + square * 4 / 5, work_of_doubles = 10;
   std::uint64_t work_of_value() const {
-    const auto degree = static_cast<std::uint64_t>(leg_.degree);
     if (std::is_same_v<Real, double>) return is_polynomial() ? 4 : 20;
-    return is_polynomial() ? 1 + degree * degree * square / 144 : 28 + square * 2 / 9;
+    if (is_polynomial()) return 1 + degree() * (720 + square) / 540;
+    return turns_by_angle() ? 30 + square * 2 / 5 : 40 + square / 9;
   }
-  std::uint64_t work_of_jet() const { return is_polynomial() ? 4 + work_of_value() * 3 / 2 : work_of_value() * 9 / 4; }
-  std::uint64_t work_of_series() const { return 5 * work_of_value(); }
+  std::uint64_t work_of_jet() const {
+    if (std::is_same_v<Real, double>) return is_polynomial() ? 10 : 45;
+    return work_of_value() + (is_polynomial() ? degree() * degree() * (11 + square / 64) / 16 : 55 + square / 9);
+  }
+  std::uint64_t degree() const { return static_cast<std::uint64_t>(leg_.degree); }
+  bool turns_by_angle() const {
+    return std::holds_alternative<AngleRotation>(leg_.p.rotation) ||
+           std::holds_alternative<AngleRotation>(leg_.q.rotation);
+  }
 
  public:
   /// `models` are those of the leg, and must outlive it; without, the function has its own.
@@ -43,7 +52,8 @@ class PreciseFunction {
     } else {
       coefficients_ = coefficients_on(leg, form.pp, p, Ball<Real>::exact(0));
     }
-    coefficients_[0] = coefficients_[0] + constant;  // the first of the frame's functions is 1
+    // The first of the frame's functions is 1. A sum is rounded, one with nothing too.
+    if (constant.magnitude() > 0) coefficients_[0] = coefficients_[0] + constant;
     if (leg.translation) expand();
     if (leg.bridge) expand_bridge();
   }
@@ -175,7 +185,7 @@ class PreciseFunction {
   const TaylorFrame<Real>* new_model(const Ball<Real>& t,
                                      TaylorFrames::Reach reach = TaylorFrames::Reach::several_times) const {
     const TaylorFrame<Real>* const made = models().make(leg_, t, reach);
-    if (made) count_work(work_of_series());
+    if (made) count_work(work_of_series);
     return made;
   }
   /// Where what the model leaves out hides the sign: one that leaves out less, if it is worth it.
