@@ -67,6 +67,13 @@ std::optional<PreciseTime> PreciseTriple::root_of_tie(int sign, const PreciseTim
   return root;
 }
 
+/// A root that is known beside a turn, as well as numbers of a fixed length have it.
+PreciseTime PreciseTriple::sharpened(int sign, PreciseTime t) const {
+  if (const auto sharp = root_of_tie(sign, t, Stage::precise, 0)) return *sharp;
+  t.stage = Stage::precise;
+  return t;
+}
+
 template <class Real>
 void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
                                 double enough) const {
@@ -131,7 +138,7 @@ std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, co
   if (!turn) return std::nullopt;
   const bool valley = turn->bend_sign == sign;
   if (turn->value_sign == turn->bend_sign) return valley ? std::optional(BesideTurn{}) : std::nullopt;
-  const auto before = tie.root_beside(*turn, -1, Stage::precise), after = tie.root_beside(*turn, 1, Stage::precise);
+  const auto before = tie.root_beside(*turn, -1, Stage::beside), after = tie.root_beside(*turn, 1, Stage::beside);
   if (!before || !after) return std::nullopt;
   // It holds before the first root and after the second one of a valley, and between those of a hill. As it holds just
   // after `from`, that is not before a hill's first root, and either of a valley's ends tells on which side it is.
@@ -158,7 +165,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
     const PreciseTime end = PreciseTime::between(to, to);
     const bool none = !beside->failure || end.certainly_before(*beside->failure);
     if (told_by(Stage::fixed, none)) return std::nullopt;
-    if (told_by(Stage::fixed, beside->failure->not_after(end))) return beside->failure;
+    if (told_by(Stage::fixed, beside->failure->not_after(end))) return sharpened(sign, *beside->failure);
   }
   if (const auto cut = division(leg_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;

@@ -29,7 +29,8 @@ class PreciseTriple {
     std::optional<PreciseTime> failure;  ///< none: it keeps its sign
   };
   /// The same first change of sign, where the form turns about an instant within double precision: the sign of its
-  /// extreme value decides. Nothing where that is not so, or not known.
+  /// extreme value decides. Nothing where that is not so, or not known. The failure is known beside the turn, and
+  /// better from Stage::precise on.
   std::optional<BesideTurn> beside_turn(int sign, const PreciseTime& from, double about) const;
   /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
   /// the root. False if the stage cannot.
@@ -52,6 +53,7 @@ class PreciseTriple {
   const TieFrame* frame_near(const PreciseTime& t) const;
   const RootOfTie* root_beside(const PreciseTime& t, Stage stage) const;
   std::optional<PreciseTime> root_of_tie(int sign, const PreciseTime& t, Stage stage, double enough) const;
+  PreciseTime sharpened(int sign, PreciseTime t) const;
   int sign_beside_root(const PreciseTime& t, Stage stage) const;
   template <class Real>
   PreciseFunction<Real> function() const {

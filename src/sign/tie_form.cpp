@@ -21,6 +21,14 @@ FixedBall since(double about, int exponent, const ShortSum& t) {
   return h.tightened().scaled(-exponent);
 }
 
+/// What to take from h, where the value is v: divided by the slope there to twice a double's digits, a step gains
+/// nearly as many.
+Fixed newton_step(const Fixed& v, const Fixed& slope) {
+  const double steep = slope.approximate(), first = v.approximate() / steep;
+  if (!(std::fabs(first) < 1)) return Fixed(std::copysign(1.0, first));
+  return Fixed(first) + Fixed((v - Fixed(first) * slope).approximate() / steep);
+}
+
 /// Exactly this number.
 FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * rounded_up}; }
 
@@ -73,33 +81,58 @@ int TieForm::sign_over(const PreciseTime& t) const {
   return about > 0 ? 1 : -1;
 }
 
-/// What to take from h, where the value is v. Divided by the slope there to twice a double's digits, a step gains
-/// nearly as many.
-Fixed TieForm::newton_step(const Fixed& h, const Fixed& v) const {
+/// Where the form is monotone within reach: the slope, to about a double's digits.
+Fixed TieForm::slope_near(const Fixed& h) const {
   const double since = h.approximate();
   double bend = 0;
   for (std::size_t k = terms_; k-- > 2;) bend = bend * since + static_cast<double>(k) * c_[k].about();
-  const Fixed slope = c_[1].mid() + Fixed(std::clamp(bend * since, -1.0, 1.0));
-  const double steep = slope.approximate(), first = v.approximate() / steep;
-  if (!(std::fabs(first) < 1)) return Fixed(std::copysign(1.0, first));
-  return Fixed(first) + Fixed((v - Fixed(first) * slope).approximate() / steep);
+  return c_[1].mid() + Fixed(std::clamp(bend * since, -1.0, 1.0));
 }
 
-std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) const {
-  count_work(work_of_root_at_tie);
-  if (!(steep_.least > 0) || (steep_.signed_about > 0) != (sign < 0)) return std::nullopt;
-  enough /= power_of_two(exponent_);
-  FixedBall h, v = c_[0];
+/// By Newton's steps from the middle on, where the value is v.
+template <class SlopeAt>
+std::optional<PreciseTime> TieForm::root_within(const Bracket& bracket, FixedBall v, const SlopeAt& slope_at,
+                                                Stage stage, double enough) const {
+  Fixed h = bracket.middle;
   double error = INFINITY;
   for (int left = 12;; --left) {
     const double about = v.about(), noise = v.error_of(about), before = error;
     // By the mean value theorem.
-    error = ((std::fabs(about) + noise) / steep_.least + Fixed::unit) * rounded_up;
+    error = ((std::fabs(about) + noise) / bracket.steep.least + Fixed::unit) * rounded_up;
     if (left == 0 || !(error < before) || error <= much_less * enough || !(std::fabs(about) > 4 * noise)) break;
-    h = chosen(h.mid() - newton_step(h.mid(), v.mid()));
-    v = value(h);
+    h = h - newton_step(v.mid(), slope_at(h));
+    v = value(chosen(h));
   }
-  return around(h.mid(), error, stage);
+  const double away = std::fabs((h - bracket.middle).approximate());
+  if (!((away + error) * rounded_up < bracket.half)) return std::nullopt;
+  return around(h, error, stage);
+}
+
+std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) const {
+  count_work(work_of_root_at_tie);
+  enough /= power_of_two(exponent_);
+  const auto falls_from_sign = [&](const Steepness& s) { return s.least > 0 && (s.signed_about > 0) == (sign < 0); };
+  if (steep_.least > 0) {
+    if (!falls_from_sign(steep_)) return std::nullopt;
+    return root_within(
+        {Fixed(), 1, steep_}, c_[0], [&](const Fixed& h) { return slope_near(h); }, stage, enough);
+  }
+  const auto turn = this->turn();
+  if (!turn || turn->value_sign == turn->bend_sign) return std::nullopt;
+  // Before the first of the two roots it has the sign of its bend.
+  const Bracket bracket = bracket_beside(*turn, sign == turn->bend_sign ? -1 : 1);
+  if (!falls_from_sign(bracket.steep)) return std::nullopt;
+  const auto slope_at = [&](const Fixed& h) { return slope(chosen(h)).mid(); };
+  return root_within(bracket, value(chosen(bracket.middle)), slope_at, stage, enough);
+}
+
+/// Around about where a root is, and not as far as the turn.
+TieForm::Bracket TieForm::bracket_beside(const Turn& turn, int side) const {
+  const Fixed middle = turn.at + Fixed(side * turn.half_gap);
+  const double half = turn.half_gap / 4;
+  const FixedBall there = slope(chosen(middle));
+  const double about = there.about(), change = (there.error_of(about) + turn.bend_most * half) * rounded_up;
+  return {middle, half, {(std::fabs(about) - change) / rounded_up, (std::fabs(about) + change) * rounded_up, about}};
 }
 
 /// The enclosure of what is no farther than `error` from h.
@@ -125,7 +158,8 @@ std::optional<TieForm::Turn> TieForm::turn() const {
   double change = 2 * c_[2].error_of(bend);
   for (std::size_t k = 3; k < terms_; ++k) change += static_cast<double>(k * (k - 1)) * c_[k].most();
   constexpr double last = TieFrame::terms * (TieFrame::terms - 1.0);
-  const double least = std::fabs(bend) - (change + last * rest_) * rounded_up;
+  change = (change + last * rest_) * rounded_up;
+  const double least = std::fabs(bend) - change;
   if (!(least > 0)) return std::nullopt;
   Fixed h;
   double steep = 0, noise = 0;
@@ -143,7 +177,8 @@ std::optional<TieForm::Turn> TieForm::turn() const {
   if (!(open < 0.25 * least)) return std::nullopt;
   v.widen(open * open / least);
   if (v.sign() == 0) return std::nullopt;
-  return Turn{h, v.sign(), bend > 0 ? 1 : -1, std::sqrt(2 * std::fabs(v.about() / bend))};
+  const double half_gap = std::sqrt(2 * std::fabs(v.about() / bend));
+  return Turn{h, v.sign(), bend > 0 ? 1 : -1, half_gap, (std::fabs(bend) + change) * rounded_up};
 }
 
 std::optional<PreciseTime> TieForm::root_beside(const Turn& turn, int side, Stage stage) const {

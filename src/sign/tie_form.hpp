@@ -19,16 +19,17 @@ class TieForm {
 
   /// At all instants of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not known.
   int sign_over(const PreciseTime& t) const;
-  /// The root within the frame's reach, if the form has the sign `sign` before it and is monotone all over there; no
-  /// better enclosed than `enough`. Nothing if that is not known.
+  /// The root within the frame's reach, if the form has the sign `sign` before it, and is monotone all over there or
+  /// turns once and has a root on either side; no better enclosed than `enough`. Nothing if that is not known.
   std::optional<PreciseTime> root(int sign, Stage stage, double enough) const;
 
   /// Where the function turns: as symmetric mechanisms touch zero without the displacement.
   struct Turn {
-    Fixed at;         ///< about there, since the frame's instant, in units of its reach
-    int value_sign;   ///< of its extreme value
-    int bend_sign;    ///< of its second derivative, all over the reach
-    double half_gap;  ///< about how far from it the roots are, if the two signs differ, in these units
+    Fixed at;          ///< about there, since the frame's instant, in units of its reach
+    int value_sign;    ///< of its extreme value
+    int bend_sign;     ///< of its second derivative, all over the reach
+    double half_gap;   ///< about how far from it the roots are, if the two signs differ, in these units
+    double bend_most;  ///< a bound of the second derivative's magnitude within reach
   };
   /// The only one within reach, if there is no other for certain, and its value's sign is known.
   std::optional<Turn> turn() const;
@@ -42,10 +43,21 @@ class TieForm {
     double signed_about;  ///< the slope at the frame's instant
   };
 
+  /// The times no farther from `middle` than `half`, and the slope there.
+  struct Bracket {
+    Fixed middle;
+    double half;
+    Steepness steep;
+  };
+
   void set_steepness();
   FixedBall value(const FixedBall& h) const;
   FixedBall slope(const FixedBall& h) const;
-  Fixed newton_step(const Fixed& h, const Fixed& v) const;
+  Fixed slope_near(const Fixed& h) const;
+  Bracket bracket_beside(const Turn& turn, int side) const;
+  template <class SlopeAt>
+  std::optional<PreciseTime> root_within(const Bracket& bracket, FixedBall v, const SlopeAt& slope_at, Stage stage,
+                                         double enough) const;
   std::optional<PreciseTime> around(const Fixed& h, double error, Stage stage) const;
 
   double about_ = 0;

@@ -167,6 +167,13 @@ TEST(TieForm, TurnsTellWhetherZeroIsReached) {
             const int after = f.value(Ball<Real960>(root->hi(), 0.0)).sign();
             EXPECT_EQ(before, side < 0 ? turn->bend_sign : turn->value_sign);
             EXPECT_EQ(after, side < 0 ? turn->value_sign : turn->bend_sign);
+            // The same to all digits there are: Newton's steps go on from where the turn has it.
+            const auto sharp = tie.root(before, Stage::precise, 0);
+            ASSERT_TRUE(sharp);
+            EXPECT_TRUE(root->lo() < sharp->lo() && sharp->hi() < root->hi());
+            EXPECT_EQ(f.value(Ball<Real960>(sharp->lo(), 0.0)).sign(), before);
+            EXPECT_EQ(f.value(Ball<Real960>(sharp->hi(), 0.0)).sign(), after);
+            EXPECT_LT(sharp->width_of_sums(), 0x1p-80 * root->width_of_sums());
           }
         }
       }
