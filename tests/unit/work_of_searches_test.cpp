@@ -60,7 +60,9 @@ INSTANTIATE_TEST_SUITE_P(
         // Halved down to where the displacement tells, each of many searches takes 160 steps.
         Limits{"touches_of_many_corners_at_one_instant", 60'000, 120'000},
         // Polynomials that reach beyond the places, in the complex plane, at which the motion is singular tell nothing.
-        Limits{"ties_beside_a_cosine_that_nearly_reaches_one", 300'000, 2'000'000}),
+        Limits{"ties_beside_a_cosine_that_nearly_reaches_one", 300'000, 2'000'000},
+        // Two roots beside a turn, refined in 960 bits: 6,800 by the kinetic engine.
+        Limits{"needle_that_turns_on_its_tip", 3'000, 20'000}),
     [](const auto& test) { return std::string(test.param.scene); });
 
 /// In turns, as two engines share a question, it costs little more: what a turn ends is gone on with.
