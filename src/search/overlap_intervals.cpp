@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "search/pair_search.hpp"
 #include "sign/witness.hpp"
@@ -118,8 +119,15 @@ class IntervalSearch {
     while (legs.place(k).bridge) ++k;
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *legs.hold(k), t).has_value();
   }
-  /// Crossings up to the very end: nothing is left after them.
-  bool inside_at_end(const Cluster& c, bool before) const { return c.first.out == c.last.out ? !c.last.out : before; }
+  /// Crossings up to the very end: no instant is left after them but that one. Where it is one of them, which of its
+  /// sides the bodies are on is not told; then the crossings are counted. (Of two in the same double, one is known.)
+  bool inside_at_end(const Cluster& c, bool before) const {
+    try {
+      return overlapping_at(plan_.end());
+    } catch (const Undecidable&) {
+      return c.first.out == c.last.out ? !c.last.out : before;
+    }
+  }
 
   std::optional<Contact> contact_of(const LegCrossing& c) const {
     return Witness(pair_.plan, pair_.geometry, inwards_).contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg]);

@@ -39,13 +39,13 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
     store(*root, c);
     // One that leads out, where those are not looked for, may be beside the edge or not.
     if ((sign < 0 || ways_ == Ways::both) && beside(c, sign) == Beside::yes) return c;
-    at = c.precise;
+    at = *c.precise;
   }
 }
 
 /// What a stage cannot improve stays as it is.
 void PreciseCrossings::refine(Crossing& c, int sign, Stage stage) {
-  PreciseTime t = c.precise.stage < Stage::precise ? PreciseTime::between(c.lo, c.hi) : c.precise;
+  PreciseTime t = c.precise.value_or(PreciseTime::between(c.lo, c.hi));
   if (t.stage >= stage) return;
   if (!triple(c.pair.line(geometry_)).refine(sign, t, stage)) t.stage = stage;
   store(t, c);
@@ -56,7 +56,7 @@ Beside PreciseCrossings::beside(Crossing& root, int sign) {
   const PreciseTriple from_end = triple(root.pair.from_end(geometry_));
   const auto ask = [&](Stage stage) -> std::optional<Beside> {
     refine(root, sign, stage);
-    const int a = from_start.sign_at(root.precise, stage), b = from_end.sign_at(root.precise, stage);
+    const int a = from_start.sign_at(*root.precise, stage), b = from_end.sign_at(*root.precise, stage);
     if (a < 0 || b < 0) return Beside::no;
     if (a > 0 && b > 0) return Beside::yes;
     return std::nullopt;
@@ -70,7 +70,7 @@ bool PreciseCrossings::before(Crossing& a, Crossing& b) {
   const auto order = [&](Stage stage) {
     refine(a, -1, stage);
     refine(b, -1, stage);
-    return a.precise.is_first(b.precise);
+    return a.precise->is_first(*b.precise);
   };
   return *told("the order of two contacts", order);
 }

@@ -27,7 +27,8 @@ struct Crossing {
   VertexEdge pair;
   bool out = false;
   double lo = 0, hi = 0;
-  PreciseTime precise{};  ///< within [lo, hi]; once a stage has looked at it
+  std::optional<PreciseTime>
+      precise;  ///< within [lo, hi], where there may be another root; once a stage has looked at it
 };
 
 /// Which crossings are looked for: those that may be first contacts, or all.

@@ -136,7 +136,7 @@ namespace {
 void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& result) {
   result.outcome = SpacetimeResult::contact;
   result.found = {found.pair.vertex, found.pair.edge, found.lo, std::min(found.hi, end)};
-  if (found.precise.stage >= Stage::precise) result.found.at = found.precise;
+  if (found.precise && found.precise->stage >= Stage::precise) result.found.at = *found.precise;
   result.lo = found.lo;
   result.leg = leg;
 }
@@ -246,9 +246,10 @@ std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreeP
 }
 
 void tighten(const PairGeometry& geometry, const Legs& legs, LegCrossing& crossing, double share) {
-  if (crossing.hi - crossing.lo <= 0x1p-51 * std::fabs(crossing.hi) || crossing.precise.stage >= Stage::precise) return;
+  if (crossing.hi - crossing.lo <= 0x1p-51 * std::fabs(crossing.hi)) return;
+  PreciseTime t = crossing.precise.value_or(PreciseTime::between(crossing.lo, crossing.hi));
+  if (t.stage >= Stage::precise) return;
   const VertexEdge pair{crossing.vertex, crossing.edge};
-  PreciseTime t = PreciseTime::between(crossing.lo, crossing.hi);
   const PreciseTriple line(legs[crossing.leg], geometry, pair.line(geometry));
   if (!line.refine(crossing.out ? 1 : -1, t, Stage::precise, share * std::fabs(crossing.hi))) return;
   crossing.precise = t;

@@ -67,8 +67,8 @@ struct LegCrossing {
   VertexId vertex, edge;
   bool out = false;  ///< from inside to outside
   std::size_t leg = 0;
-  double lo = 0, hi = 0;  ///< encloses the leg's parameter
-  PreciseTime precise;    ///< within [lo, hi]; once a stage has looked at it
+  double lo = 0, hi = 0;               ///< encloses the leg's parameter
+  std::optional<PreciseTime> precise;  ///< within [lo, hi]; once a stage has looked at it
 };
 /// All crossings of edges of one body by vertices of the other within the windows, which are in order and apart, each
 /// leg's in no particular order: between two of them that follow each other in time, the same edges cross, if the

@@ -176,7 +176,8 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     const int sign = f.line.value(window.at(t, f.line.pp)).sign();
     const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
     if (on_side >= left) return std::nullopt;
-    Crossing root{pair};
+    Crossing root;
+    root.pair = pair;
     if (on_side > step) {
       step = on_side;
       const Ahead ahead = look_ahead(window, f, limit, sign, t, root);

@@ -2,6 +2,7 @@
 // what a search of that stretch alone finds.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "base/interruption.hpp"
@@ -9,6 +10,7 @@
 #include "relative/make_legs.hpp"
 #include "sign/search_from_end.hpp"
 #include "spacetime/crossings_beside_end.hpp"
+#include "taut/intervals.hpp"
 #include "taut/io.hpp"
 
 namespace taut::spacetime {
@@ -129,6 +131,62 @@ TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
     }
   }
   EXPECT_GT(sharpened, 3);
+}
+
+/// A corner dips through an edge and out of it again, all in the last double of the motion: 2^30 is 1.2e-7 after the
+/// one before, and the corner turns by 4.9e-4 then. In the root of the distance both roots are far apart.
+Scene dip_in_the_last_double() {
+  return parse_scene(R"({"format":"taut-scene/1","time":[1073741823,1073741824],"bodies":[
+    {"name":"P","polygon":[[1.000215023,-1],[3,-1],[3,1],[0.999785023,1]]},
+    {"name":"Q","polygon":[[1,0],[-1,0.1],[-1,-0.1]],"motion":{"rotation":{"cosine":[-1073741823,1]}}}]})");
+}
+
+TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
+  const Scene scene = dip_in_the_last_double();
+  const PairPlan plan = plan_pair(scene);
+  const PairGeometry geometry = displaced_pair(plan, false);
+  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Leg& leg = legs[legs.size() - 1];
+  int pairs = 0;
+  for (std::uint32_t e = 0; e < geometry.np; ++e) {
+    for (std::uint32_t v = geometry.np; v < geometry.size(); ++v) {
+      PreciseCrossings crossings(geometry, leg, Ways::both);
+      const VertexEdge pair{VertexId(v), VertexId(e)};
+      const auto in = crossings.first(pair, leg.start, leg.end);
+      if (!in || in->lo < std::nextafter(leg.end, 0)) continue;
+      ++pairs;
+      EXPECT_FALSE(in->out);
+      // By hand: y = 2.3e-4 when it goes in, t = 2^30 - y^2 / 2.
+      ASSERT_TRUE(in->precise);
+      const double before_end = RealTraits<RealMax>::magnitude(RealMax(RealMax(leg.end) - in->precise->hi()));
+      EXPECT_NEAR(before_end, 2.645e-8, 1e-11);
+    }
+  }
+  EXPECT_EQ(pairs, 1);
+}
+
+TEST(Intervals, OfADipInTheLastDoubleEnd) {
+  const Scene scene = dip_in_the_last_double();
+  for (const Touch touch : {Touch::open, Touch::closed}) {
+    CheckOptions options;
+    options.touch = touch;
+    const Intervals found = intervals(scene, options);
+    ASSERT_EQ(found.intervals.size(), 1u);
+    EXPECT_EQ(found.intervals[0].from.hi, scene.end);
+    EXPECT_TRUE(found.intervals[0].exit) << "they are apart at the end";
+  }
+}
+
+/// A hammer sinks through an anvil until its base lies in the anvil's: two corners leave it just then, and the rest is
+/// still inside.
+TEST(Intervals, GoOnWhereACornerLeavesAtTheEnd) {
+  CheckOptions options;
+  options.touch = Touch::closed;
+  const Scene scene = read_scene("examples/hello.json");
+  const Intervals found = intervals(scene, options);
+  ASSERT_EQ(found.intervals.size(), 1u);
+  EXPECT_EQ(found.intervals[0].to.lo, scene.end);
+  EXPECT_FALSE(found.intervals[0].exit);
 }
 
 }  // namespace
