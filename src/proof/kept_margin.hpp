@@ -25,7 +25,7 @@ class KeptMargin {
   const RangedPair& pair_;
   const Leg& leg_;
   double margin_;
-  mutable TaylorFrames models_;  ///< of the leg, which many features are asked about
+  mutable TaylorFrames models_;  ///< of the leg, for all that is asked
 };
 
 /// Is the incidence's vertex certainly closer than the margin to the edge, or to the other vertex, at that parameter?

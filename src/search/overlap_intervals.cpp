@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "search/pair_search.hpp"
 #include "sign/witness.hpp"
@@ -39,7 +38,9 @@ class IntervalSearch {
       interruption_point();
       Cluster& c = clusters_[i];
       const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : plan_.end();
-      const bool after = c.hi < next ? overlapping_at(c.hi + (next - c.hi) / 2) : inside_at_end(c, inside);
+      // Of crossings up to the very end no other instant is left after them. They need not be counted: a corner that
+      // leaves may leave others inside, and of two in one double one is known.
+      const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : plan_.end());
       if (!inside || !after) tighten_ends(c);
       // Free on both sides, with a crossing: an overlap shorter than doubles tell.
       if (!inside) begin({c.lo, c.hi}, contact_of(c.first));
@@ -112,23 +113,12 @@ class IntervalSearch {
     c.lo = time(c.first, c.first.lo);
     c.hi = time(c.first, c.first.hi);
   }
-  /// At an instant that no crossing is at.
   bool overlapping_at(double t) const {
     const Legs& legs = pair_.legs();
     std::size_t k = legs.first_until(t);
     while (legs.place(k).bridge) ++k;
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *legs.hold(k), t).has_value();
   }
-  /// Crossings up to the very end: no instant is left after them but that one. Where it is one of them, which of its
-  /// sides the bodies are on is not told; then the crossings are counted. (Of two in the same double, one is known.)
-  bool inside_at_end(const Cluster& c, bool before) const {
-    try {
-      return overlapping_at(plan_.end());
-    } catch (const Undecidable&) {
-      return c.first.out == c.last.out ? !c.last.out : before;
-    }
-  }
-
   std::optional<Contact> contact_of(const LegCrossing& c) const {
     return Witness(pair_.plan, pair_.geometry, inwards_).contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg]);
   }

@@ -1,4 +1,4 @@
-// The first root of a function of the leg's parameter, at one precision: of a form and a margin, which no memory keeps.
+// Instants at one precision, and the first root there of what is made of forms and a margin, which no memory keeps.
 #pragma once
 
 #include "sign/search_from_end.hpp"

@@ -118,7 +118,8 @@ std::optional<PreciseTime> TieForm::root(int sign, Stage stage, double enough) c
         {Fixed(), 1, steep_}, c_[0], [&](const Fixed& h) { return slope_near(h); }, stage, enough);
   }
   const auto turn = this->turn();
-  if (!turn || turn->value_sign == turn->bend_sign) return std::nullopt;
+  // Beyond the reach nothing bounds the slope; the turn itself is in its inner half.
+  if (!turn || turn->value_sign == turn->bend_sign || !(turn->half_gap < 0.5)) return std::nullopt;
   // Before the first of the two roots it has the sign of its bend.
   const Bracket bracket = bracket_beside(*turn, sign == turn->bend_sign ? -1 : 1);
   if (!falls_from_sign(bracket.steep)) return std::nullopt;

@@ -89,7 +89,7 @@ TEST(Separator, OfMovingBodies) {
     EXPECT_TRUE(is_separator(found.minimum_link.vertices, found.minimum_link.closed, bodies[0], bodies[1]));
     EXPECT_EQ(found.minimum_link.lower, found.minimum_link.upper);
     EXPECT_GE(found.minimum_link.lower, 7);
-    if (testing::watched) break;  // a minute each
+    if (testing::watched) break;  // twenty seconds each
   }
   EXPECT_THROW(separator(scene, scene.end + 1), InputError);
 }
