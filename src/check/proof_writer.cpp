@@ -20,7 +20,9 @@ void ProofWriter::started(const Session& session) {
   tiling(session.engine().map());
 }
 
+/// Everything that may be stopped comes first: nothing is written by halves.
 void ProofWriter::on_event(const EngineEvent& event) {
+  const double at = about(event);
   to_leg(event.leg_index);
   const bool hit = event.report.repair == Repair::collision;
   switch (event.report.gone) {
@@ -34,7 +36,7 @@ void ProofWriter::on_event(const EngineEvent& event) {
       kind(hit ? Record::contact_second : Record::event_second);
       break;
   }
-  out_.f64(about(event));
+  out_.f64(at);
   out_.u32(event.corner.value);
 }
 

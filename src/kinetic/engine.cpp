@@ -318,9 +318,10 @@ void Engine::finish_event() {
     settled_.unsettle(id);
     queue_.update(id);
   }
-  repaired_.open = false;
   max_active_ = std::max(max_active_, active_);
+  // The observer may be stopped, too: then it is told again.
   if (observer_) observer_->on_event(repaired_.event);
+  repaired_.open = false;
 }
 
 std::size_t Engine::bytes() const {
