@@ -45,7 +45,8 @@ class EitherPair final : public WindowedPair {
         inwards_(inwards),
         budget_(budget),
         first_turn_(first_turn),
-        spacetime_(by_spacetime(world, a, b, inwards)) {}
+        spacetime_(by_spacetime(world, a, b, inwards)),
+        result_(spacetime_.result()) {}
 
   void ask_start() override {
     spacetime_.ask_start();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/generators.hpp"
+#include "search/pair_engines.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -24,6 +25,27 @@ Body far_body() {
   body.polygon = {{1e4, 1e4}, {1e4 + 1, 1e4}, {1e4, 1e4 + 1}};
   body.motion = from_velocity({1, 0});
   return body;
+}
+
+/// Two that are first looked at in a window of time, since their boxes do not meet at the start.
+TEST(WorldEngines, PairsInTurnsKnowTheirBodiesBeforeTheStartIsAsked) {
+  Scene scene;
+  scene.end = 10;
+  scene.bodies = {far_body(),
+                  {"rests", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}},
+                  {"falls", {{0, 9}, {1, 9}, {1, 10}, {0, 10}}, from_velocity({0, -2})}};
+  const WorldPlan plan(scene);
+  for (const std::uint64_t first_turn : {0, 8192}) {
+    EventBudget budget(UINT64_MAX);
+    const std::unique_ptr<WindowedPair> pair = pair_in_turns(plan, 1, 2, true, budget, first_turn);
+    EXPECT_EQ(pair->result().a, 1);
+    EXPECT_EQ(pair->result().b, 2);
+    pair->ask(2, 10);
+    ASSERT_TRUE(pair->result().contact);
+    EXPECT_EQ(pair->result().a, 1);
+    EXPECT_EQ(pair->result().b, 2);
+    EXPECT_NEAR(pair->result().contact->time.lo, 4, 1e-12);
+  }
 }
 
 /// A ring gear has inner teeth: each planet is in a cavity closed on all sides.
