@@ -73,7 +73,7 @@ void ask(benchmark::State& state, double half, const std::function<Motion(Random
   for (const Motion& motion : ways) city_map().check(mover, motion, 0, 1);  // prepares what it comes near to
   for (auto _ : state) {
     const Answer answer = city_map().check(mover, ways[asked % ways.size()], 0, 1);
-    near += answer.coverage->checked;
+    near += answer.coverage.tested;
     free += answer.outcome == Outcome::free ? 1 : 0;
     ++asked;
   }

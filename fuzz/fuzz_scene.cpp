@@ -39,7 +39,7 @@ bool same(const std::vector<Part>& a, const std::vector<Part>& b) {
 }
 
 bool same(const Scene& a, const Scene& b) {
-  if (a.ignore != b.ignore) return false;
+  if (a.ignore != b.ignore || a.at_rest != b.at_rest) return false;
   if (!same(a.start, b.start) || !same(a.end, b.end) || a.bodies.size() != b.bodies.size()) return false;
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     const Body &p = a.bodies[i], &q = b.bodies[i];

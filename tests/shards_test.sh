@@ -106,7 +106,10 @@ head -n 10 whole.jsonl >other.jsonl
 cp other.jsonl kept.jsonl
 expect 2 'other.jsonl:1: the answer is about scenes.jsonl:1, and should be about one.json' check --json one.json --resume other.jsonl
 expect 2 'other.jsonl:2: the answer is about scenes.jsonl:2, and should be about scenes.jsonl:4' "${check[@]}" --shard 1/3 --resume other.jsonl
-expect 2 'other.jsonl:1: the answer is with open touching, and should be with closed' "${check[@]}" --touch closed --resume other.jsonl
+expect 2 'other.jsonl:1: the answer has touch: "open", and should have "closed"' "${check[@]}" --touch closed --resume other.jsonl
+expect 2 'other.jsonl:1: the answer has fit: none, and should have 0.25' "${check[@]}" --fit 0.25 --resume other.jsonl
+expect 2 'other.jsonl:1: the answer has at_rest: none, and should have "test"' "${check[@]}" --at-rest test --resume other.jsonl
+expect 2 'other.jsonl:1: the answer has pairs: first, and should have all' "${check[@]}" --pairs all --resume other.jsonl
 head -n 3 scenes.jsonl >few.jsonl
 sed 's/scenes.jsonl/few.jsonl/' whole.jsonl | head -n 5 >many.jsonl
 expect 2 'many.jsonl:4: there are more answers than scenes' check --json --lines few.jsonl --resume many.jsonl

@@ -105,6 +105,8 @@ const char* state_text(const Recording& r) {
       return "overlap_at_start";
     case SimulationState::undecided:
       return "undecided";
+    case SimulationState::untested:
+      return "untested";
   }
   return "";
 }
@@ -127,9 +129,12 @@ const char* outcome_state(Outcome outcome) {
       return "contact";
     case Outcome::overlap_at_start:
       return "overlap_at_start";
-    default:
-      return "undecided";
+    case Outcome::untested:
+      return "untested";
+    case Outcome::undecided:
+      break;
   }
+  return "undecided";
 }
 
 /// Of a world, with what its picture needs.

@@ -88,16 +88,11 @@ std::string verified(const Scene& scene, const std::string& log, const CheckOpti
   try {
     const InterruptionScope scope(nullptr, options.max_seconds);
     std::istringstream stream(log);
-    const Verified v = verify(scene, stream);
-    std::string s = std::string("{\"valid\":true,\"outcome\":\"") + to_string(v.outcome) +
-                    "\",\"free_until\":" + io::number_text(v.free_until);
-    if (v.contact) s += io::contact_json(scene, *v.contact);
-    if (v.clearance > 0) s += io::proved_clearance_json(scene, v);
-    return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"scene_sha256\":\"" + to_hex(v.fingerprint) + "\"}";
+    return verified_json(scene, verify(scene, stream));
   } catch (const ProofError& error) {
-    return "{\"valid\":false,\"reason\":" + io::string_text(error.what()) + "}";
+    return unverified_json(true, error.what());
   } catch (const Interrupted& limit) {
-    return "{\"valid\":null,\"reason\":" + io::string_text(limit.reason) + "}";
+    return unverified_json(false, limit.reason);
   }
 }
 

@@ -51,6 +51,8 @@ void Recording::change_plan(const Scene& edited, int body) {
 Answer Recording::answer() const {
   Answer answer;
   answer.engine = EngineName::kinetic;
+  answer.coverage = simulation_.coverage();
+  answer.pair = simulation_.pair();
   answer.contact = simulation_.contact();
   answer.events = simulation_.events();
   answer.free_until = simulation_.time();

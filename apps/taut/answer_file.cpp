@@ -16,7 +16,9 @@
 #include "commands.hpp"
 #include "io/json_document.hpp"
 #include "io/json_text.hpp"
+#include "io/number_text.hpp"
 #include "io/text_file.hpp"
+#include "scene_argument.hpp"
 #include "taut/check.hpp"
 
 namespace taut::cli {
@@ -52,6 +54,11 @@ class Members {
     }
     return std::nullopt;
   }
+  /// A member's value as JSON, or "none".
+  std::string text(const std::string& key) const {
+    const auto value = find(key);
+    return value ? io::value_text(document_, *value) : "none";
+  }
   std::optional<std::string> word(const std::string& key) const {
     const auto value = find(key);
     if (!value || document_.at(*value).kind() != io::JsonKind::string) return std::nullopt;
@@ -63,14 +70,13 @@ class Members {
   std::size_t object_;
 };
 
-std::optional<int> code_of(const Members& answer) {
+std::optional<int> code_of(const Members& answer, bool allow_untested) {
   if (const auto error = answer.word("error"))
     return error->rfind("internal error", 0) == 0 ? exit_internal : exit_bad_input;
   const auto outcome = answer.word("outcome");
-  for (const auto& [known, code] :
-       {std::pair(Outcome::free, exit_free), std::pair(Outcome::contact, exit_contact),
-        std::pair(Outcome::overlap_at_start, exit_contact), std::pair(Outcome::undecided, exit_undecided)}) {
-    if (outcome && *outcome == to_string(known)) return code;
+  for (const Outcome known :
+       {Outcome::free, Outcome::contact, Outcome::overlap_at_start, Outcome::undecided, Outcome::untested}) {
+    if (outcome && *outcome == to_string(known)) return exit_code(known, allow_untested);
   }
   return std::nullopt;
 }
@@ -121,7 +127,12 @@ void AnswerFile::refuse(const std::string& problem) const {
                    "ask about the same scenes with the same options, or name another file");
 }
 
-bool AnswerFile::has(const std::string& scene, Touch touch, int& code) {
+void AnswerFile::expect_same(const std::string& what, const std::string& found, const std::string& wanted) const {
+  if (found == wanted) return;
+  refuse(fmt::format("the answer has {}: {}, and should have {}", what, io::excerpt(found), io::excerpt(wanted)));
+}
+
+bool AnswerFile::has(const std::string& scene, const CheckBatch& batch, int& code) {
   std::string line;
   if (!next_line(line)) return false;
   std::optional<io::JsonDocument> document;
@@ -132,14 +143,19 @@ bool AnswerFile::has(const std::string& scene, Touch touch, int& code) {
   }
   const Members answer(*document, 0);
   const auto about = answer.word("scene");
-  const auto found = code_of(answer);
+  const auto found = code_of(answer, batch.allow_untested);
   if (!about || !found) refuse("this is no answer of `taut check --json` about one of several scenes");
   if (*about != scene)
     refuse(fmt::format("the answer is about {}, and should be about {}", io::excerpt(*about), io::excerpt(scene)));
   if (const auto scope = answer.find("scope")) {
-    const auto touched = Members(*document, *scope).word("touch");
-    if (touched && *touched != to_string(touch))
-      refuse(fmt::format("the answer is with {} touching, and should be with {}", *touched, to_string(touch)));
+    const Members about_options(*document, *scope);
+    const double fit = batch.options.fit;
+    expect_same("touch", about_options.text("touch"), io::string_text(to_string(batch.options.touch)));
+    expect_same("fit", about_options.text("fit"), fit > 0 ? io::number_text(fit) : "none");
+    if (batch.at_rest)
+      expect_same("at_rest", about_options.text("at_rest"), *batch.at_rest == AtRest::test ? "\"test\"" : "none");
+    const bool pairs = answer.find("pairs").has_value();
+    expect_same("pairs", pairs ? "all" : "first", batch.options.all_pairs ? "all" : "first");
   }
   code = *found;
   return true;

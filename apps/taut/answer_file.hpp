@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "taut/scene.hpp"
+#include "check_batch.hpp"
 
 namespace taut::cli {
 
@@ -20,9 +20,9 @@ class AnswerFile {
   AnswerFile(const AnswerFile&) = delete;
   AnswerFile& operator=(const AnswerFile&) = delete;
 
-  /// Is there a next answer? Then `scene` must be what it is about, with the same reading of touching; throws
-  /// InputError otherwise. Its exit code is in `code`.
-  bool has(const std::string& scene, Touch touch, int& code);
+  /// Is there a next answer? Then `scene` must be what it is about, and it must have been asked with the options of the
+  /// batch, as far as answers say them; throws InputError otherwise. Its exit code is in `code`.
+  bool has(const std::string& scene, const CheckBatch& batch, int& code);
   /// Throws InputError if answers are left: there are more than there are scenes.
   void expect_none();
 
@@ -33,6 +33,7 @@ class AnswerFile {
 
  private:
   bool next_line(std::string& line);
+  void expect_same(const std::string& what, const std::string& found, const std::string& wanted) const;
   [[noreturn]] void refuse(const std::string& problem) const;
 
   std::string path_;

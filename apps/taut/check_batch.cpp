@@ -96,8 +96,9 @@ BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
   try {
     ReadLimits limits;
     limits.allow_outside = batch.allow_outside;
-    const Scene scene = task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place), limits)
-                                  : load_scene({task.place, batch.allow_outside});
+    Scene scene = task.text ? parse_scene(*task.text, task.place, io::folder_of(task.place), limits)
+                            : load_scene(batch.source_of(task.place));
+    if (batch.at_rest) scene.at_rest = *batch.at_rest;
     Answer answer;
     try {
       answer = check(scene, batch.options);
@@ -105,7 +106,7 @@ BatchResult answer(const BatchTask& task, const CheckBatch& batch) {
       throw error.within(task.place);
     }
     BatchResult result;
-    result.code = exit_code(answer.outcome);
+    result.code = exit_code(answer.outcome, batch.allow_untested);
     if (batch.json) {
       const std::string object = answer_json(scene, answer, batch.options.touch);
       result.out = fmt::format("{{\"scene\":{},{}\n", io::string_text(task.place), object.substr(1));
@@ -140,7 +141,7 @@ class WorstCode {
 /// Where answers go: to standard output, or behind those of a file.
 class Output {
  public:
-  explicit Output(const CheckBatch& batch) : touch_(batch.options.touch) {
+  explicit Output(const CheckBatch& batch) : batch_(batch) {
     if (!batch.resume.empty()) file_.emplace(batch.resume);
   }
 
@@ -148,7 +149,7 @@ class Output {
   void take_up(Tasks& tasks, WorstCode& worst) {
     if (!file_) return;
     int code = exit_free;
-    while ((waiting_ = tasks.next()) && file_->has(waiting_->place, touch_, code)) worst.note(code);
+    while ((waiting_ = tasks.next()) && file_->has(waiting_->place, batch_, code)) worst.note(code);
     if (!waiting_) file_->expect_none();
   }
 
@@ -180,7 +181,7 @@ class Output {
   }
 
  private:
-  Touch touch_;
+  const CheckBatch& batch_;
   std::optional<AnswerFile> file_;
   std::optional<BatchTask> waiting_;
   bool writes_ = true, incomplete_ = false;

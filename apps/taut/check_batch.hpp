@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "scene_source.hpp"
 #include "taut/check.hpp"
 
 namespace taut::cli {
@@ -19,13 +21,17 @@ Shard shard_of(const std::string& text);
 
 struct CheckBatch {
   std::vector<std::string> paths;
-  bool allow_outside = false;  ///< see SceneSource
-  bool lines = false;          ///< each file holds a scene on every line
-  unsigned threads = 0;        ///< 0: as many as the machine has
+  bool allow_outside = false;          ///< see SceneSource
+  std::optional<AtRest> at_rest = {};  ///< the same
+  bool allow_untested = false;
+  bool lines = false;    ///< each file holds a scene on every line
+  unsigned threads = 0;  ///< 0: as many as the machine has
   Shard shard;
   std::string resume;  ///< a file that answers are appended to, and are taken up from; empty: standard output
   CheckOptions options;
   bool json = false, timing = false;
+
+  SceneSource source_of(const std::string& path) const { return {path, allow_outside, at_rest}; }
 };
 
 /// Answers all scenes, in order, whatever is wrong with some of them; returns the exit code of the whole.

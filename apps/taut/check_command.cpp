@@ -21,7 +21,7 @@ namespace taut::cli {
 namespace {
 
 struct CheckArguments {
-  SceneSource scene;
+  AskedScene scene;
   CheckOptions options;
   bool json = false, timing = false;
   double clearance = 0;  ///< 0: none was asked for
@@ -29,7 +29,7 @@ struct CheckArguments {
 };
 
 CheckArguments single(const CheckBatch& batch) {
-  return {{batch.paths.front(), batch.allow_outside}, batch.options, batch.json, batch.timing};
+  return {{batch.source_of(batch.paths.front()), batch.allow_untested}, batch.options, batch.json, batch.timing};
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -45,11 +45,11 @@ void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreemen
 
 int run_check(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene = load_scene(arguments.scene);
+  const Scene scene = load_scene(arguments.scene.source);
   const double read_seconds = seconds_since(start);
   Answer answer;
   try {
-    answer = watched_run(scene, arguments.scene.path, arguments.options, check);
+    answer = watched_run(scene, arguments.scene.source.path, arguments.options, check);
   } catch (const EngineDisagreement& error) {
     print_disagreement(scene, arguments.options.touch, error);
     throw;
@@ -65,21 +65,21 @@ int run_check(const CheckArguments& arguments) {
                  seconds_text(timing.run));
     }
   }
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
 int run_margin(const CheckArguments& arguments) {
-  const Scene scene = load_scene(arguments.scene);
+  const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
   options.stop = stop_on_signals();
   const MarginAnswer answer =
-      within_file(arguments.scene.path, [&] { return check_clearance(scene, arguments.clearance, options); });
+      within_file(arguments.scene.source.path, [&] { return check_clearance(scene, arguments.clearance, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, margin_svg(scene, arguments.clearance, answer));
   // What goes to standard output is one thing.
   if (arguments.svg != "-")
     print_text(arguments.json ? margin_json(scene, arguments.clearance, answer, options.touch) + "\n"
                               : margin_in_words(scene, arguments.clearance, answer));
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
 int margin_of(const CheckBatch& batch, double clearance, const std::string& svg) {
@@ -121,7 +121,8 @@ const char* const check_footer =
     "    {\"name\":\"anvil\",\"polygon\":[[0,0],[4,0],[4,1],[0,1]]},\n"
     "    {\"name\":\"hammer\",\"polygon\":[[1,5],[3,5],[2,6]],\"motion\":{\"y\":[0,-0.5]}}]}\n"
     "\n"
-    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, 3 undecided, 4 internal error.\n";
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input, or no pair was tested, 3 undecided,\n"
+    "4 internal error.\n";
 
 }  // namespace
 
@@ -132,6 +133,8 @@ void add_check(const Command& app, Action& action) {
       .required()
       .value(" ");
   add_allow_outside(command, arguments->allow_outside);
+  add_at_rest(command, arguments->at_rest);
+  add_allow_untested(command, arguments->allow_untested);
   add_touch(command, arguments->options.touch);
   add_limits(command, arguments->options);
   command.add_flag("--json", arguments->json, "print one JSON object for each scene");
@@ -139,7 +142,7 @@ void add_check(const Command& app, Action& action) {
   const auto shard = add_batch(command, *arguments);
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs,
-                     "first: up to the first contact of any pair; all: each pair's own first contact");
+                     "first: up to the first contact of any pair; all: each tested pair's own first contact");
   add_engine(command, arguments->options.engine);
   command
       .add_option("--fit", arguments->options.fit,

@@ -4,8 +4,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "coverage_text.hpp"
+#include "feature_text.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
+#include "scene_argument.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -17,7 +20,7 @@ namespace taut::cli {
 namespace {
 
 struct ClearanceArguments {
-  SceneSource scene;
+  AskedScene scene;
   ClearanceOptions options;
   bool json = false;
   ProfileOptions profile;
@@ -40,11 +43,16 @@ std::string nearest_line(const Scene& scene, const NearestPoints& n) {
 /// Of a polygon, or of a curve.
 const char* kind(const EdgeRef& edge) { return edge.parameter ? "segment" : "edge"; }
 
+std::string no_verdict(const Scene& scene, Outcome outcome, const std::string& reason, const Coverage& coverage) {
+  const std::string subject = subject_text(scene, std::nullopt);
+  if (outcome == Outcome::untested) return "UNTESTED  " + subject + "\n  " + reason + "\n";
+  return "UNDECIDED  " + subject + "\n" + coverage_text(coverage) + "  " + reason + "\n";
+}
+
 std::string clearance_text(const Scene& scene, const Clearance& answer) {
-  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
-  if (!answer.nearest) return "CLEARANCE  no pair is asked about\n";
+  if (!answer.nearest) return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
   const NearestPoints& n = *answer.nearest;
-  std::string text = "CLEARANCE  " + nearest_line(scene, n);
+  std::string text = "CLEARANCE  " + nearest_line(scene, n) + coverage_text(answer.coverage);
   if (n.hi > 0)
     text +=
         fmt::format("  {} {} of {} at ({:.9g}, {:.9g}), {} {} of {} at ({:.9g}, {:.9g})\n", kind(n.edges[0]),
@@ -76,10 +84,11 @@ std::string instants_text(const DistanceCurve& c) {
 }
 
 std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
-  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
-  if (answer.curves.empty()) return "PROFILE  no pair is asked about\n";
+  if (answer.curves.empty()) return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
   std::string text;
-  for (const DistanceCurve& c : answer.curves) text += "PROFILE  " + curve_line(scene, c) + instants_text(c);
+  for (const DistanceCurve& c : answer.curves)
+    text +=
+        "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") + instants_text(c);
   return text;
 }
 
@@ -87,31 +96,31 @@ int run_profile(const ClearanceArguments& arguments) {
   if (arguments.csv == "-" && arguments.svg == "-")
     throw InputError("--svg", "the plot and the values cannot both go to standard output",
                      "name a file for one of them");
-  const Scene scene = load_scene(arguments.scene);
+  const Scene scene = load_scene(arguments.scene.source);
   ProfileOptions options = arguments.profile;
   options.relative = arguments.options.relative;
   options.all_pairs = arguments.options.all_pairs;
   options.max_seconds = arguments.options.max_seconds;
   options.stop = stop_on_signals();
-  const DistanceProfile answer = within_file(arguments.scene.path, [&] { return distance_profile(scene, options); });
+  const DistanceProfile answer =
+      within_file(arguments.scene.source.path, [&] { return distance_profile(scene, options); });
   if (!arguments.csv.empty()) write_output(arguments.csv, profile_csv(scene, answer));
   if (!arguments.svg.empty()) write_output(arguments.svg, profile_svg(scene, answer));
   // What goes to standard output is one thing.
   if (arguments.csv != "-" && arguments.svg != "-")
     print_text(arguments.json ? profile_json(scene, answer) + "\n" : profile_text(scene, answer));
-  return answer.reason.empty() ? exit_free : exit_undecided;
+  return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
 int run_clearance(const ClearanceArguments& arguments) {
-  const Scene scene = load_scene(arguments.scene);
+  const Scene scene = load_scene(arguments.scene.source);
   ClearanceOptions options = arguments.options;
   options.stop = stop_on_signals();
-  const Clearance answer = within_file(arguments.scene.path, [&] { return clearance(scene, options); });
+  const Clearance answer = within_file(arguments.scene.source.path, [&] { return clearance(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, clearance_svg(scene, answer));
   if (arguments.svg != "-")
     print_text(arguments.json ? clearance_json(scene, answer) + "\n" : clearance_text(scene, answer));
-  if (!answer.reason.empty()) return exit_undecided;
-  return answer.nearest && !(answer.nearest->hi > 0) ? exit_contact : exit_free;
+  return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
 }  // namespace
@@ -119,7 +128,7 @@ int run_clearance(const ClearanceArguments& arguments) {
 void add_clearance(const Command& app, Action& action) {
   const Command command = app.add_command("clearance", "Say how close bodies come, with a certain bracket");
   const auto arguments = std::make_shared<ClearanceArguments>();
-  add_scene(command, arguments->scene);
+  add_asked_scene(command, arguments->scene);
   command.add_option("--tolerance", arguments->options.relative, "how wide the bracket may be, relative to it; 1e-9")
       .value("X");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
@@ -147,7 +156,7 @@ void add_clearance(const Command& app, Action& action) {
       "  taut clearance scene.json --profile 200 --svg distance.svg\n"
       "\n"
       "Prints the least distance over the scene's time, when, and between which points. Exit codes: 0, or 1 if bodies\n"
-      "touch, 2 bad input, 3 undecided, 4 internal error.\n");
+      "touch, 2 bad input, or no pair was tested, 3 undecided, or not decided whether they touch, 4 internal error.\n");
   command.on_chosen([&action, arguments, profile] {
     action = [arguments, profile] { return profile.given() ? run_profile(*arguments) : run_clearance(*arguments); };
   });

@@ -11,7 +11,7 @@ namespace taut::cli {
 enum ExitCode : int {
   exit_free = 0,       ///< or: the command did what it was asked
   exit_contact = 1,    ///< contact or overlap at the start
-  exit_bad_input = 2,  ///< the scene or the command line is wrong
+  exit_bad_input = 2,  ///< the scene or the command line is wrong, or nothing was tested
   exit_undecided = 3,  ///< a limit was hit first
   exit_internal = 4,   ///< a defect of taut
 };

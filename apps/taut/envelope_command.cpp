@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "coverage_text.hpp"
 #include "envelope_page.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
@@ -18,7 +19,7 @@ namespace taut::cli {
 namespace {
 
 struct EnvelopeArguments {
-  SceneSource scene;
+  AskedScene scene;
   EnvelopeOptions options;
   bool json = false, cells = false;
   std::string svg, html, template_path;
@@ -43,10 +44,12 @@ std::string joints_in_words(const Linkage& linkage) {
 }
 
 std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
+  if (answer.outcome == Outcome::untested)
+    return "UNTESTED  " + joints_in_words(linkage) + "\n  " + answer.reason + "\n";
   std::string text = answer.outcome == Outcome::free      ? "FREE  for every combination of "
                      : answer.outcome == Outcome::contact ? "COLLIDES  for some combinations of "
                                                           : "UNDECIDED  for some combinations of ";
-  text += joints_in_words(linkage) + "\n";
+  text += joints_in_words(linkage) + "\n" + coverage_text(answer.coverage);
   if (answer.witness)
     text += fmt::format("  {} x {} at {}\n", name_in(linkage, answer.witness->pair[0]),
                         name_in(linkage, answer.witness->pair[1]), combination_text(linkage, answer.witness->values));
@@ -57,14 +60,14 @@ std::string envelope_in_words(const Linkage& linkage, const Envelope& answer) {
 }
 
 std::string title_of(const EnvelopeArguments& arguments) {
-  return std::filesystem::path(arguments.scene.path).stem().string();
+  return std::filesystem::path(arguments.scene.source.path).stem().string();
 }
 
 int run_envelope(const EnvelopeArguments& arguments) {
-  const Linkage linkage = load_linkage(arguments.scene);
+  const Linkage linkage = load_linkage(arguments.scene.source);
   EnvelopeOptions options = arguments.options;
   options.stop = stop_on_signals();
-  const Envelope answer = within_file(arguments.scene.path, [&] { return envelope(linkage, options); });
+  const Envelope answer = within_file(arguments.scene.source.path, [&] { return envelope(linkage, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, envelope_svg(linkage, answer));
   if (!arguments.html.empty())
     write_envelope_page(linkage, answer, {options.tolerance, title_of(arguments), arguments.template_path},
@@ -73,7 +76,7 @@ int run_envelope(const EnvelopeArguments& arguments) {
   if (arguments.svg != "-" && arguments.html != "-")
     print_text(arguments.json ? envelope_json(linkage, answer, options.tolerance, arguments.cells) + "\n"
                               : envelope_in_words(linkage, answer));
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.scene.allow_untested);
 }
 
 }  // namespace
@@ -81,7 +84,7 @@ int run_envelope(const EnvelopeArguments& arguments) {
 void add_envelope(const Command& app, Action& action) {
   const Command command = app.add_command("envelope", "Say for which combinations of joint values bodies keep apart");
   const auto arguments = std::make_shared<EnvelopeArguments>();
-  add_scene(command, arguments->scene);
+  add_asked_scene(command, arguments->scene);
   command
       .add_option("--tolerance", arguments->options.tolerance,
                   "divide cells down to this share of each joint's range (1e-3)")
@@ -105,7 +108,8 @@ void add_envelope(const Command& app, Action& action) {
       "The scene has joints instead of a time: \"joints\": {\"lift\": [0, 60]}; bodies follow them, as\n"
       "{\"revolute\": {\"pivot\": [x, y], \"by\": \"lift\"}} or {\"slide\": {\"direction\": [1, 0], \"by\": "
       "\"lift\"}}. Exit codes:\n"
-      "0 free for every combination, 1 a combination collides, 2 bad input, 3 undecided, 4 internal error.\n");
+      "0 free for every combination, 1 a combination collides, 2 bad input, or no pair was tested, 3 undecided,\n"
+      "4 internal error.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_envelope(*arguments); }; });
 }
 

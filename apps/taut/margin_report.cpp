@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "report.hpp"
 #include "terminal.hpp"
@@ -30,13 +31,22 @@ std::string closeness_in_words(const Scene& scene, const PairMargin& pair) {
                      close_feature_text(scene, pair, n.edges[1]), n.points[1].x, n.points[1].y, n.hi);
 }
 
+/// One pair of all.
+std::string pair_line(const Scene& scene, const PairMargin& pair) {
+  const std::string at = pair.outcome == Outcome::contact ? "   t = " + time_text(pair.time) : "";
+  return fmt::format("    {:<16}  {}{}\n", to_string(pair.outcome), margin_subject(scene, pair), at);
+}
+
 }  // namespace
 
 std::string margin_in_words(const Scene& scene, double clearance, const MarginAnswer& answer) {
+  const std::string all = subject_text(scene, std::nullopt), coverage = coverage_text(answer.coverage);
+  if (answer.outcome == Outcome::untested) return "UNTESTED  " + all + "\n  " + answer.reason + "\n";
   if (answer.outcome == Outcome::free)
-    return fmt::format("FREE  {}   all keep {:.9g} on [{}, {}]\n", subject_text(scene, std::nullopt), clearance,
-                       scene.start, scene.end);
-  if (!answer.first) return "UNDECIDED  " + subject_text(scene, std::nullopt) + "\n  " + answer.reason + "\n";
+    return fmt::format("FREE  {}   {} {:.9g} on [{}, {}]\n{}", all,
+                       answer.coverage.untested() > 0 ? "tested pairs keep" : "all keep", clearance, scene.start,
+                       scene.end, coverage);
+  if (!answer.first) return "UNDECIDED  " + all + "\n" + coverage + "  " + answer.reason + "\n";
   const PairMargin& first = *answer.first;
   const std::string pair = margin_subject(scene, first);
   std::string text;
@@ -44,10 +54,15 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
     text = fmt::format("CONTACT  {}   closer than {:.9g} at t = {}\n", pair, clearance, time_text(first.time));
   if (first.outcome == Outcome::overlap_at_start)
     text = fmt::format("OVERLAP AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
-  if (first.outcome == Outcome::undecided)
-    text = fmt::format("UNDECIDED  {}\n  at t = {} {}\n", pair, first.free_until, first.reason);
+  if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);
+  text += coverage;
+  if (first.outcome == Outcome::undecided) text += fmt::format("  at t = {} {}\n", first.free_until, first.reason);
   if (first.nearest) text += closeness_in_words(scene, first);
-  for (const PairMargin& other : answer.also) text += "  and " + margin_subject(scene, other) + "\n";
+  constexpr std::size_t most = 10;
+  const std::size_t n = answer.also.size(), shown = n > most ? most : n;
+  for (std::size_t i = 0; i < shown; ++i) text += "  also " + margin_subject(scene, answer.also[i]) + "\n";
+  if (n > shown) text += fmt::format("  and {} more pairs (--pairs all)\n", n - shown);
+  for (const PairMargin& other : answer.pairs) text += pair_line(scene, other);
   return text;
 }
 

@@ -22,7 +22,7 @@ struct ProveArguments {
   std::string output;
   CheckOptions options;
   std::optional<double> clearance;
-  bool json = false;
+  bool json = false, allow_untested = false;
 };
 
 /// The answer as the command prints it, and, if a proof was written, where.
@@ -51,7 +51,7 @@ int run_prove_clearance(const ProveArguments& arguments) {
   if (proof) file.commit();
   print_proved(arguments, scene, margin_json(scene, clearance, answer, options.touch),
                margin_in_words(scene, clearance, answer), proof);
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.allow_untested);
 }
 
 int run_prove(const ProveArguments& arguments) {
@@ -65,7 +65,7 @@ int run_prove(const ProveArguments& arguments) {
   if (proof) file.commit();
   print_proved(arguments, scene, answer_json(scene, answer, arguments.options.touch, std::nullopt),
                report(scene, answer, arguments.options.touch), proof);
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.allow_untested);
 }
 
 }  // namespace
@@ -74,6 +74,7 @@ void add_prove(const Command& app, Action& action) {
   const Command command = app.add_command("prove", "Check a scene and write a proof of the answer");
   const auto arguments = std::make_shared<ProveArguments>();
   add_run(command, arguments->scene, arguments->options);
+  add_allow_untested(command, arguments->allow_untested);
   add_engine(command, arguments->options.engine);
   command.add_option("-o,--output", arguments->output, "the proof log to write").required().value("FILE");
   command.add_option("--clearance", arguments->clearance, "prove that bodies keep the distance C, or when they do not")

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "taut/motions.hpp"
 
@@ -17,15 +18,6 @@ std::string angle_text(const Scene& scene, const Contact& contact) {
   return angle ? fmt::format("   (angle {:.9g} deg)", angle->lo + (angle->hi - angle->lo) / 2) : "";
 }
 
-/// Of a world: what was asked, and what was not.
-std::string coverage_text(const Coverage& c) {
-  std::string text =
-      fmt::format("  {} pair{}: {} checked, {} apart", c.pairs, c.pairs == 1 ? "" : "s", c.checked, c.apart);
-  if (c.at_rest > 0) text += fmt::format(", {} not asked (they move together)", c.at_rest);
-  if (c.ignored > 0) text += fmt::format(", {} ignored", c.ignored);
-  return text + "\n";
-}
-
 std::string headline(const Scene& scene, const Answer& answer) {
   const std::string pair = subject_text(scene, answer.pair);
   switch (answer.outcome) {
@@ -37,6 +29,8 @@ std::string headline(const Scene& scene, const Answer& answer) {
       return fmt::format("OVERLAP AT START  {}   t = {}", pair, scene.start);
     case Outcome::undecided:
       return "UNDECIDED  " + pair;
+    case Outcome::untested:
+      return "UNTESTED  " + pair;
   }
   return pair;
 }
@@ -60,8 +54,15 @@ std::string pair_name(const Scene& scene, const PairAnswer& pair) {
          scene.bodies[static_cast<std::size_t>(pair.bodies[1])].name;
 }
 
-/// Another pair whose contact comes at the same time, as far as is known.
-std::string also(const Scene& scene, const PairAnswer& pair) { return "  also " + pair_name(scene, pair) + "\n"; }
+/// Other pairs to which it happens at the same time, as far as is known: the first few, unless all pairs follow.
+std::string also(const Scene& scene, const Answer& answer) {
+  constexpr std::size_t most = 10;
+  if (answer.pairs) return "";
+  std::string text;
+  const std::size_t n = answer.also.size(), shown = n > most ? most : n;
+  for (std::size_t i = 0; i < shown; ++i) text += "  also " + pair_name(scene, answer.also[i]) + "\n";
+  return n > shown ? text + fmt::format("  and {} more pairs (--pairs all)\n", n - shown) : text;
+}
 
 /// One pair of all.
 std::string pair_line(const Scene& scene, const PairAnswer& pair) {
@@ -117,13 +118,14 @@ std::string seconds_text(double seconds) {
 
 std::string report(const Scene& scene, const Answer& answer, Touch touch) {
   std::string text = headline(scene, answer) + "\n";
+  if (answer.outcome == Outcome::untested) return text + "  " + answer.reason + "\n";
+  text += coverage_text(answer.coverage);
   if (answer.contact) text += witness(scene, *answer.contact);
   if (answer.contact && answer.contact->grazing) text += grazing_means;
   if (answer.touching) text += touching(scene, *answer.touching);
   if (!answer.touching_undecided.empty())
     text += "  whether they touch was not decided: " + answer.touching_undecided + "\n";
-  for (const PairAnswer& pair : answer.also) text += also(scene, pair);
-  if (answer.coverage) text += coverage_text(*answer.coverage);
+  text += also(scene, answer);
   if (answer.pairs) {
     for (const PairAnswer& pair : *answer.pairs) text += pair_line(scene, pair);
   }

@@ -41,7 +41,17 @@ void write_output(const std::string& path, const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-int exit_code(Outcome outcome) {
+void add_allow_untested(const Command& command, bool& allow) {
+  command.add_flag("--allow-untested", allow, "exit with 0, not with 2, where no pair of bodies is tested");
+}
+
+void add_asked_scene(const Command& command, AskedScene& scene) {
+  add_scene(command, scene.source);
+  add_at_rest(command, scene.source.at_rest);
+  add_allow_untested(command, scene.allow_untested);
+}
+
+int exit_code(Outcome outcome, bool allow_untested) {
   switch (outcome) {
     case Outcome::free:
       return exit_free;
@@ -50,6 +60,8 @@ int exit_code(Outcome outcome) {
       return exit_contact;
     case Outcome::undecided:
       return exit_undecided;
+    case Outcome::untested:
+      return allow_untested ? exit_free : exit_bad_input;
   }
   return exit_internal;
 }

@@ -21,7 +21,17 @@ void add_limits(const Command& command, CheckOptions& options);
 /// Writes to a file, or to standard output if `path` is empty or "-".
 void write_output(const std::string& path, const std::string& text);
 
+/// What a question is asked about, and what becomes of a scene in which nothing is tested.
+struct AskedScene {
+  SceneSource source;
+  bool allow_untested = false;
+};
+/// Adds SCENE, --allow-outside, --at-rest and --allow-untested.
+void add_asked_scene(const Command& command, AskedScene& scene);
+/// Adds --allow-untested.
+void add_allow_untested(const Command& command, bool& allow);
+
 /// The exit code that an outcome stands for.
-int exit_code(Outcome outcome);
+int exit_code(Outcome outcome, bool allow_untested);
 
 }  // namespace taut::cli

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "interrupt.hpp"
+#include "scene_argument.hpp"
 #include "taut/io.hpp"
 #include "taut/separate.hpp"
 #include "terminal.hpp"
@@ -17,7 +19,7 @@ namespace {
 struct SeparateArguments {
   SceneSource scene;
   SeparateOptions options;
-  bool json = false;
+  bool json = false, allow_untested = false;
   std::string svg;
 };
 
@@ -59,14 +61,42 @@ std::string order_in_words(const Scene& scene, const Separation& answer) {
   return text + "\n";
 }
 
-bool is_locked(const Separation& answer) {
-  return answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
+const char* word_of(SeparationOutcome outcome) {
+  switch (outcome) {
+    case SeparationOutcome::free:
+      return "FREE";
+    case SeparationOutcome::locked:
+      return "LOCKED";
+    case SeparationOutcome::overlap_at_start:
+      return "OVERLAP AT START";
+    case SeparationOutcome::untested:
+      return "UNTESTED";
+    case SeparationOutcome::undecided:
+      break;
+  }
+  return "UNDECIDED";
+}
+
+int code_of(SeparationOutcome outcome, bool allow_untested) {
+  switch (outcome) {
+    case SeparationOutcome::free:
+      return exit_free;
+    case SeparationOutcome::locked:
+    case SeparationOutcome::overlap_at_start:
+      return exit_contact;
+    case SeparationOutcome::untested:
+      return allow_untested ? exit_free : exit_bad_input;
+    case SeparationOutcome::undecided:
+      break;
+  }
+  return exit_undecided;
 }
 
 std::string in_words(const Scene& scene, const Separation& answer) {
-  if (!answer.reason.empty()) return "UNDECIDED\n  " + answer.reason + "\n";
-  if (answer.overlap) return "OVERLAP AT START  " + subject_text(scene, answer.overlap) + "\n";
-  std::string text = (is_locked(answer) ? "LOCKED  " : "FREE  ") + subject_text(scene, std::nullopt) + "\n";
+  std::string text = fmt::format("{}  {}\n", word_of(answer.outcome), subject_text(scene, answer.overlap));
+  if (answer.outcome == SeparationOutcome::untested) return text + "  " + answer.reason + "\n";
+  text += coverage_text(answer.coverage);
+  if (!answer.reason.empty()) return text + "  " + answer.reason + "\n";
   for (const BodyDirections& body : answer.bodies) text += directions_in_words(scene, body);
   return text + order_in_words(scene, answer);
 }
@@ -80,8 +110,7 @@ int run_separate(const SeparateArguments& arguments) {
   // What goes to standard output is one thing.
   if (arguments.svg != "-")
     print_text(arguments.json ? separation_json(scene, answer) + "\n" : in_words(scene, answer));
-  if (!answer.reason.empty()) return exit_undecided;
-  return answer.overlap || is_locked(answer) ? exit_contact : exit_free;
+  return code_of(answer.outcome, arguments.allow_untested);
 }
 
 }  // namespace
@@ -90,6 +119,7 @@ void add_separate(const Command& app, Action& action) {
   const Command command = app.add_command("separate", "Say in which directions bodies come apart, and in which order");
   const auto arguments = std::make_shared<SeparateArguments>();
   add_scene(command, arguments->scene);
+  add_allow_untested(command, arguments->allow_untested);
   command
       .add_option("--travel", arguments->options.travel,
                   "move bodies as far as S, in the scene's units (without: any distance)")
@@ -108,7 +138,7 @@ void add_separate(const Command& app, Action& action) {
       "Bodies stand as at the start; each is moved straight, as far as the travel, and must overlap nothing on the\n"
       "way. Of two bodies, the second one moves. Exit codes: 0 they come apart, 1 they do not, or overlap, 2 bad "
       "input,\n"
-      "3 undecided, 4 internal error.\n");
+      "or no pair was tested, 3 undecided, 4 internal error.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_separate(*arguments); }; });
 }
 

@@ -25,7 +25,7 @@ class LineTracer : public Tracer {
 struct TraceArguments {
   SceneSource scene;
   CheckOptions options;
-  bool json = false;
+  bool json = false, allow_untested = false;
 };
 
 int run_trace(TraceArguments arguments) {
@@ -40,7 +40,7 @@ int run_trace(TraceArguments arguments) {
   arguments.options.engine = EngineChoice::kinetic;
   const Answer answer = watched_run(scene, arguments.scene.path, arguments.options, check);
   print_text(answer_json(scene, answer, arguments.options.touch) + "\n");
-  return exit_code(answer.outcome);
+  return exit_code(answer.outcome, arguments.allow_untested);
 }
 
 }  // namespace
@@ -49,6 +49,7 @@ void add_trace(const Command& app, Action& action) {
   const Command command = app.add_command("trace", "Print one JSON line per event, then the answer");
   const auto arguments = std::make_shared<TraceArguments>();
   add_run(command, arguments->scene, arguments->options);
+  add_allow_untested(command, arguments->allow_untested);
   command.add_flag("--json", arguments->json, "accepted for uniformity: the output is always JSON lines");
   command.footer(
       "Example:\n"

@@ -7,6 +7,7 @@ namespace taut::cli {
 
 void add_run(const Command& command, SceneSource& scene, CheckOptions& options) {
   add_scene(command, scene);
+  add_at_rest(command, scene.at_rest);
   add_touch(command, options.touch);
   add_limits(command, options);
 }

@@ -11,7 +11,7 @@
 
 namespace taut::cli {
 
-/// Adds SCENE, --allow-outside, --touch, --max-events and --max-seconds.
+/// Adds SCENE, --allow-outside, --at-rest, --touch, --max-events and --max-seconds.
 void add_run(const Command& command, SceneSource& scene, CheckOptions& options);
 
 /// What `work` returns; an error in the scene is said to be in its file.

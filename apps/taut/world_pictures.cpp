@@ -46,9 +46,13 @@ std::string ending_of(const Scene& scene, const Answer& answer) {
       return "overlap at the start";
     case Outcome::undecided:
       return fmt::format("undecided from t = {:.6g}", answer.free_until);
-    default:
-      return scene.bodies.size() == 1 ? "" : "free";
+    case Outcome::untested:
+      return scene.bodies.size() == 1 ? "" : "nothing was tested";
+    case Outcome::free:
+      break;
   }
+  const std::uint64_t left_out = answer.coverage.untested();
+  return left_out == 0 ? "free" : fmt::format("free; {} pair{} not tested", left_out, left_out == 1 ? "" : "s");
 }
 
 }  // namespace

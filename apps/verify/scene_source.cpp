@@ -15,7 +15,19 @@ void add_scene(const Command& command, SceneSource& scene) {
   add_allow_outside(command, scene.allow_outside);
 }
 
+void add_at_rest(const Command& command, std::optional<AtRest>& at_rest) {
+  const auto set = [&at_rest](const std::string& word) { at_rest = word == "test" ? AtRest::test : AtRest::skip; };
+  command.add_choice("--at-rest", {"skip", "test"}, set,
+                     "pairs that do not move relative to each other: skip them, unless nothing moves\n"
+                     "(default), or test them, at the start");
+}
+
 namespace {
+
+/// What the command line says instead of the scene.
+void take_choices(const SceneSource& source, Scene& scene) {
+  if (source.at_rest) scene.at_rest = *source.at_rest;
+}
 
 std::string text_of_standard_input(std::size_t most) {
   std::string text;
@@ -32,15 +44,21 @@ std::string text_of_standard_input(std::size_t most) {
 Scene load_scene(const SceneSource& source) {
   ReadLimits limits;
   limits.allow_outside = source.allow_outside;
-  if (source.path != "-") return read_scene(source.path, limits);
-  return parse_scene(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
+  Scene scene = source.path != "-"
+                    ? read_scene(source.path, limits)
+                    : parse_scene(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
+  take_choices(source, scene);
+  return scene;
 }
 
 Linkage load_linkage(const SceneSource& source) {
   ReadLimits limits;
   limits.allow_outside = source.allow_outside;
-  if (source.path != "-") return read_linkage(source.path, limits);
-  return parse_linkage(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
+  Linkage linkage = source.path != "-" ? read_linkage(source.path, limits)
+                                       : parse_linkage(text_of_standard_input(limits.max_bytes),
+                                                       display_name(source.path), ".", limits);
+  take_choices(source, linkage.scene);
+  return linkage;
 }
 
 std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }

@@ -1,6 +1,7 @@
 // Where a command reads its scene from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include "command_line/command_line.hpp"
 
@@ -10,12 +11,15 @@
 namespace taut::cli {
 
 struct SceneSource {
-  std::string path;            ///< a file, or - for standard input
-  bool allow_outside = false;  ///< may its outlines lie outside of its folder?
+  std::string path;                    ///< a file, or - for standard input
+  bool allow_outside = false;          ///< may its outlines lie outside of its folder?
+  std::optional<AtRest> at_rest = {};  ///< instead of what the scene says
 };
 
 /// Adds --allow-outside.
 void add_allow_outside(const Command& command, bool& allow_outside);
+/// Adds --at-rest skip|test.
+void add_at_rest(const Command& command, std::optional<AtRest>& at_rest);
 /// Adds the positional SCENE, and --allow-outside.
 void add_scene(const Command& command, SceneSource& scene);
 

@@ -6,11 +6,13 @@
 #include <iostream>
 
 #include "base/interruption.hpp"
+#include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/regular_file.hpp"
 #include "taut/error.hpp"
+#include "taut/io.hpp"
 #include "taut/motions.hpp"
 #include "taut/proof.hpp"
 #include "terminal.hpp"
@@ -31,7 +33,8 @@ std::string contact_time(const Verified& v) {
 
 /// The claim of a proof about a clearance.
 std::string clearance_claim(const Scene& scene, const Verified& v) {
-  const std::string kept = fmt::format("all keep {} on [{}, {}", v.clearance, scene.start, v.free_until);
+  const std::string kept = fmt::format("{} keep {} on [{}, {}", v.coverage.untested() > 0 ? "tested pairs" : "all",
+                                       v.clearance, scene.start, v.free_until);
   if (v.outcome == Outcome::free) return kept + "]";
   if (v.outcome == Outcome::undecided) return kept + "); nothing after that";
   const CloseFeatures& f = v.closer->features;
@@ -58,10 +61,6 @@ std::string claim(const Scene& scene, const Verified& v) {
          " meets " + edge_text(scene, c.edge);
 }
 
-const char* name_of(ContactAt at) {
-  return at == ContactAt::start ? "start" : at == ContactAt::joint ? "joint" : "motion";
-}
-
 /// How long the proof is.
 std::string length_text(const Verified& v) {
   const auto counted = [](std::uint64_t n, const char* what) {
@@ -76,25 +75,20 @@ std::string length_text(const Verified& v) {
 std::string pair_text(const Scene& scene) { return subject_text(scene, std::nullopt); }
 
 std::string valid_text(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
-  std::string text = fmt::format("VALID  {}\n  {}\n  touch {}, {}, scene {:.16}\n", pair_text(scene), claim(scene, v),
-                                 to_string(v.touch), length_text(v), to_hex(v.fingerprint));
+  std::string text =
+      fmt::format("VALID  {}\n{}  {}\n  touch {}, {}, scene {:.16}\n", pair_text(scene), coverage_text(v.coverage),
+                  claim(scene, v), to_string(v.touch), length_text(v), to_hex(v.fingerprint));
   if (!met) text += fmt::format("  NOT AS EXPECTED: {}\n", text_of(expected, scene));
   return text;
 }
 
+/// With what was expected, if anything was.
 std::string valid_json(const Scene& scene, const Verified& v, const Expectation& expected, bool met) {
-  std::string s = fmt::format("{{\"valid\":true,\"outcome\":\"{}\",\"free_until\":{},\"claim\":{}",
-                              to_string(v.outcome), io::number_text(v.free_until), io::string_text(claim(scene, v)));
-  if (v.contact)
-    s += io::contact_json(scene, *v.contact) + fmt::format(",\"contact_at\":\"{}\"", name_of(v.contact_at));
-  if (v.clearance > 0) s += io::proved_clearance_json(scene, v);
-  s += fmt::format(",\"touch\":\"{}\",\"events\":{}", to_string(v.touch), v.events);
-  if (v.kind != ProofKind::tiling) s += fmt::format(",\"separations\":{}", v.separations);
-  if (v.kind == ProofKind::curves) s += fmt::format(",\"segments\":{}", v.segments);
-  s += fmt::format(",\"scene_sha256\":\"{}\"", to_hex(v.fingerprint));
+  std::string s = verified_json(scene, v);
   if (expected.any())
-    s += fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met);
-  return s + "}\n";
+    s.insert(s.size() - 1,
+             fmt::format(",\"expected\":{},\"as_expected\":{}", io::string_text(text_of(expected, scene)), met));
+  return s + "\n";
 }
 
 Verified verify_file(const Scene& scene, const std::string& log) {
@@ -106,15 +100,14 @@ Verified verify_file(const Scene& scene, const std::string& log) {
   return verify(scene, file);
 }
 
-/// Neither valid nor not: with a reason.
-int report_failure(const Scene& scene, bool json, const char* verdict, const std::string& members,
-                   const std::string& reason, int code) {
+/// There is no result: the log is not valid, or was not read to its end.
+int report_failure(const Scene& scene, bool json, bool refuted, const std::string& reason) {
   if (json) {
-    print_text(fmt::format("{{{},\"reason\":{}}}\n", members, io::string_text(reason)));
+    print_text(unverified_json(refuted, reason) + "\n");
   } else {
-    print_text(fmt::format("{}  {}\n  {}\n", verdict, pair_text(scene), reason));
+    print_text(fmt::format("{}  {}\n  {}\n", refuted ? "NOT VALID" : "UNDECIDED", pair_text(scene), reason));
   }
-  return code;
+  return refuted ? exit_not_proved : exit_time_is_up;
 }
 
 int report_log(const VerifyArguments& arguments, const Scene& scene) {
@@ -130,9 +123,9 @@ int report_log(const VerifyArguments& arguments, const Scene& scene) {
     }
     return met ? exit_proved : exit_not_proved;
   } catch (const ProofError& error) {
-    return report_failure(scene, json, "NOT VALID", "\"valid\":false", error.what(), exit_not_proved);
+    return report_failure(scene, json, true, error.what());
   } catch (const Interrupted& limit) {
-    return report_failure(scene, json, "UNDECIDED", "\"valid\":null", limit.reason, exit_time_is_up);
+    return report_failure(scene, json, false, limit.reason);
   }
 }
 
@@ -147,6 +140,7 @@ const char* const exit_codes =
 
 void add_verify_options(const Command& command, VerifyArguments& arguments, const std::string& example) {
   add_scene(command, arguments.scene);
+  add_at_rest(command, arguments.scene.at_rest);
   command.add_option("PROOF", arguments.proof, "proof log, or - for standard input").required().value(" ");
   command.add_flag("--json", arguments.json, "print one JSON object");
   const auto expect = [&arguments](const std::string& outcome) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/coverage.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
@@ -20,9 +21,10 @@ enum class Outcome {
   contact,           ///< the first collision, with its witness
   overlap_at_start,  ///< the bodies overlap already at the start
   undecided,         ///< a stated limit was hit; nothing is claimed beyond `Answer::free_until`
+  untested,          ///< no pair of bodies was tested, so there is no verdict; `reason` says why
 };
 
-/// "free", "contact", "overlap_at_start" or "undecided".
+/// "free", "contact", "overlap_at_start", "undecided" or "untested".
 const char* to_string(Outcome outcome);
 /// "open" or "closed".
 const char* to_string(Touch touch);
@@ -104,15 +106,6 @@ struct CheckOptions {
   Tracer* tracer = nullptr;
 };
 
-/// Of how many pairs an answer speaks. `pairs` counts all, and is the sum of the others.
-struct Coverage {
-  std::uint64_t pairs = 0;
-  std::uint64_t ignored = 0;  ///< as the scene says
-  std::uint64_t at_rest = 0;  ///< of one group: they do not move against each other, and are not asked about
-  std::uint64_t apart = 0;    ///< told apart by boxes alone, or not reached before the first contact
-  std::uint64_t checked = 0;  ///< looked at by an engine
-};
-
 /// What is known of one pair of bodies.
 struct PairAnswer {
   std::array<BodyId, 2> bodies{};  ///< in the order of the scene
@@ -150,18 +143,19 @@ struct Answer {
   /// Seconds spent on validation and on building the tiling, and on the events after it.
   double build_seconds = 0;
   double run_seconds = 0;
-  /// Why the answer is `undecided`; empty otherwise.
+  /// Why the answer is `undecided` or `untested`; empty otherwise.
   std::string reason;
   /// The pair that the outcome is about, unless it is `free`.
   std::optional<std::array<BodyId, 2>> pair;
   /// Other pairs whose first contacts come so close to that one that their order is not told: in the order of the
   /// scene.
   std::vector<PairAnswer> also;
-  /// Of a scene that is not two bodies.
-  std::optional<Coverage> coverage;
+  /// Which pairs the answer is about. `free` says nothing about the others.
+  Coverage coverage;
   /// What the bodies were shrunk by: CheckOptions::fit.
   double fit = 0;
-  /// With CheckOptions::all_pairs: of every pair that was asked about, in the order of the scene.
+  /// With CheckOptions::all_pairs: every pair that was tested, in the order of the scene. Pairs that are kept apart by
+  /// bounding boxes are free as well; they are only counted in `coverage`.
   std::optional<std::vector<PairAnswer>> pairs;
   /// Of a scene with curves. An `undecided` one may then name a `contact`: the instant, at the earliest, and the place
   /// at which polygons around the bodies meet.

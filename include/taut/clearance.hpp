@@ -21,11 +21,13 @@ struct NearestPoints {
 
 /// The answer of clearance().
 struct Clearance {
-  /// Of the pair that comes closest. Absent if no pair is asked about, or if nothing could be decided.
+  /// free: no two bodies ever touch. contact: two do, and `nearest` says which and when. Else undecided or untested.
+  Outcome outcome = Outcome::undecided;
+  /// Of the pair that comes closest. Absent if the outcome is undecided or untested.
   std::optional<NearestPoints> nearest;
-  /// With `all_pairs`: of every pair that was asked about, in the order of the scene.
+  /// With `all_pairs`: of every pair that is asked about, in the order of the scene.
   std::vector<NearestPoints> pairs;
-  std::string reason;  ///< why it is not decided; empty otherwise
+  std::string reason;  ///< why it is undecided or untested; empty otherwise
   Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
   /// Why the bracket of `nearest` is wider than was asked for, as where a limit of time was reached or curves run along
@@ -77,9 +79,9 @@ struct MarginAnswer {
   Outcome outcome = Outcome::free;  ///< of the pair that comes closer first
   std::optional<PairMargin> first;  ///< that pair, unless the outcome is `free`
   std::vector<PairMargin> also;     ///< others that come closer so soon after it that the order is not told
-  std::vector<PairMargin> pairs;    ///< with CheckOptions::all_pairs, every pair that was asked about
+  std::vector<PairMargin> pairs;    ///< with CheckOptions::all_pairs, as Answer::pairs
   double free_until = 0;
-  std::string reason;
+  std::string reason;  ///< why it is undecided or untested; empty otherwise
   Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
@@ -116,10 +118,12 @@ struct DistanceCurve {
 
 /// The answer of distance_profile().
 struct DistanceProfile {
+  /// free: no two bodies ever touch. contact: two do at some time. Else undecided or untested.
+  Outcome outcome = Outcome::undecided;
   /// First the least distance of all pairs; with `all_pairs`, and if there are several, then each pair's own, in the
-  /// order of the scene. None if no pair is asked about, or if it is not decided.
+  /// order of the scene. None if the outcome is undecided or untested.
   std::vector<DistanceCurve> curves;
-  std::string reason;  ///< why it is not decided; empty otherwise
+  std::string reason;  ///< why it is undecided or untested; empty otherwise
   Coverage coverage;
   /// Of a scene with curves; `tolerance` is the widest bracket of an instant.
   std::optional<CurveGeometry> geometry = {};

@@ -74,14 +74,15 @@ struct EnvelopeWitness {
 /// The answer of envelope().
 struct Envelope {
   /// free: for every combination. contact: not for the one in `witness`. undecided: no combination was found that
-  /// collides, and not all were shown to be free.
+  /// collides, and not all were shown to be free. untested: no pair was tested.
   Outcome outcome = Outcome::undecided;
   std::optional<EnvelopeWitness> witness;
   /// Shares of all combinations; they sum to 1, up to rounding.
   double free = 0, colliding = 0, undecided = 0;
   /// A partition of all combinations.
   std::vector<EnvelopeCell> cells;
-  std::string reason;  ///< why cells larger than the tolerance are undecided; empty otherwise
+  std::string reason;  ///< why cells larger than the tolerance are undecided, or nothing was tested; empty otherwise
+  Coverage coverage;   ///< pairs of bodies that are fixed to each other are `at_rest`
 };
 
 /// How to ask.

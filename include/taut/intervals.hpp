@@ -21,6 +21,10 @@ struct OverlapInterval {
 
 /// The answer of intervals().
 struct Intervals {
+  /// The weakest part of the answer. undecided: nothing is claimed about at least one pair. contact: all pairs are
+  /// decided, and two bodies overlap at some time. free: they never do. untested: no pair was tested.
+  Outcome outcome = Outcome::free;
+  std::string reason;                      ///< why it is undecided or untested; empty otherwise
   std::vector<OverlapInterval> intervals;  ///< pair by pair, each pair's in order of time
   std::vector<PairAnswer> undecided;       ///< pairs about whose overlaps nothing is claimed, with the reason
   Coverage coverage;
@@ -35,12 +39,13 @@ Intervals intervals(const Scene& scene, const CheckOptions& options = {});
 
 /// The answer of range().
 struct Range {
-  bool decided = false;
+  Outcome outcome = Outcome::undecided;  ///< free, undecided or untested
   /// Enclose the ends; absent at the start and the end of the scene.
   std::optional<TimeInterval> from, to;
   /// What stops it there.
   std::optional<OverlapInterval> before, after;
-  std::string reason;                          ///< why it is not decided
+  std::string reason;  ///< why it is undecided or untested; empty otherwise
+  Coverage coverage;
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 

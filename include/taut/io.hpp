@@ -13,6 +13,7 @@
 #include "taut/envelope.hpp"
 #include "taut/intervals.hpp"
 #include "taut/motions.hpp"
+#include "taut/proof.hpp"
 #include "taut/scene.hpp"
 #include "taut/separate.hpp"
 #include "taut/simulation.hpp"
@@ -193,6 +194,11 @@ std::string intervals_json(const Scene& scene, const Intervals& answer, Touch to
 std::string range_svg(const Scene& scene, double from, const Range& answer, int width = 800);
 /// The answer of range(scene, from) as `taut range --json` prints it.
 std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch);
+
+/// What verify() returned, as `taut verify --json` prints it.
+std::string verified_json(const Scene& scene, const Verified& verified);
+/// The same where verify() returned nothing. `refuted`: by ProofError; else it was stopped.
+std::string unverified_json(bool refuted, const std::string& reason);
 
 /// The answer of check_clearance() as `taut check --clearance C --json` prints it. `touch` is what was asked.
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch);

@@ -71,6 +71,8 @@ struct Verified {
   std::uint64_t events = 0, separations = 0;
   /// Of a log about curves: how many edges the polygons around and within them have.
   std::uint64_t segments = 0;
+  /// Which pairs the log proves something about: `tested`, since `apart` is 0.
+  Coverage coverage;
   /// Identifies what was proved about: see scene_fingerprint().
   Fingerprint fingerprint{};
 };

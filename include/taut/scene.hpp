@@ -40,17 +40,27 @@ struct Body {
 /// The most bodies that a chain of `relative_to` may have.
 inline constexpr int max_depth = 16;
 
-/// Bodies and a closed time interval [start, end] (start <= end). The question is about every two bodies of different
-/// groups that are not ignored; bodies that move alike at all times, parents included, are one group. In a scene of two
-/// bodies it is about these two, whatever moves.
+/// What to do about pairs of bodies that do not move relative to each other: both rest, or both have the same motion at
+/// all times, parents included.
+enum class AtRest {
+  /// Test them only if no two bodies of the scene move relative to each other, as in a layout. Otherwise leave them
+  /// out;
+  /// Coverage::at_rest and Coverage::moving_alike count them.
+  skip,
+  test,  ///< test them at the start, which decides them for all times
+};
+
+/// Bodies and a closed time interval [start, end] (start <= end). The question is about every two bodies that are not
+/// ignored and that move relative to each other, and about the others as `at_rest` says.
 struct Scene {
   double start = 0;
   double end = 0;
   std::vector<Body> bodies;
-  /// Pairs of bodies that are not asked about, by name; "*" is every other body.
+  /// Pairs of bodies that are not tested, by name; "*" is every other body.
   std::vector<std::array<std::string, 2>> ignore = {};
   /// What the user calls it by: a JSON value, as text, which is handed through to the answer; may be empty.
   std::string id = {};
+  AtRest at_rest = AtRest::skip;
 };
 
 /// What counts as a collision.

@@ -47,8 +47,21 @@ struct RemovalStep {
   double direction_deg = 0;  ///< within it, about its middle
 };
 
+/// What is known of the ways apart.
+enum class SeparationOutcome {
+  free,              ///< bodies come apart; if there are more than two, all of them one by one
+  locked,            ///< they do not: the second of two has no direction, or of more some are `stuck`
+  overlap_at_start,  ///< two bodies overlap, so there is no question
+  undecided,         ///< a limit was reached, or the highest precision does not decide
+  untested,          ///< no pair of bodies was tested
+};
+
+/// "free", "locked", "overlap_at_start", "undecided" or "untested".
+const char* to_string(SeparationOutcome outcome);
+
 /// The answer of separate().
 struct Separation {
+  SeparationOutcome outcome = SeparationOutcome::undecided;
   /// The pair that overlaps at the start, if one does: nothing else is said then.
   std::optional<std::array<BodyId, 2>> overlap;
   /// Of two bodies, the second one's directions against the first; of more, each one's against all others, in order.
@@ -57,7 +70,8 @@ struct Separation {
   std::vector<RemovalStep> order;
   /// Those that are left and cannot be taken away one by one. Several might still leave together.
   std::vector<BodyId> stuck;
-  std::string reason;                          ///< why it is not decided; empty otherwise
+  std::string reason;                          ///< why it is undecided or untested; empty otherwise
+  Coverage coverage;                           ///< `at_rest` and `moving_alike` are 0: bodies stand still but for one
   std::optional<CurveGeometry> geometry = {};  ///< of a scene with curves
 };
 

@@ -110,11 +110,12 @@ struct ActiveCertificate {
 
 /// Where a simulation stands.
 enum class SimulationState : std::uint8_t {
-  running,           ///< free of collisions up to time(), and there may be more events
-  finished,          ///< free of collisions to the end of the scene
+  running,           ///< the tested pairs are free of collisions up to time(), and there may be more events
+  finished,          ///< the tested pairs are free of collisions to the end of the scene
   contact,           ///< the first collision, see contact()
   overlap_at_start,  ///< the bodies overlap already at the start
   undecided,         ///< a limit was reached; reason() says which, and nothing is claimed beyond time()
+  untested,          ///< the end of the scene was reached, and no pair was tested at any time: see coverage()
 };
 
 /// How to simulate. Limits mean what they mean in CheckOptions.
@@ -162,6 +163,8 @@ class Simulation {
   SimulationState state() const;
   /// Why state() is `undecided`, in words; empty otherwise.
   const std::string& reason() const;
+  /// Which pairs are tested at present: `tested` counts all of them, and `apart` is 0. set_motion() may change that.
+  Coverage coverage() const;
   /// The time to which the tiling corresponds, and up to which the motion is proved free. After an event it is the
   /// upper end of the event's enclosure; where events nearly coincide, the next one's may end a little before it.
   double time() const;

@@ -21,15 +21,25 @@ void put(const taut::Contact& contact, AnswerRow& row) {
 
 }  // namespace
 
-AnswerRow answer_row(const taut::Answer& answer, std::size_t bodies) {
-  AnswerRow row{NAN, NAN, answer.free_until, {NAN, NAN}, {NAN, NAN}, answer.events, {-1, -1}, {}, {}, 0, 0, 0, {}};
+AnswerRow answer_row(const taut::Answer& answer) {
+  AnswerRow row{NAN,
+                NAN,
+                answer.free_until,
+                {NAN, NAN},
+                {NAN, NAN},
+                answer.events,
+                answer.coverage.untested(),
+                {-1, -1},
+                {},
+                {},
+                0,
+                0,
+                0,
+                {}};
   row.outcome = static_cast<std::uint8_t>(answer.outcome);
   if (answer.pair) {
     row.pair[0] = (*answer.pair)[0];
     row.pair[1] = (*answer.pair)[1];
-  } else if (bodies == 2 && answer.outcome != taut::Outcome::free) {
-    row.pair[0] = 0;
-    row.pair[1] = 1;
   }
   if (answer.contact) put(*answer.contact, row);
   if (answer.touching) put(*answer.touching, row);

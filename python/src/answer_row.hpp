@@ -19,6 +19,7 @@ struct AnswerRow {
   double free_until;
   double point[2], normal[2];
   std::uint64_t events;
+  std::uint64_t untested;  ///< pairs about which nothing is said
   std::int32_t pair[2];
   FeatureRow vertex, edge;
   std::uint8_t outcome;   ///< as taut::Outcome counts
@@ -27,6 +28,6 @@ struct AnswerRow {
   std::uint8_t unused[5];  ///< all bytes of a row are known: equal answers are equal bytes
 };
 
-AnswerRow answer_row(const taut::Answer& answer, std::size_t bodies);
+AnswerRow answer_row(const taut::Answer& answer);
 
 }  // namespace taut_python

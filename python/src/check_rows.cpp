@@ -33,7 +33,7 @@ void check_rows(const RowScenes& scenes, const taut::CheckOptions& options, std:
     const auto questioner = std::make_shared<Questioner>(options);
     return [&scenes, answers, scene, questioner](std::size_t row) {
       scenes.fill(*scene, row);
-      answers[row] = answer_row(questioner->check(*scene), scene->bodies.size());
+      answers[row] = answer_row(questioner->check(*scene));
     };
   });
 }

@@ -111,7 +111,7 @@ void check_rows_on_map(const taut::StaticMap& map, const MapMover& mover, const 
     each_row(rows.size(), threads, stop, [&]() -> RowWork {
       return [&](std::size_t row) {
         const taut::Answer answer = map.check(mover.mover, rows.motion(row), rows.start(row), rows.end(row), how);
-        answers[row] = answer_row(answer, map.size() + 1);
+        answers[row] = answer_row(answer);
       };
     });
     return true;

@@ -60,32 +60,17 @@ py::tuple prove_clearance(const SceneText& text, double clearance, const RunOpti
   return py::make_tuple(proved.json, py::bytes(proved.log), proved.scene_sha256);
 }
 
-const char* name_of(taut::ContactAt at) {
-  return at == taut::ContactAt::start ? "start" : at == taut::ContactAt::joint ? "joint" : "motion";
-}
-
-std::string verified_json(const taut::Scene& scene, const taut::Verified& v) {
-  std::string s = std::string("{\"valid\":true,\"outcome\":\"") + to_string(v.outcome) +
-                  "\",\"free_until\":" + taut::io::number_text(v.free_until);
-  if (v.contact) s += taut::io::contact_json(scene, *v.contact) + ",\"contact_at\":\"" + name_of(v.contact_at) + "\"";
-  if (v.clearance > 0) s += taut::io::proved_clearance_json(scene, v);
-  return s + ",\"touch\":\"" + to_string(v.touch) + "\",\"events\":" + std::to_string(v.events) +
-         (v.kind != taut::ProofKind::tiling ? ",\"separations\":" + std::to_string(v.separations) : "") +
-         (v.kind == taut::ProofKind::curves ? ",\"segments\":" + std::to_string(v.segments) : "") +
-         ",\"scene_sha256\":\"" + taut::to_hex(v.fingerprint) + "\"}";
-}
-
 std::string verify(const SceneText& text, const std::string& log, std::optional<double> max_seconds) {
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     const taut::Scene scene = text.read();
     try {
       const taut::InterruptionScope scope(&stop, max_seconds ? *max_seconds : 1e300);
       std::istringstream stream(log);
-      return verified_json(scene, taut::verify(scene, stream));
+      return taut::verified_json(scene, taut::verify(scene, stream));
     } catch (const taut::ProofError& error) {
-      return "{\"valid\":false,\"reason\":" + taut::io::string_text(error.what()) + "}";
+      return taut::unverified_json(true, error.what());
     } catch (const taut::Interrupted& limit) {
-      return "{\"valid\":null,\"reason\":" + taut::io::string_text(limit.reason) + "}";
+      return taut::unverified_json(false, limit.reason);
     }
   });
 }

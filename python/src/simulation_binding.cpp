@@ -33,6 +33,8 @@ const char* state_word(taut::SimulationState state) {
       return "contact";
     case taut::SimulationState::overlap_at_start:
       return "overlap_at_start";
+    case taut::SimulationState::untested:
+      return "untested";
     case taut::SimulationState::undecided:
       return "undecided";
   }
@@ -72,7 +74,8 @@ struct Standing {
   std::string contact;  ///< JSON members as in an answer, each with a comma before it; or empty
   std::optional<std::pair<double, double>> overlap;
   std::optional<std::pair<int, int>> pair;
-  std::vector<std::string> also;  ///< each a JSON object as in an answer
+  std::vector<std::string> also;          ///< each a JSON object as in an answer
+  std::array<std::uint64_t, 6> coverage;  ///< in the order of taut::Coverage
 };
 
 /// A simulation that several threads of Python may hold: they take turns. After Ctrl-C it is undecided.
@@ -96,8 +99,19 @@ class LiveSimulation {
     const py::gil_scoped_release released;
     const std::lock_guard turn(mutex_);
     const taut::Simulation& s = *simulation_;
-    Standing found{state_word(s.state()), s.reason(), s.time(), s.events(), s.certificates(),
-                   s.certificates_max(),  {},         {},       {},         {}};
+    Standing found{state_word(s.state()),
+                   s.reason(),
+                   s.time(),
+                   s.events(),
+                   s.certificates(),
+                   s.certificates_max(),
+                   {},
+                   {},
+                   {},
+                   {},
+                   {}};
+    const taut::Coverage c = s.coverage();
+    found.coverage = {c.pairs, c.tested, c.apart, c.ignored, c.moving_alike, c.at_rest};
     if (s.contact()) found.contact = taut::io::contact_json(scene_, *s.contact());
     if (s.overlap_point()) found.overlap.emplace(s.overlap_point()->x, s.overlap_point()->y);
     if (const auto pair = s.pair()) found.pair.emplace((*pair)[0], (*pair)[1]);
@@ -164,7 +178,8 @@ void bind_simulations(py::module_& module) {
       .def_readonly("contact", &Standing::contact)
       .def_readonly("overlap", &Standing::overlap)
       .def_readonly("pair", &Standing::pair)
-      .def_readonly("also", &Standing::also);
+      .def_readonly("also", &Standing::also)
+      .def_readonly("coverage", &Standing::coverage);
   py::class_<LiveSimulation>(module, "Simulation")
       .def(py::init<const SceneText&, const RunOptions&>())
       .def("standing", &LiveSimulation::standing)

@@ -49,6 +49,7 @@ class Standing:
     overlap: Optional[tuple[float, float]]
     pair: Optional[tuple[int, int]]
     also: list[str]
+    coverage: list[int]
 
 class Simulation:
     def __init__(self, text: SceneText, options: RunOptions) -> None: ...

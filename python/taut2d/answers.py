@@ -87,31 +87,42 @@ class PairAnswer:
 
 @dataclass(frozen=True)
 class Coverage:
-    """Of how many pairs an answer speaks: ``pairs`` is the sum of the others. ``ignored`` as the scene says; ``at_rest``
-    do not move against each other; ``apart`` were told apart by boxes alone, or not reached before the first contact;
-    ``checked`` were looked at by an engine."""
+    """Counts of pairs of bodies: ``pairs`` counts all pairs of the scene and is the sum of the others.
+
+    ``tested``: examined by an engine. ``apart``: kept apart by bounding boxes, as far as the answer goes. Nothing is said
+    of the others: ``ignored``: Scene.ignore excludes them; ``moving_alike``: both bodies have the same motion;
+    ``at_rest``: neither moves (see Scene.at_rest for these two).
+    """
 
     pairs: int
-    ignored: int
-    at_rest: int
+    tested: int
     apart: int
-    checked: int
+    ignored: int
+    moving_alike: int
+    at_rest: int
+
+    @property
+    def untested(self) -> int:
+        """The number of pairs about which the answer says nothing."""
+        return self.ignored + self.moving_alike + self.at_rest
 
 
 @dataclass(frozen=True)
 class Answer:
     """What check() found out.
 
-    ``outcome``: "free", "contact", "overlap_at_start" or "undecided". "free" and "contact" are proved.
+    ``outcome``: "free", "contact", "overlap_at_start", "undecided", or "untested": no pair of bodies was tested, so there
+    is no verdict. "free" and "contact" are proved, of the pairs that ``coverage`` counts as tested or apart.
     ``contact``: the first contact, if the outcome is "contact".
     ``touching``: of a "free" answer with open touching, where the bodies touch for the first time without overlapping.
     ``touching_undecided``: why that is not known, if it is not.
     ``overlap_point``: of "overlap_at_start", a point that certainly lies inside both bodies, where one was found.
-    ``free_until``, ``reason``: of "undecided", up to when the motion is proved free, and which limit was hit.
-    ``pair``: the names of the bodies that the outcome is about, unless it is "free".
+    ``free_until``, ``reason``: of "undecided", up to when the motion is proved free, and which limit was hit; ``reason``
+    also says why nothing was tested.
+    ``pair``: the names of the bodies that the outcome is about, unless it is "free" or "untested".
     ``also``: pairs whose first contacts come so close to this one that their order is not told.
-    ``coverage``: of a scene that is not two bodies, of how many pairs the answer speaks.
-    ``pairs``: with ``pairs="all"``, of each pair that was asked about.
+    ``coverage``: which pairs the answer is about.
+    ``pairs``: with ``pairs="all"``, each pair that was tested.
     ``engine``: who answered; ``events``, ``certificates_initial``, ``certificates_max``: of the kinetic engine.
     ``touch``, ``bodies``, ``time``: what the answer is about.
     ``id``: the id of the scene.
@@ -130,7 +141,7 @@ class Answer:
     reason: Optional[str]
     pair: Optional[tuple[str, str]]
     also: tuple[PairAnswer, ...]
-    coverage: Optional[Coverage]
+    coverage: Coverage
     pairs: Optional[tuple[PairAnswer, ...]]
     engine: str
     events: int
@@ -147,7 +158,7 @@ class Answer:
 
     @property
     def free(self) -> bool:
-        """Proved free of collisions over the whole time. "undecided" is never free."""
+        """Proved free of collisions over the whole time. "undecided" and "untested" are never free."""
         return self.outcome == "free"
 
     def _repr_html_(self) -> str:
@@ -196,7 +207,8 @@ class Verified:
     up.
     ``outcome``: "free": on the whole interval. "contact": ``contact`` is the first one. "undecided": free before
     ``free_until``, no more.
-    ``events``, ``separations``: how long the proof is; the second one for logs of separations only.
+    ``events``, ``separations``: how long the proof is.
+    ``coverage``: which pairs the log proves something about: those counted as tested.
     ``segments``: of a scene with curves, how many edges the polygons around and within the bodies have; else None.
     ``clearance``: None, or the distance that the proof is about: "free" means then that it is kept, and "contact" that
     it is not, as ``closer`` says.
@@ -216,6 +228,7 @@ class Verified:
     clearance: Optional[float] = None
     closer: Optional[ProvedCloseness] = None
     segments: Optional[int] = None
+    coverage: Optional[Coverage] = None
 
     def __bool__(self) -> bool:
         return self.valid is True
@@ -259,8 +272,6 @@ def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
     pairs = object.get("pairs")
     bodies = scope["bodies"]
     pair = _pair(object["pair"]) if "pair" in object else None
-    if pair is None and object["outcome"] != "free" and len(bodies) == 2:
-        pair = _pair(bodies)
     return Answer(
         outcome=object["outcome"],
         contact=_contact(object),
@@ -271,7 +282,7 @@ def answer_from_json(text: str, scene: Optional[Scene] = None) -> Answer:
         reason=object.get("reason"),
         pair=pair,
         also=tuple(map(_pair_answer, object.get("also", ()))),
-        coverage=Coverage(**object["coverage"]) if "coverage" in object else None,
+        coverage=Coverage(**object["coverage"]),
         pairs=None if pairs is None else tuple(map(_pair_answer, pairs)),
         engine=object["engine"],
         events=object["events"],
@@ -294,7 +305,8 @@ def verified_from_json(text: str) -> Verified:
     return Verified(object["valid"], object.get("reason"), object.get("outcome"), _float(object.get("free_until")),
                     _contact(object), object.get("contact_at"), object.get("touch"), object.get("events"),
                     object.get("separations"), object.get("scene_sha256"), _float(object.get("clearance")),
-                    _closeness(object.get("closer")), object.get("segments"))
+                    _closeness(object.get("closer")), object.get("segments"),
+                    Coverage(**object["coverage"]) if "coverage" in object else None)
 
 
 def _closeness(value: Any) -> Optional[ProvedCloseness]:

@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from .answers import EdgeRef, Interval, VertexRef, _floats
+from .answers import Coverage, EdgeRef, Interval, VertexRef, _floats
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class RemovalStep:
 
 @dataclass(frozen=True)
 class Separation:
-    """How bodies come apart. ``outcome``: "free", "locked", "overlap_at_start" (of ``pair``), or "undecided" (for
-    ``reason``). ``bodies``: of two bodies, the second one's directions against the first; of more, each one's against
+    """How bodies come apart. ``outcome``: "free", "locked", "overlap_at_start" (of ``pair``), "undecided" or
+    "untested" (for ``reason``). ``bodies``: of two bodies, the second one's directions against the first; of more, each one's against
     all others. ``order``: of more than two, bodies in an order in which they leave one by one; ``stuck``: those that are
     left then. ``json`` is what ``taut separate --json`` prints."""
 
@@ -67,6 +67,7 @@ class Separation:
     stuck: tuple[str, ...]
     pair: Optional[tuple[str, ...]]
     reason: Optional[str]
+    coverage: Coverage
     json: str = field(repr=False, compare=False)
 
 
@@ -94,7 +95,8 @@ def _step(value: Any) -> RemovalStep:
 def separation_from_json(text: str) -> Separation:
     """What ``taut separate --json`` has printed."""
     value = json.loads(text)
-    bodies = value.get("bodies", [value] if "directions" in value else [])
+    bodies = value.get("bodies") if "bodies" in value else [value]
     pair = value.get("pair")
     return Separation(value["outcome"], tuple(map(_directions, bodies)), tuple(map(_step, value.get("order", ()))),
-                      tuple(value.get("stuck", ())), None if pair is None else tuple(pair), value.get("reason"), text)
+                      tuple(value.get("stuck", ())), None if pair is None else tuple(pair), value.get("reason"),
+                      Coverage(**value["coverage"]), text)

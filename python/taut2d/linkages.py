@@ -10,7 +10,7 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
-from .answers import _pair
+from .answers import Coverage, _pair
 from .errors import InputError
 from .options import run_options
 from .scene import Body, Scene, _body_from_json, _plain_places, _scene_text
@@ -25,7 +25,8 @@ class Linkage:
     ``bodies``: Body with a motion that is Revolute, Slide, or None; an arm's links are chained by ``relative_to``.
     ``joints``: {"lift": (0, 60), "reach": (0, 2.5)}: one to three names, each with the range of its value, in degrees or
     lengths.
-    ``ignore``, ``id``, ``folder``: as of a Scene.
+    ``ignore``, ``id``, ``folder``, ``at_rest``: as of a Scene; bodies are at rest relative to each other that no joint moves
+    against each other.
     """
 
     bodies: Sequence[Body]
@@ -33,10 +34,11 @@ class Linkage:
     ignore: Sequence[Sequence[str]] = ()
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
+    at_rest: str = "skip"
 
     def __post_init__(self) -> None:
         # What a scene looks at, with a time that means nothing.
-        scene = Scene(self.bodies, (0, 0), self.ignore, self.id, self.folder)
+        scene = Scene(self.bodies, (0, 0), self.ignore, self.id, self.folder, self.at_rest)
         if not isinstance(self.joints, Mapping):
             raise InputError("joints", f"expected a dict, found {type(self.joints).__name__}",
                              'write {"lift": (0, 60)}')
@@ -46,7 +48,7 @@ class Linkage:
 
     def to_json(self) -> str:
         """The linkage in the format taut-scene/1, on one line: what ``taut envelope`` reads."""
-        object = json.loads(Scene(self.bodies, (0, 0), self.ignore, self.id).to_json())
+        object = json.loads(Scene(self.bodies, (0, 0), self.ignore, self.id, at_rest=self.at_rest).to_json())
         del object["time"]
         object["joints"] = {name: list(range) for name, range in self.joints.items()}
         return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
@@ -68,7 +70,7 @@ class Linkage:
         _taut2d.read_linkage(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["joints"], object.get("ignore", ()),
-                   object.get("id"), folder)
+                   object.get("id"), folder, object.get("at_rest", "skip"))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes to_json() and a line break into a file."""
@@ -99,7 +101,8 @@ class EnvelopeWitness:
 @dataclass(frozen=True)
 class Envelope:
     """For which combinations bodies keep apart. ``outcome``: "free": for every one, proved. "contact": not for the one in
-    ``witness``. "undecided": none was found that collides, and not all were shown to be free. ``free``, ``colliding``,
+    ``witness``. "undecided": none was found that collides, and not all were shown to be free. "untested": no pair was
+    tested. ``coverage``: which pairs that is about. ``free``, ``colliding``,
     ``undecided``: shares of all combinations. ``cells``: a partition of them, if it was asked for. ``reason``: why it
     ended early. ``json`` is what ``taut envelope --json`` prints."""
 
@@ -111,6 +114,7 @@ class Envelope:
     tolerance: float
     cells: tuple[EnvelopeCell, ...]
     reason: Optional[str]
+    coverage: Coverage
     json: str = field(repr=False, compare=False)
 
     def plot(self, ax: Any = None) -> Any:
@@ -145,7 +149,7 @@ def _envelope_from_json(text: str) -> Envelope:
                     None if witness is None else EnvelopeWitness({name: float(x) for name, x in witness["values"].items()},
                                                                  _pair(witness["pair"])),
                     float(value["free"]), float(value["colliding"]), float(value["undecided"]),
-                    float(value["tolerance"]), cells, value.get("reason"), text)
+                    float(value["tolerance"]), cells, value.get("reason"), Coverage(**value["coverage"]), text)
 
 
 def envelope(linkage: Linkage, *, tolerance: float = 1e-3, cells: bool = False,

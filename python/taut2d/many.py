@@ -29,6 +29,7 @@ class Outcome(enum.IntEnum):
     CONTACT = 1
     OVERLAP_AT_START = 2
     UNDECIDED = 3
+    UNTESTED = 4
 
 
 def answer_dtype() -> numpy.dtype[numpy.void]:
@@ -37,7 +38,7 @@ def answer_dtype() -> numpy.dtype[numpy.void]:
     feature = [("body", "i4"), ("part", "i4"), ("ring", "i4"), ("index", "i4")]
     found: numpy.dtype[numpy.void] = library.dtype(
         [("t_lo", "f8"), ("t_hi", "f8"), ("free_until", "f8"), ("point", "f8", 2), ("normal", "f8", 2),
-         ("events", "u8"), ("pair", "i4", 2), ("vertex", feature), ("edge", feature),
+         ("events", "u8"), ("untested", "u8"), ("pair", "i4", 2), ("vertex", feature), ("edge", feature),
          ("outcome", "u1"), ("touching", "?"), ("grazing", "?")], align=True)
     return found
 
@@ -77,7 +78,8 @@ def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] 
 
     The result is a structured array of answer_dtype(): "outcome" (see Outcome), "t_lo" and "t_hi" (which certainly
     contain the time of the contact), "free_until", "point", "normal", "pair" (the two bodies, by their place in the
-    scene), "vertex" and "edge" (each "body", "part", "ring", "index"), "grazing", "events". "touching" is true for rows
+    scene), "vertex" and "edge" (each "body", "part", "ring", "index"), "grazing", "events", "untested" (the number of pairs about which the row says
+    nothing: Coverage.untested). "touching" is true for rows
     that are free and touch: time, vertex and edge are then those of the touch. "point" of an overlap at the start lies
     inside both bodies. What there is not is NaN, or -1.
 

@@ -39,8 +39,12 @@ class OverlapInterval:
 @dataclass(frozen=True)
 class Intervals:
     """All intervals of overlap, pair by pair, each pair's in order of time. Nothing is claimed about pairs in
-    ``undecided``. ``json`` is what ``taut intervals --json`` prints."""
+    ``undecided``. ``outcome``: "undecided" if there are such pairs, else "contact" if two bodies overlap at some time,
+    else "free"; "untested" if no pair was tested. ``reason``: why it is undecided or untested; else None. ``json`` is what
+    ``taut intervals --json`` prints."""
 
+    outcome: str
+    reason: Optional[str]
     intervals: tuple[OverlapInterval, ...]
     undecided: tuple[PairAnswer, ...]
     coverage: Coverage
@@ -51,11 +55,13 @@ class Intervals:
 class Range:
     """The maximal interval of time around an instant in which nothing overlaps.
 
+    ``outcome``: "free", "undecided" or "untested". ``reason``: why it is one of the last two; else None.
     ``start``, ``end``: (lo, hi), which certainly contain its ends; None where these are the scene's own.
-    ``before``, ``after``: the overlaps there. ``reason``: why it is not decided; else None.
+    ``before``, ``after``: the overlaps there. ``coverage``: which pairs that is about.
     ``json`` is what ``taut range --json`` prints.
     """
 
+    outcome: str
     start: Optional[Interval]
     end: Optional[Interval]
     start_deg: Optional[Interval]
@@ -63,6 +69,7 @@ class Range:
     before: Optional[OverlapInterval]
     after: Optional[OverlapInterval]
     reason: Optional[str]
+    coverage: Coverage
     json: str = field(repr=False, compare=False)
 
 
@@ -86,11 +93,12 @@ class NearestPoints:
 
 @dataclass(frozen=True)
 class Clearance:
-    """How close bodies come. ``nearest``: of the closest pair; None if no pair is asked about, or nothing was decided:
-    ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``wide``: why the bracket is wider than
+    """How close bodies come. ``outcome``: "free": no two bodies touch; "contact": two do; "undecided"; "untested".
+    ``nearest``: of the closest pair; None if it is undecided or untested: ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``wide``: why the bracket is wider than
     was asked for, as where a limit of time was reached or curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
     prints."""
 
+    outcome: str
     nearest: Optional[NearestPoints]
     pairs: tuple[NearestPoints, ...]
     reason: Optional[str]
@@ -119,11 +127,12 @@ class DistanceCurve:
 
 @dataclass(frozen=True)
 class DistanceProfile:
-    """The distance of bodies over time. ``curves``: first the least of all pairs, then each pair's own, if they were
-    asked for; none if no pair is asked about, or nothing was decided: ``reason`` then says why. Of bodies with curves
+    """The distance of bodies over time. ``outcome``: as of Clearance. ``curves``: first the least of all pairs, then each
+    pair's own, if they were asked for; none if it is undecided or untested: ``reason`` then says why. Of bodies with curves
     brackets hold the curves' own distance; between instants to 1e-4 of it at best. ``json`` is what
     ``taut clearance --profile N --json`` prints."""
 
+    outcome: str
     curves: tuple[DistanceCurve, ...]
     reason: Optional[str]
     coverage: Coverage
@@ -162,23 +171,23 @@ def intervals_from_json(text: str) -> Intervals:
     """What ``taut intervals --json`` has printed."""
     value = json.loads(text)
     found = tuple(o for o in map(_overlap, value["intervals"]) if o is not None)
-    return Intervals(found, tuple(map(_pair_answer, value["undecided"])), Coverage(**value["coverage"]), text)
+    return Intervals(value["outcome"], value.get("reason"), found, tuple(map(_pair_answer, value["undecided"])), Coverage(**value["coverage"]), text)
 
 
 def range_from_json(text: str) -> Range:
     """What ``taut range --json`` has printed."""
     value = json.loads(text)
     ends = value["range"] or {}
-    return Range(_interval(ends.get("from")), _interval(ends.get("to")), _interval(ends.get("from_deg")),
+    return Range(value["outcome"], _interval(ends.get("from")), _interval(ends.get("to")), _interval(ends.get("from_deg")),
                  _interval(ends.get("to_deg")), _overlap(value.get("before")), _overlap(value.get("after")),
-                 value.get("reason"), text)
+                 value.get("reason"), Coverage(**value["coverage"]), text)
 
 
 def clearance_from_json(text: str) -> Clearance:
     """What ``taut clearance --json`` has printed."""
     value = json.loads(text)
     pairs = tuple(n for n in map(_nearest, value.get("pairs", ())) if n is not None)
-    return Clearance(_nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text,
+    return Clearance(value["outcome"], _nearest(value["clearance"]), pairs, value.get("reason"), Coverage(**value["coverage"]), text,
                      value.get("wide"))
 
 
@@ -193,4 +202,4 @@ def _curve(value: Any) -> DistanceCurve:
 def profile_from_json(text: str) -> DistanceProfile:
     """What ``taut clearance --profile N --json`` has printed."""
     value = json.loads(text)
-    return DistanceProfile(tuple(map(_curve, value["profile"])), value.get("reason"), Coverage(**value["coverage"]), text)
+    return DistanceProfile(value["outcome"], tuple(map(_curve, value["profile"])), value.get("reason"), Coverage(**value["coverage"]), text)

@@ -104,11 +104,12 @@ class Scene:
 
     ``bodies``: one or more Body.
     ``time``: (start, end), in the unit of the motions.
-    ``ignore``: pairs of names that are not asked about, [("door", "pin"), ("chassis", "*")]; "*" is every other body.
+    ``ignore``: pairs of names that are not tested, [("door", "pin"), ("chassis", "*")]; "*" is every other body.
     ``id``: any JSON value, which the answer hands through; None is no id.
     ``folder``: where the files that bodies name are looked up; they must lie below it.
-
-    Bodies that move alike at all times are never asked about with each other, unless the scene has only these two.
+    ``at_rest``: what to do about pairs that do not move relative to each other, since both rest or both have the same
+    motion: "test" them at the start; or "skip" them, unless nothing in the scene moves relative to anything else. Every
+    answer counts what was skipped: see Coverage.
     """
 
     bodies: Sequence[Body]
@@ -116,8 +117,11 @@ class Scene:
     ignore: Sequence[Sequence[str]] = ()
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
+    at_rest: str = "skip"
 
     def __post_init__(self) -> None:
+        if self.at_rest not in ("skip", "test"):
+            raise InputError("at_rest", f"unknown value {self.at_rest!r}", 'write "skip" or "test"')
         bodies = (self.bodies,) if isinstance(self.bodies, Body) else tuple(self.bodies)
         for i, body in enumerate(bodies):
             if not isinstance(body, Body):
@@ -143,6 +147,8 @@ class Scene:
         object["bodies"] = [body._json() for body in self.bodies]
         if self.ignore:
             object["ignore"] = [list(pair) for pair in self.ignore]
+        if self.at_rest != "skip":
+            object["at_rest"] = self.at_rest
         try:
             return json.dumps(object, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
         except (TypeError, ValueError) as error:
@@ -173,7 +179,7 @@ class Scene:
         _taut2d.read(_scene_text(text, name, folder))
         object = json.loads(text)
         return cls([_body_from_json(body) for body in object["bodies"]], object["time"], object.get("ignore", ()),
-                   object.get("id"), folder)
+                   object.get("id"), folder, object.get("at_rest", "skip"))
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes to_json() and a line break into a file. Paths of files that bodies name stay as they are."""

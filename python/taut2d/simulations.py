@@ -8,7 +8,7 @@ from typing import Optional
 
 from . import _taut2d
 from ._numbers import number
-from .answers import Contact, PairAnswer, VertexRef, _contact, _pair_answer
+from .answers import Contact, Coverage, PairAnswer, VertexRef, _contact, _pair_answer
 from .errors import InputError
 from .maps import motion_text, plain_motions
 from .motions import Motion
@@ -82,14 +82,20 @@ class Simulation:
 
     @property
     def state(self) -> str:
-        """"running": free up to ``time``, and there may be more events; "finished": proved free to the end of the scene;
-        "contact"; "overlap_at_start"; "undecided": nothing is claimed beyond ``time``, for the ``reason`` given."""
+        """"running": the tested pairs are free up to ``time``, and there may be more events; "finished": they are proved
+        free to the end of the scene; "contact"; "overlap_at_start"; "undecided": nothing is claimed beyond ``time``, for
+        the ``reason`` given; "untested": the end was reached, and no pair was tested at any time: see ``coverage``."""
         return self._core.standing().state
 
     @property
     def reason(self) -> str:
         """Why the state is "undecided", in words; empty otherwise."""
         return self._core.standing().reason
+
+    @property
+    def coverage(self) -> Coverage:
+        """Which pairs are tested at present; set_motion() may change that."""
+        return Coverage(*self._core.standing().coverage)
 
     @property
     def time(self) -> float:

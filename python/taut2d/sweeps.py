@@ -61,8 +61,9 @@ class SweepAnswers:
 
 def _line(number: int, row: tuple[Any, ...], names: Sequence[str]) -> str:
     """A row of answer_dtype() as JSON; doubles read back as the same doubles. ``names``: those of the bodies, as JSON."""
-    (t_lo, t_hi, free_until, point, normal, events, pair, vertex, edge, outcome, touching, grazing) = row
+    (t_lo, t_hi, free_until, point, normal, events, untested, pair, vertex, edge, outcome, touching, grazing) = row
     line = f'{{"row":{number},"outcome":"{_OUTCOMES[outcome]}","free_until":{free_until!r},"events":{events}'
+    line += f',"untested":{untested}' if untested else ""
     if pair[0] >= 0:
         line += f',"pair":[{names[pair[0]]},{names[pair[1]]}]'
     if vertex[3] >= 0:
@@ -95,6 +96,7 @@ def _read(row: Any, line: dict[str, Any], names: Sequence[str]) -> None:
     """The inverse of _line()."""
     row["outcome"] = Outcome[line["outcome"].upper()]
     row["free_until"], row["events"] = line["free_until"], line["events"]
+    row["untested"] = line.get("untested", 0)
     row["t_lo"], row["t_hi"] = line.get("t", _NO_POINT)
     row["point"], row["normal"] = line.get("point", _NO_POINT), line.get("normal", _NO_POINT)
     row["pair"] = [names.index(name) for name in line["pair"]] if "pair" in line else -1

@@ -86,7 +86,7 @@ def test_three_bodies_name_pair_coverage_and_parts():
     far = Body("far", [(50, 0), (51, 0), (50, 1)])
     answer = taut2d.check(Scene([base, ball, far], (0, 10), [("far", "*")], id="q"), pairs="all", engine="spacetime")
     assert answer.pair == ("base", "ball") and answer.id == "q"
-    assert answer.coverage == taut2d.Coverage(pairs=3, ignored=2, at_rest=0, apart=0, checked=1)
+    assert answer.coverage == taut2d.Coverage(pairs=3, tested=1, apart=0, ignored=2, moving_alike=0, at_rest=0)
     assert answer.pairs[0].contact.edge == taut2d.EdgeRef("base", answer.contact.edge.index, 0, 1)
     assert answer.contact.vertex.id == 7
     assert answer.contact.t[0] == 4
@@ -194,3 +194,38 @@ moved.view().save("page.html")
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
     assert run.returncode == 0, run.stdout
+
+def square(x, y):
+    return [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+
+
+def test_no_verdict_where_nothing_was_tested():
+    falls = taut2d.Body("b", square(0, 5), taut2d.Velocity((0, -1)))
+    scene = Scene([Body("a", square(0, 0)), falls], (0, 10), [("a", "*")])
+    for answer in (taut2d.check(scene), taut2d.check_clearance(scene, 1), taut2d.clearance(scene), taut2d.intervals(scene),
+                   taut2d.range(scene, 0), taut2d.separate(scene), taut2d.distance_profile(scene, 3),
+                   taut2d.prove(scene).answer, taut2d.check(Scene([falls], (0, 10)))):
+        assert answer.outcome == "untested"
+        assert "nothing was tested" in answer.reason
+        assert answer.coverage.untested == answer.coverage.pairs
+    assert not taut2d.check(scene).free
+    assert taut2d.prove(scene).log == b""
+    simulation = taut2d.Simulation(scene)
+    simulation.advance_to(10)
+    assert simulation.state == "untested" and simulation.coverage.ignored == 1
+
+
+def test_pairs_at_rest():
+    bodies = [Body("a", square(0, 0)), Body("b", square(0.5, 0.5))]
+    assert taut2d.check(Scene(bodies, (0, 1))).outcome == "overlap_at_start"
+    bodies.append(Body("c", square(0, 5), taut2d.Velocity((0, 1))))
+    skipped = taut2d.check(Scene(bodies, (0, 1)))
+    assert skipped.free and skipped.coverage.at_rest == 1 and skipped.coverage.untested == 1
+    scene = Scene(bodies, (0, 1), at_rest="test")
+    assert Scene.from_json(scene.to_json()) == scene
+    tested = taut2d.check(scene)
+    assert tested.outcome == "overlap_at_start" and tested.pair == ("a", "b") and tested.coverage.untested == 0
+    many = taut2d.check_many([Scene(bodies, (0, 1)), scene])
+    assert list(many["untested"]) == [1, 0]
+    with pytest.raises(taut2d.InputError):
+        Scene(bodies, (0, 1), at_rest="ask")

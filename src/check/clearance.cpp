@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
@@ -9,22 +10,16 @@
 #include "check/nearest_points.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "search/pair_search.hpp"
 #include "sign/witness.hpp"
 #include "spacetime/settle_nearest.hpp"
 #include "taut/error.hpp"
-#include "world/swept_box.hpp"
+#include "world/pairs_in_reach.hpp"
 
 namespace taut {
 namespace {
-
-/// A lower bound of the distance of two boxes.
-double distance_of(const SweptBox& a, const SweptBox& b) {
-  const double x = std::max({0.0, a.lo_x - b.hi_x, b.lo_x - a.hi_x});
-  const double y = std::max({0.0, a.lo_y - b.hi_y, b.lo_y - a.hi_y});
-  return std::sqrt(x * x + y * y) * (1 - 0x1p-45);
-}
 
 /// Whether bodies touch is not told: why.
 struct TouchUndecided {
@@ -34,23 +29,25 @@ struct TouchUndecided {
 class ClearanceSearch {
  public:
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
-      : options_(options), plan_(scene), best_(INFINITY) {
+      : options_(options), plan_(scene), boxes_(plan_), best_(INFINITY) {
     // A little less than what is allowed: the rest is for rounding.
     tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
-    answer_.coverage = plan_.coverage();
   }
 
+  /// As if engines had examined every pair that is asked about.
+  Coverage all_tested() const { return plan_.coverage(plan_.coverage(0).apart); }
+
   Clearance run() {
-    const std::vector<BoxedPair> pairs = pairs_by_distance();
-    answer_.coverage.checked = 0;
-    for (const BoxedPair& pair : pairs) {
-      if (!options_.all_pairs && pair.bound > tolerance_.least(best_)) break;
-      ++answer_.coverage.checked;
-      search(pair);
+    answer_.coverage = plan_.coverage(0);
+    if (answer_.coverage.is_empty()) {
+      answer_.outcome = Outcome::untested;
+      answer_.reason = why_untested(answer_.coverage);
+      return std::move(answer_);
     }
-    answer_.coverage.apart =
-        answer_.coverage.pairs - answer_.coverage.ignored - answer_.coverage.at_rest - answer_.coverage.checked;
+    search_all();
+    answer_.coverage = plan_.coverage(searched_.size());
     if (answer_.nearest) {
+      answer_.outcome = answer_.nearest->hi > 0 ? Outcome::free : Outcome::contact;
       answer_.nearest->lo = std::min(answer_.nearest->lo, std::ldexp(certain_, -plan_.exponent()) * (1 - 0x1p-50));
       if (is_wide(*answer_.nearest)) answer_.wide = why_;
     }
@@ -69,21 +66,29 @@ class ClearanceSearch {
     return found.hi - found.lo > options_.relative * found.hi + 1e-12 * std::ldexp(plan_.largest(), -plan_.exponent());
   }
 
-  /// All pairs, those first whose boxes come nearest.
-  std::vector<BoxedPair> pairs_by_distance() const {
-    const std::vector<std::vector<SweptBox>> boxes = boxes_over_windows(plan_);
-    std::vector<BoxedPair> pairs;
-    const int n = static_cast<int>(boxes.size());
-    for (int a = 0; a < n; ++a) {
-      for (int b = a + 1; b < n; ++b) {
-        interruption_point();
-        if (!plan_.asked(a, b)) continue;
-        double bound = INFINITY;
-        for (std::size_t k = 0; k < coarse_windows; ++k)
-          bound = std::min(bound,
-                           distance_of(boxes[static_cast<std::size_t>(a)][k], boxes[static_cast<std::size_t>(b)][k]));
-        pairs.push_back({bound, a, b});
+  /// Pairs whose boxes come nearest first, in rounds that reach farther and farther, until no other pair can be closer
+  /// than what was found.
+  void search_all() {
+    double reach = options_.all_pairs ? INFINITY : 0;
+    for (;;) {
+      for (const BoxedPair& pair : new_pairs(reach)) {
+        if (!options_.all_pairs && pair.bound > tolerance_.least(best_)) return;
+        searched_.emplace(pair.a, pair.b);
+        search(pair);
       }
+      if (reach >= tolerance_.least(best_)) return;
+      // Without any distance so far: at least the size of a body, and twice as far each time.
+      reach = best_ < INFINITY ? best_ : std::max(2 * reach, 0x1p-6 * plan_.largest());
+      if (!(reach < 64)) reach = INFINITY;
+    }
+  }
+
+  /// Those within reach that have not been searched, the nearest boxes first.
+  std::vector<BoxedPair> new_pairs(double reach) const {
+    std::vector<BoxedPair> pairs;
+    for (const auto& [a, b] : boxes_.pairs_within(reach)) {
+      interruption_point();
+      if (searched_.count({a, b}) == 0) pairs.push_back({boxes_.distance(a, b), a, b});
     }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const BoxedPair& x, const BoxedPair& y) { return x.bound < y.bound; });
@@ -141,6 +146,8 @@ class ClearanceSearch {
 
   const ClearanceOptions& options_;
   WorldPlan plan_;
+  CoarseBoxes boxes_;
+  std::set<std::pair<int, int>> searched_;
   spacetime::ClearanceTolerance tolerance_;
   double best_;                ///< internal units
   double certain_ = INFINITY;  ///< no pair comes closer than this where that is not told as well as was asked for
@@ -156,13 +163,14 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   const InterruptionScope scope(options.stop, options.max_seconds);
   Clearance answer;
   try {
-    validate_world(scene);
-    return ClearanceSearch(scene, options).run();
+    const std::string stopped = what_stops([&] {
+      validate_world(scene);
+      ClearanceSearch search(scene, options);
+      answer.coverage = search.all_tested();
+      answer = search.run();
+    });
+    if (!stopped.empty()) answer.reason = stopped;
   } catch (const TouchUndecided& limit) {
-    answer.reason = limit.reason;
-  } catch (const Undecidable& limit) {
-    answer.reason = not_decided(limit);
-  } catch (const Interrupted& limit) {
     answer.reason = limit.reason;
   }
   return answer;

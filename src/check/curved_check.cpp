@@ -38,6 +38,7 @@ class CurvedCheck {
   Answer run() {
     for (int round = 0;; ++round) {
       const Answer outer = ask(CurveSide::outer, from_, world_.scene().end);
+      if (outer.outcome == Outcome::untested) return outer;
       if (outer.outcome == Outcome::free || outer.outcome == Outcome::undecided) return concluded(outer, {});
       if (outer.outcome == Outcome::overlap_at_start) {
         if (auto answer = begin_together(outer)) return *answer;
@@ -178,6 +179,7 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   CheckOptions all = options;
   all.tell_touching = false;
   Answer answer = check(world.polygons(CurveSide::outer), all);
+  if (answer.outcome == Outcome::untested) return answer;
   answer.geometry = CurveGeometry{world.tolerance(), world.segments()};
   if (!answer.pairs) return answer;
   all.all_pairs = false;
@@ -205,7 +207,6 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   answer.free_until = scene.end;
   take_headline(events, answer);
   if (answer.outcome != Outcome::free) answer.geometry->tolerance = tolerance;
-  if (scene.bodies.size() == 2) answer.pair.reset();
   return answer;
 }
 

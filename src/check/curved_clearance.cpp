@@ -115,6 +115,7 @@ class ClearanceBracket {
   Clearance concluded(const Clearance& outer, Clearance inner) const {
     inner.nearest->lo = std::min(outer.nearest->lo, inner.nearest->hi);
     if (!(inner.nearest->hi > 0)) return touching_curves(scene_, options_, std::move(inner));
+    inner.outcome = inner.nearest->lo > 0 ? Outcome::free : Outcome::undecided;
     inner.geometry->tolerance = name_edges(world_, *inner.nearest);
     return inner;
   }
@@ -175,7 +176,7 @@ class MarginBracket {
     const double wanted = options_.time_tolerance * (world_.scene().end - world_.scene().start);
     for (;;) {
       const MarginAnswer outer = ask(CurveSide::outer);
-      if (outer.outcome == Outcome::free || outer.outcome == Outcome::undecided) return outer;
+      if (outer.outcome != Outcome::contact && outer.outcome != Outcome::overlap_at_start) return outer;
       MarginAnswer inner = ask(CurveSide::inner);
       if (inner.outcome == Outcome::undecided) return inner;
       if (inner.outcome == outer.outcome && settled(outer, inner, wanted)) return concluded(outer, std::move(inner));

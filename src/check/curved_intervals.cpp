@@ -41,6 +41,7 @@ class CurvedIntervals {
   Intervals run() {
     for (;;) {
       Intervals outer = ask(CurveSide::outer);
+      if (outer.outcome == Outcome::untested) return outer;
       const Intervals inner = ask(CurveSide::inner);
       const std::vector<OverlapBracket> brackets = brackets_of(outer, inner);
       CurvedWorld::Halvings marks = world_.no_halvings();
@@ -108,6 +109,7 @@ class CurvedIntervals {
     for (const OverlapBracket& bracket : brackets) {
       if (open.count(bracket.outer.pair) == 0) answer.intervals.push_back(named(bracket, *answer.geometry));
     }
+    conclude(answer);
     return answer;
   }
 

@@ -33,6 +33,8 @@ Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& option
 DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
+/// The outcome of an answer that has its intervals and its undecided pairs.
+void conclude(Intervals& answer);
 Separation separate_curves(const Scene& scene, const SeparateOptions& options);
 
 /// The curves of distance_profile() with nothing but their instants: polygons only, valid options.

@@ -41,6 +41,7 @@ class CurvedSeparation {
       count += mark(CurveSide::outer, outer, marks) + mark(CurveSide::inner, inner, marks);
       if (count > 0 && !limit_.reached(world_) && refine_marked(world_, std::move(marks), count)) continue;
       if (alike) return concluded(outer, inner);
+      outer.outcome = SeparationOutcome::undecided;
       outer.reason = too_fine;
       return outer;
     }

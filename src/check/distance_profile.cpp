@@ -30,12 +30,10 @@ class ProfileSearch {
     // A little less than what is allowed: the rest is for rounding.
     tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
     absolute_ = std::ldexp(1e-12 * plan_.largest(), -plan_.exponent());
-    answer_.coverage = plan_.coverage();
   }
 
   DistanceProfile run(const Intervals& touching) {
     find_pairs(touching);
-    if (pairs_.empty()) return std::move(answer_);
     std::vector<const PairDistance*> all;
     for (const PairDistance& pair : pairs_) all.push_back(&pair);
     answer_.curves.push_back(curve(all));
@@ -58,8 +56,7 @@ class ProfileSearch {
           pairs_.back().touching.push_back(*next++);
       }
     }
-    answer_.coverage.checked = pairs_.size();
-    answer_.coverage.apart = 0;
+    answer_.coverage = plan_.coverage(pairs_.size());
   }
 
   double instant(int k) const {
@@ -148,14 +145,14 @@ DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& op
   closed.stop = options.stop;
   const Intervals touching = intervals(scene, closed);
   DistanceProfile answer;
+  answer.outcome = touching.outcome;
+  answer.reason = touching.reason;
   answer.coverage = touching.coverage;
-  if (!touching.undecided.empty()) {
-    answer.reason = touching.undecided[0].reason;
-    return answer;
-  }
+  if (touching.outcome == Outcome::undecided || touching.outcome == Outcome::untested) return answer;
   const InterruptionScope scope(options.stop, options.max_seconds);
   const auto search = [&] { answer = ProfileSearch(scene, options, only_instants).run(touching); };
-  if (const std::string stopped = what_stops(search); !stopped.empty()) answer.reason = stopped;
+  answer.reason = what_stops(search);
+  answer.outcome = answer.reason.empty() ? touching.outcome : Outcome::undecided;
   return answer;
 }
 

@@ -7,6 +7,7 @@
 #include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "search/overlap_intervals.hpp"
 #include "taut/error.hpp"
@@ -26,6 +27,15 @@ void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInte
 
 }  // namespace
 
+void conclude(Intervals& answer) {
+  if (!answer.undecided.empty()) {
+    answer.outcome = Outcome::undecided;
+    answer.reason = answer.undecided.front().reason;
+  } else if (!answer.intervals.empty()) {
+    answer.outcome = Outcome::contact;
+  }
+}
+
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return intervals_of_curves(scene, options);
   // Limits begin with the first pair: what they end is then said pair by pair.
@@ -37,20 +47,16 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   const bool plain = !is_world(scene);
   const InterruptionScope scope(options.stop, options.max_seconds);
   Intervals answer;
-  answer.coverage = plan.coverage();
-  const int n = static_cast<int>(plan.bodies().size());
-  for (int a = 0; a < n; ++a) {
-    for (int b = a + 1; b < n; ++b) {
-      if (!plan.asked(a, b)) continue;
-      const std::vector<TimeInterval>* const stretches = near.of(a, b);
-      if (!stretches) {
-        ++answer.coverage.apart;
-        continue;
-      }
-      ++answer.coverage.checked;
-      search_pair(plan, a, b, plain ? throughout : *stretches, options.touch == Touch::open, plain, answer);
-    }
+  answer.coverage = plan.coverage(near.pairs().size());
+  if (answer.coverage.is_empty()) {
+    answer.outcome = Outcome::untested;
+    answer.reason = why_untested(answer.coverage);
+    return answer;
   }
+  for (const auto& [pair, stretches] : near.pairs())
+    search_pair(plan, pair.first, pair.second, plain ? throughout : stretches, options.touch == Touch::open, plain,
+                answer);
+  conclude(answer);
   return answer;
 }
 
@@ -60,11 +66,13 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   const Intervals all = intervals(scene, options);
   Range range;
   range.geometry = all.geometry;
-  if (!all.undecided.empty()) {
-    range.reason = all.undecided.front().reason;
+  range.coverage = all.coverage;
+  range.reason = all.reason;
+  if (all.outcome == Outcome::undecided || all.outcome == Outcome::untested) {
+    range.outcome = all.outcome;
     return range;
   }
-  range.decided = true;
+  range.outcome = Outcome::free;
   for (const OverlapInterval& o : all.intervals) {
     if (o.to.hi <= t && o.to.hi < scene.end) {
       if (!range.from || o.to.hi > range.from->hi) {

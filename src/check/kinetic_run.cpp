@@ -28,8 +28,7 @@ void conclude(const Session& session, Answer& answer) {
     answer.contact = session.contact();
     answer.free_until = answer.contact->time.lo;
   } else if (answer.reason.empty() && engine.state() == EngineState::finished) {
-    answer.outcome = Outcome::free;
-    answer.free_until = session.end();
+    conclude_free(session.end(), answer);
   }
 }
 
@@ -56,6 +55,7 @@ class KineticRun final : public Run {
       : scene_(scene), options_(options), watcher_(watcher), near_(near), scope_(options.stop, options.max_seconds) {
     answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
+    speak_of_two(answer_);
   }
 
   bool work(std::uint64_t effort) override {

@@ -6,12 +6,13 @@
 #include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "sign/witness.hpp"
 #include "spacetime/clearance.hpp"
 #include "spacetime/margin.hpp"
 #include "taut/clearance.hpp"
-#include "world/swept_box.hpp"
+#include "world/pairs_in_reach.hpp"
 
 namespace taut {
 namespace {
@@ -27,42 +28,35 @@ class MarginSearch {
         margin_(std::ldexp(clearance, plan_.exponent())),
         inwards_(options.touch == Touch::open),
         stop_(plan_.end()) {
-    answer_.coverage = plan_.coverage();
     answer_.free_until = plan_.end();
   }
 
   MarginAnswer run() {
-    const int n = static_cast<int>(plan_.bodies().size());
-    boxes_ = boxes_over_windows(plan_);
-    for (int a = 0; a < n; ++a) {
-      for (int b = a + 1; b < n; ++b) {
-        interruption_point();
-        if (plan_.asked(a, b)) ask(a, b);
-      }
+    if (plan_.coverage(0).is_empty()) return untested();
+    const std::vector<std::pair<int, int>> near = CoarseBoxes(plan_).pairs_within(margin_);
+    answer_.coverage = plan_.coverage(near.size());
+    for (const auto& [a, b] : near) {
+      interruption_point();
+      ask(a, b);
     }
-    Coverage& c = answer_.coverage;
-    c.apart = c.pairs - c.ignored - c.at_rest - c.checked;
     take_first();
     return std::move(answer_);
   }
 
  private:
-  bool never_near(int a, int b) const {
-    const auto &first = boxes_[static_cast<std::size_t>(a)], &second = boxes_[static_cast<std::size_t>(b)];
-    for (std::size_t k = 0; k < first.size(); ++k) {
-      if (first[k].grown(margin_).meets(second[k])) return false;
-    }
-    return true;
+  MarginAnswer untested() {
+    answer_.outcome = Outcome::untested;
+    answer_.coverage = plan_.coverage(0);
+    answer_.reason = why_untested(answer_.coverage);
+    answer_.free_until = plan_.start();
+    return std::move(answer_);
   }
 
   void ask(int a, int b) {
     PairMargin pair;
     pair.bodies = {a, b};
     pair.free_until = plan_.end();
-    if (!never_near(a, b)) {
-      ++answer_.coverage.checked;
-      settle(PairSearch(plan_, a, b, inwards_), pair);
-    }
+    settle(PairSearch(plan_, a, b, inwards_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Others are followed a little farther, so that those that come closer at the same time are seen to.
@@ -183,7 +177,6 @@ class MarginSearch {
   double clearance_, margin_;  ///< in the scene's units, and in internal ones
   bool inwards_;
   double stop_;
-  std::vector<std::vector<SweptBox>> boxes_;
   std::vector<PairMargin> events_;
   MarginAnswer answer_;
 };

@@ -28,6 +28,19 @@ class Run {
   virtual StageCounts stages() const = 0;
 };
 
+/// At the beginning, in a scene of two bodies: their pair is the one that is tested.
+inline void speak_of_two(Answer& answer) {
+  answer.pair = {0, 1};
+  answer.coverage.pairs = answer.coverage.tested = 1;
+}
+
+/// Nothing happens until then, the end of the scene's time.
+inline void conclude_free(double end, Answer& answer) {
+  answer.outcome = Outcome::free;
+  answer.free_until = end;
+  answer.pair.reset();
+}
+
 /// The scene and the options must live as long as the run. Throw InputError.
 std::unique_ptr<Run> begin_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher* watcher = nullptr);
 std::unique_ptr<Run> begin_spacetime(const Scene& scene, const CheckOptions& options);

@@ -8,6 +8,7 @@
 #include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
+#include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "search/free_directions.hpp"
 #include "search/pair_search.hpp"
@@ -26,17 +27,39 @@ class SeparationSearch {
     }
   }
 
+  /// Bodies stand still, so what moves alike later does not matter.
+  Coverage coverage() const {
+    Coverage coverage = plan_.coverage(0);
+    coverage.tested = coverage.pairs - coverage.ignored;
+    coverage.apart = coverage.at_rest = coverage.moving_alike = 0;
+    return coverage;
+  }
+
   Separation run() {
     Separation answer;
+    answer.coverage = coverage();
+    if (answer.coverage.is_empty()) {
+      answer.outcome = SeparationOutcome::untested;
+      answer.reason = why_untested(answer.coverage);
+      return answer;
+    }
     answer.overlap = overlap();
-    if (answer.overlap) return answer;
     const int n = static_cast<int>(standing_.size());
-    for (int body = n == 2 ? 1 : 0; body < n; ++body) answer.bodies.push_back(directions(body));
-    if (n > 2) take_apart(answer);
+    if (!answer.overlap) {
+      for (int body = n == 2 ? 1 : 0; body < n; ++body) answer.bodies.push_back(directions(body));
+      if (n > 2) take_apart(answer);
+    }
+    answer.outcome = answer.overlap      ? SeparationOutcome::overlap_at_start
+                     : is_locked(answer) ? SeparationOutcome::locked
+                                         : SeparationOutcome::free;
     return answer;
   }
 
  private:
+  static bool is_locked(const Separation& answer) {
+    return answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
+  }
+
   std::optional<std::array<BodyId, 2>> overlap() const {
     const int n = static_cast<int>(standing_.size());
     for (int a = 0; a < n; ++a) {
@@ -142,7 +165,9 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   Separation answer;
   const std::string stopped = what_stops([&] {
     validate_world(scene);
-    answer = SeparationSearch(scene, options.travel).run();
+    SeparationSearch search(scene, options.travel);
+    answer.coverage = search.coverage();
+    answer = search.run();
   });
   if (!stopped.empty()) answer.reason = stopped;
   return answer;

@@ -86,8 +86,7 @@ class SpacetimeQuestion {
     stages_ += found.stages;
     answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
-      answer.outcome = Outcome::free;
-      answer.free_until = scene_.end;
+      conclude_free(scene_.end, answer);
     } else if (found.outcome == SpacetimeResult::contact) {
       answer.outcome = Outcome::contact;
       answer.contact = witness().contact(found.found, legs_[found.leg]);
@@ -125,6 +124,7 @@ class SpacetimeRun final : public Run {
       : scope_(options.stop, options.max_seconds) {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
+    speak_of_two(answer_);
     const Clock::time_point start = Clock::now();
     const std::string stopped = what_stops([&] {
       question_.emplace(scene, options.touch, apart);

@@ -91,6 +91,14 @@ class MapRun {
   }
 
   Answer run() {
+    if (bodies_.rings.empty()) {
+      Answer answer;
+      answer.outcome = Outcome::untested;
+      answer.engine = EngineName::spacetime;
+      answer.free_until = start_;
+      answer.reason = "nothing was tested: the map has no bodies";
+      return answer;
+    }
     Answer answer = asked(options_.touch == Touch::open);
     if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
       return answer;
@@ -140,7 +148,9 @@ class MapRun {
     if (answer.outcome == Outcome::overlap_at_start && answer.pair)
       answer.overlap_point = search.common_point((*answer.pair)[0]);
     const std::uint64_t all = bodies_.rings.size();
-    answer.coverage = Coverage{all, 0, 0, all - search.checked(), search.checked()};
+    answer.coverage.pairs = all;
+    answer.coverage.tested = search.tested();
+    answer.coverage.apart = all - search.tested();
   }
 
   const MapBodies& bodies_;

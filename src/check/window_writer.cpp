@@ -64,7 +64,7 @@ WindowWriter::WindowWriter(const proof::ProvedScene& scene, double room, const P
       except_(except),
       out_(out),
       section_(std::move(section)),
-      boxes_(scene),
+      boxes_(scene, room),
       fresh_(static_cast<std::size_t>(scene.size())) {
   for (int i = 0; i < scene.size(); ++i) {
     const Bounds& b = scene[i].rings->bounds();

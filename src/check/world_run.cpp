@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "world/world_witness.hpp"
 
@@ -12,23 +13,6 @@ namespace taut {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Every pair that was asked about, also those that boxes alone have told apart.
-std::vector<PairAnswer> all_pairs(const WorldPlan& plan, const std::vector<PairEvent>& known) {
-  std::vector<PairAnswer> all;
-  auto next = known.begin();
-  const int n = static_cast<int>(plan.bodies().size());
-  for (int a = 0; a < n; ++a) {
-    for (int b = a + 1; b < n; ++b) {
-      if (!plan.asked(a, b)) continue;
-      const std::array<BodyId, 2> bodies{a, b};
-      while (next != known.end() && next->pair.bodies < bodies) ++next;
-      const bool is_known = next != known.end() && next->pair.bodies == bodies;
-      all.push_back(is_known ? next->pair : PairAnswer{bodies, Outcome::free, {}, plan.end(), {}});
-    }
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -43,6 +27,7 @@ bool WorldRun::work(std::uint64_t) {
   try {
     validate_world(scene_);
     plan_.emplace(scene_);
+    if (plan_->coverage(0).is_empty()) return leave_untested();
     search_.emplace(*plan_, options_.touch, options_.all_pairs, options_.engine, options_.max_events);
     answer_.build_seconds = seconds_since(start);
     if (search_->start()) search_->run();
@@ -56,11 +41,20 @@ bool WorldRun::work(std::uint64_t) {
   return true;
 }
 
+bool WorldRun::leave_untested() {
+  answer_.outcome = Outcome::untested;
+  answer_.coverage = plan_->coverage(0);
+  answer_.reason = why_untested(answer_.coverage);
+  if (options_.all_pairs) answer_.pairs.emplace();
+  return true;
+}
+
 void WorldRun::conclude() {
   std::vector<PairEvent> events = pairs();
-  if (plan_) {
-    if (options_.all_pairs && stopped_.empty()) answer_.pairs = all_pairs(*plan_, events);
-    if (scene_.bodies.size() != 2) answer_.coverage = coverage();
+  if (plan_) answer_.coverage = plan_->coverage(events.size());
+  if (options_.all_pairs && stopped_.empty()) {
+    answer_.pairs.emplace();
+    for (const PairEvent& event : events) answer_.pairs->push_back(event.pair);
   }
   std::erase_if(events, [](const PairEvent& e) { return e.pair.outcome == Outcome::free; });
   if (!stopped_.empty()) {
@@ -75,7 +69,7 @@ void WorldRun::conclude() {
   if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
     answer_.overlap_point = common_point(*plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
   tell_engine();
-  if (scene_.bodies.size() == 2) answer_.pair.reset();
+  if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
 }
 
 /// Of the pairs that went to an engine; where they went to two, what both say. Throws EngineDisagreement.
@@ -105,13 +99,6 @@ void WorldRun::tell_engine() {
   answer_.events = counts.events;
   answer_.certificates_initial = counts.certificates_initial;
   answer_.certificates_max = counts.certificates_max;
-}
-
-Coverage WorldRun::coverage() const {
-  Coverage c = plan_->coverage();
-  c.checked = search_ ? search_->checked() : 0;
-  c.apart = c.pairs - c.ignored - c.at_rest - c.checked;
-  return c;
 }
 
 Answer run_world(const Scene& scene, const CheckOptions& options) {

@@ -24,10 +24,10 @@ class WorldRun final : public Run {
   const std::optional<WorldSearch>& search() const { return search_; }
 
  private:
+  bool leave_untested();
   void conclude();
   std::vector<PairEvent> pairs() const;
   void tell_engine();
-  Coverage coverage() const;
 
   const Scene& scene_;
   const CheckOptions& options_;

@@ -8,6 +8,8 @@
 #include "base/interruption.hpp"
 #include "envelope/cell_pair.hpp"
 #include "pair/ignored_pairs.hpp"
+#include "pair/untested.hpp"
+#include "spacetime/first_contact.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -15,6 +17,13 @@ namespace {
 
 /// How each body hangs on others: itself, its parent, and so on.
 using Chain = std::vector<int>;
+
+void drop_common(Chain& a, Chain& b) {
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    a.pop_back();
+    b.pop_back();
+  }
+}
 
 /// One pair that is asked about: the bodies in their roles, and the chains from them up to what they have in common.
 struct LinkedPair {
@@ -27,12 +36,15 @@ struct LinkedPair {
       : search(world, a, b, false), cells(search.geometry, search.trees()), bodies{a, b} {
     of_p = chains[static_cast<std::size_t>(search.plan.rings[0]->body())];
     of_q = chains[static_cast<std::size_t>(search.plan.rings[1]->body())];
-    while (!of_p.empty() && !of_q.empty() && of_p.back() == of_q.back()) {
-      of_p.pop_back();
-      of_q.pop_back();
-    }
+    drop_common(of_p, of_q);
   }
 };
+
+/// Two bodies that no joint moves against each other overlap.
+bool overlap_at_rest(const WorldPlan& world, int a, int b) {
+  const PairSearch pair(world, a, b, true);
+  return spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], world.start()).has_value();
+}
 
 /// A cell that is still to be looked at, with what is known of it.
 struct OpenCell {
@@ -59,9 +71,12 @@ class EnvelopeSearch {
     }
     for (std::uint32_t i = 0; i < pairs_.size(); ++i) all.pairs.push_back(i);
     all.hints.resize(all.pairs.size());
+    if (answer_.coverage.is_empty()) return untested();
     // The large ones first. A cell leaves the queue when it is done, so that a limit loses none.
-    if (pairs_.empty()) {
-      note(all, CellState::free, 0);
+    if (overlap_) {
+      note(all, CellState::colliding, *overlap_);
+    } else if (pairs_.empty()) {
+      note(all, CellState::free, {});
     } else {
       queue_.push_back(std::move(all));
     }
@@ -73,7 +88,7 @@ class EnvelopeSearch {
       }
     } catch (const Interrupted& limit) {
       answer_.reason = limit.reason;
-      for (const OpenCell& cell : queue_) note(cell, CellState::undecided, cell.pairs.front());
+      for (const OpenCell& cell : queue_) note(cell, CellState::undecided, bodies_of(cell.pairs.front()));
     }
     conclude();
     return std::move(answer_);
@@ -93,19 +108,53 @@ class EnvelopeSearch {
         body = by_name.at(parent);
       }
     }
+    choose_pairs(chains);
+  }
+  /// Bodies that no joint moves against each other are tested once, as the scene says, and where there are no others.
+  void choose_pairs(const std::vector<Chain>& chains) {
     const IgnoredPairs ignored(rests_);
     const int n = static_cast<int>(chains.size());
+    std::vector<std::array<BodyId, 2>> fixed;
+    bool any_moves = false;
+    Coverage& coverage = answer_.coverage;
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        if (ignored.has(a, b)) continue;
-        auto pair = std::make_unique<LinkedPair>(world_, a, b, chains);
-        if (moves(pair->of_p) || moves(pair->of_q)) pairs_.push_back(std::move(pair));
+        interruption_point();
+        ++coverage.pairs;
+        const bool apart = move_apart(chains[static_cast<std::size_t>(a)], chains[static_cast<std::size_t>(b)]);
+        any_moves = any_moves || apart;
+        if (ignored.has(a, b)) {
+          ++coverage.ignored;
+        } else if (apart) {
+          pairs_.push_back(std::make_unique<LinkedPair>(world_, a, b, chains));
+        } else {
+          fixed.push_back({a, b});
+        }
       }
     }
+    const bool tests_fixed = !any_moves || rests_.at_rest == AtRest::test;
+    coverage.tested = pairs_.size() + (tests_fixed ? fixed.size() : 0);
+    coverage.at_rest = tests_fixed ? 0 : fixed.size();
+    if (!tests_fixed) return;
+    const auto found = std::find_if(fixed.begin(), fixed.end(),
+                                    [&](const auto& pair) { return overlap_at_rest(world_, pair[0], pair[1]); });
+    if (found != fixed.end()) overlap_ = *found;
   }
+  Envelope untested() {
+    answer_.outcome = Outcome::untested;
+    answer_.reason = why_untested(answer_.coverage);
+    answer_.undecided = 1;
+    return std::move(answer_);
+  }
+  const std::array<BodyId, 2>& bodies_of(std::uint32_t pair) const { return pairs_[pair]->bodies; }
   const JointMotion* motion_of(int body) const {
     const auto i = static_cast<std::size_t>(body);
     return i < linkage_.motions.size() && linkage_.motions[i] ? &*linkage_.motions[i] : nullptr;
+  }
+  /// Is there a joint below what two chains have in common?
+  bool move_apart(Chain a, Chain b) const {
+    drop_common(a, b);
+    return moves(a) || moves(b);
   }
   bool moves(const Chain& chain) const {
     return std::any_of(chain.begin(), chain.end(), [this](int body) { return motion_of(body) != nullptr; });
@@ -129,13 +178,13 @@ class EnvelopeSearch {
       const LinkedPair& pair = *pairs_[cell.pairs[i]];
       const PoseModel seen = between(pair, cell.box);
       const CellState state = pair.cells.look(seen, cell.hints[i]);
-      if (state == CellState::colliding) return note(cell, state, cell.pairs[i]);
+      if (state == CellState::colliding) return note(cell, state, bodies_of(cell.pairs[i]));
       if (state == CellState::free) continue;
       left.pairs.push_back(cell.pairs[i]);
       left.hints.push_back(cell.hints[i]);
       add_effect(pair, seen, effect);
     }
-    if (left.pairs.empty()) return note(cell, CellState::free, 0);
+    if (left.pairs.empty()) return note(cell, CellState::free, {});
     divide(left, effect);
   }
   /// How far the joints move a pair's bodies across the cell.
@@ -161,7 +210,7 @@ class EnvelopeSearch {
         continue;
       if (!widest || effect[k] > effect[*widest]) widest = k;
     }
-    if (!widest) return note(cell, CellState::undecided, cell.pairs.front());
+    if (!widest) return note(cell, CellState::undecided, bodies_of(cell.pairs.front()));
     for (const double sign : {-1.0, 1.0}) {
       OpenCell half = cell;
       half.share /= 2;
@@ -172,15 +221,15 @@ class EnvelopeSearch {
     }
   }
 
-  void note(const OpenCell& cell, CellState state, std::uint32_t pair) {
+  void note(const OpenCell& cell, CellState state, const std::array<BodyId, 2>& pair) {
     EnvelopeCell done;
     done.state = state;
+    done.pair = pair;
     for (std::size_t k = 0; k < linkage_.joints.size(); ++k) {
       const Joint& joint = linkage_.joints[k];
       done.lo[k] = std::max(joint.lo, cell.box.middle[k] - cell.box.half[k]);
       done.hi[k] = std::min(joint.hi, cell.box.middle[k] + cell.box.half[k]);
     }
-    if (state != CellState::free) done.pair = pairs_[pair]->bodies;
     (state == CellState::free        ? answer_.free
      : state == CellState::colliding ? answer_.colliding
                                      : answer_.undecided) += cell.share;
@@ -215,7 +264,8 @@ class EnvelopeSearch {
   Scene rests_;
   WorldPlan world_;
   double scale_ = 1;
-  std::vector<std::unique_ptr<LinkedPair>> pairs_;
+  std::vector<std::unique_ptr<LinkedPair>> pairs_;  ///< that joints move against each other
+  std::optional<std::array<BodyId, 2>> overlap_;    ///< of bodies that are fixed to each other, if they are tested
   std::deque<OpenCell> queue_;
   Envelope answer_;
 };

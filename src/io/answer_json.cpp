@@ -50,9 +50,13 @@ std::string io::pair_answer_json(const Scene& scene, const PairAnswer& pair) {
 }
 
 std::string io::coverage_json(const Coverage& c) {
-  return "{\"pairs\":" + std::to_string(c.pairs) + ",\"ignored\":" + std::to_string(c.ignored) +
-         ",\"at_rest\":" + std::to_string(c.at_rest) + ",\"apart\":" + std::to_string(c.apart) +
-         ",\"checked\":" + std::to_string(c.checked) + "}";
+  return ",\"coverage\":{\"pairs\":" + std::to_string(c.pairs) + ",\"tested\":" + std::to_string(c.tested) +
+         ",\"apart\":" + std::to_string(c.apart) + ",\"ignored\":" + std::to_string(c.ignored) +
+         ",\"moving_alike\":" + std::to_string(c.moving_alike) + ",\"at_rest\":" + std::to_string(c.at_rest) + "}";
+}
+
+std::string io::verdict_json(const Scene& scene, const char* outcome) {
+  return (scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",") + "\"outcome\":\"" + outcome + "\"";
 }
 
 std::string io::vertex_json(const Scene& scene, const VertexRef& vertex) { return feature_text(scene, vertex); }
@@ -71,12 +75,12 @@ std::string pairs_text(const Scene& scene, const char* key, const std::vector<Pa
   return s + "]";
 }
 
-/// What a world's answer says besides that of two bodies.
-std::string world_text(const Scene& scene, const Answer& answer) {
+/// Which pairs the answer is about.
+std::string about_pairs(const Scene& scene, const Answer& answer) {
   std::string s;
   if (answer.pair) s += ",\"pair\":" + io::pair_names_json(scene, *answer.pair);
   if (!answer.also.empty()) s += pairs_text(scene, "also", answer.also);
-  if (answer.coverage) s += ",\"coverage\":" + io::coverage_json(*answer.coverage);
+  s += io::coverage_json(answer.coverage);
   if (answer.pairs) s += pairs_text(scene, "pairs", *answer.pairs);
   return s;
 }
@@ -91,7 +95,8 @@ std::string scope_text(const Scene& scene, Touch touch, double fit) {
   std::string s = "{\"bodies\":[";
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? "," : "") + io::string_text(scene.bodies[i].name);
   return s + "],\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) + "\"" +
-         (fit > 0 ? ",\"fit\":" + io::number_text(fit) : std::string()) + "}";
+         (fit > 0 ? ",\"fit\":" + io::number_text(fit) : std::string()) +
+         (scene.at_rest == AtRest::test ? ",\"at_rest\":\"test\"" : "") + "}";
 }
 
 }  // namespace
@@ -105,17 +110,15 @@ std::string io::contact_json(const Scene& scene, const Contact& contact) {
 
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing) {
-  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
-  s += std::string("\"outcome\":\"") + to_string(answer.outcome) + "\"";
+  std::string s = io::verdict_json(scene, to_string(answer.outcome));
   if (answer.contact) s += io::contact_json(scene, *answer.contact);
   if (answer.touching)
     s += ",\"grazing\":true,\"touching\":{" + io::contact_json(scene, *answer.touching).substr(1) + "}";
   if (!answer.touching_undecided.empty()) s += ",\"touching_undecided\":" + io::string_text(answer.touching_undecided);
   if (answer.overlap_point) s += ",\"overlap\":{\"point\":" + io::point_text(*answer.overlap_point) + "}";
-  if (answer.outcome == Outcome::undecided) {
-    s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
-  }
-  s += world_text(scene, answer);
+  if (answer.outcome == Outcome::undecided) s += ",\"free_until\":" + io::number_text(answer.free_until);
+  if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
+  s += about_pairs(scene, answer);
   s += io::geometry_json(answer.geometry);
   s += std::string(",\"engine\":\"") + (answer.compared ? "both" : to_string(answer.engine)) +
        "\",\"events\":" + std::to_string(answer.events) +

@@ -30,7 +30,10 @@ std::string features_json(const Scene& scene, const Contact& contact);
 std::string curve_place_json(const Body& body, int part, int ring, int segment, double parameter);
 /// The member "geometry" with a comma before it, if there is one.
 std::string geometry_json(const std::optional<CurveGeometry>& geometry);
+/// The member "coverage" with a comma before it.
 std::string coverage_json(const Coverage& coverage);
+/// The members with which every answer begins: "id", if the scene has one, and "outcome"; with the opening brace.
+std::string verdict_json(const Scene& scene, const char* outcome);
 std::string vertex_json(const Scene& scene, const VertexRef& vertex);
 std::string edge_json(const Scene& scene, const EdgeRef& edge);
 /// Of a proof about a clearance: the members "clearance", and "closer" if bodies come closer, each with a comma before.

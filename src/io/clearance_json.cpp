@@ -8,14 +8,6 @@
 namespace taut {
 namespace {
 
-std::string nearest_edge_text(const Scene& scene, const EdgeRef& edge) {
-  const Body& body = scene.bodies[static_cast<std::size_t>(edge.body)];
-  std::string s = "{\"body\":" + io::string_text(body.name);
-  if (edge.parameter) return s + io::curve_place_json(body, edge.part, edge.ring, edge.index, *edge.parameter) + "}";
-  if (!body.parts.empty()) s += ",\"part\":" + std::to_string(edge.part) + ",\"ring\":" + std::to_string(edge.ring);
-  return s + ",\"index\":" + std::to_string(edge.index) + "}";
-}
-
 std::string nearest_text(const Scene& scene, const NearestPoints& n) {
   std::string s = "{\"lo\":" + io::number_text(n.lo) + ",\"hi\":" + io::number_text(n.hi) +
                   ",\"t\":" + io::array_text({n.time.lo, n.time.hi}) +
@@ -28,14 +20,14 @@ std::string nearest_text(const Scene& scene, const NearestPoints& n) {
   }
   if (!(n.hi > 0)) return s + "}";
   return s + ",\"points\":[" + io::point_text(n.points[0]) + "," + io::point_text(n.points[1]) + "],\"edges\":[" +
-         nearest_edge_text(scene, n.edges[0]) + "," + nearest_edge_text(scene, n.edges[1]) + "]}";
+         io::edge_json(scene, n.edges[0]) + "," + io::edge_json(scene, n.edges[1]) + "]}";
 }
 
 }  // namespace
 
 std::string clearance_json(const Scene& scene, const Clearance& answer) {
-  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
-  s += "\"clearance\":" + (answer.nearest ? nearest_text(scene, *answer.nearest) : std::string("null"));
+  std::string s = io::verdict_json(scene, to_string(answer.outcome));
+  s += ",\"clearance\":" + (answer.nearest ? nearest_text(scene, *answer.nearest) : std::string("null"));
   if (!answer.pairs.empty()) {
     s += ",\"pairs\":[";
     for (std::size_t i = 0; i < answer.pairs.size(); ++i) s += (i ? "," : "") + nearest_text(scene, answer.pairs[i]);
@@ -44,8 +36,8 @@ std::string clearance_json(const Scene& scene, const Clearance& answer) {
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
   if (!answer.wide.empty()) s += ",\"wide\":" + io::string_text(answer.wide);
   s += io::geometry_json(answer.geometry);
-  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
-         ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + "}}";
+  return s + io::coverage_json(answer.coverage) + ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) +
+         "}}";
 }
 
 }  // namespace taut

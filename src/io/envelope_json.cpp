@@ -54,14 +54,13 @@ const char* to_string(CellState state) {
 }
 
 std::string envelope_json(const Linkage& linkage, const Envelope& answer, double tolerance, bool cells) {
-  std::string s = linkage.scene.id.empty() ? "{" : "{\"id\":" + linkage.scene.id + ",";
-  s += "\"outcome\":\"" + std::string(to_string(answer.outcome)) + "\",\"joints\":" + joints_text(linkage);
+  std::string s = io::verdict_json(linkage.scene, to_string(answer.outcome)) + ",\"joints\":" + joints_text(linkage);
   s += ",\"witness\":" + (answer.witness ? envelope_witness_text(linkage, *answer.witness) : std::string("null"));
   s += ",\"free\":" + io::number_text(answer.free) + ",\"colliding\":" + io::number_text(answer.colliding) +
        ",\"undecided\":" + io::number_text(answer.undecided) + ",\"tolerance\":" + io::number_text(tolerance);
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
   if (cells) s += ",\"cells\":" + cells_text(linkage, answer.cells);
-  return s + "}";
+  return s + io::coverage_json(answer.coverage) + "}";
 }
 
 }  // namespace taut

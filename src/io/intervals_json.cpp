@@ -34,33 +34,43 @@ std::string overlap_text(const Scene& scene, const OverlapInterval& o) {
   return s + "}";
 }
 
-std::string id_and_brace(const Scene& scene) { return scene.id.empty() ? "{" : "{\"id\":" + scene.id + ","; }
+/// The member "reason" with a comma before it, if there is one.
+std::string reason_text(const std::string& reason) {
+  return reason.empty() ? "" : ",\"reason\":" + io::string_text(reason);
+}
 
 }  // namespace
 
 std::string intervals_json(const Scene& scene, const Intervals& answer, Touch touch) {
-  std::string s = id_and_brace(scene) + "\"intervals\":[";
+  std::string s = io::verdict_json(scene, to_string(answer.outcome)) + reason_text(answer.reason) + ",\"intervals\":[";
   for (std::size_t i = 0; i < answer.intervals.size(); ++i)
     s += (i ? "," : "") + overlap_text(scene, answer.intervals[i]);
   s += "],\"undecided\":[";
   for (std::size_t i = 0; i < answer.undecided.size(); ++i)
     s += (i ? "," : "") + io::pair_answer_json(scene, answer.undecided[i]);
   s += "]" + io::geometry_json(answer.geometry);
-  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) + question_scope(scene, touch) + "}";
+  return s + io::coverage_json(answer.coverage) + question_scope(scene, touch) + "}";
 }
 
-std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch) {
-  std::string s = id_and_brace(scene);
-  if (!answer.decided)
-    return s + "\"range\":null,\"reason\":" + io::string_text(answer.reason) + question_scope(scene, touch) + "}";
+namespace {
+
+std::string range_text(const Scene& scene, const Range& answer) {
+  if (answer.outcome != Outcome::free) return "null";
   const auto end = [](const std::optional<TimeInterval>& t) { return t ? interval_text(*t) : std::string("null"); };
-  s += "\"range\":{\"from\":" + end(answer.from) + ",\"to\":" + end(answer.to);
+  std::string s = "{\"from\":" + end(answer.from) + ",\"to\":" + end(answer.to);
   if (answer.before) s += degrees_text(scene, answer.before->pair, "from_deg", *answer.from);
   if (answer.after) s += degrees_text(scene, answer.after->pair, "to_deg", *answer.to);
-  s += "},\"around\":" + io::number_text(from);
+  return s + "}";
+}
+
+}  // namespace
+
+std::string range_json(const Scene& scene, double from, const Range& answer, Touch touch) {
+  std::string s = io::verdict_json(scene, to_string(answer.outcome)) + reason_text(answer.reason);
+  s += ",\"range\":" + range_text(scene, answer) + ",\"around\":" + io::number_text(from);
   if (answer.before) s += ",\"before\":" + overlap_text(scene, *answer.before);
   if (answer.after) s += ",\"after\":" + overlap_text(scene, *answer.after);
-  s += io::geometry_json(answer.geometry);
+  s += io::geometry_json(answer.geometry) + io::coverage_json(answer.coverage);
   return s + question_scope(scene, touch) + "}";
 }
 

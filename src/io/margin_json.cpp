@@ -48,8 +48,7 @@ std::string io::proved_clearance_json(const Scene& scene, const Verified& proved
 }
 
 std::string margin_json(const Scene& scene, double clearance, const MarginAnswer& answer, Touch touch) {
-  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
-  s += "\"outcome\":\"" + std::string(to_string(answer.outcome)) + "\",\"clearance\":" + io::number_text(clearance);
+  std::string s = io::verdict_json(scene, to_string(answer.outcome)) + ",\"clearance\":" + io::number_text(clearance);
   if (answer.first) {
     const PairMargin& first = *answer.first;
     if (first.outcome == Outcome::contact) s += ",\"t\":" + io::array_text({first.time.lo, first.time.hi});
@@ -57,12 +56,11 @@ std::string margin_json(const Scene& scene, double clearance, const MarginAnswer
   }
   if (!answer.also.empty()) s += ",\"also\":" + list_of(scene, answer.also);
   if (!answer.pairs.empty()) s += ",\"pairs\":" + list_of(scene, answer.pairs);
-  if (answer.outcome == Outcome::undecided)
-    s += ",\"free_until\":" + io::number_text(answer.free_until) + ",\"reason\":" + io::string_text(answer.reason);
+  if (answer.outcome == Outcome::undecided) s += ",\"free_until\":" + io::number_text(answer.free_until);
+  if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
   s += io::geometry_json(answer.geometry);
-  return s + ",\"coverage\":" + io::coverage_json(answer.coverage) +
-         ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + ",\"touch\":\"" + to_string(touch) +
-         "\"}}";
+  return s + io::coverage_json(answer.coverage) + ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) +
+         ",\"touch\":\"" + to_string(touch) + "\"}}";
 }
 
 }  // namespace taut

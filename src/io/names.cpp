@@ -1,5 +1,6 @@
 // How the public enumerations are called in answers and on the command line.
 #include "taut/check.hpp"
+#include "taut/separate.hpp"
 
 namespace taut {
 
@@ -11,9 +12,28 @@ const char* to_string(Outcome outcome) {
       return "contact";
     case Outcome::overlap_at_start:
       return "overlap_at_start";
-    default:
-      return "undecided";
+    case Outcome::untested:
+      return "untested";
+    case Outcome::undecided:
+      break;
   }
+  return "undecided";
+}
+
+const char* to_string(SeparationOutcome outcome) {
+  switch (outcome) {
+    case SeparationOutcome::free:
+      return "free";
+    case SeparationOutcome::locked:
+      return "locked";
+    case SeparationOutcome::overlap_at_start:
+      return "overlap_at_start";
+    case SeparationOutcome::untested:
+      return "untested";
+    case SeparationOutcome::undecided:
+      break;
+  }
+  return "undecided";
 }
 
 const char* to_string(Touch touch) { return touch == Touch::open ? "open" : "closed"; }

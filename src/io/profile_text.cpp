@@ -38,10 +38,10 @@ std::string csv_field(const std::string& text) {
 }  // namespace
 
 std::string profile_json(const Scene& scene, const DistanceProfile& answer) {
-  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
-  s += "\"profile\":" + json_list(answer.curves, [&](const DistanceCurve& c) { return curve_json(scene, c); });
+  std::string s = io::verdict_json(scene, to_string(answer.outcome));
+  s += ",\"profile\":" + json_list(answer.curves, [&](const DistanceCurve& c) { return curve_json(scene, c); });
   if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
-  return s + io::geometry_json(answer.geometry) + ",\"coverage\":" + io::coverage_json(answer.coverage) +
+  return s + io::geometry_json(answer.geometry) + io::coverage_json(answer.coverage) +
          ",\"scope\":{\"time\":" + io::array_text({scene.start, scene.end}) + "}}";
 }
 

@@ -46,8 +46,8 @@ std::string range_svg(const Scene& scene, double from, const Range& answer, int 
   std::string s =
       io::chart_head(wide, range_top + high + 30, "Without overlap around t = " + fmt::format("{:.9g}", from));
   s += panel.time_axis("t");
-  s += answer.decided ? bar_of_range(scene, from, answer, panel)
-                      : io::chart_text(30, range_top + 14, "undecided: " + answer.reason);
+  s += answer.outcome == Outcome::free ? bar_of_range(scene, from, answer, panel)
+                                       : io::chart_text(30, range_top + 14, "undecided: " + answer.reason);
   return s + "</svg>\n";
 }
 

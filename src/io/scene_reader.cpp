@@ -34,8 +34,8 @@ class SceneReader {
 
   Scene read() const {
     // "$schema" is for editors.
-    const JsonObject root(document_, 0, "", {"format", "time", "bodies", "ignore", "id", "joints", "$schema"},
-                          scene_shape);
+    const JsonObject root(document_, 0, "",
+                          {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "$schema"}, scene_shape);
     if (const auto joints = root.find("joints"))
       throw document_.error(*joints, "joints", "the scene has joints instead of a time",
                             "ask taut envelope about it, or give it a \"time\" and motions");
@@ -50,7 +50,8 @@ class SceneReader {
   }
 
   Linkage read_linkage() const {
-    const JsonObject root(document_, 0, "", {"format", "joints", "bodies", "ignore", "id", "$schema"}, linkage_shape);
+    const JsonObject root(document_, 0, "", {"format", "joints", "bodies", "ignore", "at_rest", "id", "$schema"},
+                          linkage_shape);
     read_format(root.get("format"));
     Linkage linkage;
     linkage.joints = io::read_joints(document_, root.get("joints"));
@@ -70,6 +71,7 @@ class SceneReader {
   void read_rest(const JsonObject& root, Scene& scene, const ReadMotion& read_motion) const {
     read_bodies(root.get("bodies"), scene, read_motion);
     if (const auto ignore = root.find("ignore")) read_ignored(*ignore, scene);
+    if (const auto at_rest = root.find("at_rest")) read_at_rest(*at_rest, scene);
     if (const auto id = root.find("id")) scene.id = io::value_text(document_, *id);
   }
 
@@ -151,6 +153,15 @@ class SceneReader {
         throw document_.error(i, path, "expected two names, found " + std::to_string(names.size()), "write " + shape);
       scene.ignore.push_back({names[0], names[1]});
     }
+  }
+
+  void read_at_rest(std::size_t token, Scene& scene) const {
+    const std::string shape = R"("at_rest": "test", or "skip")";
+    document_.require(token, JsonKind::string, "at_rest", shape);
+    const std::string& word = document_.string_at(token);
+    if (word != "test" && word != "skip")
+      throw document_.error(token, "at_rest", "unknown word \"" + io::excerpt(word) + "\"", "write " + shape);
+    scene.at_rest = word == "test" ? AtRest::test : AtRest::skip;
   }
 
   /// One polygon, or parts.

@@ -121,6 +121,7 @@ std::string write_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) s += (i ? ",\n" : "") + body_text(scene.bodies[i]);
   s += "\n ]";
   if (!scene.ignore.empty()) s += ",\n \"ignore\":" + ignored_text(scene);
+  if (scene.at_rest == AtRest::test) s += ",\n \"at_rest\":\"test\"";
   if (!scene.id.empty()) s += ",\n \"id\":" + scene.id;
   return s + "}\n";
 }

@@ -45,32 +45,23 @@ std::string step_text(const Scene& scene, const RemovalStep& step) {
          ",\"within\":" + arc_text(scene, step.free) + "}";
 }
 
-/// free: bodies come apart, all of them one by one if there are more than two.
-const char* outcome_of(const Separation& answer) {
-  if (!answer.reason.empty()) return "undecided";
-  if (answer.overlap) return "overlap_at_start";
-  const bool locked = answer.bodies.size() == 1 ? answer.bodies[0].free.empty() : !answer.stuck.empty();
-  return locked ? "locked" : "free";
-}
-
 }  // namespace
 
 std::string separation_json(const Scene& scene, const Separation& answer) {
-  std::string s = scene.id.empty() ? "{" : "{\"id\":" + scene.id + ",";
-  s += "\"outcome\":\"" + std::string(outcome_of(answer)) + "\"";
-  if (!answer.reason.empty()) return s + ",\"reason\":" + io::string_text(answer.reason) + "}";
-  if (answer.overlap) return s + ",\"pair\":" + io::pair_names_json(scene, *answer.overlap) + "}";
+  std::string s = io::verdict_json(scene, to_string(answer.outcome));
+  if (!answer.reason.empty()) s += ",\"reason\":" + io::string_text(answer.reason);
+  if (answer.overlap) s += ",\"pair\":" + io::pair_names_json(scene, *answer.overlap);
   if (scene.bodies.size() == 2) {
-    const BodyDirections& body = answer.bodies[0];
-    return s + ",\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) +
-           io::geometry_json(answer.geometry) + "}";
+    const BodyDirections second = answer.bodies.empty() ? BodyDirections{1, {}, false} : answer.bodies[0];
+    s += ",\"body\":" + name_text(scene, second.body) + "," + arcs_text(scene, second);
+  } else {
+    s += ",\"bodies\":" + listed(answer.bodies, [&](const BodyDirections& body) {
+           return "{\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
+         });
+    s += ",\"order\":" + listed(answer.order, [&](const RemovalStep& step) { return step_text(scene, step); });
+    s += ",\"stuck\":" + listed(answer.stuck, [&](BodyId id) { return name_text(scene, id); });
   }
-  s += ",\"bodies\":" + listed(answer.bodies, [&](const BodyDirections& body) {
-         return "{\"body\":" + name_text(scene, body.body) + "," + arcs_text(scene, body) + "}";
-       });
-  s += ",\"order\":" + listed(answer.order, [&](const RemovalStep& step) { return step_text(scene, step); });
-  s += ",\"stuck\":" + listed(answer.stuck, [&](BodyId id) { return name_text(scene, id); });
-  return s + io::geometry_json(answer.geometry) + "}";
+  return s + io::geometry_json(answer.geometry) + io::coverage_json(answer.coverage) + "}";
 }
 
 }  // namespace taut

@@ -102,7 +102,7 @@ void add_body(Hasher& hash, const Body& body, const Scene& scene) {
   add_motion(hash, body, scene);
 }
 
-/// All bodies with their parts and parents, then the pairs that are not asked about.
+/// All bodies with their parts and parents, then which pairs are not tested.
 void add_world(Hasher& hash, const Scene& scene) {
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   const IgnoredPairs ignored(scene);
@@ -125,6 +125,7 @@ void add_world(Hasher& hash, const Scene& scene) {
     hash.count(static_cast<std::size_t>(a));
     hash.count(static_cast<std::size_t>(b));
   }
+  if (scene.at_rest == AtRest::test) hash.byte(1);
 }
 
 }  // namespace

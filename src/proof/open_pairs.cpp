@@ -36,7 +36,7 @@ class BegunIntervals {
 
 }  // namespace
 
-WindowBoxes::WindowBoxes(const ProvedScene& scene) {
+WindowBoxes::WindowBoxes(const ProvedScene& scene, double room) : room_(room * (1 + 0x1p-40)) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int i = 0; i < scene.size(); ++i) {
     const Bounds& b = scene[i].rings->bounds();
@@ -66,7 +66,8 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
   std::vector<Swept> order;
   for (int i = 0; i < scene.size(); ++i) {
     const BoxedBody& b = of(i);
-    order.push_back({along_x ? b.lo_x : b.lo_y, along_x ? b.hi_x : b.hi_y, i});
+    // A little longer than it is, so that bodies at rest are seen that are within the room of each other.
+    order.push_back({along_x ? b.lo_x : b.lo_y, (along_x ? b.hi_x : b.hi_y) + 2 * room_, i});
   }
   std::sort(order.begin(), order.end(),
             [](const Swept& a, const Swept& b) { return a.lo != b.lo ? a.lo < b.lo : a.body < b.body; });
@@ -79,12 +80,10 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
     };
     const bool rests = rests_[static_cast<std::size_t>(next.body)];
     moving.each(next.lo, visit);
-    // Bodies at rest move alike.
-    if (!rests) resting.each(next.lo, visit);
+    if (!rests || scene.tests_alike()) resting.each(next.lo, visit);
     (rests ? resting : moving).add(next);
     if (found.size() > most) return std::nullopt;
   }
-  if (scene.size() == 2 && scene[0].rests() && scene[1].rests() && scene.asked(0, 1)) found.emplace_back(0, 1);
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -24,13 +24,15 @@ struct OpenPairs {
 /// their outlines.
 class WindowBoxes {
  public:
-  explicit WindowBoxes(const ProvedScene& scene);
+  /// `room` as stays_within() wants it.
+  WindowBoxes(const ProvedScene& scene, double room);
 
   const BoxedBody& of(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
   void state(int body, const BoxedBody& box) { boxes_[static_cast<std::size_t>(body)] = box; }
-  /// Those of two bodies. Two bodies at rest meet: nobody asks about them but where there are no others.
+  /// Those of two bodies. Boxes that are stated have room around the body; those of two bodies at rest need it here.
   bool meet(int a, int b) const {
-    return of(a).meets(of(b)) || (rests_[static_cast<std::size_t>(a)] && rests_[static_cast<std::size_t>(b)]);
+    const bool rest = rests_[static_cast<std::size_t>(a)] && rests_[static_cast<std::size_t>(b)];
+    return rest ? within_room(of(a), of(b)) : of(a).meets(of(b));
   }
   /// All pairs that are asked about and whose boxes meet, in order; nothing if they are more than `most`. By sweeping
   /// along the axis along which fewer meet.
@@ -38,7 +40,12 @@ class WindowBoxes {
 
  private:
   bool sweep_along_x() const;
+  bool within_room(const BoxedBody& a, const BoxedBody& b) const {
+    const auto near = [this](double lo, double hi) { return !(lo - hi > room_); };
+    return near(a.lo_x, b.hi_x) && near(b.lo_x, a.hi_x) && near(a.lo_y, b.hi_y) && near(b.lo_y, a.hi_y);
+  }
 
+  double room_;  ///< with what rounds
   std::vector<BoxedBody> boxes_;
   std::vector<bool> rests_;
 };

@@ -54,6 +54,12 @@ ProvedScene::ProvedScene(const Scene& scene)
     bodies_.push_back({std::make_shared<const RingSet>(body, index, exponent_), {}, index});
   }
   add_motions(scene);
+  find_alike();
+  const bool all_alike = std::all_of(bodies_.begin(), bodies_.end(), [](const ProvedBody& b) { return b.alike == 0; });
+  tests_alike_ = all_alike || scene.at_rest == AtRest::test;
+}
+
+void ProvedScene::find_alike() {
   std::map<std::vector<double>, std::vector<int>> first_of;
   for (int i = 0; i < size(); ++i) {
     ProvedBody& body = bodies_[static_cast<std::size_t>(i)];
@@ -86,7 +92,33 @@ void ProvedScene::add_motions(const Scene& scene) {
 }
 
 bool ProvedScene::asked(int a, int b) const {
-  return ((*this)[a].alike != (*this)[b].alike || size() == 2) && !ignored_.has(a, b);
+  return ((*this)[a].alike != (*this)[b].alike || tests_alike_) && !ignored_.has(a, b);
+}
+
+Coverage ProvedScene::coverage() const {
+  Coverage count;
+  // Of each body, how many before it are not ignored by all; of these, how many move alike.
+  std::uint64_t heard = 0, before = 0;
+  std::map<int, std::uint64_t> alike_before;
+  const auto alike = [&](int body) -> std::uint64_t& {
+    return (*this)[body].rests() ? count.at_rest : count.moving_alike;
+  };
+  for (int body = 0; body < size(); ++body) {
+    count.pairs += before++;
+    if (ignored_.has_all(body)) continue;
+    std::uint64_t& same = alike_before[(*this)[body].alike];
+    alike(body) += same++;
+    count.tested += heard++;
+  }
+  for (const auto& [a, b] : ignored_.pairs()) {
+    if (ignored_.has_all(a) || ignored_.has_all(b)) continue;
+    --count.tested;
+    if ((*this)[a].alike == (*this)[b].alike) --alike(a);
+  }
+  count.ignored = count.pairs - count.tested;
+  if (tests_alike_) count.at_rest = count.moving_alike = 0;
+  count.tested -= count.at_rest + count.moving_alike;
+  return count;
 }
 
 PairPlan ProvedScene::plan(int a, int b) const {

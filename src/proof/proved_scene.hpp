@@ -8,6 +8,7 @@
 #include "pair/ignored_pairs.hpp"
 #include "pair/pair_plan.hpp"
 #include "relative/make_legs.hpp"
+#include "taut/coverage.hpp"
 
 namespace taut::proof {
 
@@ -34,8 +35,12 @@ class ProvedScene {
   /// Internal coordinates are the input's times 2^exponent.
   int exponent() const { return exponent_; }
 
-  /// All pairs but the ignored ones and those that move alike; of two bodies, theirs.
+  /// All pairs but the ignored ones, and those that move alike unless they are tested, too.
   bool asked(int a, int b) const;
+  /// Are pairs that move alike tested? As the scene says, and where all bodies do.
+  bool tests_alike() const { return tests_alike_; }
+  /// `tested`: all pairs that are asked about.
+  Coverage coverage() const;
   /// In their roles: P is the body with the longer diagonal, the first one if equal.
   PairPlan plan(int a, int b) const;
   /// From start to end, in a frame that parents which both have are not in.
@@ -43,11 +48,13 @@ class ProvedScene {
 
  private:
   void add_motions(const Scene& scene);
+  void find_alike();
 
   double start_, end_;
   int exponent_ = 0;
   std::vector<ProvedBody> bodies_;
   IgnoredPairs ignored_;
+  bool tests_alike_ = false;
 };
 
 }  // namespace taut::proof

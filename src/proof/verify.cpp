@@ -49,6 +49,7 @@ class Verifier {
   }
 
   Verified run() {
+    result_.coverage.pairs = result_.coverage.tested = 1;
     result_.touch = header_.touch;
     result_.fingerprint = header_.fingerprint;
     try {

@@ -43,6 +43,7 @@ class CurvesVerifier {
       if (verified.touch != header_.touch) throw ProofError("their log is about another touch mode");
       result_.events += verified.events;
       result_.separations += verified.separations;
+      result_.coverage = verified.coverage;
       return verified;
     } catch (const InputError& error) {
       throw ProofError(where + std::string(error.what()));

@@ -8,6 +8,7 @@
 
 #include "base/interruption.hpp"
 #include "pair/placement.hpp"
+#include "pair/untested.hpp"
 #include "proof/kept_margin.hpp"
 #include "proof/open_pairs.hpp"
 #include "proof/proved_world.hpp"
@@ -32,6 +33,8 @@ class SeparationsVerifier {
 
   Verified run() {
     result_.kind = ProofKind::separations;
+    result_.coverage = plan_.coverage();
+    if (result_.coverage.is_empty()) throw ProofError(why_untested(result_.coverage));
     result_.touch = header_.touch;
     result_.fingerprint = header_.fingerprint;
     result_.outcome = claim_ == Claim::free         ? Outcome::free
@@ -72,7 +75,7 @@ class SeparationsVerifier {
     if (claim_ == Claim::touching) touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
-    boxes_.emplace(plan_);
+    boxes_.emplace(plan_, world_.room());
     window({scene_.start, result_.free_until, true}, {}, 0);
   }
 

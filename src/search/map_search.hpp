@@ -42,7 +42,7 @@ class MapSearch {
   /// A point inside the mover and a body that it overlaps at the start.
   std::optional<Point> common_point(int body);
   double proved() const { return proved_; }
-  std::uint64_t checked() const { return pairs_.size(); }
+  std::uint64_t tested() const { return pairs_.size(); }
   StageCounts stages() const { return stages_of(pairs_); }
 
  private:

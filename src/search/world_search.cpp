@@ -66,7 +66,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   Settled here{above, {}};
   std::vector<std::pair<int, int>> now;
   std::unordered_set<int> again;
-  MeetingBoxes(plan_, bodies, from, to).each([&](int a, int b, bool longer) {
+  MeetingBoxes(plan_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
     const std::uint64_t key = Settled::key(a, b);
     if (above && above->has(key)) return;
     if (divisible && longer) {

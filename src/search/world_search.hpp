@@ -33,8 +33,6 @@ class WorldSearch {
   std::vector<PairResult> results() const { return results_of(pairs_); }
   /// Up to when nothing happens, as far as the search went.
   double proved() const { return proved_; }
-  /// Pairs that went to an engine.
-  std::uint64_t checked() const { return pairs_.size(); }
   StageCounts stages() const { return stages_of(pairs_); }
   /// Visits the pairs that went to an engine.
   template <class Visit>

@@ -39,7 +39,8 @@ SimulationState Simulation::state() const {
     const Outcome outcome = impl.world->answer().outcome;
     if (outcome == Outcome::overlap_at_start) return SimulationState::overlap_at_start;
     if (outcome == Outcome::contact) return SimulationState::contact;
-    return impl.ended() ? SimulationState::finished : SimulationState::running;
+    if (!impl.ended()) return SimulationState::running;
+    return impl.world->has_tested() ? SimulationState::finished : SimulationState::untested;
   }
   const Session& s = *impl.session;
   if (s.overlap_at_start()) return SimulationState::overlap_at_start;
@@ -48,6 +49,14 @@ SimulationState Simulation::state() const {
 }
 
 const std::string& Simulation::reason() const { return usable().why_undecided(); }
+
+Coverage Simulation::coverage() const {
+  const Impl& impl = usable();
+  if (impl.world) return impl.world->coverage();
+  Coverage two;
+  two.pairs = two.tested = 1;
+  return two;
+}
 
 double Simulation::time() const {
   const Impl& impl = usable();

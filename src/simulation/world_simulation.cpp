@@ -41,6 +41,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
     plan_.bodies()[i].rings->displaced(touch == Touch::open);
   }
   answer_.outcome = Outcome::free;
+  note_tested();
   near_.begin(now_);
   open_window();
   ask_starts();
@@ -80,11 +81,10 @@ void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::
   const auto box = [&](int k) {
     return swept_box(plan_.bodies()[static_cast<std::size_t>(k)], plan_.start(), plan_.start());
   };
-  const bool more_than_two = plan_.bodies().size() > 2;
   bool met = false;
   for (const int body : changed) {
     near_.each_of(body, [&](int other) {
-      const bool parted = more_than_two && group_before(body) == group_before(other);
+      const bool parted = !plan_.tests_groups() && group_before(body) == group_before(other);
       if (!parted && now_ > plan_.start()) return;
       if (pairs_.count(key(body, other)) > 0 || !box(body).meets(box(other))) return;
       KineticPair& asked = pair(key(body, other));
@@ -155,6 +155,8 @@ void WorldSimulation::conclude() {
   answer_.overlap_point = common_point(plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
 }
 
+Coverage WorldSimulation::coverage() const { return plan_.coverage(plan_.coverage(0).apart); }
+
 std::uint64_t WorldSimulation::certificates() const {
   std::uint64_t sum = 0;
   for (const auto& [key, near] : pairs_) {
@@ -191,6 +193,7 @@ void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
     near_.each_of(k, [&](int other) { pairs_.erase(key(k, other)); });
   }
   plan_.replan(body, motion, now_, from);
+  note_tested();
   near_.change(changed, from);
   ask_starts_of(changed, groups);
 }

@@ -40,6 +40,10 @@ class WorldSimulation {
   /// Something has happened: a contact, an overlap, or what was not decided. Then that is the answer.
   bool over() const { return answer_.outcome != Outcome::free; }
   const Answer& answer() const { return answer_; }
+  /// At present.
+  Coverage coverage() const;
+  /// Was there a pair to test at any time?
+  bool has_tested() const { return has_tested_; }
   std::uint64_t events() const { return budget_.most - budget_.left; }
   /// Of the pairs that are near.
   std::uint64_t certificates() const;
@@ -55,6 +59,7 @@ class WorldSimulation {
   void advance_pairs(double to);
   void conclude();
   void check_motion(BodyId body, const Motion& motion) const;
+  void note_tested() { has_tested_ = has_tested_ || !coverage().is_empty(); }
 
   Touch touch_;
   double start_;
@@ -66,6 +71,7 @@ class WorldSimulation {
   EventBudget budget_;
   double now_;
   std::uint64_t certificates_max_ = 0;
+  bool has_tested_ = false;
   Answer answer_;
 };
 

@@ -22,12 +22,19 @@ MeetingBoxes::MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies
 }
 
 void MeetingBoxes::each(const std::function<void(int, int, bool)>& visit) const {
-  // In a world of two bodies they are asked about even if they move together.
+  each(plan_.tests_groups() ? std::vector<int>{} : groups(), visit);
+}
+
+void MeetingBoxes::each_moving(const std::function<void(int, int, bool)>& visit) const { each(groups(), visit); }
+
+std::vector<int> MeetingBoxes::groups() const {
   std::vector<int> groups;
-  if (plan_.bodies().size() > 2) {
-    groups.reserve(bodies_.size());
-    for (const int b : bodies_) groups.push_back(plan_.bodies()[static_cast<std::size_t>(b)].group);
-  }
+  groups.reserve(bodies_.size());
+  for (const int b : bodies_) groups.push_back(plan_.bodies()[static_cast<std::size_t>(b)].group);
+  return groups;
+}
+
+void MeetingBoxes::each(const std::vector<int>& groups, const std::function<void(int, int, bool)>& visit) const {
   BoxTree(boxes_, groups).each_two([&](int i, int j) {
     const auto [first, last] = std::minmax(i, j);
     const int a = bodies_[static_cast<std::size_t>(first)], b = bodies_[static_cast<std::size_t>(last)];

@@ -20,10 +20,15 @@ class MeetingBoxes {
   /// Calls visit(a, b, longer) for all pairs of bodies a < b whose boxes meet and that are asked about. `longer`:
   /// is_long().
   void each(const std::function<void(int, int, bool)>& visit) const;
+  /// The same without pairs of one group, to which nothing happens after the start.
+  void each_moving(const std::function<void(int, int, bool)>& visit) const;
   /// Of each body, for those who go on with them.
   std::vector<SweptBox> take_boxes() { return std::move(boxes_); }
 
  private:
+  void each(const std::vector<int>& groups, const std::function<void(int, int, bool)>& visit) const;
+  std::vector<int> groups() const;
+
   const WorldPlan& plan_;
   const std::vector<int>& bodies_;
   std::vector<SweptBox> boxes_;

@@ -12,10 +12,6 @@ namespace {
 /// Each stretch has a beginning of its own, which costs as much as some time on the way.
 constexpr int halvings_of_coarse_windows = 6;
 
-std::uint64_t pair_key(int a, int b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-}
-
 }  // namespace
 
 NearStretches::NearStretches(const WorldPlan& plan) : plan_(plan) {
@@ -24,17 +20,12 @@ NearStretches::NearStretches(const WorldPlan& plan) : plan_(plan) {
   for (int k = 0; k < coarse_windows; ++k) cover(bodies, coarse_boundary(plan, k), coarse_boundary(plan, k + 1), 0);
 }
 
-const std::vector<TimeInterval>* NearStretches::of(int a, int b) const {
-  const auto found = stretches_.find(pair_key(a, b));
-  return found == stretches_.end() ? nullptr : &found->second;
-}
-
 void NearStretches::cover(const std::vector<int>& bodies, double from, double to, int depth) {
   const double middle = from + (to - from) / 2;
   const bool divisible = from < middle && middle < to && depth < halvings_of_coarse_windows;
   std::unordered_set<int> again;
   MeetingBoxes(plan_, bodies, from, to).each([&](int a, int b, bool longer) {
-    std::vector<TimeInterval>& own = stretches_[pair_key(a, b)];
+    std::vector<TimeInterval>& own = stretches_[{a, b}];
     // The window around this one was short enough for them.
     if (!own.empty() && own.back().hi >= to) return;
     if (divisible && longer) {

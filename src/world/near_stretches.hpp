@@ -1,8 +1,8 @@
 // When may two bodies of a world meet at all, as far as boxes tell?
 #pragma once
 
-#include <cstdint>
-#include <unordered_map>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "taut/check.hpp"
@@ -17,15 +17,15 @@ class NearStretches {
  public:
   explicit NearStretches(const WorldPlan& plan);
 
-  /// In order and apart from each other; none if boxes over the halves of windows tell them apart throughout. nullptr:
-  /// boxes over the coarse windows do so already, or the pair is not asked about.
-  const std::vector<TimeInterval>* of(int a, int b) const;
+  /// Of each pair a < b that is asked about, the stretches in order and apart from each other; none if boxes over the
+  /// halves of windows tell the two apart throughout. Pairs that boxes over the coarse windows tell apart are left out.
+  const std::map<std::pair<int, int>, std::vector<TimeInterval>>& pairs() const { return stretches_; }
 
  private:
   void cover(const std::vector<int>& bodies, double from, double to, int depth);
 
   const WorldPlan& plan_;
-  std::unordered_map<std::uint64_t, std::vector<TimeInterval>> stretches_;
+  std::map<std::pair<int, int>, std::vector<TimeInterval>> stretches_;
 };
 
 }  // namespace taut

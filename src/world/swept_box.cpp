@@ -61,14 +61,4 @@ double coarse_boundary(const WorldPlan& plan, int k) {
   return k == coarse_windows ? plan.end() : std::min(plan.end(), plan.start() + length * k / coarse_windows);
 }
 
-std::vector<std::vector<SweptBox>> boxes_over_windows(const WorldPlan& plan) {
-  std::vector<std::vector<SweptBox>> boxes;
-  for (const WorldBody& body : plan.bodies()) {
-    boxes.emplace_back();
-    for (int k = 0; k < coarse_windows; ++k)
-      boxes.back().push_back(swept_box(body, coarse_boundary(plan, k), coarse_boundary(plan, k + 1)));
-  }
-  return boxes;
-}
-
 }  // namespace taut

@@ -39,7 +39,5 @@ SweptBox swept_box(const WorldBody& body, double from, double to);
 inline constexpr int coarse_windows = 16;
 /// Where window k of these begins, and the one before ends.
 double coarse_boundary(const WorldPlan& plan, int k);
-/// Of each body the boxes over these windows, which follow each other from the start to the end.
-std::vector<std::vector<SweptBox>> boxes_over_windows(const WorldPlan& plan);
 
 }  // namespace taut

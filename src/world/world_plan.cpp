@@ -56,7 +56,7 @@ std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
   add_bodies(scene);
   find_groups();
-  count_pairs();
+  tests_groups_ = groups_ == 1 || scene.at_rest == AtRest::test;
 }
 
 void WorldPlan::add_bodies(const Scene& scene) {
@@ -171,10 +171,11 @@ void WorldPlan::find_groups() {
 
 bool WorldPlan::asked(int a, int b) const {
   const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
-  return (!together || bodies_.size() == 2) && !ignored_.has(a, b);
+  return (!together || tests_groups_) && !ignored_.has(a, b);
 }
 
-void WorldPlan::count_pairs() {
+/// All pairs, and those that are not asked about.
+Coverage WorldPlan::excluded() const {
   const std::uint64_t n = bodies_.size();
   std::vector<std::uint64_t> size(static_cast<std::size_t>(groups_), 0);  // of the group, without those that ignore all
   std::uint64_t listening = 0;
@@ -183,15 +184,28 @@ void WorldPlan::count_pairs() {
     ++listening;
     ++size[static_cast<std::size_t>(bodies_[i].group)];
   }
-  coverage_.pairs = pairs_of(n);
-  coverage_.ignored = pairs_of(n) - pairs_of(listening);
-  for (const std::uint64_t s : size) coverage_.at_rest += pairs_of(s);
+  Coverage count;
+  const auto together = [&](int group) -> std::uint64_t& {
+    return group == resting_ ? count.at_rest : count.moving_alike;
+  };
+  count.pairs = pairs_of(n);
+  count.ignored = pairs_of(n) - pairs_of(listening);
+  for (int group = 0; group < groups_; ++group) together(group) += pairs_of(size[static_cast<std::size_t>(group)]);
   for (const auto& [a, b] : ignored_.pairs()) {
     if (ignored_.has_all(a) || ignored_.has_all(b)) continue;
-    ++coverage_.ignored;
-    if (bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group) --coverage_.at_rest;
+    ++count.ignored;
+    const int group = bodies_[static_cast<std::size_t>(a)].group;
+    if (group == bodies_[static_cast<std::size_t>(b)].group) --together(group);
   }
-  if (n == 2) coverage_.at_rest = 0;
+  if (tests_groups_) count.at_rest = count.moving_alike = 0;
+  return count;
+}
+
+Coverage WorldPlan::coverage(std::uint64_t tested) const {
+  Coverage all = excluded();
+  all.tested = tested;
+  all.apart = all.pairs - all.untested() - tested;
+  return all;
 }
 
 PairPlan WorldPlan::pair(int a, int b) const {

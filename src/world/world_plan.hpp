@@ -53,8 +53,10 @@ class WorldPlan {
 
   /// Are the two bodies asked about? a != b.
   bool asked(int a, int b) const;
-  /// Of all pairs: how many are ignored, how many of the others are of one group. `apart` and `checked` are 0.
-  const Coverage& coverage() const { return coverage_; }
+  /// Are pairs of one group asked about? Nothing happens to them after the start.
+  bool tests_groups() const { return tests_groups_; }
+  /// Of an answer for which engines have examined so many pairs: what is neither excluded nor examined is apart.
+  Coverage coverage(std::uint64_t tested) const;
 
   /// Another motion of a body from t on, which must be valid; what happened before is forgotten but for the piece that
   /// held, and the world starts at `from`, which is t or before. Coverage is not counted anew. Only the body's
@@ -77,7 +79,7 @@ class WorldPlan {
   void note_moving();
   void leave_group(int body);
   void join_group(int body);
-  void count_pairs();
+  Coverage excluded() const;
 
   double start_, end_;
   int exponent_ = 0;
@@ -87,10 +89,11 @@ class WorldPlan {
   std::vector<std::vector<int>> children_;
   int groups_ = 0;
   int resting_ = -1;  ///< the group of the bodies that rest, if there was one
+  /// Known at the start and kept: a body that comes to rest later does not make the others a layout.
+  bool tests_groups_ = false;
   /// Bodies that move, by the key of their motion. Known from the first change of a motion on.
   std::optional<std::unordered_map<double, std::vector<int>>> moving_;
   IgnoredPairs ignored_;
-  Coverage coverage_;
 };
 
 }  // namespace taut

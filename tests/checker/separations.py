@@ -165,6 +165,8 @@ class Checker(Windows):
         require(touch <= 1 and claim & ~CLEARANCE <= FINE_CONTACT, "the header")
         require(fingerprint == scene.fingerprint(touch), "another scene")
         self.closed, self.claim, self.margin = touch == 1, claim & ~CLEARANCE, 0
+        require(any(scene.asked(a, b) for b in range(len(scene.bodies)) for a in range(b)), "nothing is proved")
+        room = 2.0**-60
         self.inwards = not self.closed or self.claim == TOUCHING
         self.contact_pair, self.count = None, 0
         if claim & CLEARANCE:
@@ -172,6 +174,8 @@ class Checker(Windows):
             require(self.claim not in (TOUCHING, FINE_CONTACT) and 0 < clearance < math.inf, "the clearance")
             self.margin = exact(Fraction(clearance) * Fraction(2) ** scene.exponent)
             require(self.margin > 0, "the clearance")
+            room += math.ldexp(clearance, scene.exponent)
+        self.room_at_rest = room * (1 + 2.0**-40)
 
     def pair(self, a, b, inwards=None):
         inwards = self.inwards if inwards is None else inwards

@@ -84,7 +84,8 @@ class Windows:
     def meet(self, a, b):
         p, q = self.boxes[a], self.boxes[b]
         if not self.scene.chains[a] and not self.scene.chains[b]:
-            return True
+            room = self.room_at_rest
+            return not (p[0] - q[2] > room or q[0] - p[2] > room or p[1] - q[3] > room or q[1] - p[3] > room)
         return p[0] <= q[2] and q[0] <= p[2] and p[1] <= q[3] and q[1] <= p[3]
 
     def window(self, a, b, first, pairs, movers, depth):

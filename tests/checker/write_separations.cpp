@@ -106,13 +106,18 @@ Scene swinging(Rng& rng) {
 Scene drawn_world(Rng& rng, std::uint64_t number) {
   if (number % 8 == 7) return crowd(rng);
   if (number % 8 == 5) return swinging(rng);
-  if (number % 4 == 2) return scene_of(large_world(number).world);
+  // Some with pairs at rest, too: those are tested at the start, and have entries in a log.
+  const auto perhaps_at_rest = [&](Scene scene) {
+    if (rng.chance(0.4)) scene.at_rest = AtRest::test;
+    return scene;
+  };
+  if (number % 4 == 2) return perhaps_at_rest(scene_of(large_world(number).world));
   if (number % 4 == 3) {
     SceneOptions options;
     options.grid = rng.chance(0.4);
     return random_scene(number, all_families[rng.below(static_cast<int>(std::size(all_families)))], options);
   }
-  return scene_of(random_world(number));
+  return perhaps_at_rest(scene_of(random_world(number)));
 }
 
 std::string in_hex(const std::string& bytes) {

@@ -14,6 +14,8 @@
 #include "generators/generators.hpp"
 #include "log_text.hpp"
 #include "pair/validate_world.hpp"
+#include "proof/bytes.hpp"
+#include "proof/format.hpp"
 #include "proof/header.hpp"
 #include "proof/proved_world.hpp"
 #include "support/effort.hpp"
@@ -21,6 +23,7 @@
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 #include "taut/io.hpp"
+#include "taut/motions.hpp"
 
 namespace taut::testing {
 namespace {
@@ -49,7 +52,7 @@ void expect_separations_prove(const Scene& scene, Touch touch, SeparationCounts&
   const Answer answer = check(scene, by_spacetime(touch));
   const Proved proved = prove_by_spacetime(scene, touch);
   ASSERT_STREQ(to_string(proved.answer.outcome), to_string(answer.outcome)) << proved.answer.reason;
-  if (answer.outcome == Outcome::overlap_at_start) {
+  if (answer.outcome == Outcome::overlap_at_start || answer.outcome == Outcome::untested) {
     EXPECT_TRUE(proved.log.empty());
     return;
   }
@@ -141,6 +144,65 @@ TEST(SeparationLogs, RandomWorlds) {
   EXPECT_GE(counts.free, static_cast<int>(enough(30)));
   EXPECT_GE(counts.contact, static_cast<int>(enough(60)));
   std::cout << counts.separations << " separations, " << counts.bytes << " bytes\n";
+}
+
+/// Parts at rest, each beside four others.
+Scene layout(int side) {
+  Scene scene;
+  scene.end = 1;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      Polygon part = {{0, 0}, {0.9, 0}, {0.45, 0.3}, {0.9, 0.9}, {0, 0.9}};
+      for (Point& p : part) p = {p.x + i, p.y + j};
+      scene.bodies.push_back({std::to_string(i) + "," + std::to_string(j), part, {}});
+    }
+  }
+  return scene;
+}
+
+/// Where nothing moves, every pair is shown to be apart, by its boxes or by separations.
+TEST(SeparationLogs, OfLayouts) {
+  SeparationCounts counts;
+  Scene scene = layout(6);
+  for (const Touch touch : {Touch::open, Touch::closed})
+    ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, touch, counts));
+  std::ostringstream log;
+  EXPECT_EQ(prove_clearance(scene, 0.0625, log).outcome, Outcome::free);
+  std::istringstream in(log.str());
+  const Verified kept = verify(scene, in);
+  EXPECT_EQ(kept.outcome, Outcome::free);
+  EXPECT_EQ(kept.clearance, 0.0625);
+  EXPECT_EQ(kept.coverage.tested, 36u * 35 / 2);
+  // They are still tested beside a body that moves if the scene says so, and that is part of what is proved about.
+  scene.bodies.push_back({"bird", {{0, 9}, {1, 9}, {0, 10}}, from_velocity({1, 0})});
+  const Fingerprint skipped = scene_fingerprint(scene, Touch::open);
+  scene.at_rest = AtRest::test;
+  EXPECT_NE(scene_fingerprint(scene, Touch::open), skipped);
+  ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, Touch::open, counts));
+  EXPECT_EQ(counts.free, 3);
+  // Two that touch are a contact at the start, with a proof.
+  for (Point& p : scene.bodies[1].polygon) p.y -= 0.1;
+  EXPECT_EQ(check(scene, by_spacetime(Touch::closed)).outcome, Outcome::contact);
+  ASSERT_NO_FATAL_FAILURE(expect_separations_prove(scene, Touch::closed, counts));
+}
+
+/// "Free" of nothing is not proved by anything.
+TEST(SeparationLogs, OfNothingAreRefused) {
+  Scene scene = layout(2);
+  scene.ignore = {{"*", "*"}};
+  std::ostringstream out;
+  proof::ByteWriter writer(out);
+  proof::write_header(writer, {proof::of_separations, scene_fingerprint(scene, Touch::open), Touch::open,
+                               static_cast<std::uint8_t>(proof::Claim::free)});
+  writer.u8(1);
+  writer.close();
+  std::istringstream in(out.str());
+  try {
+    verify(scene, in);
+    ADD_FAILURE();
+  } catch (const ProofError& error) {
+    EXPECT_NE(std::string(error.what()).find("nothing was tested"), std::string::npos) << error.what();
+  }
 }
 
 /// A log is small: no more than a byte or two for each step, and the steps are few.

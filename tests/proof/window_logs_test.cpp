@@ -197,7 +197,7 @@ TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
 
 /// Logs of version 3 are refused by that name.
 TEST(ForgedWindows, OfVersionThree) {
-  const Scene scene = scene_of(large_world(1).world);
+  const Scene scene = scene_of(large_world(2).world);
   std::ostringstream out;
   prove(scene, out);
   std::string log = out.str();

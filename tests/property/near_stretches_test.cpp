@@ -33,8 +33,8 @@ struct Looked {
 class PairOfWorld {
  public:
   PairOfWorld(const MadeWorld& world, const WorldPlan& plan, const NearStretches& near, int a, int b)
-      : world_(world), plan_(plan), a_(a), b_(b), known_(near.of(a, b) != nullptr) {
-    if (known_) stretches_ = *near.of(a, b);
+      : world_(world), plan_(plan), a_(a), b_(b), known_(near.pairs().count({a, b}) > 0) {
+    if (known_) stretches_ = near.pairs().at({a, b});
   }
 
   /// By definition, at some instants.

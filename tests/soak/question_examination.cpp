@@ -97,7 +97,7 @@ class QuestionExamination {
     try {
       const Range around = range(scene_, t, options_);
       if (place > 0) return fmt::format("a range around {}, where bodies overlap", t);
-      if (!around.decided) return undecided("range", around.reason);
+      if (around.outcome != Outcome::free) return undecided("range", around.reason);
       if (around.from ? !meet(*around.from, before) : before.lo > scene_.start + room_)
         return fmt::format("the range around {} begins elsewhere than at {}", t, before.lo);
       if (around.to ? !meet(*around.to, after) : after.lo < scene_.end - room_)

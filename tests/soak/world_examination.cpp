@@ -6,7 +6,9 @@
 #include <span>
 #include <sstream>
 
+#include "motion/pieces.hpp"
 #include "pair/validate_world.hpp"
+#include "support/every_pair.hpp"
 #include "support/world_changes.hpp"
 #include "support/world_judge.hpp"
 #include "taut/clearance.hpp"
@@ -16,6 +18,7 @@
 #include "taut/proof.hpp"
 #include "taut/simulation.hpp"
 #include "taut/static_map.hpp"
+#include "world/world_plan.hpp"
 
 namespace taut::testing {
 namespace {
@@ -48,11 +51,12 @@ class WorldExamination {
 
   std::string run() {
     tally_.large += scene_.bodies.size() >= large_count;
+    if (WorldPlan(scene_).coverage(0).is_empty()) return untested();
     for (const Touch touch : {Touch::open, Touch::closed}) {
       options_.touch = touch;
       for (const auto ask : {&WorldExamination::pairs, &WorldExamination::engines, &WorldExamination::simulated,
-                             &WorldExamination::proof, &WorldExamination::overlaps, &WorldExamination::ranges,
-                             &WorldExamination::map, &WorldExamination::law}) {
+                             &WorldExamination::proof, &WorldExamination::overlaps, &WorldExamination::stopped,
+                             &WorldExamination::ranges, &WorldExamination::map, &WorldExamination::law}) {
         const std::string wrong = (this->*ask)();
         if (!wrong.empty()) return fmt::format("touch {}: {}", to_string(touch), wrong);
       }
@@ -70,10 +74,33 @@ class WorldExamination {
     return what.empty() ? what : name_of(pair[0]) + " and " + name_of(pair[1]) + ": " + what;
   }
 
+  /// Where nothing is tested, no question has a verdict.
+  std::string untested() const {
+    const auto named_untested = [](const char* question, Outcome outcome) {
+      return outcome == Outcome::untested ? std::string()
+                                          : fmt::format("{} of nothing: {}", question, to_string(outcome));
+    };
+    std::ostringstream log;
+    for (const std::string& wrong : {named_untested("check", check(scene_, options_).outcome),
+                                     named_untested("intervals", intervals(scene_, options_).outcome),
+                                     named_untested("clearance", clearance(scene_).outcome),
+                                     named_untested("check_clearance", check_clearance(scene_, 1, options_).outcome),
+                                     named_untested("distance_profile", distance_profile(scene_).outcome),
+                                     named_untested("prove", prove(scene_, log, options_).outcome)}) {
+      if (!wrong.empty()) return wrong;
+    }
+    if (!log.str().empty()) return "prove writes a log of nothing";
+    Simulation simulation(scene_, options_.touch);
+    simulation.advance_to(scene_.end);
+    return simulation.state() == SimulationState::untested ? "" : "a simulation of nothing ends otherwise";
+  }
+
   Answer answer_to(const Scene& scene, bool all = false) const {
     CheckOptions options = options_;
     options.all_pairs = all;
-    return check(scene, options);
+    Answer answer = check(scene, options);
+    if (all) answer.pairs = every_pair(scene, answer);
+    return answer;
   }
 
   /// Every pair by definition, and the first one as the headline.
@@ -97,7 +124,8 @@ class WorldExamination {
     CheckOptions options = options_;
     options.all_pairs = true;
     options.engine = EngineChoice::both;
-    const Answer both = check(scene_, options);
+    Answer both = check(scene_, options);
+    both.pairs = every_pair(scene_, both);
     tally_.events += both.events;
     for (std::size_t i = 0; i < both.pairs->size(); ++i) {
       const PairAnswer &one = (*both.pairs)[i], &other = (*all_.pairs)[i];
@@ -163,6 +191,22 @@ class WorldExamination {
     return next == intervals_.intervals.end() ? "" : "intervals of pairs that are not asked about";
   }
 
+  /// A run that a limit may end says what the whole run says, or that it is undecided.
+  std::string stopped() {
+    CheckOptions options = options_;
+    options.max_seconds = rng_.real(0, 1e-3);
+    const Answer answer = check(scene_, options);
+    if (answer.outcome != Outcome::undecided && answer.outcome != headline_.outcome)
+      return fmt::format("stopped: {}, not {}", to_string(answer.outcome), to_string(headline_.outcome));
+    if (answer.outcome == Outcome::undecided && answer.reason.empty()) return "stopped: undecided without a reason";
+    if (headline_.contact && answer.free_until > headline_.contact->time.hi) return "stopped: free beyond the contact";
+    const Intervals found = intervals(scene_, options);
+    const bool all = found.outcome != Outcome::undecided;
+    if (all != found.undecided.empty()) return "stopped: intervals are undecided, or not";
+    if (all && found.intervals.size() != intervals_.intervals.size()) return "stopped: other intervals";
+    return {};
+  }
+
   /// The stretch around an instant is what the intervals leave.
   std::string ranges() {
     if (!rng_.chance(share_of_ranges)) return {};
@@ -178,7 +222,7 @@ class WorldExamination {
     try {
       const Range found = range(scene_, t, options_);
       if (inside) return fmt::format("a range around {}, where bodies overlap", t);
-      if (!found.decided) return "range: undecided: " + found.reason;
+      if (found.outcome != Outcome::free) return "range: undecided: " + found.reason;
       if (found.from ? !meet(*found.from, before) : before.lo > scene_.start + 1e-9)
         return fmt::format("the range around {} does not begin at {}", t, time_text(before));
       if (found.to ? !meet(*found.to, after) : after.lo < scene_.end - 1e-9)
@@ -210,9 +254,11 @@ class WorldExamination {
     const StaticMap map({scene.bodies.begin(), scene.bodies.end() - 1}, reach);
     const Answer answer = map.check(map.prepare(mover), mover.motion, scene.start, scene.end, options_);
     const Answer of_scene = answer_to(scene);
-    // Keyframes that are all alike are no motion: then the mover is one of the bodies at rest, which are not asked
-    // about.
-    if (of_scene.coverage && of_scene.coverage->at_rest == of_scene.coverage->pairs) return {};
+    // Keyframes that are all alike are no motion: then the mover is one of the bodies at rest, of which the scene asks
+    // about every two.
+    const std::vector<MotionPiece>& pieces = mover.motion.pieces;
+    if (std::all_of(pieces.begin(), pieces.end(), [](const MotionPiece& p) { return same_motion(p, MotionPiece{}); }))
+      return {};
     const std::string wrong = answer_difference(answer, of_scene);
     if (!wrong.empty()) return "map, " + mover.name + " moves: " + wrong;
     return planners_answer(map, map.prepare(mover), scene, answer);
@@ -247,13 +293,13 @@ class WorldExamination {
     const char* const laws[] = {"cut at seams", "carried as a whole", "with far bodies", "in another order",
                                 "seen from a moving frame"};
     const int which = rng_.below(5);
-    // Of two bodies at rest the pair is asked about; of more it is not.
-    const bool two = world_.bodies.size() == 2;
+    // Where nothing moves relative to anything else every pair is asked about, and not any more with a body that moves.
+    const bool alike = WorldPlan(scene_).tests_groups();
     if (which == 0) other = cut_at_seams(rng_, world_, cut);
-    if (which == 1 && !two) other = carried_as_a_whole(rng_, world_);
-    if (which == 2 && !two) other = with_far_bodies(rng_.next(), world_);
+    if (which == 1 && !alike) other = carried_as_a_whole(rng_, world_);
+    if (which == 2 && !alike) other = with_far_bodies(rng_.next(), world_);
     if (which == 3) other = in_another_order(rng_, world_);
-    if (which == 4 && !two) other = seen_from_a_moving_frame(rng_, world_);
+    if (which == 4 && !alike) other = seen_from_a_moving_frame(rng_, world_);
     if (!other) return {};
     ++tally_.laws;
     const std::string wrong = answer_difference(headline_, answer_to(scene_of(*other)));

@@ -141,7 +141,8 @@ TEST(CurvedCheck, WorldsAndAllPairs) {
   scene.end = 30;
   const Answer each = check(scene, options);
   ASSERT_TRUE(each.pairs);
-  ASSERT_EQ(each.pairs->size(), 3u);
+  ASSERT_EQ(each.pairs->size(), each.coverage.tested);
+  ASSERT_EQ(each.coverage.tested + each.coverage.apart, 3u);
   EXPECT_EQ((*each.pairs)[0].outcome, Outcome::contact);
   ASSERT_EQ((*each.pairs)[1].outcome, Outcome::contact);
   EXPECT_NEAR((*each.pairs)[1].contact->time.hi, 24, 1e-6);

@@ -158,13 +158,39 @@ TEST(Envelope, OfCoupledJoints) {
   EXPECT_EQ(envelope(linkage).outcome, Outcome::free);
 }
 
-TEST(Envelope, WithoutPairsIsFree) {
+TEST(Envelope, WithoutPairsIsUntested) {
   Linkage linkage = sliding_square(0, 8);
   linkage.scene.ignore = {{"wall", "*"}};
-  EXPECT_EQ(envelope(linkage).outcome, Outcome::free);
+  const Envelope none = envelope(linkage);
+  EXPECT_EQ(none.outcome, Outcome::untested);
+  EXPECT_EQ(none.coverage.ignored, 1U);
+  EXPECT_NE(none.reason, "");
+  // Where no joint moves anything against anything else, all are tested.
   linkage.scene.ignore.clear();
   linkage.motions.clear();
-  EXPECT_EQ(envelope(linkage).free, 1);
+  const Envelope rests = envelope(linkage);
+  EXPECT_EQ(rests.free, 1);
+  EXPECT_EQ(rests.outcome, Outcome::free);
+  EXPECT_EQ(rests.coverage.tested, 1U);
+}
+
+/// Two that no joint moves against each other, and one that a joint moves.
+TEST(Envelope, FixedBodiesAreTestedOnRequest) {
+  Linkage linkage = sliding_square(0, 8);
+  linkage.joints[0].hi = 0.5;
+  Body bracket = linkage.scene.bodies[0];
+  bracket.name = "bracket";
+  linkage.scene.bodies.push_back(bracket);
+  const Envelope skipped = envelope(linkage);
+  EXPECT_EQ(skipped.outcome, Outcome::free);
+  EXPECT_EQ(skipped.coverage.at_rest, 1U);
+  EXPECT_EQ(skipped.coverage.tested, 2U);
+  linkage.scene.at_rest = AtRest::test;
+  const Envelope tested = envelope(linkage);
+  EXPECT_EQ(tested.outcome, Outcome::contact);
+  EXPECT_EQ(tested.coverage.untested(), 0U);
+  ASSERT_TRUE(tested.witness);
+  EXPECT_EQ(tested.witness->pair, (std::array<BodyId, 2>{0, 2}));
 }
 
 /// A ring around a body that turns in it: apart, though neither is beside the other.

@@ -20,6 +20,8 @@ Answer contact_answer() {
   Answer answer;
   answer.outcome = Outcome::contact;
   answer.contact = Contact{{0.1, 0.25}, {0, 2}, {1, 1}, {12.5, -3}, {0, 1}};
+  answer.pair = {0, 1};
+  answer.coverage.pairs = answer.coverage.tested = 1;
   answer.events = 212;
   answer.certificates_initial = 7;
   answer.certificates_max = 30;
@@ -27,11 +29,13 @@ Answer contact_answer() {
 }
 
 TEST(AnswerJson, OfAContactIsExactlyThis) {
-  EXPECT_EQ(answer_json(two_bodies(), contact_answer(), Touch::open),
-            R"({"outcome":"contact","t":[0.1,0.25],"contact":{"vertex":{"body":"lid","index":2},)"
-            R"("edge":{"body":"the \"bin\"","index":1},"point":[12.5,-3],"normal":[0,1]},"engine":"kinetic",)"
-            R"("events":212,"certificates":{"initial":7,"max":30},)"
-            R"("scope":{"bodies":["lid","the \"bin\""],"time":[0,2.5],"touch":"open"}})");
+  EXPECT_EQ(
+      answer_json(two_bodies(), contact_answer(), Touch::open),
+      R"({"outcome":"contact","t":[0.1,0.25],"contact":{"vertex":{"body":"lid","index":2},)"
+      R"("edge":{"body":"the \"bin\"","index":1},"point":[12.5,-3],"normal":[0,1]},"pair":["lid","the \"bin\""],)"
+      R"("coverage":{"pairs":1,"tested":1,"apart":0,"ignored":0,"moving_alike":0,"at_rest":0},"engine":"kinetic",)"
+      R"("events":212,"certificates":{"initial":7,"max":30},)"
+      R"("scope":{"bodies":["lid","the \"bin\""],"time":[0,2.5],"touch":"open"}})");
 }
 
 TEST(AnswerJson, OfASweepStatesTheAngle) {
@@ -57,7 +61,7 @@ TEST(AnswerJson, OfNoContactHasNeitherTimeNorContact) {
     EXPECT_FALSE(json.contains("t"));
     EXPECT_FALSE(json.contains("contact"));
     EXPECT_FALSE(json.contains("timing"));
-    EXPECT_EQ(json.contains("reason"), outcome == Outcome::undecided);
+    EXPECT_EQ(json.contains("reason"), !answer.reason.empty());
     EXPECT_EQ(json.contains("free_until"), outcome == Outcome::undecided);
   }
 }
@@ -67,7 +71,7 @@ TEST(AnswerJson, OfAnOverlapNamesAPoint) {
   answer.outcome = Outcome::overlap_at_start;
   answer.overlap_point = Point{0.5, -2};
   const std::string text = answer_json(two_bodies(), answer, Touch::open);
-  EXPECT_EQ(text.find(R"({"outcome":"overlap_at_start","overlap":{"point":[0.5,-2]},"engine":"kinetic")"), 0u) << text;
+  EXPECT_EQ(text.find(R"({"outcome":"overlap_at_start","overlap":{"point":[0.5,-2]},"coverage":)"), 0u) << text;
 }
 
 TEST(AnswerJson, HandsIdsThrough) {

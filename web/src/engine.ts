@@ -47,25 +47,28 @@ export interface PairAnswer {
   contact?: ContactAnswer;
 }
 
-/** Of how many pairs an answer speaks. */
+/** Which pairs an answer is about: `pairs` is the sum of the others, the last three of which were not tested. */
 export interface Coverage {
   pairs: number;
-  ignored: number;
-  at_rest: number;
+  tested: number;
   apart: number;
-  checked: number;
+  ignored: number;
+  moving_alike: number;
+  at_rest: number;
 }
+
+export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
 
 /** As `taut check --json` prints it. */
 export interface Answer {
-  outcome: "free" | "contact" | "overlap_at_start" | "undecided";
+  outcome: Outcome;
   t?: [number, number];
   /** Overlapping and touching cannot be told apart, all over t. */
   grazing?: boolean;
   contact?: ContactAnswer;
   pair?: [string, string];
   also?: PairAnswer[];
-  coverage?: Coverage;
+  coverage: Coverage;
   free_until?: number;
   reason?: string;
   /** How well curves were known. */
@@ -91,7 +94,7 @@ export interface WorldLooks {
 export type Band = [number, number[], number[]];
 
 export interface Status {
-  state: "running" | "finished" | "contact" | "overlap_at_start" | "undecided";
+  state: "running" | "finished" | "contact" | "overlap_at_start" | "undecided" | "untested";
   /** Was the time asked for reached? Otherwise the milliseconds were over. */
   reached: boolean;
   time: number;

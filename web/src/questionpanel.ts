@@ -4,7 +4,7 @@ import type { NearestMarks } from "./frame";
 import type { Player } from "./player";
 import type { FreeDirections, Nearest, Overlap, QuestionName, Questions, SeparationAnswer } from "./questions";
 import { arcText, rose } from "./rose";
-import { roundText, timeText } from "./words";
+import { coverageText, roundText, timeText, untested } from "./words";
 
 /** Bodies that have a rose of their own. */
 const mostRoses = 12;
@@ -88,7 +88,16 @@ export class QuestionPanel {
     if (!asked[name]) return [];
     const failure = failures[name];
     if (failure) return [h("p", {}, failure)];
-    if (!answers[name]) return [h("p", { class: "none" }, "…")];
+    const answer = answers[name];
+    if (!answer) return [h("p", { class: "none" }, "…")];
+    if (answer.outcome === "untested") return [h("p", {}, answer.reason ?? "")];
+    const untestedPairs = untested(answer.coverage) > 0 ? [h("p", {}, coverageText(answer.coverage))] : [];
+    return [...untestedPairs, ...this.decidedWords(name)];
+  }
+
+  /** What an answer says about the pairs that were tested. */
+  private decidedWords(name: QuestionName): Node[] {
+    const { answers } = this.asked;
     if (name === "intervals") return this.intervalsWords();
     if (name === "clearance") return this.clearanceWords();
     if (name === "distance_profile") return this.profileWords();
@@ -104,14 +113,18 @@ export class QuestionPanel {
       return h("li", {}, this.link(text, from[0]));
     });
     if (intervals.length > lines.length) lines.push(h("li", {}, `and ${intervals.length - lines.length} more`));
-    lines.push(...undecided.map((u) => h("li", {}, `${u.bodies.join(" x ")}: not decided. ${u.reason ?? ""}`)));
+    const open = undecided.length;
+    if (open > 0) {
+      const [first] = undecided;
+      const which = open === 1 ? first.bodies.join(" x ") : `${open} pairs`;
+      return [h("p", {}, `Undecided: ${which}. ${first.reason ?? ""}`), h("ul", {}, ...lines)];
+    }
     return lines.length > 0 ? [h("ul", {}, ...lines)] : [h("p", {}, "They never overlap.")];
   }
 
   private clearanceWords(): Node[] {
     const { clearance, reason, wide } = this.asked.answers.clearance!;
-    if (reason) return [h("p", {}, reason)];
-    if (!clearance) return [h("p", {}, "No pair is asked about.")];
+    if (!clearance) return [h("p", {}, `Undecided. ${reason ?? ""}`)];
     return [h("p", {}, this.nearestText(clearance)), ...(wide ? [h("p", {}, wide)] : [])];
   }
 
@@ -122,7 +135,7 @@ export class QuestionPanel {
 
   private profileWords(): Node[] {
     const { profile, reason } = this.asked.answers.distance_profile!;
-    if (reason || profile.length === 0) return [h("p", {}, reason ?? "No pair is asked about.")];
+    if (profile.length === 0) return [h("p", {}, `Undecided. ${reason ?? ""}`)];
     const { lo, hi, t, settled } = profile[0].largest;
     const text = `Greatest: ${bracketText(lo, hi)}, at t = ${roundText(t)}${settled ? "" : " (not as narrow as wanted)"}`;
     return [h("p", {}, this.link(text, t))];
@@ -131,7 +144,10 @@ export class QuestionPanel {
   private marginWords(): Node[] {
     const { outcome, clearance, t, pair, reason } = this.asked.answers.check_clearance!;
     const closer = `${pair?.join(" x ")}: closer than ${clearance}`;
-    if (outcome === "free") return [h("p", {}, `All keep ${clearance}: proved for the whole time.`)];
+    if (outcome === "free") {
+      const all = untested(this.asked.answers.check_clearance!.coverage) > 0 ? "Tested pairs keep" : "All keep";
+      return [h("p", {}, `${all} ${clearance}: proved for the whole time.`)];
+    }
     if (outcome === "contact") return [h("p", {}, this.link(`${closer} at t = ${timeText(...t!)}`, t![0]))];
     if (outcome === "overlap_at_start") return [h("p", {}, this.link(`${closer} at the start`, this.player.start))];
     return [h("p", {}, `Undecided. ${reason ?? ""}`)];

@@ -1,6 +1,6 @@
 // Questions beyond the first contact: asked of the library by the names that they have there, answered as the commands
 // answer them with --json.
-import { TautError, type Coverage, type Feature, type PairAnswer, type Scene } from "./engine";
+import { TautError, type Coverage, type Feature, type Outcome, type PairAnswer, type Scene } from "./engine";
 import type { Player } from "./player";
 
 export interface Overlap {
@@ -9,10 +9,17 @@ export interface Overlap {
   to: [number, number];
 }
 
-export interface IntervalsAnswer {
+/** What every answer has. */
+export interface Verdict {
+  outcome: Outcome;
+  /** Why it is undecided or untested. */
+  reason?: string;
+  coverage: Coverage;
+}
+
+export interface IntervalsAnswer extends Verdict {
   intervals: Overlap[];
   undecided: (PairAnswer & { reason?: string })[];
-  coverage: Coverage;
 }
 
 export interface Nearest {
@@ -25,9 +32,8 @@ export interface Nearest {
   edges?: [Feature, Feature];
 }
 
-export interface ClearanceAnswer {
+export interface ClearanceAnswer extends Verdict {
   clearance: Nearest | null;
-  reason?: string;
   /** Why the bracket is wider than was asked for. */
   wide?: string;
 }
@@ -40,9 +46,8 @@ export interface DistanceCurve {
   stretches: [number, number, number, number][];
 }
 
-export interface ProfileAnswer {
+export interface ProfileAnswer extends Verdict {
   profile: DistanceCurve[];
-  reason?: string;
 }
 
 export interface DirectionArc {
@@ -58,7 +63,8 @@ export interface FreeDirections {
 }
 
 export interface SeparationAnswer extends Partial<FreeDirections> {
-  outcome: "free" | "locked" | "overlap_at_start" | "undecided";
+  outcome: "free" | "locked" | "overlap_at_start" | "undecided" | "untested";
+  coverage: Coverage;
   pair?: [string, string];
   bodies?: FreeDirections[];
   order?: { body: string; direction_deg: number }[];
@@ -66,23 +72,20 @@ export interface SeparationAnswer extends Partial<FreeDirections> {
   reason?: string;
 }
 
-export interface RangeAnswer {
+export interface RangeAnswer extends Verdict {
   /** An end is null where it is the scene's own. */
   range: { from: [number, number] | null; to: [number, number] | null } | null;
   around: number;
   before?: Overlap;
   after?: Overlap;
-  reason?: string;
 }
 
-export interface MarginAnswer {
-  outcome: "free" | "contact" | "overlap_at_start" | "undecided";
+export interface MarginAnswer extends Verdict {
   clearance: number;
   t?: [number, number];
   pair?: [string, string];
   /** The pair that comes closer first; points where the bodies do not overlap. */
   first?: { distance?: number; points?: [[number, number], [number, number]] };
-  reason?: string;
 }
 
 /** What the library calls each question, and its answer. */

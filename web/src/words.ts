@@ -60,10 +60,15 @@ export function clockText(t: number, scene: Scene): string {
   return t.toFixed(decimals);
 }
 
+/** The number of pairs about which an answer says nothing. */
+export const untested = (c: Coverage): number => c.ignored + c.moving_alike + c.at_rest;
+
 export function headline(answer: Answer, running: boolean): string {
   switch (answer.outcome) {
     case "free":
-      return "Free";
+      return untested(answer.coverage) > 0 ? "Free, of what was tested" : "Free";
+    case "untested":
+      return "Nothing was tested";
     case "contact":
       return `Contact at t = ${timeText(...answer.t!)}`;
     case "overlap_at_start":
@@ -87,10 +92,13 @@ function featureText(feature: Feature, body: Body, edge: boolean): string {
   return `${what} of ${ringText(feature, parts.length)}${body.name}`;
 }
 
-function coverageText(c: Coverage): string {
-  const together = c.at_rest > 0 ? `, ${c.at_rest} not asked (they move together)` : "";
-  const ignored = c.ignored > 0 ? `, ${c.ignored} ignored` : "";
-  return `${c.pairs} ${c.pairs === 1 ? "pair" : "pairs"}: ${c.checked} checked, ${c.apart} apart${together}${ignored}.`;
+/** Which pairs were tested, and which were not; empty if there is one pair and it was tested. */
+export function coverageText(c: Coverage): string {
+  if (c.pairs === 1 && untested(c) === 0) return "";
+  const some = (count: number, what: string): string[] => (count > 0 ? [`${count} ${what}`] : []);
+  const said = [`${c.tested} tested`, ...some(c.apart, "apart by their boxes")].join(", ");
+  const not = [...some(c.ignored, "ignored"), ...some(c.at_rest, "at rest"), ...some(c.moving_alike, "moving alike")];
+  return `${c.pairs} ${c.pairs === 1 ? "pair" : "pairs"}: ${said}${not.length > 0 ? `; not tested: ${not.join(", ")}` : ""}.`;
 }
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
@@ -105,7 +113,7 @@ function geometryLine({ geometry }: Answer): string {
 /** What is to be said of a world besides: the pair, those that come with it, and how many were asked about. */
 function worldLines(answer: Answer): string[] {
   const also = (answer.also ?? []).map((pair) => `Also ${pair.bodies.join(" x ")}.`);
-  return [...also, geometryLine(answer), answer.coverage ? coverageText(answer.coverage) : ""];
+  return [coverageText(answer.coverage), ...also, geometryLine(answer)];
 }
 
 /** What the picture of a world shows of tilings. */
@@ -135,11 +143,9 @@ export function explanation(answer: Answer, scene: Scene, freeUntil: number, run
       ];
     }
     case "overlap_at_start":
-      if (answer.coverage || answer.pair) {
-        const pair = answer.pair ?? answer.scope.bodies;
-        return [`${pair.join(" and ")} overlap already when the motion starts.`, ...worldLines(answer)];
-      }
-      return ["The bodies overlap already when the motion starts: there is no free space to tile."];
+      return [`${answer.pair!.join(" and ")} overlap already when the motion starts.`, ...worldLines(answer)];
+    case "untested":
+      return [answer.reason ?? ""];
     case "undecided":
       return running
         ? [`Free so far, until t = ${roundText(freeUntil)}.`]

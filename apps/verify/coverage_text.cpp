@@ -1,0 +1,23 @@
+#include "coverage_text.hpp"
+
+#include <fmt/format.h>
+
+namespace taut::cli {
+
+std::string coverage_text(const Coverage& c) {
+  if (c.pairs == 1 && c.untested() == 0) return "";
+  std::string text = fmt::format("  {} pair{}: {} tested", c.pairs, c.pairs == 1 ? "" : "s", c.tested);
+  if (c.apart > 0) text += fmt::format(", {} apart by their boxes", c.apart);
+  std::string left_out;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) left_out += fmt::format("{}{} {}", left_out.empty() ? "" : ", ", count, what);
+  };
+  add(c.ignored, "ignored");
+  add(c.at_rest, "at rest");
+  add(c.moving_alike, "moving alike");
+  if (left_out.empty()) return text + "\n";
+  const char* const hint = c.at_rest + c.moving_alike > 0 ? " (--at-rest test)" : "";
+  return text + "; NOT TESTED: " + left_out + hint + "\n";
+}
+
+}  // namespace taut::cli
