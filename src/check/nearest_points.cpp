@@ -10,14 +10,12 @@ namespace taut {
 NearestPoints nearest_points_of(const PairSearch& search, std::size_t leg, double parameter, VertexId edge_p,
                                 VertexId edge_q) {
   const Witness witness(search.plan, search.geometry, false);
-  const auto at = [&](VertexId v) {
-    const Point p = witness.world(v, search.legs()[leg], parameter);
-    return Vector{p.x, p.y};
-  };
+  const Leg& on = search.legs()[leg];
+  const auto at = [&](VertexId v) { return witness.in_frame(v, on, parameter); };
   const auto found = spacetime::Closest::of(at(edge_p), at(search.geometry.next(edge_p)), at(edge_q),
                                             at(search.geometry.next(edge_q)));
   NearestPoints result;
-  result.points = {Point{found.on_p.x, found.on_p.y}, Point{found.on_q.x, found.on_q.y}};
+  result.points = {witness.world(found.on_p, on, parameter), witness.world(found.on_q, on, parameter)};
   result.edges = {witness.edge(edge_p), witness.edge(edge_q)};
   if (result.edges[0].body > result.edges[1].body) {
     std::swap(result.points[0], result.points[1]);

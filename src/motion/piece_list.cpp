@@ -137,4 +137,14 @@ bool same_pieces(const PieceList& a, const PieceList& b) {
   return true;
 }
 
+std::size_t count_common(const MotionChain& a, const MotionChain& b) {
+  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same_pieces).first;
+  return static_cast<std::size_t>(end - a.begin());
+}
+
+MotionChain without_first(const MotionChain& chain, std::size_t count) {
+  if (count == chain.size()) return {PieceList({MotionPiece{}})};
+  return {chain.begin() + static_cast<std::ptrdiff_t>(count), chain.end()};
+}
+
 }  // namespace taut

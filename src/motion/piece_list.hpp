@@ -68,4 +68,9 @@ bool same_pieces(const PieceList& a, const PieceList& b);
 /// The pieces of a body's motion after those of its parents, the outermost first.
 using MotionChain = std::vector<PieceList>;
 
+/// How many motions the two chains both begin with.
+std::size_t count_common(const MotionChain& a, const MotionChain& b);
+/// Those after the first `count`; one that rests where there are none.
+MotionChain without_first(const MotionChain& chain, std::size_t count);
+
 }  // namespace taut

@@ -41,6 +41,9 @@ struct PairPlan {
   std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are
   /// In a world: what P and Q are. Then the maps, the polygons and the pieces above are empty.
   std::array<std::shared_ptr<const RingSet>, 2> rings;
+  /// In a world: the parents' motions that both chains begin with, the outermost first; scaled. Legs are seen from the
+  /// last of them, since it decides nothing; what is reported is put back into the world by them (Witness).
+  MotionChain common;
   int exponent = 0;   ///< internal coordinates are the input's times 2^exponent
   double extent = 0;  ///< of the scene, in the input's units
 };

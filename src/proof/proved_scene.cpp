@@ -126,6 +126,8 @@ PairPlan ProvedScene::plan(int a, int b) const {
   PairPlan plan;
   plan.rings = {(*this)[a].rings, (*this)[b].rings};
   plan.exponent = exponent_;
+  const MotionChain &p = (*this)[a].motions, &q = (*this)[b].motions;
+  plan.common.assign(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(count_common(p, q)));
   for (std::size_t side = 0; side < 2; ++side) {
     plan.names[side] = plan.rings[side]->name();
     plan.maps[side].body = plan.rings[side]->body();
@@ -135,15 +137,8 @@ PairPlan ProvedScene::plan(int a, int b) const {
 
 Legs ProvedScene::legs(const PairPlan& pair) const {
   const MotionChain &p = (*this)[pair.rings[0]->body()].motions, &q = (*this)[pair.rings[1]->body()].motions;
-  const std::size_t shorter = std::min(p.size(), q.size());
-  std::size_t common = 0;
-  while (common < shorter && same_pieces(p[common], q[common])) ++common;
-  const auto rest = [&](const MotionChain& chain) {
-    MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
-    if (own.empty()) own.push_back(PieceList::between({}, start_, end_));
-    return own;
-  };
-  return make_legs(rest(p), rest(q), start_, end_);
+  const std::size_t common = pair.common.size();
+  return make_legs(without_first(p, common), without_first(q, common), start_, end_);
 }
 
 }  // namespace taut::proof

@@ -9,10 +9,22 @@
 namespace taut {
 namespace {
 
-/// x + i y of a pose's frame applied to a local point.
-Point place(const Pose<double>& pose, double x, double y) {
-  const double c = pose.xx.v.mid, s = pose.xy.v.mid;
-  return {pose.ox.v.mid + (c * x - s * y), pose.oy.v.mid + (s * x + c * y)};
+/// The origin and the x-axis of a pose, rounded.
+struct ReportedPose {
+  Vector origin{0, 0}, axis{1, 0};
+
+  ReportedPose() = default;
+  explicit ReportedPose(const Pose<double>& pose)
+      : origin{pose.ox.v.mid, pose.oy.v.mid}, axis{pose.xx.v.mid, pose.xy.v.mid} {}
+  Vector place(Vector v) const { return origin + axis * v; }
+};
+
+/// Of the frame that the pair's legs are seen from.
+ReportedPose frame_of(const MotionChain& common, double t) {
+  if (common.empty()) return {};
+  Pose<double> pose = sharp_pose(common[0].at(t), t);
+  for (std::size_t k = 1; k < common.size(); ++k) pose = compose(pose, sharp_pose(common[k].at(t), t));
+  return ReportedPose(pose);
 }
 
 }  // namespace
@@ -31,22 +43,24 @@ EdgeRef Witness::edge(VertexId v) const {
   return {plan_.maps[side].body, plan_.maps[side].edge(k)};
 }
 
-Point Witness::world(VertexId v, const Leg& leg, double parameter) const {
+Vector Witness::in_frame(VertexId v, const Leg& leg, double parameter) const {
   const DisplacedPoint& p = geometry_.point(v);
-  const Point at = place(leg.pose_of_body(geometry_.in_p(v), parameter), p.x, p.y);
+  return ReportedPose(leg.pose_of_body(geometry_.in_p(v), parameter)).place({p.x, p.y});
+}
+
+Point Witness::world(Vector v, const Leg& leg, double parameter) const {
+  const Vector at = plan_.common.empty() ? v : frame_of(plan_.common, leg.time(parameter)).place(v);
   return {std::ldexp(at.x, -plan_.exponent), std::ldexp(at.y, -plan_.exponent)};
 }
 
 Point Witness::outward_normal(VertexId edge, const Leg& leg, double parameter) const {
   const DisplacedPoint &a = geometry_.point(edge), &b = geometry_.point(geometry_.next(edge));
-  const Pose<double> pose = leg.pose_of_body(geometry_.in_p(edge), parameter);
+  const Vector axis = ReportedPose(leg.pose_of_body(geometry_.in_p(edge), parameter)).axis;
   // The polygon lies to the left of its edges: outside is to the right.
-  double x = b.y - a.y, y = -(b.x - a.x);
-  const double c = pose.xx.v.mid, s = pose.xy.v.mid;
-  const double size = length(x, y) * length(c, s);
-  x /= size;
-  y /= size;
-  return {c * x - s * y, s * x + c * y};
+  const double x = b.y - a.y, y = -(b.x - a.x), size = length(x, y) * length(axis.x, axis.y);
+  const Vector normal = axis * Vector{x / size, y / size};
+  const Vector turned = plan_.common.empty() ? normal : frame_of(plan_.common, leg.time(parameter)).axis * normal;
+  return {turned.x, turned.y};
 }
 
 Contact Witness::contact(const FoundContact& found, const Leg& leg) const {
@@ -68,10 +82,10 @@ Contact Witness::contact_at(VertexId v, VertexId e, const Leg& leg, double lo, d
 }
 
 double Witness::distance(VertexId v, VertexId edge, const Leg& leg, double t) const {
-  const Point p = world(v, leg, t), a = world(edge, leg, t), b = world(geometry_.next(edge), leg, t);
-  const double ex = b.x - a.x, ey = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-  return length(px - share * ex, py - share * ey);
+  const Vector p = in_frame(v, leg, t), a = in_frame(edge, leg, t), b = in_frame(geometry_.next(edge), leg, t);
+  const Vector along = b - a, way = p - a;
+  const double share = std::clamp(dot(way, along) / dot(along, along), 0.0, 1.0);
+  return length(way.x - share * along.x, way.y - share * along.y);
 }
 
 /// Of the other body.

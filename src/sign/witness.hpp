@@ -1,6 +1,7 @@
 // From what an engine finds back to the user's terms: input indices, input units, world coordinates.
 #pragma once
 
+#include "geometry/vector.hpp"
 #include "pair/pair_plan.hpp"
 #include "sign/contact_bracket.hpp"
 #include "taut/check.hpp"
@@ -26,8 +27,14 @@ class Witness {
   VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
   EdgeRef edge(VertexId v) const;
-  /// World position at a parameter of a leg, in the input's units (rounded).
-  Point world(VertexId v, const Leg& leg, double parameter) const;
+  /// Where a vertex is at a parameter of a leg, in the frame that the legs are seen from and in internal units
+  /// (rounded). Distances and directions are the world's up to a turn.
+  Vector in_frame(VertexId v, const Leg& leg, double parameter) const;
+  /// A point of that frame in world coordinates, in the input's units (rounded).
+  Point world(Vector v, const Leg& leg, double parameter) const;
+  Point world(VertexId v, const Leg& leg, double parameter) const {
+    return world(in_frame(v, leg, parameter), leg, parameter);
+  }
   /// What an engine found on that leg, as it is true of the bodies given: see contact_bracket().
   Contact contact(const FoundContact& found, const Leg& leg) const;
   /// The contact at time t of two bodies that touch there, given how their outward shapes overlap. Of two edges that

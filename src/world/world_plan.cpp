@@ -209,8 +209,11 @@ Coverage WorldPlan::coverage(std::uint64_t tested) const {
 }
 
 PairPlan WorldPlan::pair(int a, int b) const {
-  return pair_of(bodies_[static_cast<std::size_t>(a)].rings, bodies_[static_cast<std::size_t>(b)].rings, exponent_,
-                 extent_);
+  const WorldBody &first = bodies_[static_cast<std::size_t>(a)], &second = bodies_[static_cast<std::size_t>(b)];
+  PairPlan plan = pair_of(first.rings, second.rings, exponent_, extent_);
+  plan.common.assign(first.motions.begin(),
+                     first.motions.begin() + static_cast<std::ptrdiff_t>(count_common(first.motions, second.motions)));
+  return plan;
 }
 
 PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent) {
@@ -243,14 +246,8 @@ std::array<Legs, 2> WorldPlan::both_legs(const PairPlan& pair, double from) cons
 Legs WorldPlan::legs(int first, int second, double from) const {
   const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
   const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
-  std::size_t common = 0;
-  while (common < p.size() && common < q.size() && same_pieces(p[common], q[common])) ++common;
-  const auto rest = [&](const MotionChain& chain) {
-    MotionChain own(chain.begin() + static_cast<std::ptrdiff_t>(common), chain.end());
-    if (own.empty()) own.push_back(PieceList::between({}, start_, end_));
-    return own;
-  };
-  return make_legs(rest(p), rest(q), from, end_);
+  const std::size_t common = count_common(p, q);
+  return make_legs(without_first(p, common), without_first(q, common), from, end_);
 }
 
 }  // namespace taut
