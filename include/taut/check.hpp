@@ -95,7 +95,9 @@ struct CheckOptions {
   bool all_pairs = false;
   /// If positive: bodies are shrunk on each side by between `fit` and twice as much, in the scene's units, before
   /// anything is asked, so that what overlaps by rounding does not. The answer is about the shrunk bodies, whose
-  /// vertices have the numbers of those given. InputError where a body has features that are finer.
+  /// vertices have the numbers of those given. The union of a body's parts is shrunk: no seam opens at which parts
+  /// touch or overlap, or are less than fit/512 apart; features there are named by the nearest ones given. InputError
+  /// where a body has features that are finer.
   double fit = 0;
   /// Of a scene with curves: how wide the time of a contact may be, as a share of the scene's time. Polygons are
   /// refined until they tell it as well as that, or doubles end.

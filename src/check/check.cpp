@@ -22,7 +22,9 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
   }
   const double fit = options.fit;
   options.fit = 0;
-  Answer answer = check(fitted(scene, fit), options);
+  const FittedScene fitted(scene, fit);
+  Answer answer = check(fitted.scene(), options);
+  fitted.name_given(answer);
   answer.fit = fit;
   return answer;
 }

@@ -210,24 +210,31 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   return answer;
 }
 
-/// About bodies that are shrunk: polygons within them that are fine beside that will do.
+/// About bodies that are shrunk: polygons that are fine beside that will do.
 Answer check_fitted_curves(const Scene& scene, CheckOptions options) {
   CurvedWorld world(scene);
   const double fit = options.fit;
   if (!(fit > 0 && std::isfinite(fit))) throw InputError("fit", "it is not a positive number", "leave it out");
-  world.refine_to(fit / 8);
+  const double tolerance = fit / 8;
+  world.refine_to(tolerance);
+  // Of parts that touch along a curve the polygons around them overlap there, and those within leave a gap.
+  const bool may_touch =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.curves.size() > 1; });
+  const CurveSide side = may_touch ? CurveSide::outer : CurveSide::inner;
   options.fit = 0;
   options.tell_touching = false;
-  Answer answer = check(fitted(world.polygons(CurveSide::inner), fit), options);
+  const FittedScene fitted(world.polygons(side), fit, may_touch ? tolerance : 0);
+  Answer answer = check(fitted.scene(), options);
+  fitted.name_given(answer);
   answer.fit = fit;
   answer.geometry = CurveGeometry{world.tolerance(), world.segments()};
-  if (answer.contact) world.name_curves(CurveSide::inner, *answer.contact);
+  if (answer.contact) world.name_curves(side, *answer.contact);
   for (PairAnswer& pair : answer.also) {
-    if (pair.contact) world.name_curves(CurveSide::inner, *pair.contact);
+    if (pair.contact) world.name_curves(side, *pair.contact);
   }
   if (answer.pairs) {
     for (PairAnswer& pair : *answer.pairs) {
-      if (pair.contact) world.name_curves(CurveSide::inner, *pair.contact);
+      if (pair.contact) world.name_curves(side, *pair.contact);
     }
   }
   return answer;

@@ -11,15 +11,6 @@
 namespace taut {
 namespace {
 
-/// SplitMix64: the same numbers on every platform.
-double random_between(std::uint64_t key, double lo, double hi) {
-  std::uint64_t z = key + 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  return lo + (hi - lo) * (static_cast<double>(z >> 11) * 0x1p-53);
-}
-
 /// From one point to another: its direction, and its length up to a factor of 1 + 2^-50.
 struct Edge {
   Point from, to;
@@ -87,6 +78,15 @@ bool keeps_the_law(const Edge& in, const Edge& on, const Vector& d, double side,
 }
 
 }  // namespace
+
+/// SplitMix64.
+double random_between(std::uint64_t key, double lo, double hi) {
+  std::uint64_t z = key + 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return lo + (hi - lo) * (static_cast<double>(z >> 11) * 0x1p-53);
+}
 
 DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::optional<DisplacementFault> found)
     : points(std::move(vertices)), fault(found) {

@@ -64,6 +64,9 @@ inline constexpr double displacement_limit = 0x1p-156;
 /// What bounds in doubles allow for the displacement, per unit of the coordinates that it is multiplied with.
 inline constexpr double displacement_room = 0x1p-150;
 
+/// A number that depends on the key alone, the same on every platform.
+double random_between(std::uint64_t key, double lo, double hi);
+
 struct Displacement {
   std::vector<DisplacedPoint> points;
   double farthest = 0;                     ///< more than the way of any vertex

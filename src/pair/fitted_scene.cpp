@@ -40,26 +40,65 @@ double largest_in(const Scene& scene) {
   return largest;
 }
 
+/// What messages call the edges and vertices of a ring.
+struct RingNames {
+  std::string ring;
+  std::size_t count = 0;
+  bool reversed = false;               ///< counterclockwise it runs against the order given
+  const JoinedRing* joined = nullptr;  ///< of a ring of joined parts, which is counterclockwise
+
+  std::string vertex(std::size_t k) const {
+    if (joined) return text(joined->vertices[k]);
+    return std::to_string(reversed ? count - 1 - k : k);
+  }
+  std::string edge(std::size_t k) const {
+    if (joined) return text(joined->edges[k]);
+    return std::to_string(reversed ? (2 * count - 2 - k) % count : k);
+  }
+
+ private:
+  template <class Ref>
+  static std::string text(const Ref& ref) {
+    return std::to_string(ref.index) + (ref.ring > 0 ? " of hole " + std::to_string(ref.ring) : "") + " of part " +
+           std::to_string(ref.part);
+  }
+};
+
 class Fitter {
  public:
-  Fitter(double fit, int exponent) : fit_(fit), exponent_(exponent) {}
+  Fitter(double fit, double way, int exponent) : fit_(fit), way_(std::ldexp(way, -exponent)), exponent_(exponent) {}
 
   Part part(const Body& body, const Part& given, std::size_t index) {
-    Part shrunk{ring(given.outline, true, ring_name(body, index, 0)), {}};
+    Part shrunk{in_given_order(given.outline, true, ring_name(body, index, 0)), {}};
     for (std::size_t i = 0; i < given.holes.size(); ++i)
-      shrunk.holes.push_back(ring(given.holes[i], false, ring_name(body, index, i + 1)));
+      shrunk.holes.push_back(in_given_order(given.holes[i], false, ring_name(body, index, i + 1)));
+    return shrunk;
+  }
+  Part part(const Body& body, const JoinedPart& joined) {
+    const auto of = [&](const JoinedRing& r, bool inwards) {
+      return ring(r.points, inwards, {body.name, r.points.size(), false, &r});
+    };
+    Part shrunk{of(joined.outline, true), {}};
+    for (const JoinedRing& hole : joined.holes) shrunk.holes.push_back(of(hole, false));
     return shrunk;
   }
 
  private:
-  /// Counterclockwise, displaced, and back in the order given.
-  Polygon ring(const Polygon& given, bool inwards, const std::string& name) {
+  Polygon in_given_order(const Polygon& given, bool inwards, const std::string& name) {
     const bool reversed = polygon_orientation(given) < 0;
+    Polygon turned = given;
+    if (reversed) std::reverse(turned.begin(), turned.end());
+    Polygon shrunk = ring(turned, inwards, {name, given.size(), reversed});
+    if (reversed) std::reverse(shrunk.begin(), shrunk.end());
+    return shrunk;
+  }
+
+  /// Counterclockwise, displaced.
+  Polygon ring(const Polygon& given, bool inwards, const RingNames& names) {
     std::vector<Point> points;
     for (const Point& p : given) points.push_back({std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)});
-    if (reversed) std::reverse(points.begin(), points.end());
-    Displacement moved = displace(points, inwards, std::ldexp(fit_, -exponent_), ++seed_);
-    if (moved.too_sharp) refuse(name, {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0}, given, reversed);
+    Displacement moved = displace(points, inwards, way_, ++seed_);
+    if (moved.too_sharp) refuse(names, {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0});
     Polygon shrunk;
     for (DisplacedPoint& p : moved.points) {
       // To doubles: what it is displaced by is then what it has been displaced by.
@@ -71,33 +110,32 @@ class Fitter {
     const double farthest = moved.farthest * (1 + 0x1p-20);
     if (!has_room(points, farthest)) {
       const auto fault = find_displacement_fault(moved.points, inwards, farthest);
-      if (fault) refuse(name, *fault, given, reversed);
+      if (fault) refuse(names, *fault);
     }
-    if (reversed) std::reverse(shrunk.begin(), shrunk.end());
     return shrunk;
   }
 
-  [[noreturn]] void refuse(const std::string& name, const DisplacementFault& fault, const Polygon& given,
-                           bool reversed) const {
-    const auto n = given.size();
-    const auto vertex = [&](std::size_t k) { return reversed ? n - 1 - k : k; };
-    const auto edge = [&](std::size_t k) { return reversed ? (2 * n - 2 - k) % n : k; };
+  [[noreturn]] void refuse(const RingNames& names, const DisplacementFault& fault) const {
     const bool corner = fault.kind == DisplacementFault::Kind::sharp_corner;
-    const std::string where = corner ? "the corner at vertex " + std::to_string(vertex(fault.first)) + " is too sharp"
-                                     : "edges " + std::to_string(edge(fault.first)) + " and " +
-                                           std::to_string(edge(fault.second)) + " come too close";
-    throw InputError(name, where + " for a fit of " + number_of(fit_),
+    const std::string where =
+        corner ? "the corner at vertex " + names.vertex(fault.first) + " is too sharp"
+               : "edges " + names.edge(fault.first) + " and " + names.edge(fault.second) + " come too close";
+    throw InputError(names.ring, where + " for a fit of " + number_of(fit_),
                      "bodies are shrunk by up to twice the fit on each side: choose a smaller one, or a coarser shape");
   }
 
-  double fit_;
+  double fit_;  ///< as the user says it
+  double way_;  ///< how far edges move, in internal units
   int exponent_;
   std::uint64_t seed_ = 0;
 };
 
+/// Boundaries of joined parts are off by this share of the fit: shrinking them moves edges by 1.05 to 1.95 times it.
+constexpr double share_of_joints = 0x1p-6;
+
 }  // namespace
 
-Scene fitted(const Scene& scene, double fit) {
+FittedScene::FittedScene(const Scene& scene, double fit, double excess) : scene_(scene) {
   const double largest = largest_in(scene);
   if (!(fit > 0 && std::isfinite(fit))) throw InputError("fit", "it is not a positive number", "leave it out");
   if (fit < least_share * largest)
@@ -105,14 +143,18 @@ Scene fitted(const Scene& scene, double fit) {
                      "doubles round by nearly as much: choose a larger one");
   int exponent = 0;
   std::frexp(largest, &exponent);
-  Fitter fitter(fit, exponent);
-  Scene shrunk = scene;
+  Fitter fitter(fit, fit + excess, exponent);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
-    const std::vector<Part> parts = parts_of(body);
-    Body& small = shrunk.bodies[i];
+    joined_.push_back(joined_parts(body, static_cast<BodyId>(i), share_of_joints * fit));
+    Body& small = scene_.bodies[i];
     small.prepared = nullptr;
     small.parts.clear();
+    if (const auto& joined = joined_.back()) {
+      for (const JoinedPart& part : *joined) small.parts.push_back(fitter.part(body, part));
+      continue;
+    }
+    const std::vector<Part> parts = parts_of(body);
     for (std::size_t k = 0; k < parts.size(); ++k) small.parts.push_back(fitter.part(body, parts[k], k));
     small.polygon.clear();
     if (body.parts.empty()) {
@@ -121,12 +163,36 @@ Scene fitted(const Scene& scene, double fit) {
     }
   }
   try {
-    validate_world(shrunk);
+    validate_world(scene_);
   } catch (const InputError& error) {
     throw InputError(error.place(), "shrunk by a fit of " + number_of(fit) + ", " + error.problem(),
                      "the walls there are thinner than the fit allows: choose a smaller one");
   }
-  return shrunk;
+}
+
+void FittedScene::name_given(Contact& contact) const {
+  const auto ring_of = [&](const auto& feature) -> const JoinedRing* {
+    const auto& joined = joined_[static_cast<std::size_t>(feature.body)];
+    if (!joined) return nullptr;
+    const JoinedPart& part = (*joined)[static_cast<std::size_t>(feature.part)];
+    return feature.ring == 0 ? &part.outline : &part.holes[static_cast<std::size_t>(feature.ring - 1)];
+  };
+  if (const JoinedRing* ring = ring_of(contact.vertex))
+    contact.vertex = ring->vertices[static_cast<std::size_t>(contact.vertex.index)];
+  if (const JoinedRing* ring = ring_of(contact.edge))
+    contact.edge = ring->edges[static_cast<std::size_t>(contact.edge.index)];
+}
+
+void FittedScene::name_given(Answer& answer) const {
+  if (answer.contact) name_given(*answer.contact);
+  if (answer.touching) name_given(*answer.touching);
+  for (PairAnswer& pair : answer.also) {
+    if (pair.contact) name_given(*pair.contact);
+  }
+  if (!answer.pairs) return;
+  for (PairAnswer& pair : *answer.pairs) {
+    if (pair.contact) name_given(*pair.contact);
+  }
 }
 
 }  // namespace taut
