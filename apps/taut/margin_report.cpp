@@ -51,7 +51,8 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
   const std::string pair = margin_subject(scene, first);
   std::string text;
   if (first.outcome == Outcome::contact)
-    text = fmt::format("CONTACT  {}   closer than {:.9g} at t = {}\n", pair, clearance, time_text(first.time));
+    text = fmt::format("CONTACT  {}   {} {:.9g} at t = {}\n", pair,
+                       first.time.hi <= scene.start ? "as close as" : "closer than", clearance, time_text(first.time));
   if (first.outcome == Outcome::overlap_at_start)
     text = fmt::format("OVERLAP AT START  {}   closer than {:.9g} at t = {}\n", pair, clearance, scene.start);
   if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);

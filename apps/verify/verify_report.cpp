@@ -40,8 +40,10 @@ std::string clearance_claim(const Scene& scene, const Verified& v) {
   const CloseFeatures& f = v.closer->features;
   const std::string peer = f.edge ? edge_text(scene, *f.edge) : vertex_text(scene, *f.other);
   const std::string before = v.free_until > scene.start ? kept + "); " : "";
-  return before + fmt::format("closer within [{}, {}]: {} and {}", v.closer->time.lo, v.closer->time.hi,
-                              vertex_text(scene, f.vertex), peer);
+  const std::string when = v.contact_at == ContactAt::start
+                               ? fmt::format("as close at the start, t = {}", v.closer->time.lo)
+                               : fmt::format("closer within [{}, {}]", v.closer->time.lo, v.closer->time.hi);
+  return before + when + ": " + vertex_text(scene, f.vertex) + " and " + peer;
 }
 
 /// The claim in words: what holds when.

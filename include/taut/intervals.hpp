@@ -12,10 +12,11 @@ namespace taut {
 /// A maximal interval of time in which two bodies overlap.
 struct OverlapInterval {
   std::array<BodyId, 2> pair{};  ///< in the order of the scene
-  /// Enclose its beginning and its end. An overlap that is there at the scene's start begins with it, exactly, and one
-  /// that is there at its end ends with it.
+  /// Certainly enclose its beginning and its end, as Contact::time does. An overlap that is there at the scene's start
+  /// begins with it, exactly, and one that is there at its end ends with it.
   TimeInterval from, to;
-  /// What meets what when it begins, and parts when it ends; absent at the scene's start and end.
+  /// What meets what when it begins, and parts when it ends, `grazing` where the enclosure is wide for that; absent at
+  /// the scene's start and end.
   std::optional<Contact> enter, exit;
 };
 

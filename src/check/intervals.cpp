@@ -1,6 +1,7 @@
 #include "taut/intervals.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -60,35 +61,72 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   return answer;
 }
 
+namespace {
+
+/// All intervals in a part of the scene's time.
+Intervals intervals_within(const Scene& scene, double start, double end, const CheckOptions& options) {
+  Scene part = scene;
+  part.start = start;
+  part.end = end;
+  return intervals(part, options);
+}
+
+[[noreturn]] void refuse_overlap(const Scene& scene, const OverlapInterval& o) {
+  const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
+  throw InputError("from", name(o.pair[0]) + " and " + name(o.pair[1]) + " overlap at that instant",
+                   "choose one at which no bodies do: `taut intervals` lists when they do");
+}
+
+}  // namespace
+
+/// Time is cut at t, so that each half says of that very instant whether bodies overlap: ends of intervals may be
+/// brackets that hold it, and bodies that part and meet again there do both in one double.
+namespace {
+
+/// Of all of the time: a pair may rest, and not be tested, on one side of the instant only.
+Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
+  const WorldPlan plan(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
+  return plan.coverage(std::min(plan.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
+}
+
+}  // namespace
+
 Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");
-  const Intervals all = intervals(scene, options);
+  const auto began = std::chrono::steady_clock::now();
+  Intervals before, after = intervals_within(scene, t, scene.end, options);
+  if (t > scene.start) {
+    CheckOptions rest = options;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+    rest.max_seconds -= spent.count();
+    before = intervals_within(scene, scene.start, t, rest);
+  }
   Range range;
-  range.geometry = all.geometry;
-  range.coverage = all.coverage;
-  range.reason = all.reason;
-  if (all.outcome == Outcome::undecided || all.outcome == Outcome::untested) {
-    range.outcome = all.outcome;
+  range.geometry = after.geometry;
+  range.coverage = coverage_of_range(scene, before, after);
+  if (range.coverage.is_empty()) {
+    range.outcome = Outcome::untested;
+    range.reason = why_untested(range.coverage);
+    return range;
+  }
+  for (const Intervals* half : {&after, &before}) {
+    if (half->outcome != Outcome::undecided) continue;
+    range.reason = half->reason;
     return range;
   }
   range.outcome = Outcome::free;
-  for (const OverlapInterval& o : all.intervals) {
-    if (o.to.hi <= t && o.to.hi < scene.end) {
-      if (!range.from || o.to.hi > range.from->hi) {
-        range.from = o.to;
-        range.before = o;
-      }
-    } else if (o.from.lo >= t && o.from.lo > scene.start) {
-      if (!range.to || o.from.lo < range.to->lo) {
-        range.to = o.from;
-        range.after = o;
-      }
-    } else {
-      const auto name = [&](BodyId id) { return scene.bodies[static_cast<std::size_t>(id)].name; };
-      throw InputError("from", name(o.pair[0]) + " and " + name(o.pair[1]) + " overlap at that instant",
-                       "choose one at which no bodies do: `taut intervals` lists when they do");
-    }
+  for (const OverlapInterval& o : before.intervals) {
+    if (!o.exit) refuse_overlap(scene, o);
+    if (range.from && o.to.hi <= range.from->hi) continue;
+    range.from = o.to;
+    range.before = o;
+  }
+  for (const OverlapInterval& o : after.intervals) {
+    if (!o.enter) refuse_overlap(scene, o);
+    if (range.to && o.from.lo >= range.to->lo) continue;
+    range.to = o.from;
+    range.after = o;
   }
   return range;
 }

@@ -92,17 +92,37 @@ class MarginSearch {
       pair.reason = found.reason;
       return;
     }
-    if (found.at_once && found.lo <= plan_.start()) {
-      pair.outcome = Outcome::overlap_at_start;
-      pair.nearest = nearest_at_start(search);
-      return;
-    }
+    if (found.at_once && found.lo <= plan_.start()) return take_start(search, found, pair);
     const ContactBracket bracket = bracket_of(search, found);
     pair.outcome = Outcome::contact;
     pair.time = {time_at(bracket.lo), time_at(bracket.hi)};
     pair.grazing = bracket.grazing;
     pair.free_until = pair.time.lo;
     name_features(search, found, pair);
+  }
+
+  /// As of a contact at the start: bodies displaced outwards are as close as the margin where those given are, and
+  /// those displaced inwards only where they are closer.
+  void take_start(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
+    const double start = plan_.start();
+    if (!inwards_) {
+      const PairSearch smaller(plan_, pair.bodies[0], pair.bodies[1], true);
+      const MarginResult closer =
+          spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.legs(), margin_, {start, start});
+      if (closer.outcome == MarginResult::undecided) {
+        pair.outcome = Outcome::undecided;
+        pair.reason = closer.reason;
+        return;
+      }
+      if (closer.outcome == MarginResult::free) {
+        pair.outcome = Outcome::contact;
+        pair.time = {start, start};
+        name_features(search, found, pair);
+        return;
+      }
+    }
+    pair.outcome = Outcome::overlap_at_start;
+    pair.nearest = nearest_at_start(search);
   }
 
   ContactBracket bracket_of(const PairSearch& search, const MarginResult& found) const {
@@ -137,7 +157,8 @@ class MarginSearch {
 
   NearestPoints nearest_at_start(const PairSearch& search) const {
     spacetime::Nearest found;
-    found.distance = margin_ * 2;
+    // Not the margin, which may be less than doubles tell.
+    found.distance = INFINITY;
     spacetime::find_nearest_within(search.geometry, search.trees(), search.legs(), plan_.start(), plan_.start(),
                                    {1e-9, 0}, found);
     NearestPoints nearest = nearest_points_of(search, found.leg, found.parameter, found.edge_p, found.edge_q);

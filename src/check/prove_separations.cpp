@@ -163,8 +163,10 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
   const bool inwards = touch == Touch::open;
   const double margin = std::ldexp(clearance, proved.exponent());
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, margin);
-  const double until = end_of_windows(proved, answer.free_until);
   const PairMargin& first = *answer.first;
+  if (!inwards && first.time.hi <= proved.start())
+    return SeparationsWriter(proved, true, margin).close_at_start(first.bodies, *first.features);
+  const double until = end_of_windows(proved, answer.free_until);
   return SeparationsWriter(proved, inwards, margin).closer(first.bodies, *first.features, {until, first.time.hi});
 }
 

@@ -118,6 +118,16 @@ SeparationsBody SeparationsWriter::touching(const PairResult& result) {
   return {Claim::touching, std::move(out_)};
 }
 
+SeparationsBody SeparationsWriter::close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features) {
+  const proof::ProvedPair& pair = world_.pair(bodies[0], bodies[1]);
+  for (const int body : bodies) put_u32(out_, static_cast<std::uint32_t>(body));
+  put_u32(out_, id_of(pair, features.vertex).value);
+  put_u32(out_, (features.edge ? id_of_edge(pair, *features.edge) : id_of(pair, *features.other)).value);
+  out_.push_back(features.edge ? 1 : 0);
+  all_windows(scene_.start());
+  return {Claim::touching, std::move(out_)};
+}
+
 SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features,
                                           const TimeInterval& time) {
   const proof::ProvedPair& pair = world_.pair(bodies[0], bodies[1]);

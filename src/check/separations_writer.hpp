@@ -36,6 +36,8 @@ class SeparationsWriter {
   SeparationsBody free_until(double until);
   /// Two bodies touch at the start, and nothing overlaps.
   SeparationsBody touching(const PairResult& result);
+  /// Two features are as close as the margin at the start, and nothing is closer.
+  SeparationsBody close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features);
   /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
   SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
   /// A contact that was found on these legs; `until` is the earliest instant at which anything may happen.

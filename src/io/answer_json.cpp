@@ -64,7 +64,7 @@ std::string io::edge_json(const Scene& scene, const EdgeRef& edge) { return feat
 
 std::string io::features_json(const Scene& scene, const Contact& contact) {
   return "{\"vertex\":" + feature_text(scene, contact.vertex) + ",\"edge\":" + feature_text(scene, contact.edge) +
-         ",\"point\":" + io::point_text(contact.point) + "}";
+         ",\"point\":" + io::point_text(contact.point) + (contact.grazing ? ",\"grazing\":true}" : "}");
 }
 
 namespace {

@@ -118,7 +118,8 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
       PieceCheck(piece, place(i)).run();
       continue;
     }
-    if (from > end) break;
+    // What comes after the scene's end does not matter; a piece that begins there does.
+    if (i > 0 && motion.pieces[i - 1].until > end) break;
     const double to = std::min(piece.until, end);
     PieceCheck(piece, place(i), std::pair{from, to}).run();
     if (!last && piece.until < end) {

@@ -61,8 +61,8 @@ class SeparationsVerifier {
     if (!(header_.kind & with_clearance)) return 0;
     result_.clearance = in_.f64();
     const double margin = std::ldexp(result_.clearance, plan_.exponent());
-    if (claim_ == Claim::touching || claim_ == Claim::fine_contact ||
-        !(result_.clearance > 0 && std::isfinite(result_.clearance)) || !(margin > 0x1p-900))
+    if (claim_ == Claim::fine_contact || !(result_.clearance > 0 && std::isfinite(result_.clearance)) ||
+        !(margin > 0x1p-900))
       throw ProofError("a clearance that makes no sense");
     return margin;
   }
@@ -72,7 +72,7 @@ class SeparationsVerifier {
     if (claim_ == Claim::free_until) result_.free_until = in_.f64();
     if (claim_ == Claim::contact) margin_ > 0 ? closer() : contact();
     if (claim_ == Claim::fine_contact) contact();
-    if (claim_ == Claim::touching) touching();
+    if (claim_ == Claim::touching) margin_ > 0 ? close_at_start() : touching();
     if (!(result_.free_until >= scene_.start && result_.free_until <= scene_.end))
       throw ProofError("the end of the proof is not within the scene's time");
     boxes_.emplace(plan_, world_.room());
@@ -199,13 +199,34 @@ class SeparationsVerifier {
       throw ProofError("a closeness that cannot be");
     if (!closer_at(pair.geometry, pair.legs[leg], margin_, {vertex, peer}, is_edge == 1, at))
       throw ProofError("the two features are not closer than the clearance then");
+    conclude_closer(pair, vertex, peer, is_edge == 1, rounded_up(at));
+  }
+
+  void conclude_closer(const ProvedPair& pair, VertexId vertex, VertexId peer, bool is_edge, double until) {
     const Witness witness(pair.plan, pair.geometry, world_.inwards());
     ProvedCloseness found;
     found.features.vertex = witness.vertex(vertex);
     if (is_edge) found.features.edge = witness.edge(peer);
     if (!is_edge) found.features.other = witness.vertex(peer);
-    found.time = {result_.free_until, rounded_up(at)};
+    found.time = {result_.free_until, until};
     result_.closer = found;
+  }
+
+  /// Shapes displaced inwards keep the clearance at the start, as the windows show; two features of those displaced
+  /// outwards do not.
+  void close_at_start() {
+    if (header_.touch != Touch::closed) throw ProofError("bodies may be as close as the clearance here");
+    const auto [a, b] = read_pair();
+    const ProvedPair& pair = world_.pair(a, b);
+    const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
+    const std::uint8_t is_edge = in_.u8();
+    if (pair.geometry.same_body(vertex, peer) || is_edge > 1) throw ProofError("a closeness that cannot be");
+    const PairGeometry outer = displaced_pair(pair.plan, false);
+    if (!closer_at(outer, pair.legs[0], margin_, {vertex, peer}, is_edge == 1, {scene_.start, 0, 0}))
+      throw ProofError("the two features are not as close as the clearance at the start");
+    result_.contact_at = ContactAt::start;
+    result_.free_until = scene_.start;
+    conclude_closer(pair, vertex, peer, is_edge == 1, scene_.start);
   }
 
   VertexId read_vertex(const ProvedPair& pair) {

@@ -33,7 +33,7 @@ class IntervalSearch {
   std::vector<OverlapInterval> run() {
     find_clusters();
     bool inside = near_.front().lo == plan_.start() && overlapping_at(plan_.start());
-    if (inside) begin({plan_.start(), plan_.start()}, std::nullopt);
+    if (inside) begin_at(plan_.start());
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
       interruption_point();
       Cluster& c = clusters_[i];
@@ -43,11 +43,11 @@ class IntervalSearch {
       const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : plan_.end());
       if (!inside || !after) tighten_ends(c);
       // Free on both sides, with a crossing: an overlap shorter than doubles tell.
-      if (!inside) begin({c.lo, c.hi}, contact_of(c.first));
-      if (!after) end({c.lo, c.hi}, contact_of(c.last));
+      if (!inside) begin(c);
+      if (!after) end(c);
       inside = after;
     }
-    if (inside) end({plan_.end(), plan_.end()}, std::nullopt);
+    if (inside) found_.back().to = {plan_.end(), plan_.end()};
     return std::move(found_);
   }
 
@@ -119,19 +119,35 @@ class IntervalSearch {
     while (legs.place(k).bridge) ++k;
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *legs.hold(k), t).has_value();
   }
-  std::optional<Contact> contact_of(const LegCrossing& c) const {
-    return Witness(pair_.plan, pair_.geometry, inwards_).contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg]);
+  Contact contact_of(const LegCrossing& c, Passage passage) const {
+    Contact contact = Witness(pair_.plan, pair_.geometry, inwards_)
+                          .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg], passage);
+    contact.time = {std::max(contact.time.lo, plan_.start()), std::min(contact.time.hi, plan_.end())};
+    return contact;
   }
-  void begin(const TimeInterval& from, const std::optional<Contact>& enter) {
+  /// Holds what is true of the bodies given: where displaced ones cross several times, all of it.
+  TimeInterval bracket_of(const Cluster& c, const Contact& named, Passage passage) const {
+    TimeInterval time{std::min(c.lo, named.time.lo), std::max(c.hi, named.time.hi)};
+    if (c.alone) return time;
+    const Contact other = contact_of(passage == Passage::enters ? c.last : c.first, passage);
+    return {std::min(time.lo, other.time.lo), std::max(time.hi, other.time.hi)};
+  }
+  void begin_at(double t) {
     OverlapInterval next;
     next.pair = bodies_;
-    next.from = from;
-    next.enter = enter;
+    next.from = {t, t};
     found_.push_back(next);
   }
-  void end(const TimeInterval& to, const std::optional<Contact>& exit) {
-    found_.back().to = to;
-    found_.back().exit = exit;
+  void begin(const Cluster& c) {
+    OverlapInterval next;
+    next.pair = bodies_;
+    next.enter = contact_of(c.first, Passage::enters);
+    next.from = bracket_of(c, *next.enter, Passage::enters);
+    found_.push_back(next);
+  }
+  void end(const Cluster& c) {
+    found_.back().exit = contact_of(c.last, Passage::leaves);
+    found_.back().to = bracket_of(c, *found_.back().exit, Passage::leaves);
   }
 
   const WorldPlan& plan_;

@@ -99,21 +99,28 @@ double displacement_sway(const PairGeometry& geometry, const Leg& leg, const Fou
 }
 
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
-                               const FoundContact& found) {
+                               const FoundContact& found, Passage passage) {
   ContactBracket bracket{found.lo, found.hi, false};
   if (is_steep(geometry, leg, found)) return bracket;
   const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, !inwards);
-  if (!other) return {inwards ? leg.start : found.lo, inwards ? found.hi : leg.end, true};
-  return bracket_of_sides(found.lo, found.hi, inwards, leg, Side(leg, geometry, found), Side(leg, *other, found));
+  if (!other) {
+    const bool earlier = inwards == (passage == Passage::enters);
+    return {earlier ? leg.start : found.lo, earlier ? found.hi : leg.end, true};
+  }
+  return bracket_of_sides(found.lo, found.hi, inwards, leg, Side(leg, geometry, found), Side(leg, *other, found),
+                          passage);
 }
 
 ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
-                                const std::function<int(double)>& here, const std::function<int(double)>& there) {
+                                const std::function<int(double)>& here, const std::function<int(double)>& there,
+                                Passage passage) {
   ContactBracket bracket{lo, hi, false};
-  if (inwards) {
-    bracket.lo = first_place(lo, leg.start, [&](double t) { return there(t) < 0; });
+  // Smaller bodies enter later, and leave earlier.
+  const auto reached = [&](double t) { return inwards ? there(t) < 0 || here(t) > 0 : there(t) > 0 || here(t) < 0; };
+  if (inwards == (passage == Passage::enters)) {
+    bracket.lo = first_place(lo, leg.start, reached);
   } else {
-    bracket.hi = first_place(hi, leg.end, [&](double t) { return there(t) > 0 || here(t) < 0; });
+    bracket.hi = first_place(hi, leg.end, reached);
   }
   const double scale = std::max({std::fabs(leg.start), std::fabs(leg.end), leg.end - leg.start});
   bracket.grazing = (bracket.hi - bracket.lo) - (hi - lo) > 0x1p-50 * scale;

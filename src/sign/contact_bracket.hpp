@@ -10,6 +10,9 @@
 namespace taut {
 
 /// An enclosure of the leg's parameter, for displaced bodies or for those given.
+/// Does the vertex come to the edge from outside, or leave it to there?
+enum class Passage : unsigned char { enters, leaves };
+
 struct ContactBracket {
   double lo = 0, hi = 0;
   bool grazing = false;
@@ -20,23 +23,25 @@ struct ContactBracket {
 /// of order m moves by about delta^(1/m)), the other displacement gives the other end:
 ///
 ///   found for bodies displaced inwards: from when the vertex was last outside of the edge's line, for bodies
-///   displaced outwards;
+///   displaced outwards, or inside, for those displaced inwards;
 ///   found for bodies displaced outwards: to when the vertex is first inside, for bodies displaced inwards, or outside
 ///   again, for those displaced outwards.
 ///
-/// The given vertex is on its side of the given edge's line between the two, so it reaches the line within the bracket,
-/// or stays closer to it than the displacement. Ends are sought on the leg of the contact alone. `geometry` is
-/// displaced as `inwards` says.
+/// Where the vertex leaves, the same holds with time reversed. The given vertex is on its side of the given edge's line
+/// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. Ends are
+/// sought on the leg of the contact alone. `geometry` is displaced as `inwards` says.
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
-                               const FoundContact& found);
+                               const FoundContact& found, Passage passage = Passage::enters);
 
 /// How far the contact of the bodies as given may be from the one found, in time: a bound, or infinity where the
 /// displacement moves it by more than a small part of a unit in the last place.
 double displacement_sway(const PairGeometry& geometry, const Leg& leg, const FoundContact& found);
 
-/// The bracket of anything that is outside before, and inside after: given its side (negative outside, 0 if unknown) at
-/// any instant of the leg, for bodies displaced as those that [lo, hi] was found for, and for the others.
+/// The bracket of anything that is outside before and inside after, or the other way round: given its side (negative
+/// outside, 0 if unknown) at any instant of the leg, for bodies displaced as those that [lo, hi] was found for, and for
+/// the others.
 ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
-                                const std::function<int(double)>& here, const std::function<int(double)>& there);
+                                const std::function<int(double)>& here, const std::function<int(double)>& there,
+                                Passage passage = Passage::enters);
 
 }  // namespace taut

@@ -63,8 +63,8 @@ Point Witness::outward_normal(VertexId edge, const Leg& leg, double parameter) c
   return {turned.x, turned.y};
 }
 
-Contact Witness::contact(const FoundContact& found, const Leg& leg) const {
-  const ContactBracket bracket = contact_bracket(plan_, geometry_, inwards_, leg, found);
+Contact Witness::contact(const FoundContact& found, const Leg& leg, Passage passage) const {
+  const ContactBracket bracket = contact_bracket(plan_, geometry_, inwards_, leg, found, passage);
   Contact result = contact_at(found.vertex, found.edge, leg, bracket.lo, bracket.hi);
   result.grazing = bracket.grazing;
   return result;

@@ -36,7 +36,7 @@ class Witness {
     return world(in_frame(v, leg, parameter), leg, parameter);
   }
   /// What an engine found on that leg, as it is true of the bodies given: see contact_bracket().
-  Contact contact(const FoundContact& found, const Leg& leg) const;
+  Contact contact(const FoundContact& found, const Leg& leg, Passage passage = Passage::enters) const;
   /// The contact at time t of two bodies that touch there, given how their outward shapes overlap. Of two edges that
   /// cross, the end of one that is nearest to the other is the vertex; a vertex inside is nearest to some edge: such a
   /// body fits into a hole so closely that all of it touches.

@@ -171,7 +171,7 @@ class Checker(Windows):
         self.contact_pair, self.count = None, 0
         if claim & CLEARANCE:
             clearance = log.f64()
-            require(self.claim not in (TOUCHING, FINE_CONTACT) and 0 < clearance < math.inf, "the clearance")
+            require(self.claim != FINE_CONTACT and 0 < clearance < math.inf, "the clearance")
             self.margin = exact(Fraction(clearance) * Fraction(2) ** scene.exponent)
             require(self.margin > 0, "the clearance")
             room += math.ldexp(clearance, scene.exponent)
@@ -213,7 +213,7 @@ class Checker(Windows):
         elif self.claim in (CONTACT, FINE_CONTACT):
             found = self.closer() if self.margin else self.contact()
         elif self.claim == TOUCHING:
-            found = self.touching()
+            found = self.close_at_start() if self.margin else self.touching()
         require(scene.start <= self.until <= scene.end, "the end of the proof")
         self.windows(scene.start, self.until)
         total = checksum(log.data[:log.at])
@@ -303,6 +303,18 @@ class Checker(Windows):
         if 0 in signs:
             raise Undecided("whether a vertex is closer to an edge than the clearance")
         return True
+
+    def close_at_start(self):
+        """Inner shapes keep the clearance at the start, as the windows show; two features of the outer ones do not."""
+        a_b, log = self.read_pair(), self.log
+        pair = self.pair(*a_b, False)
+        vertex, peer, is_edge = self.read_vertex(pair), self.read_vertex(pair), log.u8()
+        require(self.closed and is_edge <= 1 and pair.in_p(vertex) != pair.in_p(peer), "a closeness that cannot be")
+        self.until = self.scene.start
+        at = exact(self.scene.start)
+        require(self.is_closer(pair, pair.legs[0], vertex, peer, is_edge, at), "the two are not as close at the start")
+        return {"outcome": "contact", "closer": True, "vertex": self.name(pair, vertex, "vertex"),
+                ("edge" if is_edge else "other"): self.name(pair, peer, "edge" if is_edge else "vertex")}
 
     def touching(self):
         a_b, log = self.read_pair(), self.log

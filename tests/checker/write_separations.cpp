@@ -17,6 +17,7 @@
 #include "support/rng.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "taut/motions.hpp"
 #include "taut/proof.hpp"
 #include "taut/shape.hpp"
 
@@ -302,6 +303,14 @@ int write_all(const fs::path& root, int logs) {
       if (file.extension() != ".json" || file.stem().extension() == ".answer" || 2 * written > logs) continue;
       for (const Touch touch : {Touch::open, Touch::closed}) print(read_scene(file.string()), touch);
     }
+  }
+  // As close as the clearance at the start, to the last bit.
+  for (const double speed : {1.0, -1.0}) {
+    Scene close;
+    close.end = 1;
+    close.bodies = {{"a", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {}},
+                    {"b", {{2, -0.5}, {4, -0.5}, {4, 0.5}, {2, 0.5}}, from_velocity({speed, 0})}};
+    written += print_world(rng, close, Touch::closed, 1);
   }
   for (std::uint64_t number = 1; written < logs; ++number) {
     const Touch touch = rng.chance(0.5) ? Touch::closed : Touch::open;

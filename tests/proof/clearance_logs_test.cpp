@@ -17,6 +17,7 @@
 #include "support/made_world.hpp"
 #include "support/rng.hpp"
 #include "taut/io.hpp"
+#include "taut/motions.hpp"
 
 namespace taut::testing {
 namespace {
@@ -84,6 +85,66 @@ TEST(ClearanceLogs, RandomWorlds) {
   }
   EXPECT_GE(counts.free, static_cast<int>(enough(5)));
   EXPECT_GE(counts.closer, static_cast<int>(enough(2)));
+}
+
+/// Bodies whose distance at the start is the clearance, to the last bit: a contact there with touching counted,
+/// whatever they do then.
+TEST(ClearanceLogs, AsCloseAtTheStart) {
+  for (const double speed : {1.0, 0.0, -1.0}) {
+    Scene scene;
+    scene.end = 1;
+    scene.bodies = {{"a", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {}},
+                    {"b", {{2, -0.5}, {4, -0.5}, {4, 0.5}, {2, 0.5}}, from_velocity({speed, 0})}};
+    for (const double clearance : {1 - 0x1p-50, 1.0, 1 + 0x1p-50}) {
+      SCOPED_TRACE("speed " + std::to_string(speed) + ", clearance 1 + " + std::to_string((clearance - 1) * 0x1p50));
+      CheckOptions closed;
+      closed.touch = Touch::closed;
+      const MarginAnswer answer = check_clearance(scene, clearance, closed);
+      if (clearance > 1) {
+        EXPECT_EQ(answer.outcome, Outcome::overlap_at_start);
+        continue;
+      }
+      ClearanceCounts counts;
+      expect_clearance_proved(scene, clearance, Touch::closed, counts);
+      expect_clearance_proved(scene, clearance, Touch::open, counts);
+      if (clearance < 1) {
+        EXPECT_EQ(answer.outcome, speed < 0 ? Outcome::contact : Outcome::free);
+        continue;
+      }
+      ASSERT_EQ(answer.outcome, Outcome::contact);
+      EXPECT_EQ(answer.free_until, 0);
+      EXPECT_EQ(answer.first->time.lo, 0);
+      EXPECT_EQ(answer.first->time.hi, 0);
+      ASSERT_TRUE(answer.first->features);
+      EXPECT_EQ(check_clearance(scene, clearance).outcome, speed < 0 ? Outcome::contact : Outcome::free);
+    }
+  }
+}
+
+/// Such a log with other features, or with the clearance or the motion of others, proves nothing.
+TEST(ClearanceLogs, AsCloseAtTheStartOnly) {
+  Scene scene;
+  scene.end = 1;
+  scene.bodies = {{"a", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {}},
+                  {"b", {{2, -0.5}, {4, -0.5}, {4, 0.5}, {2, 0.5}}, from_velocity({1, 0})}};
+  std::ostringstream out;
+  CheckOptions closed;
+  closed.touch = Touch::closed;
+  prove_clearance(scene, 1, out, closed);
+  const std::string bytes = out.str().substr(0, out.str().size() - 8);
+  for (const std::size_t at : {41u, 48u, 58u, 62u, 66u}) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string other = bytes;
+      other[at] = static_cast<char>(other[at] ^ (1 << bit));
+      std::istringstream in(sealed(other));
+      try {
+        const Verified v = verify(scene, in);
+        EXPECT_EQ(v.outcome, Outcome::contact);
+        EXPECT_GE(v.clearance, 1);
+      } catch (const ProofError&) {
+      }
+    }
+  }
 }
 
 /// A log with its margin, one of its bytes, or its claim changed: what it still proves is true.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/consistency.hpp"
 #include "support/rng.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
@@ -35,8 +36,9 @@ class QuestionExamination {
       options_.touch = touch;
       options_.engine = EngineChoice::spacetime;
       options_.max_seconds = max_seconds_;
-      for (const auto ask : {&QuestionExamination::overlaps, &QuestionExamination::ranges,
-                             &QuestionExamination::standing, &QuestionExamination::backwards}) {
+      for (const auto ask :
+           {&QuestionExamination::consistent, &QuestionExamination::overlaps, &QuestionExamination::ranges,
+            &QuestionExamination::standing, &QuestionExamination::backwards}) {
         const std::string wrong = (this->*ask)();
         if (!wrong.empty()) return fmt::format("touch {}: {}", to_string(touch), wrong);
       }
@@ -57,6 +59,8 @@ class QuestionExamination {
     if (reason.find("time limit") != std::string::npos) throw TimeIsUp{};
     return question + ": undecided: " + reason;
   }
+
+  std::string consistent() { return inconsistency(scene_, options_.touch, max_seconds_); }
 
   std::string overlaps() {
     answer_ = check(scene_, options_);

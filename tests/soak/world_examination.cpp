@@ -8,6 +8,7 @@
 
 #include "motion/pieces.hpp"
 #include "pair/validate_world.hpp"
+#include "support/consistency.hpp"
 #include "support/every_pair.hpp"
 #include "support/world_changes.hpp"
 #include "support/world_judge.hpp"
@@ -63,6 +64,8 @@ class WorldExamination {
     }
     if (const std::string wrong = touching_no_later(); !wrong.empty()) return wrong;
     if (!rng_.chance(share_of_clearances)) return {};
+    if (const std::string wrong = inconsistency(scene_, options_.touch, options_.max_seconds); !wrong.empty())
+      return wrong;
     if (const std::string wrong = clearances(); !wrong.empty()) return wrong;
     return rng_.chance(share_of_profiles) ? profile() : std::string();
   }

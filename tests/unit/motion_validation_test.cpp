@@ -52,6 +52,15 @@ TEST(MotionValidation, RefusesWhatIsNotAMotion) {
   expect_refusal(with_motion({{{}, {}, NoRotation{}, INFINITY, {0, NAN}}}), "pivot[1] is not a finite number");
 }
 
+/// A piece that begins after the scene's end is not asked about times at which another one holds.
+TEST(MotionValidation, DoesNotLookBeyondTheEnd) {
+  const MotionPiece first{{3}, {2}, NoRotation{}, 20}, later{{3}, {2}, CosineRotation{{1.5, -0.02}}};
+  EXPECT_EQ(refusal(with_motion({first, later})), "");
+  MotionPiece at_the_end = first;
+  at_the_end.until = 10;
+  expect_refusal(with_motion({at_the_end, later}), "the cosine is beyond 1 in magnitude");
+}
+
 TEST(MotionValidation, RefusesPiecesThatDoNotFit) {
   expect_refusal(with_motion({{{3, -1}, {2}, NoRotation{}, 3}, {{1}, {2}, NoRotation{}}}),
                  "b: motion piece 0: the motion jumps by 1 at t = 3");

@@ -1,0 +1,106 @@
+// The answers of all questions about one scene say the same: brackets of one instant meet, without any tolerance, since
+// each holds the instant itself.
+#include <gtest/gtest.h>
+
+#include "soak/soak_scene.hpp"
+#include "support/consistency.hpp"
+#include "support/effort.hpp"
+#include "support/made_world.hpp"
+#include "taut/error.hpp"
+#include "taut/intervals.hpp"
+
+namespace taut::testing {
+namespace {
+
+void expect_consistent(const Scene& scene) {
+  for (const Touch touch : {Touch::open, Touch::closed}) {
+    try {
+      EXPECT_EQ(inconsistency(scene, touch, 10), "") << to_string(touch);
+    } catch (const InputError&) {
+      // Injected vertices may make boundaries cross.
+    }
+  }
+}
+
+TEST(Consistency, OfRandomScenes) {
+  for (std::uint64_t number = 0; number < effort(1000); ++number) {
+    SCOPED_TRACE("scene " + std::to_string(number));
+    expect_consistent(soak_scene(number).scene);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Consistency, OfContactsAndGrazes) {
+  for (std::uint64_t number = 0; number < effort(1000); ++number) {
+    SCOPED_TRACE("contact scene " + std::to_string(number));
+    expect_consistent(soak_contact_scene(number).scene);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Consistency, OfWorlds) {
+  for (std::uint64_t seed = 0; seed < effort(100); ++seed) {
+    SCOPED_TRACE("world " + std::to_string(seed));
+    expect_consistent(scene_of(random_world(seed)));
+    if (HasFailure()) return;
+  }
+}
+
+Scene square_that_goes(const Coefficients& x, double end) {
+  const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  Scene scene;
+  scene.end = end;
+  scene.bodies = {{"a", square, {}}, {"b", square, {}}};
+  scene.bodies[1].motion.pieces.push_back({});
+  scene.bodies[1].motion.pieces[0].x = x;
+  return scene;
+}
+
+/// (t - 1)^n more, or less, than what touches: the instant is in every bracket, and the wide ones say why.
+TEST(Consistency, OfTouchesOfHighOrder) {
+  for (int n = 2; n <= 16; n += 2) {
+    for (const double sign : {1.0, -1.0}) {
+      SCOPED_TRACE(std::to_string(n) + (sign > 0 ? ": touches" : ": parts and touches again"));
+      Coefficients x{sign};
+      for (int k = 1; k <= n; ++k) x.push_back(-x.back() * (n - k + 1) / k);
+      x[0] += 2;
+      const Scene scene = square_that_goes(x, 2);
+      expect_consistent(scene);
+      for (const Touch touch : {Touch::open, Touch::closed}) {
+        CheckOptions options;
+        options.touch = touch;
+        for (const OverlapInterval& o : intervals(scene, options).intervals) {
+          for (const auto& [time, contact] : {std::pair{o.from, o.enter}, std::pair{o.to, o.exit}}) {
+            if (!contact) continue;
+            EXPECT_LE(time.lo, 1);
+            EXPECT_GE(time.hi, 1);
+            EXPECT_EQ(contact->grazing, n >= 4);
+          }
+        }
+      }
+      if (sign > 0) continue;
+      // Overlapping all the time but for an instant, at which they only touch.
+      const Range range = taut::range(scene, 1);
+      ASSERT_TRUE(range.from && range.to);
+      EXPECT_TRUE(range.from->lo <= 1 && range.from->hi >= 1 - 1e-6);
+      EXPECT_TRUE(range.to->lo <= 1 + 1e-6 && range.to->hi >= 1);
+      CheckOptions closed;
+      closed.touch = Touch::closed;
+      EXPECT_THROW(taut::range(scene, 1, closed), InputError);
+    }
+  }
+}
+
+/// Who starts in touch and goes on into the other body overlaps from the start on.
+TEST(Consistency, OfAContactAtTheStart) {
+  for (const Coefficients& x : {Coefficients{2, -1}, Coefficients{2, 0, -1}, Coefficients{2, 1, -1}}) {
+    const Scene scene = square_that_goes(x, 1.5);
+    expect_consistent(scene);
+    const Intervals found = intervals(scene);
+    ASSERT_EQ(found.intervals.size(), 1u);
+    EXPECT_EQ(found.intervals[0].from.lo, x[1] > 0 ? found.intervals[0].from.lo : 0);
+  }
+}
+
+}  // namespace
+}  // namespace taut::testing
