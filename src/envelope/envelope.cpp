@@ -187,12 +187,24 @@ class EnvelopeSearch {
     if (left.pairs.empty()) return note(cell, CellState::free, {});
     divide(left, effect);
   }
-  /// How far the joints move a pair's bodies across the cell.
-  static void add_effect(const LinkedPair& pair, const PoseModel& seen, std::array<double, max_joints>& effect) {
+  /// How far the joints may move a pair's bodies across the cell. To first order that may be 0 at the middle and matter
+  /// nevertheless: each joint that the pair follows may be all of what the model leaves out, unless that is rounding.
+  void add_effect(const LinkedPair& pair, const PoseModel& seen, std::array<double, max_joints>& effect) const {
+    constexpr double more_than_rounding = 0x1p-40;
     const double radius = pair.search.tree_q.node(0).box.radius;
     const JointModel centre = seen.place(pair.search.tree_q.node(0).box.centre);
-    for (std::size_t k = 0; k < effect.size(); ++k)
+    const double left_out = centre.error + seen.turn.error * radius;
+    const bool is_rounding = left_out <= more_than_rounding * (centre.reach() + seen.turn.reach() * radius);
+    for (std::size_t k = 0; k < effect.size(); ++k) {
       effect[k] += l1_norm(centre.rate[k]) + l1_norm(seen.turn.rate[k]) * radius;
+      if (!is_rounding && (follows(pair.of_p, k) || follows(pair.of_q, k))) effect[k] += left_out;
+    }
+  }
+  bool follows(const Chain& chain, std::size_t joint) const {
+    return std::any_of(chain.begin(), chain.end(), [&](int body) {
+      const JointMotion* motion = motion_of(body);
+      return motion && static_cast<std::size_t>(motion->joint) == joint;
+    });
   }
   double side(const OpenCell& cell, std::size_t k) const {
     const Joint& joint = linkage_.joints[k];

@@ -158,6 +158,38 @@ TEST(Envelope, OfCoupledJoints) {
   EXPECT_EQ(envelope(linkage).outcome, Outcome::free);
 }
 
+/// A joint whose effect is 0 to first order at the middle: what it turns is turned back by what hangs on it, or comes
+/// nearest just there.
+TEST(Envelope, DividesJointsThatCancelAtTheMiddle) {
+  const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, aside{{2, -1}, {4, -1}, {4, 1}, {2, 1}};
+  Linkage linkage;
+  linkage.joints = {{"x", -180, 180}};
+  linkage.scene.bodies = {{"p", {{49, 49}, {51, 49}, {51, 51}, {49, 51}}, {}}, {"a", square, {}}, {"b", aside, {}}};
+  linkage.scene.bodies[2].relative_to = "p";
+  linkage.scene.ignore = {{"p", "*"}};
+  linkage.motions = {JointMotion{Revolute{{0, 0}}, 0, 1, 0}, std::nullopt, JointMotion{Revolute{{0, 0}}, 0, -1, 0}};
+  EnvelopeOptions options;
+  options.tolerance = 0.01;
+  // It does not move at all.
+  Envelope answer = envelope(linkage, options);
+  EXPECT_EQ(answer.outcome, Outcome::free);
+  EXPECT_EQ(answer.undecided, 0);
+  EXPECT_LE(answer.cells.size(), 64u);
+  // Turned back about another pivot, it goes on a circle, away from the square on both sides.
+  linkage.motions[2] = JointMotion{Revolute{{20, 0}}, 0, -1, 0};
+  answer = envelope(linkage, options);
+  EXPECT_EQ(answer.outcome, Outcome::free);
+  // A pendulum that hangs straight down at the middle, where it is nearest, besides a joint that has no part in that.
+  linkage.joints = {{"swing", -60, 60}, {"lift", -1, 1}};
+  linkage.scene.bodies = {{"floor", {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, {}},
+                          {"bob", {{-1, 2}, {1, 2}, {1, 4}, {-1, 4}}, {}}};
+  linkage.scene.ignore.clear();
+  linkage.motions = {JointMotion{Slide{{0, 1}}, 1}, JointMotion{Revolute{{0, 12}}, 0}};
+  answer = envelope(linkage, options);
+  EXPECT_EQ(answer.outcome, Outcome::free);
+  EXPECT_EQ(answer.undecided, 0);
+}
+
 TEST(Envelope, WithoutPairsIsUntested) {
   Linkage linkage = sliding_square(0, 8);
   linkage.scene.ignore = {{"wall", "*"}};
