@@ -10,8 +10,9 @@
 namespace taut {
 namespace {
 
-/// Slack for underflow, as it adds up in a relative motion that is exactly zero.
-constexpr double negligible = 0x1p-900;
+/// What matters to no question, since the displacement is far larger. In a relative motion that is exactly zero, slack
+/// for underflow adds up to something, times powers of the radius: much in some units of time.
+constexpr double negligible = 0x1p-400;
 
 /// In units of interruption_point().
 constexpr std::uint64_t work_of_even_turn = 6;

@@ -25,6 +25,7 @@ ExactLine::ExactLine(const Leg& leg, const PairGeometry& g, const Form& form) {
   const ExactNumber slope = dot(c[1], c[2], speed(leg.q.x, leg.p.x), speed(leg.q.y, leg.p.y));
   exact_ = c[0].is_exact() && slope.is_exact();
   start_.assign(c[0].sum(), 1);
+  farthest_ = std::max(std::fabs(leg.start), std::fabs(leg.end));
   if (exact_) slope_.take(slope.sum());
 }
 
@@ -82,7 +83,7 @@ std::optional<PreciseTime> ExactLine::root(Stage stage, double enough) const {
     digit = rest.sum.approximate() / slope;
     error = (std::fabs(digit) + rest.error / std::fabs(slope)) * (1 + 0x1p-40);
   }
-  if (!(error <= std::max(enough, 0x1p-200 * (1 + std::fabs(quotient.approximate()))))) return std::nullopt;
+  if (!(error <= std::max(enough, 0x1p-200 * (farthest_ + std::fabs(quotient.approximate()))))) return std::nullopt;
   ExactSum<digits + 1> lo = quotient, hi = quotient;
   lo.add(-error);
   hi.add(error);

@@ -46,6 +46,7 @@ class ExactLine {
   bool exact_ = true;
   ExactSum<start_terms> start_;  ///< the value at time 0
   ExactSum<slope_terms> slope_;
+  double farthest_ = 0;  ///< from time 0 on the leg
 };
 
 }  // namespace taut

@@ -8,6 +8,10 @@
 namespace taut {
 namespace {
 
+/// Values and derivatives of the frame are wrong by 2^-49 of them, at least: so much more in a magnitude has room for
+/// the displacement.
+constexpr double displacement_as_rounding = 0x1p54 * displacement_room;
+
 /// A vertex as the leg sees it.
 Point seen(const Leg& leg, const DisplacedPoint& v, bool of_p) {
   const ExactVector& offset = leg.offset(of_p);
@@ -26,9 +30,9 @@ FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, con
   FastFunction f;
   f.pp = form.pp;
   f.take(coefficients_on(leg, form.pp, points, 0.0));
-  // The displacement of a short edge may be more than what it rounds: the room counts for where that meets a long way.
-  f.w = std::fabs(points.ex) + std::fabs(points.ey) + 0x1p54 * displacement_room;
-  const double shift = leg.offset_size();
+  // The displacement of a short edge, or of a point near the origin, may be more than what it rounds.
+  f.w = std::fabs(points.ex) + std::fabs(points.ey) + displacement_as_rounding;
+  const double shift = leg.offset_size() + displacement_as_rounding;
   const double size_a = size_of(pa) + shift, size_c = size_of(pc) + shift;
   f.m0 = f.w * (leg.translation ? size_a + size_c : size_a);
   f.m34 = leg.translation ? 0 : f.w * size_c;
@@ -65,7 +69,8 @@ FastFunction FastFunction::displacement_part(const Leg& leg, const PairGeometry&
   f.take(sum);
   f.w = std::fabs(edge.ex) + std::fabs(edge.ey);
   f.m0 = f.w * size_a + w * way_a;
-  f.m34 = f.w * size_c + w * way_c;
+  // And the square of it in the angle's coefficients, where points lie near the origin and edges are short.
+  f.m34 = f.w * size_c + w * way_c + displacement_as_rounding * (1 + f.w) * (1 + way_c);
   if (leg.translation) {
     f.m0 += f.m34;
     f.m34 = 0;

@@ -25,13 +25,16 @@ struct FastFunction {
   /// The next level if level 0 is exactly zero at all times of the leg; false otherwise.
   static bool level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& result);
 
-  Bounded value(const FrameSample& s) const { return combine(s.f, s.error_0, s.error_a, s.error_b); }
+  Bounded value(const FrameSample& s) const {
+    const Bounded v = combine(s.f, s.error_0, s.error_a, s.error_b);
+    return {v.value, v.error + floor_error};
+  }
   Bounded slope(const FrameSample& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
   Bounded curvature(const FrameCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
   /// The second derivative at one instant.
   Bounded bend(const FrameSample& s) const {
     const double v = a[1] * s.dd[0] + a[2] * s.dd[1] + a[3] * s.dd[2] + a[4] * s.dd[3];
-    return {v, (w * s.error_add + m34 * s.error_bdd) * (1 + 0x1p-40) + floor_error};
+    return {v, (w * s.error_add + m34 * s.error_bdd) * (1 + 0x1p-40) + underflow_slack};
   }
   /// A bound of the third derivative's magnitude over the segment.
   double third(const FrameThird& c) const {
@@ -39,12 +42,14 @@ struct FastFunction {
     constexpr double rounding = 0x1p-45;
     const double sum = (std::fabs(a[1]) + rounding * w) * c.most[0] + (std::fabs(a[2]) + rounding * w) * c.most[1] +
                        (std::fabs(a[3]) + rounding * m34) * c.most[2] + (std::fabs(a[4]) + rounding * m34) * c.most[3];
-    return sum * (1 + 0x1p-40) + floor_error;
+    return sum * (1 + 0x1p-40) + underflow_slack;
   }
   /// About where the polynomial of a model is zero, by steps of higher order than Newton's from `t` on: a good guess,
   /// no more.
   double root_of(const FrameModel& model, double t) const;
-  /// Covers the displacement at level 0, its square at level 1, and underflow.
+  /// Of a value: covers the displacement at level 0, and its square at level 1. What these change in a derivative is as
+  /// large as the motion is fast: the magnitudes above have room for it, which in no unit of time is too little, or
+  /// much.
   double floor_error = 0;
 
  private:
@@ -53,7 +58,7 @@ struct FastFunction {
   }
   Bounded combine(const double (&f)[5], double error_0, double error_a, double error_b) const {
     const double v = a[0] * f[0] + a[1] * f[1] + a[2] * f[2] + a[3] * f[3] + a[4] * f[4];
-    return {v, (m0 * error_0 + w * error_a + m34 * error_b) * (1 + 0x1p-40) + floor_error};
+    return {v, (m0 * error_0 + w * error_a + m34 * error_b) * (1 + 0x1p-40) + underflow_slack};
   }
 };
 
