@@ -5,6 +5,7 @@
 #include <cstring>
 #include <istream>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "taut/proof.hpp"
@@ -62,13 +63,29 @@ class ByteWriter {
   Checksum checksum_;
 };
 
-/// Reads; throws ProofError where the log ends too soon.
+/// Reads; throws ProofError where the log ends too soon. How long it is, is known: what a log says may not take more
+/// room or time than it has bytes for. A stream that does not tell its length is read first.
 class ByteReader {
  public:
-  explicit ByteReader(std::istream& in) : in_(*in.rdbuf()) {}
+  explicit ByteReader(std::istream& in) : in_(*in.rdbuf()) {
+    const std::streamoff here = in_.pubseekoff(0, std::ios::cur, std::ios::in);
+    std::streamoff end = -1;
+    if (here >= 0) end = in_.pubseekoff(0, std::ios::end, std::ios::in);
+    if (here >= 0 && end >= here && std::streamoff(in_.pubseekpos(here, std::ios::in)) == here) {
+      length_ = static_cast<std::uint64_t>(end - here);
+      return;
+    }
+    std::ostringstream all;
+    if (in_.sgetc() != std::char_traits<char>::eof()) all << &in_;
+    own_ = std::stringbuf(all.str(), std::ios::in);
+    length_ = all.str().size();
+    from_own_ = true;
+  }
+  ByteReader(const ByteReader&) = delete;
+  ByteReader& operator=(const ByteReader&) = delete;
 
   std::uint8_t u8() {
-    const int c = in_.sbumpc();
+    const int c = source().sbumpc();
     if (c == std::char_traits<char>::eof()) throw ProofError("the log is cut off at byte " + std::to_string(offset_));
     ++offset_;
     checksum_.add(static_cast<std::uint8_t>(c));
@@ -92,11 +109,14 @@ class ByteReader {
   void close() {
     const std::uint64_t expected = checksum_.value();
     if (u64() != expected) throw ProofError("the checksum is wrong: the log was damaged");
-    if (in_.sgetc() != std::char_traits<char>::eof()) throw ProofError("there is something after the end of the log");
+    if (source().sgetc() != std::char_traits<char>::eof())
+      throw ProofError("there is something after the end of the log");
   }
   std::uint64_t offset() const { return offset_; }
+  std::uint64_t left() const { return length_ > offset_ ? length_ - offset_ : 0; }
 
  private:
+  std::streambuf& source() { return from_own_ ? own_ : in_; }
   std::uint64_t little_endian(int bytes) {
     std::uint64_t x = 0;
     for (int i = 0; i < bytes; ++i) x |= static_cast<std::uint64_t>(u8()) << (8 * i);
@@ -104,7 +124,9 @@ class ByteReader {
   }
 
   std::streambuf& in_;
-  std::uint64_t offset_ = 0;
+  std::stringbuf own_;  ///< all of a stream without a length
+  bool from_own_ = false;
+  std::uint64_t length_ = 0, offset_ = 0;
   Checksum checksum_;
 };
 

@@ -74,6 +74,7 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
   BodyPairs found;
   BegunIntervals moving, resting;
   for (const Swept& next : order) {
+    interruption_point();
     const auto visit = [&](int other) {
       interruption_point();
       if (meet(next.body, other) && scene.asked(next.body, other)) found.push_back(std::minmax(next.body, other));
@@ -82,6 +83,7 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
     moving.each(next.lo, visit);
     if (!rests || scene.tests_alike()) resting.each(next.lo, visit);
     (rests ? resting : moving).add(next);
+    // Many bodies may meet one: what is over the limit is dropped at once.
     if (found.size() > most) return std::nullopt;
   }
   std::sort(found.begin(), found.end());

@@ -95,7 +95,12 @@ class SeparationsVerifier {
     const std::vector<std::pair<int, BoxedBody>> before = stated_boxes(time, open);
     OpenPairs left;
     left.listed.emplace();
-    for (const auto& [a, b] : open.all() ? *boxes_->meeting(plan_) : *open.listed) {
+    // Each of them takes a byte, at least: no more are listed than the log can speak of.
+    std::optional<BodyPairs> meeting;
+    if (open.all()) meeting = boxes_->meeting(plan_, in_.left());
+    if (open.all() && !meeting)
+      throw ProofError("the log is cut off: more pairs have boxes that meet than it has bytes");
+    for (const auto& [a, b] : open.all() ? *meeting : *open.listed) {
       interruption_point();
       if (std::pair(a, b) == contact_pair_ || !boxes_->meet(a, b)) continue;
       const std::uint8_t now = in_.u8();

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "base/interruption.hpp"
 #include "log_text.hpp"
 #include "proof/header.hpp"
 #include "proof/open_pairs.hpp"
@@ -193,6 +194,59 @@ TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
       EXPECT_NE(std::string(error.what()).find("within its box"), std::string::npos) << error.what();
     }
   }
+}
+
+/// One window without a box, of many bodies that move: all pairs meet, and the log has no bytes for them. What is done
+/// is in proportion to the scene and the log, and a limit ends what is left of it, also where a log comes by a pipe.
+TEST(ForgedWindows, OfMoreBodiesThanBytes) {
+  Scene scene;
+  scene.end = 1;
+  const int n = 4000;
+  for (int i = 0; i < n; ++i) {
+    const double x = 3.0 * i;
+    Body body{"b" + std::to_string(i), {{x, 0}, {x + 1, 0}, {x, 1}}, {}};
+    MotionPiece piece;
+    piece.x = {0, 1e-3 * (i + 1)};
+    body.motion.pieces = {piece};
+    scene.bodies.push_back(body);
+  }
+  std::ostringstream log;
+  proof::ByteWriter out(log);
+  proof::write_header(out, {proof::of_separations, scene_fingerprint(scene, Touch::open), Touch::open,
+                            static_cast<std::uint8_t>(proof::Claim::free)});
+  out.u8(1);
+  for (int i = 0; i < n; ++i) out.u8(0);
+  out.close();
+  const std::uint64_t before = work_spent();
+  std::istringstream in(log.str());
+  EXPECT_THROW(verify(scene, in), ProofError);
+  // All pairs would be eight million.
+  EXPECT_LT(work_spent() - before, 400000u);
+  std::istringstream again(log.str());
+  const InterruptionScope limit(std::uint64_t{1000});
+  EXPECT_THROW(verify(scene, again), Interrupted);
+}
+
+/// A stream that cannot be asked for its length.
+TEST(ForgedWindows, NoneFromAPipe) {
+  class Pipe : public std::streambuf {
+   public:
+    explicit Pipe(std::string bytes) : bytes_(std::move(bytes)) {
+      setg(bytes_.data(), bytes_.data(), bytes_.data() + bytes_.size());
+    }
+
+   private:
+    std::string bytes_;
+  };
+  const Scene scene = scene_of(large_world(3).world);
+  std::ostringstream out;
+  CheckOptions options;
+  options.engine = EngineChoice::spacetime;
+  const Answer answer = prove(scene, out, options);
+  ASSERT_NE(answer.outcome, Outcome::overlap_at_start);
+  Pipe pipe(out.str());
+  std::istream in(&pipe);
+  EXPECT_EQ(verify(scene, in).outcome, answer.outcome);
 }
 
 /// Logs of version 3 are refused by that name.
