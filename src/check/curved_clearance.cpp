@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
+#include "motion/pose.hpp"
+#include "world/world_plan.hpp"
 
 namespace taut {
 namespace {
@@ -32,6 +35,32 @@ Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, C
   return found;
 }
 
+/// How far two bodies may jump against each other where pieces of motions join: more than that, in the scene's units.
+/// Poses are linear in the point, so the corners of a body's box tell.
+double largest_jump(const Scene& polygons) {
+  const WorldPlan plan(polygons);
+  double largest = 0, reach = 0;
+  for (const WorldBody& body : plan.bodies()) {
+    const Bounds& box = body.rings->bounds();
+    const auto corner_at = [&](double of, double t, int corner) {
+      const Pose<double> pose = pose_of<Jet<double>>(pieces_at(body.motions, of), Ball<double>::exact(t));
+      const Vector p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y};
+      return Vector{pose.ox.v.mid, pose.oy.v.mid} + Vector{pose.xx.v.mid, pose.xy.v.mid} * p;
+    };
+    for (const PieceList& motion : body.motions) {
+      for (std::size_t k = 0; k + 1 < motion.size() && motion.until(k) < plan.end(); ++k) {
+        const double t = motion.until(k);
+        for (int corner = 0; corner < 4; ++corner) {
+          const Vector after = corner_at(t, t, corner);
+          largest = std::max(largest, l1_norm(corner_at(std::nextafter(t, plan.start()), t, corner) - after));
+          reach = std::max(reach, l1_norm(after));
+        }
+      }
+    }
+  }
+  return std::ldexp(2 * (largest + 0x1p-40 * reach), -plan.exponent());
+}
+
 /// The least distance of all pairs, between those of polygons around the bodies and within them. Where curves run along
 /// each other, all of them would have to be fine: then it ends when that is foreseen, with the bracket there is.
 class ClearanceBracket {
@@ -55,6 +84,7 @@ class ClearanceBracket {
       note_progress(width);
       if (!refine(outer, inner, width / wanted)) {
         Clearance answer = concluded(outer, std::move(inner));
+        raise_lower_end(answer);
         if (answer.nearest->hi > 0)
           answer.wide =
               "curves run along each other: a bracket as narrow as was asked for needs more edges than is "
@@ -72,6 +102,36 @@ class ClearanceBracket {
     Clearance answer = clearance(world_.polygons(side), own_);
     answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
     return answer;
+  }
+
+  /// Whether a margin is kept is easier to tell: curves need to be fine only where they come so near, one instant after
+  /// the other. Margins nearer and nearer to the upper end, until one is not told with a few times the work so far.
+  void raise_lower_end(Clearance& answer) const {
+    constexpr int most_margins = 40;
+    constexpr std::uint64_t times_the_work = 16;
+    NearestPoints& nearest = *answer.nearest;
+    const std::uint64_t effort = times_the_work * (work_spent() - work_before_);
+    const double jump = largest_jump(world_.polygons(CurveSide::outer));
+    CheckOptions how;
+    how.stop = options_.stop;
+    double share = 0.5;
+    for (int k = 0; k < most_margins; ++k, share /= 2) {
+      const double margin = nearest.hi * (1 - share);
+      // What is known already need not be asked.
+      if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
+      how.max_seconds = options_.max_seconds - seconds_since(began_);
+      if (!keeps(margin, how, effort)) return;
+      nearest.lo = (margin - jump) * (1 - 0x1p-50);
+    }
+  }
+
+  bool keeps(double margin, const CheckOptions& how, std::uint64_t effort) const {
+    const InterruptionScope limit(effort);
+    try {
+      return check_clearance(scene_, margin, how).outcome == Outcome::free;
+    } catch (const Interrupted&) {
+      return false;
+    }
   }
 
   double wanted_width(double hi) const { return options_.relative * hi + 1e-12 * size_; }
@@ -125,7 +185,7 @@ class ClearanceBracket {
   ClearanceClock::time_point began_;
   CurvedWorld world_;
   ClearanceOptions own_;
-  std::uint64_t most_ = 0;
+  std::uint64_t most_ = 0, work_before_ = work_spent();
   double size_ = 1;
   int stalled_ = 0, wandered_ = 0;
   std::size_t last_count_ = 0;

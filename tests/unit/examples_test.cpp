@@ -117,6 +117,14 @@ TEST(ExampleWorlds, KeepTheirPlay) {
   EXPECT_NEAR(puzzle.hi, 0.1 * 2 / std::sqrt(5.0), 1e-8);
 }
 
+/// Curves that run along each other for long: what margins prove is the lower end.
+TEST(ExampleCurves, KeepTheirPlay) {
+  const Clearance found = clearance(read_scene((examples_folder / "curves/geneva.json").string()));
+  EXPECT_GE(found.nearest.value().lo, 0.07);
+  EXPECT_LT(found.nearest->hi, 0.08);
+  EXPECT_FALSE(found.wide.empty());
+}
+
 TEST(ExampleWorlds, NameThePairThatMeets) {
   const auto pair = [](const std::string& file) {
     const Scene scene = read_scene((examples_folder / "worlds" / file).string());
