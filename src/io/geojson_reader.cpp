@@ -138,13 +138,13 @@ class GeoJsonReader {
       else
         part.holes.push_back(std::move(ring));
     });
-    features_.back().parts.push_back(std::move(part));
+    add_parts(features_.back().parts, std::move(part));
   }
 
   Polygon read_ring(std::size_t token, const std::string& path) const {
     // One more than the limit, for the repeated vertex.
     Polygon ring = read_points(document_, token, path, limits_.max_vertices + 1, true);
-    drop_repeated_last_vertex(ring);
+    drop_repeated_vertices(ring);
     if (ring.size() > limits_.max_vertices) fail_size(document_, token, path, limits_.max_vertices);
     return ring;
   }

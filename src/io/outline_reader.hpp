@@ -26,7 +26,10 @@ struct GeoFeature {
 /// Every feature by itself. What is no polygon is told instead of refused.
 std::vector<GeoFeature> parse_geojson_features(std::string text, const std::string& name, const ReadLimits& limits);
 
-/// Files repeat a ring's first vertex at its end; a Polygon does not.
-void drop_repeated_last_vertex(Polygon& ring);
+/// Files repeat a ring's first vertex at its end, and some repeat others where they are; a Polygon does not.
+void drop_repeated_vertices(Polygon& ring);
+
+/// Adds a part, or, if its holes touch its outline or each other at points, the parts that it is cut into.
+void add_parts(std::vector<Part>& parts, Part part);
 
 }  // namespace taut::io

@@ -1,7 +1,9 @@
 // Polygons as well-known text (OGC Simple Features).
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
+#include "geometry/touching_rings.hpp"
 #include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
@@ -21,21 +23,25 @@ class WktReader {
   WktReader(const std::string& text, const std::string& name, const ReadLimits& limits)
       : text_(text), name_(name), limits_(limits) {}
 
+  /// Geometries one after the other, each on a line of its own, say, or with semicolons between them.
   std::vector<Part> read() {
-    std::string word = read_word();
-    if (word == "SRID") {  // EWKT: "SRID=4326;POLYGON ..."
-      const std::size_t semicolon = text_.find(';', position_);
-      if (semicolon == std::string::npos) fail("\"SRID\" without a \";\" after it");
-      position_ = semicolon + 1;
-      word = read_word();
+    for (;;) {
+      std::string word = read_word();
+      if (word == "SRID") {  // EWKT: "SRID=4326;POLYGON ..."
+        const std::size_t semicolon = text_.find(';', position_);
+        if (semicolon == std::string::npos) fail("\"SRID\" without a \";\" after it");
+        position_ = semicolon + 1;
+        word = read_word();
+      }
+      read_geometry(word, 0);
+      while (take(';')) {
+      }
+      skip_space();
+      if (position_ == text_.size()) return std::move(parts_);
+      if (!std::isalpha(static_cast<unsigned char>(text_[position_])))
+        fail("unexpected text after the " + std::string(word == "POLYGON" ? "polygon" : "geometry"),
+             "write one geometry after the other, each with its own brackets");
     }
-    read_geometry(word, 0);
-    skip_space();
-    if (position_ < text_.size()) {
-      fail("unexpected text after the " + std::string(word == "POLYGON" ? "polygon" : "geometry"),
-           "one geometry per file; several polygons are a MULTIPOLYGON");
-    }
-    return std::move(parts_);
   }
 
  private:
@@ -66,7 +72,7 @@ class WktReader {
     part.outline = read_ring();
     while (take(',')) part.holes.push_back(read_ring());
     expect(')', "after the ring");
-    parts_.push_back(std::move(part));
+    add_parts(parts_, std::move(part));
   }
 
   Polygon read_ring() {
@@ -84,7 +90,7 @@ class WktReader {
       }
     } while (take(','));
     expect(')', "after the vertices");
-    drop_repeated_last_vertex(ring);
+    drop_repeated_vertices(ring);
     if (ring.size() > limits_.max_vertices) fail_size();
     return ring;
   }
@@ -154,8 +160,13 @@ class WktReader {
 
 }  // namespace
 
-void drop_repeated_last_vertex(Polygon& ring) {
+void drop_repeated_vertices(Polygon& ring) {
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+}
+
+void add_parts(std::vector<Part>& parts, Part part) {
+  for (Part& piece : cut_where_rings_touch(std::move(part))) parts.push_back(std::move(piece));
 }
 
 Polygon only_outline(std::vector<Part> parts, const std::string& name) {
