@@ -28,6 +28,8 @@ void look(const std::string& text, const char* name) {
     const Scene again = parse_scene(write_scene(import.scene));
     fuzz::require(again.bodies.size() == import.scene.bodies.size(), "the scene changes as text");
     report_json(import, few());
+    report_text(import, few());
+    report_svg(import);
   } catch (const InputError& error) {
     fuzz::require(!error.problem().empty(), "an error that says nothing");
     fuzz::require(!error.hint().empty(), "an error without a remedy: " + error.problem());

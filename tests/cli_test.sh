@@ -114,6 +114,27 @@ expect 0 '^CLEARANCE  \[?1\.(4999999|5000000)' '' clearance round.json --toleran
 expect 0 'A 6 6 0 0 1 120 6 .*A 4 4 0 0 1' '100 segments of 48 curves kept as they are' import --curves "$examples/curves/hinge.dxf"
 expect 2 '' '--tolerance: 0 is not a positive number' import plate.svg --tolerance 0
 expect 2 '' '--output|-o' import plate.svg --json
+# Lines as people draw them: what stays open is an error, in the picture, and may be closed or left out.
+cat >open.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="cut" fill="none">
+<path d="M0 0H40V40H0V0.5"/><circle cx="20" cy="20" r="5"/><path d="M30 30h5"/></g><g id="mark" fill="none" stroke="red"><circle cx="5" cy="5" r="2"/></g></svg>
+END
+expect 2 '' 'open.svg:2:1: an outline stays open, with a gap of 0.5 from \(0' import open.svg --svg open_report.svg
+grep -q '#d62828' open_report.svg || { echo "FAILED: the picture shows nothing open"; failures=$((failures + 1)); }
+expect 2 '' 'hint: close it with --join 0.505' import open.svg
+expect 0 '"holes":\[\[' 'gap: 0.5 wide, from \(0, ' import open.svg --join 0.6
+expect 0 '"holes":\[\[' 'layer mark: 1 contour is a hole in material of layer cut' import open.svg --join 0.6
+expect 0 '"holes":\[\[' 'open: line at open.svg:2:60, layer cut, from \(30, -30\) to \(35, -30\)$' import open.svg --open close
+expect 0 '"holes":\[\[' 'closed: an outline at open.svg:2:1, layer cut by 1 straight line, 0.5 in all' import open.svg --open close
+expect 0 '"parts":2,"holes":0' '' import open.svg --open skip --json -o open.json
+is_json_lines
+expect 0 '"parts":2,"holes":1' '' import open.svg --open close --by layer --json -o open.json
+expect 0 '"parts":1,"holes":0' '' import open.svg --layer mark --json -o open.json
+expect 0 '"parts":1,"holes":2,"area":1509\.' '' import open.svg --open close --json -o open.json --merge-layers
+expect 2 '' '--layer: open.svg has no layer "marks"' import open.svg --layer marks
+expect 2 '' 'its layers are: cut, mark' import open.svg --layer marks
+expect 2 '' 'plate.svg:2:[0-9]+: <text> is text' import plate.svg --strict
+expect 2 '' '--by' import plate.svg --by size
 touch plate.png
 expect 2 '' 'plate.png: the ending of the file' import plate.png
 expect 2 '' 'missing.svg' import missing.svg

@@ -13,6 +13,11 @@ try:
 except ImportError:
     print("skipped: python3-ezdxf is not installed, so there is no other reader of DXF to compare with")
     sys.exit(77)
+try:
+    from shapely.geometry import LineString
+    from shapely.ops import polygonize, unary_union
+except ImportError:
+    polygonize = None  # areas are then not compared
 
 TAUT = sys.argv[1]
 TOLERANCE = 0.01
@@ -48,6 +53,17 @@ def add_shape(space, rng, kind, layer):
             space.add_lwpolyline(corners, format="xyb", close=True, dxfattribs=attributes)
         else:
             space.add_polyline2d(corners, format="xyb", close=True, dxfattribs=attributes)
+    elif kind == "hatch":
+        hatch = space.add_hatch(dxfattribs=attributes)
+        hatch.paths.add_polyline_path([(x, y, 0.1) for x, y in star(rng, 6)], is_closed=True)
+        hatch.paths.add_polyline_path([(1, 0), (2, 0), (2, 1)], is_closed=True)
+        edges = hatch.paths.add_edge_path()
+        edges.add_line((-2, 0), (-1, 0))
+        edges.add_arc((-1.5, 0), 0.5, 0, 180, ccw=True)
+    elif kind == "mpolygon":
+        polygon = space.add_mpolygon(dxfattribs=attributes)
+        polygon.paths.add_polyline_path(star(rng, 7), is_closed=True)
+        polygon.paths.add_polyline_path([(-1, -1), (1, -1), (0, 1)], is_closed=True)
     else:
         degree = rng.randint(2, 4)
         control = [(2.0 * i, (i % 2) * rng.uniform(1, 6) + 1) for i in range(rng.randint(degree + 1, 9))]
@@ -61,14 +77,14 @@ def add_shape(space, rng, kind, layer):
             space.add_line(a, b, dxfattribs=attributes)
 
 
-KINDS = ["circle", "ellipse", "half ellipse", "arc", "lwpolyline", "polyline", "spline", "rational spline"]
+KINDS = ["circle", "ellipse", "half ellipse", "arc", "lwpolyline", "polyline", "spline", "rational spline", "hatch", "mpolygon"]
 
 
 def drawing(rng):
     doc = ezdxf.new("R2010")
     space = doc.modelspace()
     for i, kind in enumerate(KINDS):
-        if rng.random() < 0.5:
+        if rng.random() < 0.5 or kind in ("hatch", "mpolygon"):
             add_shape(space, rng, kind, f"layer {i}")
             continue
         block = doc.blocks.new(f"B{i}", base_point=(rng.uniform(-5, 5), rng.uniform(-5, 5)))
@@ -86,6 +102,21 @@ def flattened(entity):
     kind = entity.dxftype()
     if kind in ("INSERT", "LWPOLYLINE", "POLYLINE"):
         return [line for inner in entity.virtual_entities() for line in flattened(inner)]
+    if kind in ("HATCH", "MPOLYGON"):
+        lines = []
+        for path in entity.paths:
+            if hasattr(path, "vertices"):
+                ring = path.vertices
+                vertices = ezdxf.new().modelspace().add_lwpolyline(ring, format="xyb", close=True)
+                lines += flattened(vertices)
+            else:
+                for edge in path.edges:
+                    if hasattr(edge, "radius"):
+                        steps = [math.radians(edge.start_angle + (edge.end_angle - edge.start_angle) * i / 200) for i in range(201)]
+                        lines.append([(edge.center[0] + edge.radius * math.cos(a), edge.center[1] + edge.radius * math.sin(a)) for a in steps])
+                    else:
+                        lines.append([tuple(edge.start)[:2], tuple(edge.end)[:2]])
+        return lines
     if kind == "LINE":
         return [[tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]]]
     # It looks at the middle of a segment only, which an inflection passes through.
@@ -112,12 +143,26 @@ def rings_of(body):
     return [[*ring, ring[0]] for ring in rings]
 
 
+def area_of(lines):
+    """What lines enclose, by the even-odd rule, and how long they are."""
+    rounded = [LineString([(round(x, 6), round(y, 6)) for x, y in line]) for line in lines]
+    merged = unary_union(rounded)
+    area = 0
+    for face in polygonize(merged):
+        p = face.representative_point()
+        # Across the lines to a point far away.
+        ray = LineString([(p.x, p.y), (p.x + 1000, p.y + 1.234567)])
+        hits = merged.intersection(ray)
+        area += face.area * (len(getattr(hits, "geoms", [hits])) % 2)
+    return area, merged.length
+
+
 def compare(seed, folder):
     doc = drawing(random.Random(seed))
     file = folder / f"{seed}.dxf"
     doc.saveas(file)
     done = subprocess.run([TAUT, "import", str(file), "--json", "-o", str(folder / "out.json"), "--tolerance",
-                           str(TOLERANCE)], capture_output=True, text=True)
+                           str(TOLERANCE), "--by", "layer"], capture_output=True, text=True)
     assert done.returncode == 0, f"seed {seed}: {done.stderr}"
     report = json.loads(done.stdout)
     assert report["files"][0]["deviation"] <= TOLERANCE, f"seed {seed}: {report}"
@@ -126,15 +171,20 @@ def compare(seed, folder):
     layers = {}
     for entity in doc.modelspace():
         layers.setdefault(entity.dxf.layer, []).extend(flattened(entity))
+    areas = {b["name"]: b["area"] for b in report["bodies"]}
     assert set(bodies) == set(layers), f"seed {seed}: {sorted(bodies)} instead of {sorted(layers)}"
     for layer, lines in layers.items():
         # Both ways, at the corners of the one and of the other.
         for points, others, bound in ((lines, bodies[layer], TOLERANCE + FINE), (bodies[layer], lines, 2 * FINE)):
             worst = max(distance(p, others) for line in points for p in line[:: max(1, len(line) // 40)])
             assert worst <= bound, f"seed {seed}, {layer} ({KINDS[int(layer[-1])]}): {worst} away"
+        if polygonize:
+            wanted, around = area_of(lines)
+            assert abs(areas[layer] - wanted) <= around * (TOLERANCE + FINE), (
+                f"seed {seed}, {layer} ({KINDS[int(layer[-1])]}): an area of {areas[layer]} instead of {wanted}")
 
 
 with tempfile.TemporaryDirectory() as name:
-    for number in range(12):
+    for number in range(24):
         compare(number, Path(name))
-print(f"all well: 12 drawings of {len(KINDS)} shapes each, the same in ezdxf {ezdxf.__version__}")
+print(f"all well: 24 drawings of {len(KINDS)} shapes each, the same in ezdxf {ezdxf.__version__}")

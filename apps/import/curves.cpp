@@ -93,7 +93,7 @@ void Flattener::append(std::vector<Point>& out, const Point& p) {
 
 int Flattener::steps(double longest_axis, double sweep) {
   // 1 - cos h = 2 sin^2(h/2), h half the step: at most a sixth of a turn, so that a circle is at least a triangle.
-  const double sine = std::min(0.5, std::sqrt(settings_.tolerance / (2 * longest_axis)));
+  const double sine = std::min(0.5, std::sqrt(tolerance_ / (2 * longest_axis)));
   const double count = std::max(1.0, std::ceil(std::fabs(sweep) / (4 * std::asin(sine))));
   if (!(count < static_cast<double>(settings_.max_points))) fail_size();
   const double half = std::sin(std::fabs(sweep) / (4 * count));
@@ -163,7 +163,7 @@ void Flattener::halve(std::vector<Point>& out, std::vector<ControlPoint> control
   const Point first = control.front().point(), last = control.back().point();
   double away = 0;
   for (const ControlPoint& c : control) away = std::max(away, distance_to_segment(c.point(), first, last));
-  if (depth >= least && (!(away > settings_.tolerance) || depth == deepest)) {
+  if (depth >= least && (!(away > tolerance_) || depth == deepest)) {
     counts_.deviation = std::max(counts_.deviation, away);
     return append(out, last);
   }

@@ -20,7 +20,8 @@ struct ControlPoint {
 class Flattener {
  public:
   /// `file` is for messages.
-  Flattener(const ImportSettings& settings, std::string file) : settings_(settings), file_(std::move(file)) {}
+  Flattener(const ImportSettings& settings, double tolerance, std::string file)
+      : settings_(settings), tolerance_(tolerance), file_(std::move(file)) {}
 
   /// The ellipse centre + cos(t) a + sin(t) b, t from `from` over `sweep`, after its first point; the last one is
   /// `end`. The curve is nowhere farther from its chord than the longest half-axis times 1 - cos(half the step).
@@ -52,6 +53,7 @@ class Flattener {
   void keep(const std::vector<Point>& out, std::size_t since, CurveSegment segment);
 
   ImportSettings settings_;
+  double tolerance_;
   std::vector<KeptCurve> kept_;
   std::string file_;
   CurveCounts counts_, chorded_;

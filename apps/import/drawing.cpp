@@ -1,6 +1,7 @@
 #include "import/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace taut::drawing {
 
@@ -11,13 +12,22 @@ Layer& Drawing::layer(const std::string& name) {
   return layers.back();
 }
 
-void Drawing::skip(const std::string& place, const std::string& what, const std::string& reason) {
+void Drawing::skip(Skipped more) {
   for (Skipped& known : skipped) {
-    if (known.what != what || known.reason != reason) continue;
+    if (known.what != more.what || known.reason != more.reason || known.layer != more.layer) continue;
     ++known.times;
     return;
   }
-  skipped.push_back({place, what, reason});
+  skipped.push_back(std::move(more));
+}
+
+Fineness fineness_of(const ImportSettings& settings, double millimetre, double diagonal) {
+  // So many hundredths of a millimetre; for small drawings less, and for large ones more.
+  const auto usual = [&](double hundredths) {
+    const double length = hundredths * 0.01 * millimetre;
+    return diagonal > 0 ? std::clamp(length, hundredths * 5e-6 * diagonal, hundredths * 1e-3 * diagonal) : length;
+  };
+  return {settings.tolerance.value_or(usual(1)), settings.join.value_or(usual(2)), settings.repair.value_or(usual(10))};
 }
 
 void Drawing::count_chorded(const Chorded& more) {
@@ -30,6 +40,24 @@ void Drawing::count_chorded(const Chorded& more) {
     return;
   }
   chorded.push_back(more);
+}
+
+double Drawing::diagonal() const {
+  double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
+  const auto include = [&](const Point& p) {
+    lo_x = std::min(lo_x, p.x);
+    lo_y = std::min(lo_y, p.y);
+    hi_x = std::max(hi_x, p.x);
+    hi_y = std::max(hi_y, p.y);
+  };
+  for (const Layer& layer : layers) {
+    for (const Sheet& sheet : layer.sheets) {
+      for (const Chain& chain : sheet.chains) std::for_each(chain.points.begin(), chain.points.end(), include);
+      for (const Part& part : sheet.parts) std::for_each(part.outline.begin(), part.outline.end(), include);
+    }
+  }
+  const double diagonal = std::hypot(hi_x - lo_x, hi_y - lo_y);
+  return lo_x <= hi_x && std::isfinite(diagonal) ? diagonal : 0;
 }
 
 }  // namespace taut::drawing

@@ -11,17 +11,45 @@
 
 namespace taut::drawing {
 
-/// How the user wants drawings read.
+/// What becomes a body of a drawing's lines.
+enum class Grouping {
+  automatic,  ///< layers; but contours of one layer within material of another are its holes
+  layer,      ///< layers, each by itself
+  color,      ///< lines of one color, by themselves
+  group,      ///< groups of SVG, and blocks of DXF where they are inserted, by themselves
+  nesting     ///< each outermost outline with all that lies in it, whatever its layer
+};
+
+/// What becomes of lines that stay open although they seem meant to be closed.
+enum class OpenRings { error, close, skip };
+
+/// How the user wants drawings read. Lengths are in units of the scene. Those that are not given follow from the
+/// drawing's unit and size, see fineness_of().
 struct ImportSettings {
-  double tolerance = 0.01;     ///< the most that a chord may be away from its curve, in units of the scene
-  std::optional<double> join;  ///< ends at most so far apart are one point; a hundredth of the tolerance if not given
-  double scale = 1;            ///< all lengths are multiplied by this
+  std::optional<double> tolerance;  ///< the most that a chord may be away from its curve
+  std::optional<double> join;       ///< ends at most so far apart, or so far from a line, meet
+  std::optional<double> repair;     ///< loops and crossings of a ring with itself up to this size are cut off
+  double scale = 1;                 ///< all lengths are multiplied by this
   bool curves = false;  ///< curves stay curves where scenes have such: chords stand for them while lines are joined
   bool split = false;   ///< a body for each part
+  Grouping by = Grouping::automatic;
+  OpenRings open = OpenRings::error;
+  bool strict = false;                ///< what is not read is an error
+  std::vector<std::string> layers;    ///< only these, if there are any
+  std::vector<std::string> merged;    ///< these layers are one
+  bool merge_all = false;             ///< all layers are one
   bool unknown_free = false;          ///< of a robot's map: cells that are neither free nor occupied are no obstacles
   std::size_t max_points = 20000000;  ///< of a whole file: a hostile one must not fill the memory
-  double join_distance() const { return join.value_or(tolerance / 100); }
 };
+
+/// The lengths that decide what is the same, in units of the scene.
+struct Fineness {
+  double tolerance = 0.01, join = 0.02, repair = 0.1;
+};
+
+/// As the settings say; else 0.01, 0.02 and 0.1 mm for a drawing whose diagonal is 10 mm to 2 m, and in proportion to
+/// the diagonal for smaller and larger ones. `millimetre` is how long one is in the scene; 1 if that is not known.
+Fineness fineness_of(const ImportSettings& settings, double millimetre, double diagonal);
 
 /// What is inside, where rings lie in each other.
 enum class Fill { even_odd, nonzero };
@@ -48,9 +76,11 @@ struct Layer {
   std::vector<Sheet> sheets;
 };
 
-/// What did not become part of a body, and why; the first one of its kind.
+/// What did not become part of a body, and why; the first one of its kind and layer.
 struct Skipped {
   std::string place, what, reason;
+  std::string layer = {}, handle = {};  ///< of DXF
+  bool unread = false;  ///< it was to be seen in the drawing, and may have been meant as a part of a body
   int times = 1;
 };
 
@@ -81,11 +111,34 @@ struct Drawing {
   CurveCounts curves;
   std::vector<KeptCurve> kept = {};
   std::vector<Chorded> chorded = {};
+  std::vector<std::string> layer_names = {};  ///< that options may name; if empty, those of `layers`
+  bool nests = true;                          ///< may lines of one layer be holes in what another one encloses?
+  double millimetre = 1;                      ///< how long one is in the scene, if that is known
+  Fineness fineness = {};
 
   /// The layer of this name, which is made if there is none.
   Layer& layer(const std::string& name);
-  void skip(const std::string& place, const std::string& what, const std::string& reason);
+  void skip(Skipped more);
+  void skip(const std::string& place, const std::string& what, const std::string& reason) {
+    skip(Skipped{place, what, reason});
+  }
   void count_chorded(const Chorded& more);
+  /// The diagonal of all that is drawn; 0 if that is nothing.
+  double diagonal() const;
 };
+
+/// What `read(tolerance)` makes of a file, with the fineness that fits it: where the settings give no tolerance, the
+/// file is read twice, first coarsely for its size and unit.
+template <class Read>
+Drawing with_fineness(const ImportSettings& settings, const Read& read) {
+  Fineness fineness = fineness_of(settings, 1, 0);
+  if (!settings.tolerance || !settings.join || !settings.repair) {
+    const Drawing coarse = read(settings.tolerance.value_or(1e300));
+    fineness = fineness_of(settings, coarse.millimetre, coarse.diagonal());
+  }
+  Drawing drawing = read(fineness.tolerance);
+  drawing.fineness = fineness;
+  return drawing;
+}
 
 }  // namespace taut::drawing

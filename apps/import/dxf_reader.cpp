@@ -1,9 +1,14 @@
 #include "import/dxf_reader.hpp"
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "import/dxf_entities.hpp"
+#include "import/dxf_hatch.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
@@ -19,36 +24,76 @@ struct Block {
   std::vector<const DxfItem*> items;
 };
 
-const char* unit_name(int code) {
-  static const std::map<int, const char*> names{
-      {0, "none given"}, {1, "in"},          {2, "ft"},   {3, "miles"}, {4, "mm"},           {5, "cm"}, {6, "m"},
-      {7, "km"},         {8, "microinches"}, {9, "mils"}, {10, "yd"},   {13, "micrometres"}, {14, "dm"}};
-  const auto name = names.find(code);
-  return name == names.end() ? "others" : name->second;
+/// A unit of $INSUNITS.
+struct Unit {
+  const char* name;
+  double millimetres;  ///< that it has
+};
+
+const Unit& unit_of(int code) {
+  static const std::map<int, Unit> units{{0, {"none given", 1}},
+                                         {1, {"in", 25.4}},
+                                         {2, {"ft", 304.8}},
+                                         {3, {"miles", 1609344}},
+                                         {4, {"mm", 1}},
+                                         {5, {"cm", 10}},
+                                         {6, {"m", 1000}},
+                                         {7, {"km", 1e6}},
+                                         {8, {"microinches", 25.4e-6}},
+                                         {9, {"mils", 0.0254}},
+                                         {10, {"yd", 914.4}},
+                                         {11, {"angstroms", 1e-7}},
+                                         {12, {"nm", 1e-6}},
+                                         {13, {"micrometres", 1e-3}},
+                                         {14, {"dm", 100}},
+                                         {15, {"dam", 1e4}},
+                                         {16, {"hm", 1e5}},
+                                         {21, {"US survey ft", 304.8006}}};
+  static const Unit others{"others", 1};
+  const auto unit = units.find(code);
+  return unit == units.end() ? others : unit->second;
 }
+
+/// What an entity hands down to those that are inserted by it.
+struct Inherited {
+  std::string layer, group;
+  int color = 7;
+};
 
 /// Of a number that no drawing has, what no table knows.
 int whole(double value) { return value > -1e9 && value < 1e9 ? static_cast<int>(value) : -1; }
 
+/// Goes through the entities of a file whose text has been read.
 class DxfReader {
  public:
-  DxfReader(const std::string& text, const std::string& file, const ImportSettings& settings)
-      : items_(read_dxf_items(text, file)), settings_(settings), flattener_(settings, file) {
+  DxfReader(const std::vector<DxfItem>& items, const std::string& file, const ImportSettings& settings,
+            double tolerance)
+      : items_(items), settings_(settings), flattener_(settings, tolerance, file) {
     drawing_.file = file;
     drawing_.format = "DXF";
-    drawing_.units = unit_name(0);
+    set_unit(0);
   }
 
   Drawing read() {
     sort_items();
     const Affine root = scaling(settings_.scale, settings_.scale);
-    read_entities(entities_, root, "", 0);
+    read_entities(entities_, root, {}, 0);
+    add_fillings();
+    drawing_.layer_names.assign(layers_.begin(), layers_.end());
+    if (settings_.by != Grouping::automatic && settings_.by != Grouping::layer)
+      for (const Layer& layer : drawing_.layers)
+        if (!layers_.count(layer.name)) drawing_.layer_names.push_back(layer.name);
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
   }
 
  private:
+  void set_unit(int code) {
+    drawing_.units = unit_of(code).name;
+    drawing_.millimetre = settings_.scale / unit_of(code).millimetres;
+  }
+
   /// Which items are entities of the drawing, and which belong to blocks; units and hidden layers on the way.
   void sort_items() {
     std::string section;
@@ -60,7 +105,7 @@ class DxfReader {
       } else if (item.type() == "ENDSEC") {
         section.clear();
       } else if (section == "TABLES" && item.type() == "LAYER") {
-        if ((item.integer(70) & 1) != 0 || item.integer(62, 7) < 0) hidden_.insert(item.text(2));
+        read_layer(item);
       } else if (section == "BLOCKS" && item.type() == "BLOCK") {
         block = &blocks_[item.text(2)];
         *block = {item.point(10), {}};
@@ -75,20 +120,25 @@ class DxfReader {
   }
 
   void read_header(const DxfItem& header) {
-    bool units = false;
+    std::string variable;
     for (const DxfGroup& group : header.groups()) {
-      if (units && group.code == 70) drawing_.units = unit_name(whole(header.number_of(group)));
-      if (group.code == 9) units = group.value == "$INSUNITS";
+      if (group.code == 9) variable = group.value;
+      if (variable == "$INSUNITS" && group.code == 70) set_unit(whole(header.number_of(group)));
     }
   }
 
-  /// `inherited`: the layer of what the entities are inserted by.
-  void read_entities(const std::vector<const DxfItem*>& items, const Affine& where, const std::string& inherited,
+  void read_layer(const DxfItem& item) {
+    const int color = item.integer(62, 7);
+    if ((item.integer(70) & 1) != 0 || color < 0) hidden_.insert(item.text(2));
+    colors_[item.text(2)] = std::abs(color);
+  }
+
+  void read_entities(const std::vector<const DxfItem*>& items, const Affine& where, const Inherited& inherited,
                      int depth) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       const DxfItem& item = *items[i];
       if (++entities_read_ > most_entities)
-        throw InputError(item.place(), "blocks within blocks make more than 5000000 entities",
+        throw InputError(drawing_.file, "blocks within blocks make more than 5000000 entities",
                          "explode the blocks that are wanted");
       std::vector<const DxfItem*> vertices;
       if (item.type() == "POLYLINE" || item.type() == "INSERT") {
@@ -96,41 +146,100 @@ class DxfReader {
           vertices.push_back(items[++i]);
         if (i + 1 < items.size() && items[i + 1]->type() == "SEQEND") ++i;
       }
-      const std::string own = item.text(8, "0");
-      read_entity(item, vertices, where, own == "0" && !inherited.empty() ? inherited : own, depth);
+      Inherited own = inherited;
+      const std::string layer = item.text(8, "0");
+      if (layer != "0" || inherited.layer.empty()) own.layer = layer;
+      try {
+        own.color = color_of(item, own.layer, inherited.color);
+        read_entity(item, vertices, where, own, depth);
+      } catch (const InputError& error) {
+        // What holds for the whole file stops; what one entity has wrong does not.
+        if (error.place() == drawing_.file) throw;
+        skip(item, own.layer, "cannot be read: " + error.problem(), true);
+      }
     }
   }
 
+  int color_of(const DxfItem& item, const std::string& layer, int inherited) const {
+    const int own = item.integer(62, 256);
+    if (own == 0) return inherited;
+    if (own != 256) return std::abs(own);
+    const auto known = colors_.find(layer);
+    return known == colors_.end() ? 7 : known->second;
+  }
+
+  /// What the entity is grouped by.
+  std::string group_of(const DxfItem& item, const Inherited& own) const {
+    if (settings_.by == Grouping::color) {
+      const int mixed = item.integer(420, -1);
+      if (mixed < 0) return "color " + std::to_string(own.color);
+      char text[16];
+      std::snprintf(text, sizeof text, "#%06x", static_cast<unsigned>(mixed) & 0xFFFFFFu);
+      return text;
+    }
+    return settings_.by == Grouping::group && !own.group.empty() ? own.group : own.layer;
+  }
+
   void read_entity(const DxfItem& item, const std::vector<const DxfItem*>& vertices, const Affine& where,
-                   const std::string& layer, int depth) {
+                   const Inherited& own, int depth) {
     const std::string& type = item.type();
-    if (item.integer(67) != 0) return skip(item, "is in paper space, not in the model");
-    if (hidden_.count(layer)) return skip(item, "is on a layer that is off or frozen");
-    if (item.integer(60) != 0) return skip(item, "is not visible");
+    if (item.integer(67) != 0) return skip(item, own.layer, "is in paper space, not in the model", false);
+    if (hidden_.count(own.layer)) return skip(item, own.layer, "is on a layer that is off or frozen", false);
+    if (!wanted(own.layer)) return;
+    if (item.integer(60) != 0) return skip(item, own.layer, "is not visible", false);
     const auto plane = own_plane(item);
-    if (!plane) return skip(item, "does not lie in the plane of the drawing");
+    if (!plane) return skip(item, own.layer, "does not lie in the plane of the drawing", true);
     // Only these are in coordinates of their own; what else there is, is in those of the world.
-    const bool own =
-        type == "LWPOLYLINE" || type == "POLYLINE" || type == "ARC" || type == "CIRCLE" || type == "INSERT";
-    const Affine placed = own ? where * *plane : where;
+    static const std::set<std::string> in_own_plane{"LWPOLYLINE", "POLYLINE", "ARC",     "CIRCLE",
+                                                    "INSERT",     "HATCH",    "MPOLYGON"};
+    const Affine placed = in_own_plane.count(type) ? where * *plane : where;
     if (type == "INSERT") {
-      for (const DxfItem* attribute : vertices) skip(*attribute, "is text");
-      return insert(item, placed, layer, depth);
+      for (const DxfItem* attribute : vertices) skip(*attribute, own.layer, "is text", true);
+      return insert(item, placed, own, depth);
+    }
+    if (type == "HATCH" || type == "MPOLYGON") {
+      Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_)};
+      if (filling.chains.empty()) return skip(item, own.layer, "has no boundary", true);
+      return fillings_.push_back(std::move(filling));
     }
     std::optional<Chain> chain;
     if (type == "POLYLINE") {
-      if ((item.integer(70) & (16 | 64)) != 0) return skip(item, "is a mesh");
+      if ((item.integer(70) & (16 | 64)) != 0) return skip(item, own.layer, "is a mesh", true);
       chain = polyline(item, vertices, placed);
     } else {
       chain = chain_of(item, placed, flattener_);
-      tell_chorded(item, layer);
+      tell_chorded(item, own.layer);
     }
-    if (!chain && type == "HATCH") return skip(item, "is a filling: draw its boundary as lines, if it is to be a body");
-    if (!chain) return skip(item, "is no line or curve");
-    if (chain->points.size() < 2) return skip(item, "has fewer than two points");
-    Layer& target = drawing_.layer(layer);
+    if (!chain) return skip(item, own.layer, reason_for(type), true);
+    if (chain->points.size() < 2) return skip(item, own.layer, "has fewer than two points", false);
+    Layer& target = drawing_.layer(group_of(item, own));
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
     target.sheets[0].chains.push_back(std::move(*chain));
+  }
+
+  bool wanted(const std::string& layer) {
+    layers_.insert(layer);
+    return settings_.layers.empty() ||
+           std::find(settings_.layers.begin(), settings_.layers.end(), layer) != settings_.layers.end();
+  }
+
+  static const char* reason_for(const std::string& type) {
+    static const std::set<std::string> solids{"REGION", "3DSOLID", "BODY", "SURFACE"};
+    return solids.count(type) ? "is data of a solid modeller: explode it into lines" : "is no line or curve";
+  }
+
+  /// Fillings repeat what lines draw; by themselves they are shapes.
+  void add_fillings() {
+    std::set<std::string> drawn;
+    for (const Layer& layer : drawing_.layers) drawn.insert(layer.name);
+    for (Filling& filling : fillings_) {
+      const DxfItem& item = *filling.item;
+      if (item.type() == "HATCH" && drawn.count(filling.group)) {
+        skip(item, filling.layer, "is a filling on a layer that has lines: these count", false);
+        continue;
+      }
+      drawing_.layer(filling.group).sheets.push_back({"", Fill::even_odd, std::move(filling.chains)});
+    }
   }
 
   void tell_chorded(const DxfItem& item, const std::string& layer) {
@@ -151,15 +260,13 @@ class DxfReader {
     return bulged_chain(bulged, (item.integer(70) & 1) != 0, item.place(), where, flattener_);
   }
 
-  void insert(const DxfItem& item, const Affine& where, const std::string& layer, int depth) {
+  void insert(const DxfItem& item, const Affine& where, Inherited own, int depth) {
     const std::string name = item.text(2);
     const auto block = blocks_.find(name);
     if (block == blocks_.end())
-      throw InputError(item.place(), "the block \"" + io::excerpt(name) + "\" is inserted, but not in the file",
-                       "bind external references before the drawing is saved");
-    if (depth == deepest_block)
-      throw InputError(item.place(), "blocks are inserted within blocks more than 16 deep",
-                       "a block must not insert itself: explode it");
+      return skip(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is not in the file", true);
+    if (depth == deepest_block) return skip(item, own.layer, "is within blocks that are more than 16 deep", true);
+    if (depth == 0) own.group = name + (inserted_[name]++ > 0 ? " " + std::to_string(inserted_[name]) : "");
     const int columns = item.integer(70, 1), rows = item.integer(71, 1);
     const Point at = item.point(10), base = block->second.base;
     const Affine turn = rotation(item.number(50));
@@ -169,30 +276,39 @@ class DxfReader {
         const Point step = turn.turn({column * item.number(44), row * item.number(45)});
         const Affine copy = where * translation(at.x + step.x, at.y + step.y) * scaled;
         // Empty blocks are counted, too.
-        if (++entities_read_ > most_entities) return skip(item, "has too many copies");
-        read_entities(block->second.items, copy, layer, depth + 1);
+        if (++entities_read_ > most_entities) return skip(item, own.layer, "has too many copies", true);
+        read_entities(block->second.items, copy, own, depth + 1);
       }
     }
   }
 
-  void skip(const DxfItem& item, const std::string& reason) {
-    drawing_.skip(item.place(), io::excerpt(item.type(), 30), reason);
+  void skip(const DxfItem& item, const std::string& layer, const std::string& reason, bool unread) {
+    drawing_.skip({item.place(), io::excerpt(item.type(), 30), reason, layer, item.text(5), unread});
   }
 
-  std::vector<DxfItem> items_;
+  struct Filling {
+    const DxfItem* item;
+    std::string layer, group;
+    std::vector<Chain> chains;
+  };
+
+  const std::vector<DxfItem>& items_;
   ImportSettings settings_;
   Flattener flattener_;
   Drawing drawing_;
   std::vector<const DxfItem*> entities_;
   std::map<std::string, Block> blocks_;
-  std::set<std::string> hidden_;
+  std::map<std::string, int> inserted_, colors_;
+  std::set<std::string> hidden_, layers_;
+  std::vector<Filling> fillings_;
   std::size_t entities_read_ = 0;
 };
 
 }  // namespace
 
 Drawing read_dxf(const std::string& text, const std::string& file, const ImportSettings& settings) {
-  return DxfReader(text, file, settings).read();
+  const std::vector<DxfItem> items = read_dxf_items(text, file);
+  return with_fineness(settings, [&](double tolerance) { return DxfReader(items, file, settings, tolerance).read(); });
 }
 
 }  // namespace taut::drawing

@@ -1,8 +1,11 @@
 #include "import/dxf_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
+#include "import/text_encoding.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -47,6 +50,62 @@ int group_code(const std::string& line, const std::string& place) {
   if (line.empty() || *end != 0 || code < -5 || code > 1100)
     throw InputError(place, "expected a group code, a number up to 1071 alone on its line", dxf_remedy);
   return static_cast<int>(code);
+}
+
+/// The value of a variable in the header; empty if it is not there.
+std::string header_value(const std::vector<DxfItem>& items, const std::string& variable) {
+  for (const DxfItem& item : items) {
+    if (item.type() == "ENDSEC") break;
+    bool found = false;
+    for (const DxfGroup& group : item.groups()) {
+      if (found) return group.value;
+      found = group.code == 9 && group.value == variable;
+    }
+  }
+  return "";
+}
+
+/// By the drawing's version and code page, as iconv calls it.
+std::string encoding_of(const std::vector<DxfItem>& items) {
+  if (header_value(items, "$ACADVER") >= "AC1021") return "UTF-8";
+  const std::string page = header_value(items, "$DWGCODEPAGE");
+  static const std::map<std::string, std::string> special{
+      {"ANSI_932", "SHIFT_JIS"}, {"ANSI_936", "GBK"}, {"ANSI_949", "CP949"}, {"ANSI_950", "BIG5"}, {"UTF-8", "UTF-8"}};
+  const auto known = special.find(page);
+  if (known != special.end()) return known->second;
+  if (page.rfind("ANSI_", 0) == 0 || page.rfind("ansi_", 0) == 0) return "CP" + page.substr(5);
+  if (page.rfind("ISO8859-", 0) == 0) return "ISO-8859-" + page.substr(8);
+  return "CP1252";
+}
+
+/// \U+00E8 as the character.
+std::string with_characters(const std::string& text) {
+  std::string s;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 3, "\\U+") == 0 && i + 7 <= text.size()) {
+      const std::string digits = text.substr(i + 3, 4);
+      char* end = nullptr;
+      const unsigned long c = std::strtoul(digits.c_str(), &end, 16);
+      if (*end == 0 && c > 0 && (c < 0xD800 || c > 0xDFFF)) {
+        s += utf8_of(c);
+        i += 6;
+        continue;
+      }
+    }
+    s += text[i];
+  }
+  return s;
+}
+
+/// Names may be in the encoding of the drawing's code page, whatever its version says.
+void decode_texts(std::vector<DxfItem>& items) {
+  const std::string encoding = encoding_of(items);
+  for (DxfItem& item : items) {
+    item.each_text([&encoding](std::string& text) {
+      if (text.find('\\') != std::string::npos) text = with_characters(text);
+      if (!is_utf8(text)) text = to_utf8(text, encoding == "UTF-8" ? "CP1252" : encoding);
+    });
+  }
 }
 
 }  // namespace
@@ -115,7 +174,10 @@ std::vector<DxfItem> read_dxf_items(const std::string& text, const std::string& 
     if (!lines.next(&value)) throw InputError(place, "a group code without a value: the file is cut off", dxf_remedy);
     if (code == 999) continue;
     if (code == 0) {
-      if (value == "EOF") return items;
+      if (value == "EOF") {
+        decode_texts(items);
+        return items;
+      }
       items.emplace_back(file, value, lines.number());
     } else if (items.empty()) {
       throw InputError(place, "the first group is not 0", dxf_remedy);

@@ -24,6 +24,12 @@ class DxfItem {
   std::string place(const DxfGroup& group) const { return file_ + ":" + std::to_string(group.line); }
   void add(DxfGroup group) { groups_.push_back(std::move(group)); }
   const std::vector<DxfGroup>& groups() const { return groups_; }
+  /// Lets `change` change the values that are names.
+  template <class Change>
+  void each_text(const Change& change) {
+    for (DxfGroup& group : groups_)
+      if (group.code <= 9) change(group.value);
+  }
 
   /// The first value of the code. Numbers throw InputError with the line if they are none.
   std::string text(int code, const std::string& otherwise = "") const;

@@ -23,6 +23,7 @@ constexpr std::size_t most_cloned = 1000000;
 struct Surroundings {
   Affine where;
   bool filled = true, displayed = true, hidden = false;
+  std::string color;  ///< of the line, or else of the filling
   Fill fill = Fill::nonzero;
   int layer = -1;
   int clones = 0;  ///< how many <use> it is within
@@ -30,8 +31,8 @@ struct Surroundings {
 
 class SvgReader {
  public:
-  SvgReader(const std::string& text, const std::string& file, const ImportSettings& settings)
-      : xml_(text, file), settings_(settings), flattener_(settings, file) {
+  SvgReader(const XmlTree& xml, const std::string& file, const ImportSettings& settings, double tolerance)
+      : xml_(xml), settings_(settings), flattener_(settings, tolerance, file) {
     drawing_.file = file;
     drawing_.format = "SVG";
   }
@@ -90,6 +91,7 @@ class SvgReader {
     Surroundings root;
     const double unit = unit_of(element) * settings_.scale;
     root.where = scaling(unit, -unit);
+    drawing_.millimetre = settings_.scale;
     if (element.find("transform")) root.where = root.where * parse_transform(element);
     open_.push_back({1, xml_.end(0), root});
   }
@@ -99,10 +101,10 @@ class SvgReader {
     const std::string* link = use.find("href");
     if (!link) link = use.find("xlink:href");
     const auto target = link && !link->empty() && (*link)[0] == '#' ? xml_.by_id(link->substr(1)) : std::nullopt;
-    if (!target) return drawing_.skip(use.place, "<use>", "clones what is not in the file");
+    if (!target) return unread(use, "clones what is not in the file");
     const XmlElement& what = xml_.element(*target);
     if (what.name == "symbol" && what.find("viewBox"))
-      return drawing_.skip(use.place, "<use>", "clones a symbol with a viewBox: unlink it in the program that drew it");
+      return unread(use, "clones a symbol with a viewBox: unlink it in the program that drew it");
     Surroundings s = inside(use, true, what);
     if (++s.clones > deepest_clone)
       throw InputError(use.place, "clones are within clones more than 16 deep",
@@ -161,6 +163,9 @@ class SvgReader {
     s.where = s.where * parse_transform(element);
     const std::string fill = styles_.property(element, "fill"), rule = styles_.property(element, "fill-rule");
     if (!fill.empty() && fill != "inherit") s.filled = fill != "none" && fill != "transparent";
+    const std::string stroke = styles_.property(element, "stroke");
+    for (const std::string* color : {&fill, &stroke})
+      if (!color->empty() && *color != "inherit" && *color != "none") s.color = *color;
     if (!rule.empty() && rule != "inherit") s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
     const std::string visibility = styles_.property(element, "visibility");
     if (!visibility.empty() && visibility != "inherit") s.hidden = visibility != "visible";
@@ -178,11 +183,12 @@ class SvgReader {
     for (const char* cut : {"clip-path", "mask"}) {
       const std::string* value = element.find(cut);
       if (value && *value != "none")
-        drawing_.skip(element.place, "\"" + std::string(cut) + "\"", "is not obeyed: the whole of it is taken");
+        drawing_.skip(
+            {element.place, "\"" + std::string(cut) + "\"", "is not obeyed: the whole of it is taken", "", "", true});
     }
-    const std::string unread = unread_in_style(element);
-    if (!unread.empty())
-      drawing_.skip(element.place, "\"" + unread + "\" in a style", "is not read: use the attribute");
+    const std::string property = unread_in_style(element);
+    if (!property.empty())
+      drawing_.skip({element.place, "\"" + property + "\" in a style", "is not read: use the attribute", "", "", true});
   }
 
   static std::string name_of(const XmlElement& element, bool group) {
@@ -206,9 +212,11 @@ class SvgReader {
 
   void read_shape(const XmlElement& element, const Surroundings& s) {
     if (s.hidden || !s.displayed) return drawing_.skip(element.place, "<" + element.name + ">", "is not visible");
+    if (in_percent(element)) return unread(element, "has a size in percent of the page");
     std::vector<Chain> chains = chains_of(element, s.where);
     if (chains.empty()) return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
-    Layer& layer = drawing_.layers[static_cast<std::size_t>(s.layer)];
+    Layer& layer = settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
+                                                   : drawing_.layers[static_cast<std::size_t>(s.layer)];
     const bool filled = s.filled && element.name != "line";
     if (filled) {
       // What is filled is closed.
@@ -219,6 +227,14 @@ class SvgReader {
     auto lines = std::find_if(layer.sheets.begin(), layer.sheets.end(), [](const Sheet& x) { return x.lines; });
     if (lines == layer.sheets.end()) lines = layer.sheets.insert(lines, Sheet{"", Fill::even_odd, {}, true});
     for (Chain& chain : chains) lines->chains.push_back(std::move(chain));
+  }
+
+  static bool in_percent(const XmlElement& element) {
+    for (const char* key : {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2"}) {
+      const std::string* value = element.find(key);
+      if (value && !value->empty() && value->back() == '%') return true;
+    }
+    return false;
   }
 
   std::vector<Chain> chains_of(const XmlElement& e, const Affine& where) {
@@ -289,15 +305,17 @@ class SvgReader {
   void pass_over(const XmlElement& element) {
     static const std::set<std::string> described{"title", "desc", "metadata"};
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;
-    const std::string what = "<" + io::excerpt(element.name, 30) + ">";
-    if (element.name == "style" || is_paint(element.name)) return;
-    if (element.name == "text")
-      return drawing_.skip(element.place, what, "is text: turn it into paths if it is to be part of a body");
-    if (element.name == "svg") return drawing_.skip(element.place, what, "is a drawing in the drawing: ungroup it");
-    drawing_.skip(element.place, what, "is no path or basic shape");
+    if (element.name == "style" || element.name == "script" || is_paint(element.name)) return;
+    if (element.name == "text") return unread(element, "is text: turn it into paths if it is to be part of a body");
+    if (element.name == "svg") return unread(element, "is a drawing in the drawing: ungroup it");
+    unread(element, "is no path or basic shape");
   }
 
-  XmlTree xml_;
+  void unread(const XmlElement& element, const std::string& reason) {
+    drawing_.skip({element.place, "<" + io::excerpt(element.name, 30) + ">", reason, "", "", true});
+  }
+
+  const XmlTree& xml_;
   ImportSettings settings_;
   Flattener flattener_;
   StyleSheet styles_;
@@ -311,7 +329,8 @@ class SvgReader {
 }  // namespace
 
 Drawing read_svg(const std::string& text, const std::string& file, const ImportSettings& settings) {
-  return SvgReader(text, file, settings).read();
+  const XmlTree xml(text, file);
+  return with_fineness(settings, [&](double tolerance) { return SvgReader(xml, file, settings, tolerance).read(); });
 }
 
 }  // namespace taut::drawing

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_rules = 1000;
 
 const std::set<std::string>& read_properties() {
-  static const std::set<std::string> names{"fill", "fill-rule", "display", "visibility"};
+  static const std::set<std::string> names{"fill", "fill-rule", "stroke", "display", "visibility"};
   return names;
 }
 

@@ -19,7 +19,7 @@ class StyleSheet {
   void read(const std::string& css, const XmlElement& style, Drawing& drawing);
 
   /// The property of an element by itself, as the cascade has it: its attribute `style`, rules, its attribute of that
-  /// name; empty if none of them says anything. Of "fill", "fill-rule", "display" and "visibility".
+  /// name; empty if none of them says anything. Of "fill", "fill-rule", "stroke", "display" and "visibility".
   std::string property(const XmlElement& element, const std::string& name) const;
 
  private:

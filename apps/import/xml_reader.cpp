@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "import/text_encoding.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
@@ -15,19 +16,6 @@ constexpr std::size_t deepest_element = 256;
 bool in_xml_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' || c == ':' ||
          static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string utf8(unsigned long c) {
-  std::string s;
-  if (c < 0x80) return std::string(1, static_cast<char>(c));
-  if (c < 0x800) return {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))};
-  if (c < 0x10000) s += static_cast<char>(0xE0 | (c >> 12));
-  if (c >= 0x10000) {
-    s += static_cast<char>(0xF0 | (c >> 18));
-    s += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
-  }
-  s += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-  return s + static_cast<char>(0x80 | (c & 0x3F));
 }
 
 }  // namespace
@@ -177,15 +165,20 @@ std::string XmlReader::decoded(std::size_t begin, std::size_t end) {
 }
 
 std::string XmlReader::decoded_entity(const std::string& entity, std::size_t at) {
+  const auto character = xml_entity(entity);
+  if (!character) fail(at, "an entity that XML does not have", "write the character itself");
+  return *character;
+}
+
+std::optional<std::string> xml_entity(const std::string& entity) {
   for (const auto& [name, c] : {std::pair("lt", "<"), {"gt", ">"}, {"amp", "&"}, {"quot", "\""}, {"apos", "'"}})
     if (entity == name) return c;
-  if (entity.size() > 1 && entity.size() < 10 && entity[0] == '#') {
-    const bool hexadecimal = entity[1] == 'x';
-    char* end = nullptr;
-    const unsigned long c = std::strtoul(entity.c_str() + (hexadecimal ? 2 : 1), &end, hexadecimal ? 16 : 10);
-    if (*end == 0 && c > 0 && c < 0x110000) return utf8(c);
-  }
-  fail(at, "an entity that XML does not have", "write the character itself");
+  if (entity.size() < 2 || entity.size() >= 10 || entity[0] != '#') return std::nullopt;
+  const bool hexadecimal = entity[1] == 'x';
+  char* end = nullptr;
+  const unsigned long c = std::strtoul(entity.c_str() + (hexadecimal ? 2 : 1), &end, hexadecimal ? 16 : 10);
+  if (*end != 0 || c == 0 || c >= 0x110000 || (c >= 0xD800 && c < 0xE000)) return std::nullopt;
+  return utf8_of(c);
 }
 
 void XmlReader::skip_space() {

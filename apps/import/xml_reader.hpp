@@ -1,11 +1,15 @@
 // As much of XML as drawings have: elements and their attributes, one after the other.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace taut::drawing {
+
+/// The character that an entity stands for, "amp" or "#233", if there is one.
+std::optional<std::string> xml_entity(const std::string& entity);
 
 struct XmlElement {
   std::string name;  ///< "svg:" before it is dropped, other prefixes stay

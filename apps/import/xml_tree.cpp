@@ -2,6 +2,24 @@
 
 namespace taut::drawing {
 
+namespace {
+
+/// Character data with its entities replaced, but for what is in a CDATA section, where there are none, and what is no
+/// entity.
+std::string with_entities(const std::string& text) {
+  if (text.find("<![CDATA[") != std::string::npos) return text;
+  std::string s;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t end = text[i] == '&' ? text.find(';', i) : std::string::npos;
+    const auto character = end == std::string::npos ? std::nullopt : xml_entity(text.substr(i + 1, end - i - 1));
+    s += character ? *character : std::string(1, text[i]);
+    if (character) i = end;
+  }
+  return s;
+}
+
+}  // namespace
+
 XmlTree::XmlTree(const std::string& text, const std::string& file) {
   XmlReader reader(text, file);
   std::vector<std::size_t> open;
@@ -13,7 +31,7 @@ XmlTree::XmlTree(const std::string& text, const std::string& file) {
       Node& node = nodes_[open.back()];
       node.end = nodes_.size();
       if (node.element.name == "style" && node.end == open.back() + 1)
-        styles_[open.back()] = text.substr(style_from, reader.begin() - style_from);
+        styles_[open.back()] = with_entities(text.substr(style_from, reader.begin() - style_from));
       open.pop_back();
       continue;
     }

@@ -1,8 +1,12 @@
 // taut import: drawings and maps as a scene.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "import/import.hpp"
@@ -17,61 +21,117 @@ namespace {
 
 struct ImportArguments {
   std::vector<std::string> files;
-  std::string output;
+  std::string output, svg, merged;
   drawing::ImportSettings settings;
   bool json = false;
 };
 
-void require_size(const char* option, double value, bool zero_is_fine) {
-  if (std::isfinite(value) && (value > 0 || (zero_is_fine && value == 0))) return;
-  throw InputError(option, fmt::format("{} is not a {} number", value, zero_is_fine ? "sensible" : "positive"),
+void require_size(const char* option, std::optional<double> value, bool zero_is_fine) {
+  if (!value || (std::isfinite(*value) && (*value > 0 || (zero_is_fine && *value == 0)))) return;
+  throw InputError(option, fmt::format("{} is not a {} number", *value, zero_is_fine ? "sensible" : "positive"),
                    "give a length in the units of the scene, or a factor for --scale");
 }
 
-int run_import(const ImportArguments& arguments) {
-  require_size("--tolerance", arguments.settings.tolerance, false);
-  require_size("--scale", arguments.settings.scale, false);
-  require_size("--join", arguments.settings.join_distance(), true);
-  const drawing::Import import = drawing::import_files(arguments.files, arguments.settings);
-  write_output(arguments.output, write_scene(import.scene));
+/// "a,b" as two names.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', at), list.size());
+    if (comma > at) names.push_back(list.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return names;
+}
+
+int run_import(ImportArguments arguments) {
+  drawing::ImportSettings& settings = arguments.settings;
+  require_size("--tolerance", settings.tolerance, false);
+  require_size("--scale", settings.scale, false);
+  require_size("--join", settings.join, true);
+  require_size("--repair", settings.repair, true);
+  settings.merge_all = arguments.merged == "*";
+  if (!settings.merge_all) settings.merged = names_in(arguments.merged);
+  const drawing::Import import = drawing::examine_files(arguments.files, settings);
+  // What is wrong is seen best in the picture: it is written in any case, and so is the report.
+  if (!arguments.svg.empty()) write_output(arguments.svg, report_svg(import));
   if (arguments.json)
-    fmt::print("{}", report_json(import, arguments.settings));
+    fmt::print("{}", report_json(import, settings));
   else
-    fmt::print(stderr, "{}", io::for_terminal(report_text(import, arguments.settings)));
+    fmt::print(stderr, "{}", io::for_terminal(report_text(import, settings)));
+  if (!import.faults.empty()) throw import.faults.front();
+  write_output(arguments.output, write_scene(import.scene));
   return exit_free;
+}
+
+template <class Value>
+std::function<void(const std::string&)> choose(Value& target, std::map<std::string, Value> values) {
+  return [&target, values = std::move(values)](const std::string& word) { target = values.at(word); };
 }
 
 }  // namespace
 
 void add_import(const Command& app, Action& action) {
-  const Command command = app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, WKT, GeoJSON, PGM");
+  const Command command =
+      app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, KiCad, WKT, GeoJSON, PGM, PNG");
   const auto arguments = std::make_shared<ImportArguments>();
   drawing::ImportSettings& settings = arguments->settings;
   command.add_option("FILE", arguments->files, "drawings and maps, told by their endings").required().value(" ");
   const Option output =
       command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
   command
-      .add_option("--tolerance", settings.tolerance,
-                  "chords are at most D away from their curves, in units of the scene (0.01)")
+      .add_option(
+          "--tolerance", settings.tolerance,
+          "chords are at most D away from their curves, in units of the scene (0.01 mm, less\nfor small drawings)")
       .value("D");
   command.add_flag("--curves", settings.curves,
                    "keep arcs and Bezier curves as they are, instead of chords: outlines are paths");
   command
       .add_option("--join", settings.join,
-                  "ends of lines that are at most E apart are one point (a hundredth of the\ntolerance)")
+                  "ends of lines that are at most E from another end or line meet it (0.02 mm)")
       .value("E");
+  command
+      .add_option(
+          "--repair", settings.repair,
+          "loops up to the size D are cut off (0.1 mm); if it is given, so are crossings of the\nrings of WKT and "
+          "GeoJSON")
+      .value("D");
+  command.add_choice("--open", {"error", "close", "skip"},
+                     choose<drawing::OpenRings>(settings.open, {{"error", drawing::OpenRings::error},
+                                                                {"close", drawing::OpenRings::close},
+                                                                {"skip", drawing::OpenRings::skip}}),
+                     "what becomes of outlines that stay open (error)");
+  command.add_choice(
+      "--by", {"layer", "color", "group", "nesting"},
+      choose<drawing::Grouping>(settings.by, {{"layer", drawing::Grouping::layer},
+                                              {"color", drawing::Grouping::color},
+                                              {"group", drawing::Grouping::group},
+                                              {"nesting", drawing::Grouping::nesting}}),
+      "what becomes a body, by itself (layers, but contours in material of another layer\nare its holes)");
+  command.add_option("--layer", settings.layers, "read only this layer; may be given more than once").value("NAME");
+  command.add_option("--merge-layers", arguments->merged, "read these layers, or all, as one: NAME,NAME,...")
+      .value("NAMES")
+      .or_alone("*");
   command.add_option("--scale", settings.scale, "multiply all lengths by S (1)").value("S");
   command.add_flag("--split", settings.split, "a body for each part, instead of one for each group or layer");
   command.add_flag("--unknown-free", settings.unknown_free,
                    "what a robot's map does not know is no obstacle (it is one)");
+  command.add_flag("--strict", settings.strict, "what is not read is an error");
+  command
+      .add_option("--svg", arguments->svg,
+                  "draw the bodies, and in red the lines that stay open, to FILE, also if there\n"
+                  "is an error")
+      .value("FILE");
   command.add_flag("--json", arguments->json, "print the report as JSON, on standard output").needs(output);
   command.footer(
       "Example:\n"
       "  taut import plate.svg gear.dxf -o scene.json\n"
-      "  taut import map.yaml -o scene.json          a map of ROS's map_server, with its PGM\n"
+      "  taut import plate.dxf --svg report.svg -o scene.json      a picture of what was read, and what stays open\n"
+      "  taut import map.yaml -o scene.json          a map of ROS's map_server, with its image\n"
       "\n"
       "A body is what one group of an SVG drawing, one layer of a DXF, or one feature of GeoJSON encloses. All bodies\n"
-      "rest: give them motions in the scene. The report, on standard error, tells what was skipped, and why.\n");
+      "rest: give them motions in the scene. The report, on standard error, lists the gaps that were closed, what was "
+      "cut\n"
+      "off, what stays open, and what was skipped, and why.\n");
   command.on_chosen([&action, arguments] { action = [arguments] { return run_import(*arguments); }; });
 }
 

@@ -33,7 +33,7 @@ TEST(ImportDxf, PutsLinesTogetherInAnyDirection) {
   ASSERT_EQ(import.scene.bodies.size(), 1u);
   EXPECT_EQ(import.scene.bodies[0].name, "a");
   EXPECT_EQ(import.scene.bodies[0].polygon.size(), 3u);
-  EXPECT_EQ(import.files[0].joins.joins, 0u);
+  EXPECT_TRUE(import.files[0].gaps.empty());
 }
 
 TEST(ImportDxf, JoinsEndsWithinTheDistanceAndNoFarther) {
@@ -43,15 +43,16 @@ TEST(ImportDxf, JoinsEndsWithinTheDistanceAndNoFarther) {
   settings.join = 0.06;
   const auto import = dxf_import(dxf_of(gap), settings);
   EXPECT_EQ(import.scene.bodies.at(0).polygon.size(), 3u);
-  EXPECT_EQ(import.files[0].joins.joins, 1u);
-  EXPECT_NEAR(import.files[0].joins.longest, 0.05, 1e-12);
-  settings.join = 0.04;
+  ASSERT_EQ(import.files[0].gaps.size(), 1u);
+  EXPECT_NEAR(import.files[0].gaps[0].width, 0.05, 1e-12);
+  // Farther than that from the end and from the line.
+  settings.join = 0.02;
   try {
     dxf_import(dxf_of(gap), settings);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(e.problem().find("line at d.dxf:"), std::string::npos) << e.what();
-    EXPECT_NE(e.hint().find("--join"), std::string::npos);
+    EXPECT_NE(e.problem().find("an outline stays open, with a gap of 0.05 from (4"), std::string::npos) << e.what();
+    EXPECT_NE(e.hint().find("--join 0.05"), std::string::npos) << e.what();
   }
 }
 
@@ -69,8 +70,10 @@ TEST(ImportDxf, NestsOutlinesHolesAndIslands) {
 TEST(ImportDxf, CountsLinesThatComeTwiceAsNothing) {
   const auto import = dxf_import(
       dxf_of(std::string(triangle_lines) + " 0 LINE 8 a 10 50 20 0 11 60 21 0 0 LINE 8 a 10 60 20 0 11 50 21 0"));
-  ASSERT_EQ(import.files[0].skipped.size(), 1u);
-  EXPECT_EQ(import.files[0].skipped[0].reason, "encloses nothing");
+  EXPECT_TRUE(import.files[0].skipped.empty());
+  EXPECT_EQ(import.files[0].repeated, 1u);
+  ASSERT_EQ(import.files[0].open.size(), 1u);
+  EXPECT_EQ(import.files[0].open[0].points, (std::vector<Point>{{50, 0}, {60, 0}}));
 }
 
 TEST(ImportDxf, ReadsUnitsAndLayersThatAreOff) {
@@ -84,10 +87,12 @@ TEST(ImportDxf, ReadsUnitsAndLayersThatAreOff) {
                         before));
   EXPECT_EQ(import.files[0].units, "cm");
   EXPECT_EQ(import.scene.bodies.size(), 1u);
-  ASSERT_EQ(import.files[0].skipped.size(), 3u);
-  EXPECT_EQ(import.files[0].skipped[0].times, 2);
-  EXPECT_EQ(import.files[0].skipped[1].reason, "is in paper space, not in the model");
-  EXPECT_EQ(import.files[0].skipped[2].what, "POINT");
+  ASSERT_EQ(import.files[0].skipped.size(), 4u);
+  EXPECT_EQ(import.files[0].skipped[0].layer, "b");
+  EXPECT_EQ(import.files[0].skipped[1].layer, "c");
+  EXPECT_EQ(import.files[0].skipped[2].reason, "is in paper space, not in the model");
+  EXPECT_EQ(import.files[0].skipped[3].what, "POINT");
+  EXPECT_TRUE(import.files[0].skipped[3].unread);
 }
 
 TEST(ImportDxf, InsertsBlocksInRowsWithTheirLayers) {
@@ -127,17 +132,15 @@ std::vector<testing::BadInput> bad_dxf() {
       {"cut_off", dxf_lines("0 SECTION 2"), "d.dxf:3", "without a value", "ASCII DXF"},
       {"no_eof", dxf_lines("0 SECTION 2 ENTITIES"), "d.dxf", "without EOF", "ASCII DXF"},
       {"first", dxf_lines("2 SECTION"), "d.dxf:1", "not 0", "ASCII DXF"},
-      {"number", dxf_of("0 CIRCLE 8 a 10 zero 20 0 40 1"), "d.dxf:10", "group 10 of CIRCLE, found \"zero\"",
-       "ASCII DXF"},
-      {"no_block", dxf_of("0 INSERT 8 a 2 P"), "d.dxf:6", "\"P\" is inserted, but not in the file", "references"},
-      {"itself", dxf_of("0 INSERT 8 a 2 P", insert_itself), "d.dxf:10", "more than 16 deep", "itself"},
+      // What one entity has wrong is told where nothing else is left.
+      {"number", dxf_of("0 CIRCLE 8 a 10 zero 20 0 40 1"), "d.dxf", "group 10 of CIRCLE, found \"zero\"", "closed"},
+      {"no_block", dxf_of("0 INSERT 8 a 2 P"), "d.dxf", "block \"P\", which is not in the file", "closed"},
+      {"itself", dxf_of("0 INSERT 8 a 2 P", insert_itself), "d.dxf", "more than 16 deep", "closed"},
       {"nothing", dxf_of("0 TEXT 8 a 1 hi"), "d.dxf", "skipped: TEXT at d.dxf:6 is no line", "--join"},
-      {"knots", dxf_of(spline + "40 0 40 1"), "d.dxf:6", "3 control points has 2 knots", "polyline"},
-      {"falling_knots", dxf_of(spline + "40 0 40 0 40 1 40 0 40 1 40 1"), "d.dxf:6", "decrease", "polyline"},
-      {"weights", dxf_of(spline + "40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0 41 1"), "d.dxf:6", "not positive",
-       "polyline"},
-      {"fit_points", dxf_of("0 SPLINE 8 a 71 2 11 0 21 0"), "d.dxf:6", "only points that it passes", "polyline"},
-      {"bow", dxf_of("0 LWPOLYLINE 8 a 70 1 10 0 20 0 10 1 20 1 10 1 20 0 10 0 20 1"), "d.dxf:6: a", "not simple", ""},
+      {"knots", dxf_of(spline + "40 0 40 1"), "d.dxf", "3 control points has 2 knots", "closed"},
+      {"falling_knots", dxf_of(spline + "40 0 40 0 40 1 40 0 40 1 40 1"), "d.dxf", "decrease", "closed"},
+      {"weights", dxf_of(spline + "40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0 41 1"), "d.dxf", "not positive", "closed"},
+      {"fit_points", dxf_of("0 SPLINE 8 a 71 2 11 0 21 0"), "d.dxf", "only points that it passes", "closed"},
   };
 }
 
@@ -163,7 +166,7 @@ TEST(ImportDxf, NamesSplinesThatBecomeChordsThoughCurvesAreKept) {
   EXPECT_EQ(told.counts.segments, 2u);
   EXPECT_GT(told.counts.chords, 4u);
   EXPECT_GT(told.counts.deviation, 0);
-  EXPECT_LE(told.counts.deviation, settings.tolerance);
+  EXPECT_LE(told.counts.deviation, settings.tolerance.value_or(0.01));
   const std::string report = drawing::report_text(import, settings);
   EXPECT_NE(report.find("as chords: rational SPLINE at d.dxf:"), std::string::npos) << report;
   EXPECT_NE(report.find(", and 1 more, layer cut: 2 curves as "), std::string::npos) << report;

@@ -1,0 +1,65 @@
+// Bodies of what drawings enclose.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "import/import.hpp"
+#include "import/outlines.hpp"
+
+namespace taut::drawing {
+
+/// Adds the bodies of one drawing after the other to an import, with names that differ.
+class BodyMaker {
+ public:
+  BodyMaker(const ImportSettings& settings, Import& import) : settings_(settings), import_(import) {}
+  void add(Drawing drawing);
+
+ private:
+  /// A part on its way into a body.
+  struct Named {
+    std::string name, place;
+    Part part;
+    int nest = -1;  ///< the number of the outermost outline around it, where that counts
+  };
+  struct Piece {
+    Region region;
+    std::size_t layer, set;
+    std::string place;
+  };
+
+  void choose_layers(Drawing& drawing) const;
+  static void merge_layers(Drawing& drawing, const std::vector<std::string>& names, bool all);
+  void read_lines(Drawing& drawing);
+  void read_set(const Drawing& drawing, const std::vector<std::size_t>& set, std::size_t number,
+                std::vector<Piece>& pieces);
+  void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
+  void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
+  void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
+  void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);
+  void note_holes(const Outlines& outlines, const std::vector<std::string>& layers);
+  void add_region(Region region, const std::string& name, const std::string& place, int nest,
+                  std::vector<Named>& parts);
+  void make_bodies(const std::string& name, std::vector<Named> parts);
+  void add_body(const std::string& wanted, std::vector<Part> parts);
+  void take_curves(const std::vector<Part>& parts, Body& body) const;
+  bool is_valid(const Named& named, const std::string& layer);
+  OutlineSettings outline_settings() const;
+  std::string unused_name(const std::string& wanted);
+  void skip(const std::string& place, const std::string& what, const std::string& reason, const std::string& layer);
+  void fail(const std::string& place, const std::string& problem, const std::string& hint) {
+    import_.faults.emplace_back(place, problem, hint);
+  }
+
+  ImportSettings settings_;
+  Import& import_;
+  const class CurveFinder* finder_ = nullptr;  ///< of the file that is read, where curves are kept
+  FileReport file_;
+  std::vector<std::vector<Named>> parts_;  ///< of each layer of the drawing
+  std::map<std::string, int> names_;
+  std::set<std::string> used_;
+};
+
+}  // namespace taut::drawing

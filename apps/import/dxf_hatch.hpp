@@ -1,0 +1,15 @@
+// The boundaries of HATCH and MPOLYGON.
+#pragma once
+
+#include <vector>
+
+#include "import/affine.hpp"
+#include "import/curves.hpp"
+#include "import/dxf_text.hpp"
+
+namespace taut::drawing {
+
+/// The closed boundaries of a filling. Throws InputError where they cannot be read.
+std::vector<Chain> hatch_boundaries(const DxfItem& item, const Affine& where, Flattener& flattener);
+
+}  // namespace taut::drawing

@@ -1,0 +1,55 @@
+// Which faces of a graph of lines are material.
+#pragma once
+
+#include <vector>
+
+#include "geometry/subdivision.hpp"
+#include "import/drawing.hpp"
+#include "import/line_graph.hpp"
+
+namespace taut::drawing {
+
+/// The faces of those edges of a graph that are alive.
+struct FaceMap {
+  FaceMap(const LineGraph& graph, const std::vector<bool>& alive);
+  /// The edge of the graph that a half-edge of the map lies on.
+  int edge(int h) const { return edges[static_cast<std::size_t>(h / 2)]; }
+
+  std::vector<int> edges;
+  Subdivision map;
+};
+
+/// Of each face 0, if it is empty, or the number of what it belongs to. Faces with one number are one piece where they
+/// have an edge in common.
+using FaceKeys = std::vector<int>;
+
+/// Of lines: what a block of closed contours encloses differs from what surrounds the block, so that contours in each
+/// other are outlines, holes and islands in turn. All faces of a block are alike: contours that cross, or have edges in
+/// common, divide material into parts, or are one hole. Other lines only divide; outside of all contours, what they
+/// enclose is material. `contour` has the edges of closed contours. Each face of material has a number of its own.
+FaceKeys keys_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const std::vector<bool>& contour,
+                       const FaceMap& faces);
+
+/// How contours go around a face.
+struct Turns {
+  int winding = 0;  ///< counterclockwise ones, less clockwise ones
+  int times = 0;    ///< lines to cross on the way out
+};
+
+/// Of each face.
+std::vector<Turns> turns_around(const LineGraph& graph, const FaceMap& faces);
+
+/// A connected piece of material.
+struct Region {
+  Part part;                 ///< its rings are simple, and touch each other at vertices at most
+  std::vector<int> outline;  ///< edges of the graph
+  std::vector<int> holes;    ///< an edge of each hole
+};
+
+/// In the order of their outlines' least points.
+std::vector<Region> regions_of(const FaceMap& faces, const FaceKeys& keys);
+
+/// Twice the area of a ring, positive if it runs counterclockwise; rounded.
+double doubled_area(const Polygon& ring);
+
+}  // namespace taut::drawing

@@ -1,0 +1,141 @@
+#include "import/layer_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "geometry/predicates.hpp"
+#include "geometry/segment_strips.hpp"
+
+namespace taut::drawing {
+
+namespace {
+
+struct LayerSegment {
+  Point a, b;
+  std::size_t layer;
+};
+
+double distance_to(const LayerSegment& s, const Point& p) {
+  const double x = s.b.x - s.a.x, y = s.b.y - s.a.y, length = x * x + y * y;
+  const double along = length > 0 ? std::clamp(((p.x - s.a.x) * x + (p.y - s.a.y) * y) / length, 0.0, 1.0) : 0;
+  return std::hypot(p.x - s.a.x - along * x, p.y - s.a.y - along * y);
+}
+
+/// Does the first segment reach more than `least` beyond the second one, on both sides?
+bool cross_clearly(const LayerSegment& s, const LayerSegment& t, double least) {
+  if (orientation(s.a, s.b, t.a) * orientation(s.a, s.b, t.b) >= 0) return false;
+  if (orientation(t.a, t.b, s.a) * orientation(t.a, t.b, s.b) >= 0) return false;
+  return distance_to(t, s.a) > least && distance_to(t, s.b) > least && distance_to(s, t.a) > least &&
+         distance_to(s, t.b) > least;
+}
+
+class Planner {
+ public:
+  Planner(const std::vector<LineLayer>& layers, const OutlineSettings& settings)
+      : layers_(layers), settings_(settings), set_(layers.size()) {
+    std::iota(set_.begin(), set_.end(), 0);
+    std::vector<SegmentBox> boxes;
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      for (const Chain& chain : layers[k].chains) {
+        const std::size_t n = chain.points.size();
+        for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
+          segments_.push_back({chain.points[i], chain.points[(i + 1) % n], k});
+          boxes.emplace_back(segments_.back().a, segments_.back().b);
+        }
+      }
+    }
+    strips_ = std::make_unique<SegmentStrips>(std::move(boxes));
+  }
+
+  LayerPlan plan() {
+    while (join_where_ends_meet()) {
+    }
+    find_crossings();
+    LayerPlan plan;
+    std::map<std::size_t, std::size_t> index;  // of sets
+    std::vector<std::size_t> common;
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+      if (!crossing_.count(set_[k])) common.push_back(k);
+    if (!common.empty()) plan.sets.push_back(std::move(common));
+    for (const std::size_t root : crossing_) {
+      index[root] = plan.sets.size();
+      plan.sets.emplace_back();
+      for (std::size_t k = 0; k < layers_.size(); ++k)
+        if (set_[k] == root) plan.sets.back().push_back(k);
+    }
+    for (const auto& [pair, at] : where_) plan.crossings.push_back({index.at(pair.first), index.at(pair.second), at});
+    return plan;
+  }
+
+ private:
+  bool join_where_ends_meet() {
+    std::map<std::size_t, std::vector<Chain>> chains;
+    for (std::size_t k = 0; k < layers_.size(); ++k) {
+      std::vector<Chain>& all = chains[set_[k]];
+      all.insert(all.end(), layers_[k].chains.begin(), layers_[k].chains.end());
+    }
+    bool any = false;
+    for (const auto& [root, all] : chains) {
+      if (settled_.count(root)) continue;
+      settled_.insert(root);
+      for (const Point& end : loose_ends(all, settings_)) {
+        strips_->each_near(SegmentBox(end, end, settings_.join), [&](std::size_t s) {
+          if (set_[segments_[s].layer] == set_[root] || distance_to(segments_[s], end) > settings_.join) return;
+          join(root, segments_[s].layer);
+          any = true;
+        });
+      }
+    }
+    return any;
+  }
+
+  void join(std::size_t a, std::size_t b) {
+    const std::size_t from = std::max(set_[a], set_[b]), to = std::min(set_[a], set_[b]);
+    for (std::size_t& set : set_)
+      if (set == from) set = to;
+    settled_.erase(to);
+  }
+
+  void find_crossings() {
+    strips_->each_pair([&](std::size_t i, std::size_t j) {
+      const LayerSegment &s = segments_[i], &t = segments_[j];
+      const std::size_t a = std::min(set_[s.layer], set_[t.layer]), b = std::max(set_[s.layer], set_[t.layer]);
+      if (a == b || where_.count({a, b}) || !cross_clearly(s, t, settings_.join)) return;
+      where_[{a, b}] = {(std::max(std::min(s.a.x, s.b.x), std::min(t.a.x, t.b.x)) +
+                         std::min(std::max(s.a.x, s.b.x), std::max(t.a.x, t.b.x))) /
+                            2,
+                        (std::max(std::min(s.a.y, s.b.y), std::min(t.a.y, t.b.y)) +
+                         std::min(std::max(s.a.y, s.b.y), std::max(t.a.y, t.b.y))) /
+                            2};
+      crossing_.insert(a);
+      crossing_.insert(b);
+    });
+  }
+
+  const std::vector<LineLayer>& layers_;
+  const OutlineSettings& settings_;
+  std::vector<std::size_t> set_;  ///< of each layer: the least layer of its set
+  std::vector<LayerSegment> segments_;
+  std::unique_ptr<SegmentStrips> strips_;
+  std::set<std::size_t> settled_;   ///< sets whose loose ends are known
+  std::set<std::size_t> crossing_;  ///< sets that cross another one
+  std::map<std::pair<std::size_t, std::size_t>, Point> where_;
+};
+
+}  // namespace
+
+LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings) {
+  if (layers.size() < 2) {
+    LayerPlan plan;
+    if (!layers.empty()) plan.sets.push_back({0});
+    return plan;
+  }
+  return Planner(layers, settings).plan();
+}
+
+}  // namespace taut::drawing

@@ -1,0 +1,33 @@
+// Which layers of a drawing are read together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/outlines.hpp"
+
+namespace taut::drawing {
+
+/// The lines of one layer.
+struct LineLayer {
+  std::size_t layer = 0;  ///< index in the drawing
+  std::vector<Chain> chains;
+};
+
+/// Two layers whose lines cross.
+struct LayerCrossing {
+  std::size_t first = 0, second = 0;  ///< indices of the sets
+  Point at;
+};
+
+struct LayerPlan {
+  std::vector<std::vector<std::size_t>> sets;  ///< indices of line layers that are read together
+  std::vector<LayerCrossing> crossings;        ///< of layers that are therefore read apart
+};
+
+/// Layers that have parts of one outline are read together: an end of a line in one of them meets a line of another
+/// one. Then all layers are, so that contours of one are holes in what another one encloses; but layers that cross each
+/// other are different bodies, and read apart.
+LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings);
+
+}  // namespace taut::drawing

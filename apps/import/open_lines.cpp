@@ -1,0 +1,200 @@
+#include "import/open_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "geometry/predicates.hpp"
+
+namespace taut::drawing {
+
+namespace {
+
+double span_between(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+/// Free ends in the order of the plane: end 2k is the start of line k, 2k + 1 its end.
+class FreeEnds {
+ public:
+  explicit FreeEnds(const std::vector<OpenLine>& lines) : lines_(lines) {
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      if (lines[k].free_start) ends_.push_back(2 * k);
+      if (lines[k].free_end) ends_.push_back(2 * k + 1);
+    }
+    std::sort(ends_.begin(), ends_.end(), [this](std::size_t a, std::size_t b) {
+      return lexicographically_less(at(a), at(b)) || (!lexicographically_less(at(b), at(a)) && a < b);
+    });
+    rank_.assign(2 * lines.size(), 0);
+    for (std::size_t i = 0; i < ends_.size(); ++i) rank_[ends_[i]] = i;
+    paired_.assign(2 * lines.size(), none);
+  }
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  const std::vector<std::size_t>& all() const { return ends_; }
+  const Point& at(std::size_t end) const {
+    const std::vector<Point>& points = lines_[end / 2].points;
+    return end % 2 == 0 ? points.front() : points.back();
+  }
+  std::size_t partner(std::size_t end) const { return paired_[end]; }
+
+  struct Nearest {
+    std::size_t end = none;
+    double distance = INFINITY, next = INFINITY;  ///< of the one after it
+  };
+
+  /// The nearest other end that is not paired, or none: from its place in the order, to both sides.
+  Nearest nearest(std::size_t end) const {
+    Nearest best;
+    const auto look = [&](std::size_t other) {
+      if (paired_[other] != none || !may_meet(end, other)) return;
+      const double d = span_between(at(end), at(other));
+      if (d < best.distance)
+        best = {other, d, best.distance};
+      else
+        best.next = std::min(best.next, d);
+    };
+    std::size_t below = rank_[end], above = rank_[end] + 1;
+    for (bool more = true; more;) {
+      more = false;
+      if (below > 0 && at(end).x - at(ends_[below - 1]).x < best.next) {
+        look(ends_[--below]);
+        more = true;
+      }
+      if (above < ends_.size() && at(ends_[above]).x - at(end).x < best.next) {
+        look(ends_[above++]);
+        more = true;
+      }
+    }
+    return best;
+  }
+
+  void pair() {
+    using Entry = std::tuple<double, std::size_t, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const auto push = [&](std::size_t end) {
+      const Nearest other = nearest(end);
+      if (other.end != none) queue.emplace(other.distance, end, other.end);
+    };
+    for (const std::size_t end : ends_) push(end);
+    while (!queue.empty()) {
+      const auto [distance, end, other] = queue.top();
+      queue.pop();
+      if (paired_[end] != none) continue;
+      if (paired_[other] != none) {
+        push(end);
+        continue;
+      }
+      paired_[end] = other;
+      paired_[other] = end;
+    }
+  }
+
+ private:
+  /// The ends of one straight line do not meet: that encloses nothing.
+  bool may_meet(std::size_t a, std::size_t b) const {
+    if (a == b) return false;
+    if (a / 2 != b / 2) return true;
+    const std::vector<Point>& points = lines_[a / 2].points;
+    const Point &p = points.front(), &q = points.back();
+    return std::any_of(points.begin(), points.end(), [&](const Point& r) { return orientation(p, q, r) != 0; });
+  }
+
+  const std::vector<OpenLine>& lines_;
+  std::vector<std::size_t> ends_, rank_, paired_;
+};
+
+}  // namespace
+
+double OpenLine::length() const {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) sum += span_between(points[i], points[i + 1]);
+  return sum;
+}
+
+std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>& all,
+                                 const std::vector<bool>& removed) {
+  const Incidence whole(graph, all), left(graph, removed);
+  std::vector<OpenLine> lines;
+  std::vector<bool> used(graph.edges.size(), false);
+  const auto passes = [&](int node) { return whole.degree(node) == 2 && left.degree(node) == 2; };
+  for (int node = 0; node < static_cast<int>(graph.nodes.size()); ++node) {
+    if (passes(node)) continue;
+    for (const int* out = left.begin(node); out != left.end(node); ++out) {
+      int h = *out;
+      if (used[static_cast<std::size_t>(h / 2)]) continue;
+      OpenLine line;
+      line.points.push_back(graph.point(node));
+      line.source = graph.edge(h).source;
+      line.free_start = whole.degree(node) == 1;
+      for (;;) {
+        used[static_cast<std::size_t>(h / 2)] = true;
+        const int there = graph.target(h);
+        line.points.push_back(graph.point(there));
+        line.free_end = whole.degree(there) == 1;
+        if (!passes(there)) break;
+        h = left.begin(there)[0] == (h ^ 1) ? left.begin(there)[1] : left.begin(there)[0];
+      }
+      lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+std::vector<Closure> find_closures(std::vector<OpenLine>& lines) {
+  FreeEnds ends(lines);
+  for (const std::size_t end : ends.all()) {
+    const FreeEnds::Nearest other = ends.nearest(end);
+    if (other.end == FreeEnds::none) continue;
+    OpenLine& line = lines[end / 2];
+    (end % 2 == 0 ? line.nearest_start : line.nearest_end) = ends.at(other.end);
+    (end % 2 == 0 ? line.gap_start : line.gap_end) = other.distance;
+    (end % 2 == 0 ? line.next_start : line.next_end) = other.next;
+  }
+  ends.pair();
+  std::vector<Closure> closures;
+  std::vector<bool> used(lines.size(), false);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (used[k]) continue;
+    Closure closure;
+    closure.clearness = INFINITY;
+    std::size_t end = 2 * k;
+    for (;;) {
+      const OpenLine& line = lines[end / 2];
+      used[end / 2] = true;
+      closure.lines.push_back(end / 2);
+      closure.line_length += line.length();
+      std::vector<Point> points = line.points;
+      if (end % 2 == 1) std::reverse(points.begin(), points.end());
+      closure.ring.insert(closure.ring.end(), points.begin(), points.end());
+      const std::size_t exit = end ^ 1, next = ends.partner(exit);
+      if (next == FreeEnds::none) break;
+      closure.gaps.push_back({ends.at(exit), ends.at(next)});
+      const double width = span_between(ends.at(exit), ends.at(next));
+      closure.gap_length += width;
+      for (const std::size_t e : {exit, next}) {
+        const double other = e % 2 == 0 ? lines[e / 2].next_start : lines[e / 2].next_end;
+        closure.clearness = std::min(closure.clearness, other / width);
+      }
+      if (next == 2 * k) {
+        closures.push_back(std::move(closure));
+        break;
+      }
+      if (used[next / 2]) break;
+      end = next;
+    }
+  }
+  return closures;
+}
+
+bool roughly_inside(const Polygon& ring, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace taut::drawing

@@ -1,0 +1,43 @@
+// Lines that enclose nothing, and what they would enclose if they were closed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "import/line_graph.hpp"
+
+namespace taut::drawing {
+
+/// A line that stays open: from one end, or place where it meets others, to the next.
+struct OpenLine {
+  std::vector<Point> points;
+  std::size_t source = 0;                     ///< index of the chain that it begins with
+  bool free_start = false, free_end = false;  ///< does the end meet no other line?
+  Point nearest_start, nearest_end;           ///< of free ends: the nearest other free end
+  double gap_start = -1, gap_end = -1;        ///< how far away that is; below 0 if there is none
+  double next_start = 0, next_end = 0;        ///< how far away the one after it is
+
+  double length() const;
+};
+
+/// A ring of open lines and of the straight gaps between their free ends.
+struct Closure {
+  std::vector<std::size_t> lines;  ///< indices, in order
+  std::vector<std::pair<Point, Point>> gaps;
+  Polygon ring;
+  double gap_length = 0, line_length = 0;
+  /// Of any gap: how many times farther away than its two ends are from each other the next free end is, at least.
+  double clearness = 0;
+};
+
+/// The lines that those edges make which are in `removed`; `all` of the graph's edges say where lines meet others.
+std::vector<OpenLine> open_lines(const LineGraph& graph, const std::vector<bool>& all,
+                                 const std::vector<bool>& removed);
+
+/// Pairs free ends, nearest first, and finds the rings that come of it. Fills in the nearest ends.
+std::vector<Closure> find_closures(std::vector<OpenLine>& lines);
+
+/// Is p inside of a ring that may cross itself, by the even-odd rule? In doubles: near the ring it may err.
+bool roughly_inside(const Polygon& ring, const Point& p);
+
+}  // namespace taut::drawing

@@ -1,0 +1,307 @@
+#include "import/outlines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "geometry/predicates.hpp"
+#include "geometry/segment_strips.hpp"
+#include "geometry/touching_rings.hpp"
+
+namespace taut::drawing {
+
+namespace {
+
+/// Moved ends may come near to others: rarely more than twice.
+constexpr int most_joinings = 12;
+/// An open ring whose gaps are no longer than this part of its lines is taken for one that was meant to be closed, if
+/// no other ends are nearly as near; one that encloses closed contours, if they are no longer than half of its lines.
+constexpr double small_gap = 0.1, large_gap = 0.5, clear_gap = 2;
+
+std::vector<Strand> strands_of(const std::vector<Chain>& chains) {
+  std::vector<Strand> strands;
+  for (std::size_t k = 0; k < chains.size(); ++k) {
+    Strand strand{chains[k].points, chains[k].closed, k};
+    if (strand.points.size() > 2 && strand.points.front() == strand.points.back()) {
+      strand.points.pop_back();
+      strand.closed = true;
+    }
+    strands.push_back(std::move(strand));
+  }
+  return strands;
+}
+
+class OutlineMaker {
+ public:
+  OutlineMaker(std::vector<Strand> strands, const OutlineSettings& settings)
+      : settings_(settings), strands_(std::move(strands)) {}
+
+  Outlines of_lines() {
+    join();
+    prune(true);
+    find_suspicious();
+    if (settings_.close && !out_.suspicious.empty()) close();
+    mend();
+    if (!any_alive()) return std::move(out_);
+    const FaceMap faces(graph_, alive_);
+    finish(faces, keys_of_lines(graph_, alive_, contours(), faces));
+    return std::move(out_);
+  }
+
+  Outlines of_fill(Fill fill) {
+    graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
+    alive_.assign(graph_.edges.size(), true);
+    prune(false);
+    if (cut_loops(graph_, alive_, settings_.repair, out_.repairs)) prune(false);
+    if (!any_alive()) return std::move(out_);
+    const FaceMap faces(graph_, alive_);
+    FaceKeys keys;
+    for (const Turns& turns : turns_around(graph_, faces))
+      keys.push_back((fill == Fill::nonzero ? turns.winding != 0 : turns.times % 2 != 0) ? 1 : 0);
+    finish(faces, keys);
+    return std::move(out_);
+  }
+
+  Outlines of_repair() {
+    graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
+    alive_.assign(graph_.edges.size(), true);
+    prune(false);
+    if (cut_loops(graph_, alive_, settings_.repair, out_.repairs)) prune(false);
+    if (!any_alive()) return std::move(out_);
+    const FaceMap faces(graph_, alive_);
+    const std::vector<Turns> turns = turns_around(graph_, faces);
+    FaceKeys keys;
+    for (const Turns& face : turns) keys.push_back(face.winding > 0 ? 1 : 0);
+    std::map<int, std::pair<int, SegmentBox>> changed;  // faces: a half-edge, and the box around
+    for (int h = 0; h < faces.map.half_edges(); ++h) {
+      const int f = faces.map.face(h);
+      const Turns& face = turns[static_cast<std::size_t>(f)];
+      if ((face.winding > 0) == (face.times % 2 != 0)) continue;
+      const SegmentBox box(faces.map.point(faces.map.origin(h)), faces.map.point(faces.map.target(h)));
+      changed.try_emplace(f, h, box).first->second.second.include(box);
+    }
+    for (const auto& [face, place] : changed)
+      out_.repairs.push_back({Repair::Kind::crossing, faces.map.point(faces.map.origin(place.first)),
+                              place.second.extent(),
+                              graph_.edges[static_cast<std::size_t>(faces.edge(place.first))].source});
+    finish(faces, keys);
+    return std::move(out_);
+  }
+
+  std::vector<Point> loose() {
+    join();
+    std::vector<Point> ends;
+    const Incidence incidence(graph_, alive_);
+    for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node)
+      if (incidence.degree(node) == 1) ends.push_back(graph_.point(node));
+    return ends;
+  }
+
+ private:
+  bool any_alive() const { return std::find(alive_.begin(), alive_.end(), true) != alive_.end(); }
+
+  void join() {
+    graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
+    for (int k = 0; k < most_joinings && close_gaps(strands_, graph_, settings_.join, out_.gaps); ++k)
+      graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
+    alive_.assign(graph_.edges.size(), true);
+    out_.repeated = 0;
+    for (const LineGraph::Edge& edge : graph_.edges) out_.repeated += static_cast<std::size_t>(edge.times - 1);
+  }
+
+  /// Edges on no cycle enclose nothing.
+  void prune(bool report) {
+    const std::vector<bool> before = alive_;
+    std::vector<bool> removed(alive_.size(), false);
+    const std::vector<int> block = blocks_of(graph_, alive_);
+    std::vector<int> size(graph_.edges.size(), 0);
+    for (const int b : block)
+      if (b >= 0) ++size[static_cast<std::size_t>(b)];
+    for (std::size_t e = 0; e < block.size(); ++e) {
+      if (block[e] < 0 || size[static_cast<std::size_t>(block[e])] > 1) continue;
+      alive_[e] = false;
+      removed[e] = true;
+    }
+    if (!report) return;
+    out_.open = open_lines(graph_, before, removed);
+    // Lines drawn a little beyond a crossing, and specks.
+    std::erase_if(out_.open, [this](const OpenLine& line) { return line.length() <= settings_.join; });
+  }
+
+  void find_suspicious() {
+    std::vector<Point> enclosed;
+    for (std::size_t e = 0; e < alive_.size(); ++e)
+      if (alive_[e]) enclosed.push_back(graph_.point(graph_.edges[e].from));
+    std::sort(enclosed.begin(), enclosed.end(), lexicographically_less);
+    enclosed.erase(std::unique(enclosed.begin(), enclosed.end()), enclosed.end());
+    for (Closure& closure : find_closures(out_.open)) {
+      const double around = closure.line_length + closure.gap_length;
+      if (std::fabs(doubled_area(closure.ring)) <= settings_.join * around) continue;
+      const bool clear = closure.gap_length <= small_gap * closure.line_length && closure.clearness >= clear_gap;
+      const bool meant =
+          clear || (closure.gap_length <= large_gap * closure.line_length && holds_any(closure.ring, enclosed));
+      if (meant || (settings_.close && closure.gap_length <= closure.line_length))
+        out_.suspicious.push_back(std::move(closure));
+    }
+  }
+
+  static bool holds_any(const Polygon& ring, const std::vector<Point>& points) {
+    SegmentBox box(ring[0], ring[0]);
+    for (const Point& p : ring) box.include(SegmentBox(p, p));
+    auto p = std::lower_bound(points.begin(), points.end(), Point{box.lo_x, box.lo_y}, lexicographically_less);
+    for (; p != points.end() && p->x <= box.hi_x; ++p)
+      if (box.meets(SegmentBox(*p, *p)) && roughly_inside(ring, *p)) return true;
+    return false;
+  }
+
+  void close() {
+    for (Closure& closure : out_.suspicious) {
+      const std::size_t source = out_.open[closure.lines.front()].source;
+      for (const auto& [from, to] : closure.gaps) strands_.push_back({{from, to}, false, source});
+      out_.closed.emplace_back(source, std::move(closure));
+    }
+    out_.suspicious.clear();
+    join();
+    prune(true);
+    find_closures(out_.open);
+  }
+
+  void mend() {
+    while (mend_lines(graph_, alive_, settings_.join, settings_.repair, out_.repairs)) prune(false);
+  }
+
+  /// The edges of chains that are closed, by themselves or since exactly two ends meet.
+  std::vector<bool> contours() const {
+    std::vector<bool> contour(graph_.edges.size(), false);
+    // Lines drawn a little beyond a corner go as far as it.
+    const auto lives = [this](int h) { return alive_[static_cast<std::size_t>(h / 2)]; };
+    std::vector<std::vector<int>> walks;
+    for (const std::vector<int>& walk : graph_.walks) {
+      const auto first = std::find_if(walk.begin(), walk.end(), lives);
+      const auto last = std::find_if(walk.rbegin(), walk.rend(), lives).base();
+      const bool whole = first < last && std::all_of(first, last, lives);
+      walks.push_back(whole ? std::vector<int>(first, last) : std::vector<int>());
+    }
+    const auto mark = [&](const std::vector<int>& walk) {
+      for (const int h : walk) contour[static_cast<std::size_t>(h / 2)] = true;
+    };
+    // Open chains by their ends; of those that run along the same edges, one.
+    std::map<int, std::vector<std::size_t>> ends;
+    std::set<std::vector<int>> known;
+    for (std::size_t s = 0; s < walks.size(); ++s) {
+      const std::vector<int>& walk = walks[s];
+      if (walk.empty()) continue;
+      const int from = graph_.origin(walk.front()), to = graph_.target(walk.back());
+      if (from == to) {
+        mark(walk);
+        continue;
+      }
+      std::vector<int> edges;
+      for (const int h : walk) edges.push_back(h / 2);
+      std::sort(edges.begin(), edges.end());
+      if (!known.insert(edges).second) continue;
+      ends[from].push_back(2 * s);
+      ends[to].push_back(2 * s + 1);
+    }
+    std::set<std::size_t> used;
+    for (const auto& [node, here] : ends) {
+      for (const std::size_t start : here) {
+        if (used.count(start / 2)) continue;
+        std::vector<std::size_t> ring;
+        std::size_t end = start;
+        for (;;) {
+          ring.push_back(end / 2);
+          const std::size_t exit = end ^ 1;
+          const std::vector<int>& walk = walks[exit / 2];
+          const int there = exit % 2 == 0 ? graph_.origin(walk.front()) : graph_.target(walk.back());
+          const std::vector<std::size_t>& meeting = ends[there];
+          if (meeting.size() != 2) break;
+          end = meeting[0] == exit ? meeting[1] : meeting[0];
+          if (end == start) {
+            for (const std::size_t s : ring) mark(walks[s]);
+            break;
+          }
+          if (ring.size() > walks.size()) break;
+        }
+        used.insert(ring.begin(), ring.end());
+      }
+    }
+    return contour;
+  }
+
+  void finish(const FaceMap& faces, const FaceKeys& keys) {
+    out_.regions = regions_of(faces, keys);
+    for (Region& region : out_.regions) {
+      as_drawn(region.part.outline, region.outline.front());
+      for (std::size_t k = 0; k < region.holes.size(); ++k) as_drawn(region.part.holes[k], region.holes[k]);
+      std::map<std::size_t, double> lengths;
+      for (const int e : region.outline)
+        lengths[graph_.edges[static_cast<std::size_t>(e)].source] += graph_.length(2 * e);
+      out_.sources.push_back(std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
+                               return a.second < b.second;
+                             })->first);
+      out_.hole_sources.emplace_back();
+      for (const int e : region.holes)
+        out_.hole_sources.back().push_back(graph_.edges[static_cast<std::size_t>(e)].source);
+    }
+    std::vector<bool> bounds(graph_.edges.size(), false);
+    for (int h = 0; h < faces.map.half_edges(); ++h) {
+      const auto key = [&](int g) { return keys[static_cast<std::size_t>(faces.map.face(g))]; };
+      if (key(h) != key(h ^ 1)) bounds[static_cast<std::size_t>(faces.edge(h))] = true;
+      if (h % 2 == 0 && key(h) != 0 && key(h ^ 1) != 0 && key(h) != key(h ^ 1) && out_.cuts++ == 0)
+        out_.first_cut = faces.map.point(faces.map.origin(h));
+    }
+    for (std::size_t s = 0; s < graph_.walks.size(); ++s) {
+      const std::vector<int>& walk = graph_.walks[s];
+      const auto in = [](const std::vector<bool>& set) {
+        return [&set](int h) { return set[static_cast<std::size_t>(h / 2)]; };
+      };
+      if (std::none_of(walk.begin(), walk.end(), in(alive_)))
+        out_.empty.push_back(strands_[s].source);
+      else if (std::none_of(walk.begin(), walk.end(), in(bounds)))
+        out_.idle.push_back(strands_[s].source);
+    }
+  }
+
+  /// A ring that is one chain has its vertices in the order of the chain.
+  void as_drawn(Polygon& ring, int edge) const {
+    const std::size_t source = graph_.edges[static_cast<std::size_t>(edge)].source;
+    Polygon chain = strands_[source].points;
+    chain.erase(std::unique(chain.begin(), chain.end()), chain.end());
+    if (chain.size() != ring.size()) return;
+    Polygon turned = ring;
+    if (ring_direction(chain) != ring_direction(ring)) std::reverse(turned.begin(), turned.end());
+    std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), chain.front()), turned.end());
+    if (turned == chain) ring = std::move(chain);
+  }
+
+  const OutlineSettings& settings_;
+  std::vector<Strand> strands_;
+  LineGraph graph_;
+  std::vector<bool> alive_;  ///< edges that may still bound something
+  Outlines out_;
+};
+
+}  // namespace
+
+Outlines outlines_of_lines(const std::vector<Chain>& chains, const OutlineSettings& settings) {
+  return OutlineMaker(strands_of(chains), settings).of_lines();
+}
+
+Outlines outlines_of_fill(const std::vector<Chain>& chains, Fill fill, const OutlineSettings& settings) {
+  std::vector<Strand> strands = strands_of(chains);
+  for (Strand& strand : strands) strand.closed = true;
+  return OutlineMaker(std::move(strands), settings).of_fill(fill);
+}
+
+Outlines outlines_of_repair(const std::vector<Chain>& rings, const OutlineSettings& settings) {
+  return OutlineMaker(strands_of(rings), settings).of_repair();
+}
+
+std::vector<Point> loose_ends(const std::vector<Chain>& chains, const OutlineSettings& settings) {
+  return OutlineMaker(strands_of(chains), settings).loose();
+}
+
+}  // namespace taut::drawing

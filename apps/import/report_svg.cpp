@@ -1,0 +1,131 @@
+// A picture of what was read, and of what a person has to look at.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "import/import.hpp"
+#include "io/svg_canvas.hpp"
+#include "taut/outline.hpp"
+
+namespace taut::drawing {
+
+namespace {
+
+constexpr int picture_width = 1000;
+constexpr double legend_height = 26;
+const char* const body_color = "#c9d3dc";
+const char* const open_color = "#d62828";
+const char* const gap_color = "#e07b00";
+const char* const repair_color = "#2a6fdb";
+
+/// The rings of a body as polygons: of curves, their ends do.
+std::vector<Polygon> rings_of(const Body& body) {
+  std::vector<Polygon> rings;
+  const auto add = [&rings](const Part& part) {
+    rings.push_back(part.outline);
+    rings.insert(rings.end(), part.holes.begin(), part.holes.end());
+  };
+  if (!body.polygon.empty()) rings.push_back(body.polygon);
+  for (const Part& part : body.parts) add(part);
+  if (!body.curves.empty())
+    for (const Part& part : flatten(body.curves, CurveSide::outer, 1e300, body.name)) add(part);
+  return rings;
+}
+
+class ReportPicture {
+ public:
+  explicit ReportPicture(const Import& import) : import_(import), canvas_(points(), picture_width, legend_height, 0) {}
+
+  std::string draw() const {
+    std::string s = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" "
+        "fill=\"#fff\"/>\n",
+        canvas_.width(), canvas_.height());
+    for (std::size_t b = 0; b < import_.scene.bodies.size(); ++b) s += body(import_.scene.bodies[b]);
+    for (const FileReport& file : import_.files) s += marks(file);
+    return s + legend() + "</svg>\n";
+  }
+
+ private:
+  std::vector<Point> points() const {
+    std::vector<Point> all;
+    for (const BodyReport& body : import_.bodies) all.insert(all.end(), {body.low, body.high});
+    for (const FileReport& file : import_.files)
+      for (const OpenReport& open : file.open) all.insert(all.end(), open.points.begin(), open.points.end());
+    if (all.empty()) all = {{0, 0}, {1, 1}};
+    return all;
+  }
+
+  std::string line_path(const std::vector<Point>& line) const {
+    std::string d;
+    for (const Point& p : line) d += (d.empty() ? "M" : "L") + io::pixel_text(canvas_.pixel(p));
+    return d;
+  }
+
+  std::string body(const Body& body) const {
+    std::string d;
+    for (const Polygon& ring : rings_of(body)) {
+      std::vector<Point> pixels;
+      for (const Point& p : ring) pixels.push_back(canvas_.pixel(p));
+      d += io::outline_path(pixels);
+    }
+    return fmt::format(
+        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#46566a\" stroke-width=\"0.8\"><title>{}"
+        "</title></path>\n",
+        d, body_color, io::escape_xml(body.name));
+  }
+
+  std::string mark(const Point& at, const char* color, const std::string& title) const {
+    const Point p = canvas_.pixel(at);
+    return fmt::format(
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"none\" stroke=\"{}\" "
+        "stroke-width=\"1.5\"><title>{}</title></circle>\n",
+        p.x, p.y, color, io::escape_xml(title));
+  }
+
+  std::string marks(const FileReport& file) const {
+    std::string s;
+    for (const OpenReport& open : file.open) {
+      s += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"><title>open: {}</title></path>\n",
+                       line_path(open.points), open_color, io::escape_xml(open.place));
+      for (const Point& end : {open.points.front(), open.points.back()}) {
+        const Point p = canvas_.pixel(end);
+        s += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3\" fill=\"{}\"/>\n", p.x, p.y, open_color);
+      }
+    }
+    for (const auto* rings : {&file.suspicious, &file.closed})
+      for (const RingReport& ring : *rings)
+        for (const auto& [from, to] : ring.gaps)
+          s += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"5 4\"/>\n",
+                           line_path({from, to}), open_color);
+    for (const GapReport& gap : file.gaps)
+      s += mark(gap.from, gap_color, fmt::format("a gap of {:.3g}, closed: {}", gap.width, gap.place));
+    for (const RepairReport& repair : file.repairs)
+      s += mark(repair.at, repair_color, fmt::format("a {} of {:.3g}: {}", repair.what, repair.size, repair.place));
+    return s;
+  }
+
+  std::string legend() const {
+    std::size_t open = 0, gaps = 0, repairs = 0;
+    for (const FileReport& file : import_.files) {
+      open += file.open.size();
+      gaps += file.gaps.size();
+      repairs += file.repairs.size();
+    }
+    return fmt::format(
+        "<text x=\"24\" y=\"20\">{} bodies <tspan fill=\"{}\" dx=\"12\">open lines: {}</tspan> <tspan "
+        "fill=\"{}\" dx=\"12\">gaps closed: {}</tspan> <tspan fill=\"{}\" dx=\"12\">cut off: {}</tspan>"
+        "</text>\n",
+        import_.bodies.size(), open_color, open, gap_color, gaps, repair_color, repairs);
+  }
+
+  const Import& import_;
+  io::SvgCanvas canvas_;
+};
+
+}  // namespace
+
+std::string report_svg(const Import& import) { return ReportPicture(import).draw(); }
+
+}  // namespace taut::drawing

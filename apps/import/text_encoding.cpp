@@ -1,0 +1,83 @@
+#include "import/text_encoding.hpp"
+
+#include <iconv.h>
+
+#include <cstddef>
+
+namespace taut::drawing {
+
+namespace {
+
+const char* const replacement = "\xEF\xBF\xBD";
+
+/// How many bytes the character at i has; 0 if there is none.
+std::size_t utf8_length(const std::string& s, std::size_t i) {
+  const auto byte = [&s](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
+  const unsigned c = byte(i);
+  if (c < 0x80) return 1;
+  const std::size_t n = c >= 0xC2 && c < 0xE0 ? 2 : c >= 0xE0 && c < 0xF0 ? 3 : c >= 0xF0 && c < 0xF5 ? 4 : 0;
+  for (std::size_t k = 1; k < n; ++k)
+    if ((byte(i + k) & 0xC0) != 0x80) return 0;
+  // Spelled too long, surrogates, and beyond Unicode.
+  const unsigned second = byte(i + 1);
+  if ((c == 0xE0 && second < 0xA0) || (c == 0xED && second > 0x9F)) return 0;
+  if ((c == 0xF0 && second < 0x90) || (c == 0xF4 && second > 0x8F)) return 0;
+  return n;
+}
+
+std::string valid_part(const std::string& text) {
+  std::string s;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t n = utf8_length(text, i);
+    s += n == 0 ? replacement : text.substr(i, n);
+    i += n == 0 ? 1 : n;
+  }
+  return s;
+}
+
+}  // namespace
+
+bool is_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t n = utf8_length(text, i);
+    if (n == 0) return false;
+    i += n;
+  }
+  return true;
+}
+
+std::string to_utf8(const std::string& text, const std::string& encoding) {
+  const iconv_t converter = iconv_open("UTF-8", encoding.c_str());
+  if (converter == reinterpret_cast<iconv_t>(-1)) return valid_part(text);
+  std::string in = text, out;
+  char* from = in.data();
+  for (std::size_t left = in.size(); left > 0;) {
+    char buffer[256];
+    char* to = buffer;
+    std::size_t room = sizeof buffer;
+    const std::size_t before = left;
+    const bool stuck = iconv(converter, &from, &left, &to, &room) == static_cast<std::size_t>(-1);
+    out.append(buffer, to);
+    if (!stuck || left < before) continue;
+    out += replacement;
+    ++from;
+    --left;
+  }
+  iconv_close(converter);
+  return valid_part(out);
+}
+
+std::string utf8_of(unsigned long c) {
+  std::string s;
+  if (c < 0x80) return std::string(1, static_cast<char>(c));
+  if (c < 0x800) return {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))};
+  if (c < 0x10000) s += static_cast<char>(0xE0 | (c >> 12));
+  if (c >= 0x10000) {
+    s += static_cast<char>(0xF0 | (c >> 18));
+    s += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
+  }
+  s += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+  return s + static_cast<char>(0x80 | (c & 0x3F));
+}
+
+}  // namespace taut::drawing

@@ -1,0 +1,17 @@
+// Names in drawings, as UTF-8.
+#pragma once
+
+#include <string>
+
+namespace taut::drawing {
+
+bool is_utf8(const std::string& text);
+
+/// The text in UTF-8, from an encoding that iconv knows, such as CP1252. What is not in that encoding, or what iconv
+/// does not know, becomes U+FFFD, a character for each byte.
+std::string to_utf8(const std::string& text, const std::string& encoding);
+
+/// A character as UTF-8.
+std::string utf8_of(unsigned long character);
+
+}  // namespace taut::drawing

@@ -1,0 +1,402 @@
+// Lines as people draw them: twice, not quite to the end, on any layer, across each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "support/drawings.hpp"
+#include "taut/error.hpp"
+
+namespace taut {
+namespace {
+
+using drawing::Import;
+using drawing::ImportSettings;
+using testing::DxfText;
+using testing::examine;
+using testing::totals_of;
+
+void expect_totals(const Import& import, double area, std::size_t parts, std::size_t holes, double within = 1e-9) {
+  const testing::Totals totals = totals_of(import);
+  EXPECT_TRUE(import.faults.empty()) << import.faults.front().what();
+  EXPECT_NEAR(totals.area, area, within) << drawing::report_text(import, {});
+  EXPECT_EQ(totals.parts, parts) << drawing::report_text(import, {});
+  EXPECT_EQ(totals.holes, holes) << drawing::report_text(import, {});
+}
+
+/// Inputs that were reported, with the areas that are right.
+TEST(ImportPlanar, ReadsWhatWasReported) {
+  const std::filesystem::path folder = "../shared/reports";
+  if (!std::filesystem::exists(folder))
+    GTEST_SKIP() << "the inputs that were reported are not here (../shared/reports)";
+  struct Report {
+    const char* file;
+    double area, within;
+    std::size_t bodies, parts, holes;
+  };
+  constexpr double disc = 3.14159265358979323846 * 16;
+  for (const Report& r : std::vector<Report>{{"one_line_twice_outline_lost.dxf", 400 - disc, 0.3, 1, 1, 1},
+                                             {"one_line_twice_refused.dxf", 400, 0, 1, 1, 0},
+                                             {"dup_circle_hole.dxf", 400 - disc, 0.3, 1, 1, 1},
+                                             {"boxes_corner_loop.svg", 400, 1e-9, 1, 1, 0},
+                                             {"gap_outline.svg", 6400, 0.1, 1, 1, 1},
+                                             {"holes_on_other_layer.dxf", 2173.8, 1, 1, 1, 2},
+                                             {"style_entities.svg", 6400, 0, 1, 1, 1},
+                                             {"metre_plate.dxf", 2173.8e-6, 1e-6, 1, 1, 2},
+                                             {"repeat_vertex.geojson", 12, 0, 1, 1, 0},
+                                             {"hole_touches_outline.wkt", 94, 1e-12, 1, 3, 0},
+                                             {"two_geometries.wkt", 1, 0, 1, 2, 0},
+                                             {"shared_edge.dxf", 800, 0, 1, 2, 0},
+                                             {"latin1_layers.dxf", 200, 0, 2, 2, 0},
+                                             {"fit_spline_stops_import.dxf", 2035.7, 0.1, 1, 2, 1}}) {
+    SCOPED_TRACE(r.file);
+    const Import import = drawing::examine_files({(folder / r.file).string()}, {});
+    expect_totals(import, r.area, r.parts, r.holes, r.within);
+    EXPECT_EQ(import.bodies.size(), r.bodies);
+  }
+  const Import latin = drawing::examine_files({(folder / "latin1_layers.dxf").string()}, {});
+  EXPECT_EQ(latin.bodies.at(0).name,
+            "pi\xC3\xA8"
+            "ce");
+  EXPECT_EQ(latin.bodies.at(1).name,
+            "pi\xC3\xA9"
+            "ce");
+  const Import spline = drawing::examine_files({(folder / "fit_spline_stops_import.dxf").string()}, {});
+  ASSERT_EQ(spline.files[0].skipped.size(), 1u);
+  EXPECT_EQ(spline.files[0].skipped[0].what, "SPLINE");
+  EXPECT_EQ(spline.files[0].skipped[0].layer, "0");
+  EXPECT_FALSE(spline.files[0].skipped[0].handle.empty());
+  EXPECT_TRUE(spline.files[0].skipped[0].unread);
+}
+
+TEST(ImportPlanar, CountsWhatIsDrawnTwiceOnce) {
+  DxfText twice;
+  twice.box({0, 0}, {20, 20}).line({20, 0}, {0, 0}).line({5, 0}, {9, 0}).circle({10, 10}, 4).circle({10, 10}, 4);
+  const Import import = examine(twice);
+  expect_totals(import, 400 - 16 * 3.14159265, 1, 1, 0.3);
+  EXPECT_GT(import.files[0].repeated, 2u);
+  EXPECT_TRUE(import.files[0].open.empty());
+}
+
+TEST(ImportPlanar, TakesNearlyEqualLinesForOne) {
+  DxfText near;
+  near.box({0, 0}, {20, 20}).line({0, 0.001}, {20, 0.002}).circle({10, 10}, 4).circle({10.001, 10}, 4);
+  expect_totals(examine(near), 400 - 16 * 3.14159265, 1, 1, 0.4);
+  // Concentric, the smaller one within the larger one: no ring that is 0.002 wide.
+  DxfText rings;
+  rings.circle({0, 0}, 5).circle({0, 0}, 4.998);
+  const Import import = examine(rings);
+  expect_totals(import, 25 * 3.14159265, 1, 0, 0.3);
+  ASSERT_EQ(import.files[0].repairs.size(), 1u);
+  EXPECT_EQ(import.files[0].repairs[0].what, "sliver");
+  EXPECT_NEAR(import.files[0].repairs[0].size, 0.002, 0.0002);
+}
+
+TEST(ImportPlanar, DividesAtCutsThatPartsShare) {
+  DxfText shared;
+  shared.box({0, 0}, {20, 20}).line({20, 0}, {40, 0}).line({40, 0}, {40, 20}).line({40, 20}, {20, 20});
+  expect_totals(examine(shared), 800, 2, 0);
+  DxfText polylines;
+  polylines.polyline({{0, 0}, {20, 0}, {20, 20}, {0, 20}}, true).polyline({{20, 5}, {40, 5}, {40, 30}, {20, 30}}, true);
+  expect_totals(examine(polylines), 900, 2, 0);
+  // A line across, with ends on both sides, one of them a little short.
+  DxfText across;
+  across.box({0, 0}, {20, 20}).line({0, 7}, {19.99, 7});
+  const Import import = examine(across);
+  expect_totals(import, 400, 2, 0);
+  ASSERT_EQ(import.files[0].gaps.size(), 1u);
+  EXPECT_NEAR(import.files[0].gaps[0].width, 0.01, 1e-9);
+}
+
+TEST(ImportPlanar, CutsCrossingContoursIntoTheAreasBetweenThem) {
+  DxfText cross;
+  cross.polyline({{0, 4}, {10, 4}, {10, 6}, {0, 6}}, true).polyline({{4, 0}, {6, 0}, {6, 10}, {4, 10}}, true);
+  expect_totals(examine(cross), 36, 5, 0);
+  // Within a plate they are one hole.
+  cross.box({-5, -5}, {15, 15});
+  expect_totals(examine(cross), 400 - 36, 1, 1);
+}
+
+TEST(ImportPlanar, DoesNotFillHolesThroughWhichLinesRun) {
+  DxfText plate;
+  plate.box({0, 0}, {20, 20}).box({5, 5}, {9, 9}).box({12, 5}, {16, 9});
+  // Marks of the middle, one from side to side of the plate, one in a hole, one that ends in the material.
+  plate.line({-3, 7}, {23, 7}).line({14, 5}, {14, 9}).line({7, 3}, {7, 11});
+  expect_totals(examine(plate), 400 - 32, 2, 0);
+}
+
+TEST(ImportPlanar, NestsContoursThatTouchAtAPoint) {
+  DxfText inside;
+  inside.box({0, 0}, {10, 10}).polyline({{5, 0}, {7, 3}, {3, 3}}, true);
+  expect_totals(examine(inside), 94, 3, 0);
+  DxfText holes;
+  holes.box({0, 0}, {10, 10}).polyline({{5, 5}, {7, 8}, {3, 8}}, true).polyline({{5, 5}, {3, 2}, {7, 2}}, true);
+  expect_totals(examine(holes), 100 - 12, 4, 0);
+  DxfText bow;
+  bow.polyline({{0, 0}, {2, 2}, {2, 0}, {0, 2}}, true);
+  expect_totals(examine(bow), 2, 2, 0);
+}
+
+TEST(ImportPlanar, CutsOffLoopsAndOvershoots) {
+  DxfText loops;
+  loops.polyline({{0, 0}, {10.05, 0}, {10.05, 0.03}, {10, -0.02}, {10, 10}, {0, 10}}, true);
+  const Import import = examine(loops);
+  expect_totals(import, 100, 1, 0, 0.01);
+  // Above and below the lower side.
+  ASSERT_EQ(import.files[0].repairs.size(), 2u);
+  EXPECT_EQ(import.files[0].repairs[0].what, "loop");
+  EXPECT_NEAR(import.files[0].repairs[0].at.x, 10, 0.03);
+  DxfText over;
+  over.line({-0.01, 0}, {10.01, 0})
+      .line({10, -0.01}, {10, 10.01})
+      .line({10.01, 10}, {-0.01, 10})
+      .line({0, 10.01}, {0, -0.01});
+  const Import trimmed = examine(over);
+  expect_totals(trimmed, 100, 1, 0);
+  EXPECT_TRUE(trimmed.files[0].open.empty());
+}
+
+DxfText broken_outline() {
+  DxfText broken;
+  broken.line({0, 0}, {20, 0})
+      .line({20, 0}, {20, 20})
+      .line({20, 20}, {0.5, 20})
+      .line({0, 20}, {0, 0})
+      .circle({10, 10}, 4);
+  return broken;
+}
+
+TEST(ImportPlanar, RefusesAnOutlineThatStaysOpen) {
+  const Import import = examine(broken_outline());
+  ASSERT_EQ(import.faults.size(), 1u);
+  EXPECT_NE(import.faults[0].problem().find("a gap of 0.5 from (0"), std::string::npos) << import.faults[0].what();
+  EXPECT_NE(import.faults[0].hint().find("--join 0.505"), std::string::npos) << import.faults[0].what();
+  ASSERT_EQ(import.files[0].open.size(), 1u);
+  EXPECT_EQ(import.files[0].open[0].points.size(), 5u);
+  EXPECT_NEAR(import.files[0].open[0].gap_start, 0.5, 1e-12);
+  EXPECT_NE(drawing::report_svg(import).find("#d62828"), std::string::npos);
+  ImportSettings settings;
+  settings.join = 0.51;
+  expect_totals(examine(broken_outline(), settings), 400 - 16 * 3.14159265, 1, 1, 5.5);
+  settings = {};
+  settings.open = drawing::OpenRings::close;
+  const Import closed = examine(broken_outline(), settings);
+  expect_totals(closed, 400 - 16 * 3.14159265, 1, 1, 0.4);
+  EXPECT_EQ(closed.files[0].closed.size(), 1u);
+  settings.open = drawing::OpenRings::skip;
+  expect_totals(examine(broken_outline(), settings), 16 * 3.14159265, 1, 0, 0.4);
+}
+
+TEST(ImportPlanar, SeesThatFourLinesWithGapsWereAnOutline) {
+  DxfText corners;
+  corners.line({0.3, 0}, {19.7, 0}).line({20, 0.3}, {20, 19.7}).line({19.7, 20}, {0.3, 20}).line({0, 19.7}, {0, 0.3});
+  corners.circle({10, 10}, 4).line({100, 0}, {120, 7});
+  const Import import = examine(corners);
+  ASSERT_EQ(import.faults.size(), 1u);
+  EXPECT_NE(import.faults[0].problem().find("and 3 gaps more"), std::string::npos) << import.faults[0].what();
+  EXPECT_EQ(import.files[0].open.size(), 5u);
+}
+
+TEST(ImportPlanar, LeavesOutOpenLinesThatEncloseNothing) {
+  DxfText marks;
+  marks.box({0, 0}, {20, 20}).line({3, 3}, {3, 9}).line({4, 17}, {4, 9}).arc({16, 10}, 2, 30, 270);
+  // A hinge: many cuts, whose ends are as near to each other as to others.
+  for (int k = 0; k < 6; ++k) marks.line({6.0 + k, 0}, {6.0 + k, 8}).line({6.0 + k, 9}, {6.0 + k, 20});
+  const Import import = examine(marks);
+  expect_totals(import, 400, 1, 0);
+  EXPECT_EQ(import.files[0].open.size(), 15u);
+}
+
+TEST(ImportPlanar, DoesNotDependOnTheOrderOfLines) {
+  std::vector<std::pair<Point, Point>> lines{{{0, 0}, {20, 0}},    {{20, 0}, {20, 20}}, {{20, 20}, {0, 20}},
+                                             {{0, 20}, {0, 0.01}}, {{20, 0}, {40, 0}},  {{40, 0}, {40, 20}},
+                                             {{40, 20}, {20, 20}}, {{20, 20}, {20, 0}}, {{5, 5}, {15, 5}},
+                                             {{15, 5}, {10, 12}},  {{10, 12}, {5, 5}}};
+  std::string first;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::uint64_t state = seed + 1;
+    for (std::size_t i = lines.size(); i-- > 1;) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      std::swap(lines[i], lines[(state >> 33) % (i + 1)]);
+      if ((state >> 20) % 2) std::swap(lines[i].first, lines[i].second);
+    }
+    DxfText text;
+    for (const auto& [a, b] : lines) text.line(a, b);
+    const Import import = examine(text);
+    expect_totals(import, 800 - 35, 2, 1, 0.2);
+    std::ostringstream scene;
+    for (const Part& part : import.scene.bodies.at(0).parts) {
+      for (const Point& p : part.outline) scene << p.x << ',' << p.y << ' ';
+      for (const Polygon& hole : part.holes)
+        for (const Point& p : hole) scene << p.x << ';' << p.y << ' ';
+    }
+    if (first.empty()) first = scene.str();
+    EXPECT_EQ(scene.str(), first) << seed;
+  }
+}
+
+TEST(ImportPlanar, TakesContoursOnOtherLayersForHoles) {
+  DxfText layers;
+  layers.box({0, 0}, {20, 20}, "outer")
+      .circle({5, 5}, 2, "inner")
+      .circle({15, 5}, 2, "inner")
+      .box({30, 0}, {40, 10}, "inner");
+  const double holes = 8 * 3.14159265;
+  const Import import = examine(layers);
+  expect_totals(import, 500 - holes, 2, 2, 0.2);
+  EXPECT_EQ(import.bodies.size(), 2u);
+  ASSERT_EQ(import.files[0].notes.size(), 1u);
+  EXPECT_NE(import.files[0].notes[0].find("layer inner: 2 contours are holes"), std::string::npos);
+  ImportSettings settings;
+  settings.by = drawing::Grouping::layer;
+  expect_totals(examine(layers, settings), 500 + holes, 4, 0, 0.2);
+  settings.by = drawing::Grouping::nesting;
+  const Import nested = examine(layers, settings);
+  expect_totals(nested, 500 - holes, 2, 2, 0.2);
+  EXPECT_EQ(nested.bodies.size(), 2u);
+  settings = {};
+  settings.merge_all = true;
+  const Import merged = examine(layers, settings);
+  expect_totals(merged, 500 - holes, 2, 2, 0.2);
+  EXPECT_EQ(merged.bodies.size(), 1u);
+  settings = {};
+  settings.layers = {"inner"};
+  expect_totals(examine(layers, settings), 100 + holes, 3, 0, 0.2);
+  settings.layers = {"iner"};
+  EXPECT_THROW(examine(layers, settings), InputError);
+}
+
+TEST(ImportPlanar, JoinsAnOutlineWhosePiecesAreOnDifferentLayers) {
+  DxfText spread;
+  spread.line({0, 0}, {20, 0}, "a")
+      .line({20, 0}, {20, 20}, "b")
+      .line({20, 20}, {0, 20}, "a")
+      .line({0, 20}, {0, 0}, "c");
+  spread.circle({10, 10}, 4, "d");
+  expect_totals(examine(spread), 400 - 16 * 3.14159265, 1, 1, 0.3);
+}
+
+TEST(ImportPlanar, KeepsLayersThatCrossApart) {
+  DxfText crossing;
+  crossing.box({0, 0}, {20, 20}, "base").box({15, 5}, {30, 10}, "arm");
+  const Import import = examine(crossing);
+  expect_totals(import, 475, 2, 0);
+  EXPECT_EQ(import.bodies.size(), 2u);
+  // Is the small one a hole in the base, or a body on it?
+  crossing.circle({5, 5}, 2, "pin");
+  const Import unclear = examine(crossing);
+  ASSERT_EQ(unclear.faults.size(), 1u);
+  EXPECT_NE(unclear.faults[0].hint().find("--by layer"), std::string::npos);
+  ImportSettings settings;
+  settings.by = drawing::Grouping::layer;
+  expect_totals(examine(crossing, settings), 475 + 4 * 3.14159265, 3, 0, 0.2);
+}
+
+TEST(ImportPlanar, GroupsByColor) {
+  DxfText colors;
+  for (const int color : {1, 3, 1}) {
+    const double x = 10.0 * color + (color == 1 ? 0 : 7);
+    colors.begin("CIRCLE", "0").group(62, std::to_string(color)).at(10, {x, 0}).group(40, "2");
+  }
+  ImportSettings settings;
+  settings.by = drawing::Grouping::color;
+  const Import import = examine(colors, settings);
+  ASSERT_EQ(import.bodies.size(), 2u);
+  EXPECT_EQ(import.bodies[0].name, "color 1");
+  EXPECT_EQ(import.bodies[1].name, "color 3");
+  const std::string svg =
+      "<svg><g fill='none'><rect width='9' height='9' stroke='red'/><rect x='20' width='9' height='9' "
+      "style='stroke:#00f'/><rect x='2' y='2' width='2' height='2' stroke='red'/></g></svg>";
+  const Import by_stroke = examine(svg, "d.svg", settings);
+  ASSERT_EQ(by_stroke.bodies.size(), 2u);
+  EXPECT_EQ(by_stroke.bodies[0].name, "red");
+  EXPECT_EQ(by_stroke.bodies[0].area, 77);
+}
+
+TEST(ImportPlanar, ListsWhatIsNotReadAndGoesOn) {
+  DxfText odd;
+  odd.box({0, 0}, {20, 20}).begin("REGION", "solids").group(5, "2F");
+  odd.begin("SPLINE", "marks").group(71, "3").at(11, {1, 1}).at(11, {2, 3});
+  ImportSettings settings;
+  const Import import = examine(odd, settings);
+  expect_totals(import, 400, 1, 0);
+  ASSERT_EQ(import.files[0].skipped.size(), 2u);
+  EXPECT_EQ(import.files[0].skipped[0].handle, "2F");
+  EXPECT_NE(drawing::report_text(import, settings).find("REGION at d.dxf:"), std::string::npos);
+  settings.strict = true;
+  EXPECT_EQ(examine(odd, settings).faults.size(), 2u);
+}
+
+TEST(ImportPlanar, ReadsFillingsWhereTheyAreAllThereIs) {
+  const auto hatch = [](DxfText& text, const std::string& layer) -> DxfText& {
+    text.begin("HATCH", layer)
+        .at(10, {0, 0})
+        .group(91, "2")
+        .group(92, "3")
+        .group(72, "0")
+        .group(73, "1")
+        .group(93, "4");
+    text.at(10, {0, 0}).at(10, {10, 0}).at(10, {10, 10}).at(10, {0, 10}).group(97, "0");
+    text.group(92, "0").group(93, "2").group(72, "2").at(10, {5, 5}).group(40, "2").group(50, "0").group(51, "180");
+    text.group(73, "1").group(72, "1").at(10, {3, 5}).at(11, {7, 5}).group(97, "0").group(75, "0");
+    return text;
+  };
+  DxfText alone;
+  expect_totals(examine(hatch(alone, "fill")), 100 - 2 * 3.14159265, 1, 1, 0.1);
+  DxfText with_lines;
+  with_lines.box({-5, -5}, {15, 15}, "fill");
+  const Import import = examine(hatch(with_lines, "fill"));
+  expect_totals(import, 400, 1, 0);
+  EXPECT_EQ(import.files[0].skipped.at(0).what, "HATCH");
+}
+
+TEST(ImportPlanar, FollowsTheUnitAndTheSize) {
+  const auto tolerance = [](double size, int unit) {
+    DxfText text;
+    text.box({0, 0}, {size, size}).circle({size / 2, size / 2}, size / 8);
+    return examine(text.file(unit), "d.dxf").files.at(0).fineness.tolerance;
+  };
+  EXPECT_EQ(tolerance(100, 4), 0.01);
+  EXPECT_EQ(tolerance(100, 0), 0.01);
+  EXPECT_DOUBLE_EQ(tolerance(0.06, 6), 1e-5);
+  EXPECT_DOUBLE_EQ(tolerance(4, 1), 0.01 / 25.4);
+  EXPECT_NEAR(tolerance(0.1, 0), 1.414e-4, 1e-6);
+}
+
+TEST(ImportPlanar, FillsByTheRuleWhatCrossesItself) {
+  const auto area = [](const std::string& path, const std::string& rule) {
+    const Import import = examine("<svg><path fill-rule='" + rule + "' d='" + path + "'/></svg>", "d.svg");
+    EXPECT_TRUE(import.faults.empty());
+    return totals_of(import).area;
+  };
+  EXPECT_EQ(area("M0 0L2 2 2 0 0 2Z", "nonzero"), 2);
+  // Twice around the inner square.
+  const std::string twice = "M0 0H10V10H0ZM2 2H4V4H2Z";
+  EXPECT_EQ(area(twice, "nonzero"), 100);
+  EXPECT_EQ(area(twice, "evenodd"), 96);
+  EXPECT_EQ(area("M0 0H6V6H0ZM4 4H10V10H4Z", "nonzero"), 68);
+  EXPECT_EQ(area("M0 0H6V6H0ZM4 4H10V10H4Z", "evenodd"), 64);
+  EXPECT_EQ(area("M0 0H9V9H0ZM0 2V4H2V2Z", "nonzero"), 77);
+}
+
+TEST(ImportPlanar, MendsPolygonsOnlyIfAsked) {
+  const std::string spike =
+      "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[10,0],[10,10],[0,10],[0,4.96],[0.05,5],[-0.03,5.02],[-0.03,4.9],["
+      "0,4.9],[0,0]]]}";
+  ImportSettings settings;
+  EXPECT_EQ(examine(spike, "p.geojson", settings).faults.size(), 1u);
+  settings.repair = 0.2;
+  const Import mended = examine(spike, "p.geojson", settings);
+  expect_totals(mended, 100, 1, 0, 0.01);
+  EXPECT_FALSE(mended.files[0].repairs.empty());
+  const std::string bow = "POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))";
+  EXPECT_FALSE(examine(bow, "p.wkt", settings).faults.empty());
+  settings.repair = 20;
+  expect_totals(examine(bow, "p.wkt", settings), 25, 1, 0);
+}
+
+}  // namespace
+}  // namespace taut
