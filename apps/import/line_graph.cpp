@@ -21,6 +21,12 @@ class NodeSet {
  public:
   explicit NodeSet(double distance) : distance_(distance), cell_(64 * distance) {}
 
+  void reserve(std::size_t n) {
+    heads_.reserve(n);
+    links_.reserve(n);
+    points.reserve(n);
+  }
+
   int find_or_add(const Point& p) {
     const double column = std::floor(p.x / cell_), row = std::floor(p.y / cell_);
     // Neighbouring cells matter near the sides of a cell only.
@@ -77,15 +83,28 @@ class Splitter {
   Splitter(const std::vector<Strand>& strands, double distance, std::size_t most, const std::string& file)
       : distance_(distance), most_(most), file_(file), nodes_(distance) {
     // In the order of the plane, so that which point stands for its neighbours does not depend on the strands.
-    std::vector<Point> all;
-    for (const Strand& strand : strands) all.insert(all.end(), strand.points.begin(), strand.points.end());
-    std::sort(all.begin(), all.end(), lexicographically_less);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    for (const Point& p : all) nodes_.find_or_add(p);
-    for (const Strand& strand : strands) {
+    struct Place {
+      Point at;
+      std::size_t strand, index;
+    };
+    std::vector<Place> places;
+    std::vector<std::vector<int>> ids;
+    for (std::size_t s = 0; s < strands.size(); ++s) {
+      ids.emplace_back(strands[s].points.size());
+      for (std::size_t i = 0; i < strands[s].points.size(); ++i) places.push_back({strands[s].points[i], s, i});
+    }
+    std::sort(places.begin(), places.end(),
+              [](const Place& p, const Place& q) { return lexicographically_less(p.at, q.at); });
+    nodes_.reserve(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Place& place = places[k];
+      const Place* before = k > 0 && places[k - 1].at == place.at ? &places[k - 1] : nullptr;
+      ids[place.strand][place.index] = before ? ids[before->strand][before->index] : nodes_.find_or_add(place.at);
+    }
+    for (std::size_t s = 0; s < strands.size(); ++s) {
       std::vector<int> walk;
-      for (const Point& p : strand.points) append(walk, nodes_.find_or_add(p));
-      if (strand.closed && walk.size() > 1) append(walk, walk.front());
+      for (const int id : ids[s]) append(walk, id);
+      if (strands[s].closed && walk.size() > 1) append(walk, walk.front());
       walks_.push_back(std::move(walk));
     }
   }

@@ -198,17 +198,19 @@ class OutlineMaker {
         mark(walk);
         continue;
       }
-      std::vector<int> edges;
-      for (const int h : walk) edges.push_back(h / 2);
-      std::sort(edges.begin(), edges.end());
-      if (!known.insert(edges).second) continue;
+      if (graph_.edge(walk.front()).times > 1) {
+        std::vector<int> edges;
+        for (const int h : walk) edges.push_back(h / 2);
+        std::sort(edges.begin(), edges.end());
+        if (!known.insert(edges).second) continue;
+      }
       ends[from].push_back(2 * s);
       ends[to].push_back(2 * s + 1);
     }
-    std::set<std::size_t> used;
+    std::vector<bool> used(walks.size(), false);
     for (const auto& [node, here] : ends) {
       for (const std::size_t start : here) {
-        if (used.count(start / 2)) continue;
+        if (used[start / 2]) continue;
         std::vector<std::size_t> ring;
         std::size_t end = start;
         for (;;) {
@@ -225,7 +227,7 @@ class OutlineMaker {
           }
           if (ring.size() > walks.size()) break;
         }
-        used.insert(ring.begin(), ring.end());
+        for (const std::size_t s : ring) used[s] = true;
       }
     }
     return contour;

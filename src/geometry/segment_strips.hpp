@@ -45,6 +45,12 @@ class SegmentStrips {
     for (std::vector<std::size_t>& strip : strips_)
       std::stable_sort(strip.begin(), strip.end(),
                        [this](std::size_t i, std::size_t j) { return boxes_[i].lo_x < boxes_[j].lo_x; });
+    for (const std::vector<std::size_t>& strip : strips_) {
+      reach_.emplace_back();
+      for (const std::size_t i : strip)
+        reach_.back().push_back(reach_.back().empty() ? boxes_[i].hi_x
+                                                      : std::max(reach_.back().back(), boxes_[i].hi_x));
+    }
   }
 
   /// Calls visit(i, j) once for each two boxes that meet.
@@ -60,6 +66,23 @@ class SegmentStrips {
           if (box.meets(other) && strip_of(std::max(box.lo_y, other.lo_y)) == s) visit(strip[k], strip[m]);
         }
       }
+    }
+  }
+
+  /// Calls visit(i) for boxes that reach the height of p and begin at or left of it, from right to left. It returns the
+  /// x left of which boxes may end to be left out.
+  template <class Visit>
+  void each_to_the_left(const Point& p, const Visit& visit) const {
+    if (strips_.empty() || p.y < around_.lo_y || p.y > around_.hi_y) return;
+    const std::vector<std::size_t>& strip = strips_[strip_of(p.y)];
+    const std::vector<double>& reach = reach_[strip_of(p.y)];
+    std::size_t k =
+        static_cast<std::size_t>(std::upper_bound(strip.begin(), strip.end(), p.x,
+                                                  [this](double x, std::size_t i) { return x < boxes_[i].lo_x; }) -
+                                 strip.begin());
+    for (double bound = -INFINITY; k > 0 && reach[k - 1] >= bound; --k) {
+      const SegmentBox& box = boxes_[strip[k - 1]];
+      if (box.lo_y <= p.y && p.y <= box.hi_y) bound = visit(strip[k - 1]);
     }
   }
 
@@ -85,6 +108,7 @@ class SegmentStrips {
   std::vector<SegmentBox> boxes_;
   SegmentBox around_;
   std::vector<std::vector<std::size_t>> strips_;
+  std::vector<std::vector<double>> reach_;  ///< how far right the boxes of a strip reach, up to each of them
 };
 
 }  // namespace taut

@@ -1,6 +1,8 @@
 #include "geometry/subdivision.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -34,7 +36,7 @@ class Components {
 
 /// Of two edges that do not cross and both span the height y, with lower < y <= upper or the like: is the first one to
 /// the left of the second?
-bool left_of(const Point& low_a, const Point& high_a, const Point& low_b, const Point& high_b) {
+bool is_left_of(const Point& low_a, const Point& high_a, const Point& low_b, const Point& high_b) {
   // The end that lies between the heights of the other edge decides; on a common end, the other one does.
   if (low_a.y >= low_b.y) {
     const int side = orientation(low_b, high_b, low_a);
@@ -76,57 +78,61 @@ void Subdivision::link_around_nodes() {
   }
 }
 
-void Subdivision::find_faces() {
+/// Of each connected component the half-edge of the walk around it, seen from outside, that leaves its least node:
+/// nothing lies to the left of that node, so it is the last of those that point right, counterclockwise. From left to
+/// right.
+std::vector<int> Subdivision::outer_walks() const {
   Components components(nodes_.size());
   for (const SubdivisionEdge& e : edges_) components.join(e.from, e.to);
-  // The walk around a component from outside passes its least node, where nothing lies to the left: it arrives by the
-  // twin of the last half-edge that points right, and leaves by the first one.
-  std::vector<int> least(nodes_.size(), -1);
+  std::vector<int> least(nodes_.size(), -1), walks;
   for (int h = 0; h < half_edges(); ++h) {
     int& best = least[static_cast<std::size_t>(components.of(origin(h)))];
     if (best < 0 || lexicographically_less(point(origin(h)), point(origin(best)))) best = h;
     if (origin(h) == origin(best) && orientation(point(origin(h)), point(target(best)), point(target(h))) > 0) best = h;
+  }
+  std::copy_if(least.begin(), least.end(), std::back_inserter(walks), [](int h) { return h >= 0; });
+  std::sort(walks.begin(), walks.end(),
+            [this](int g, int h) { return lexicographically_less(point(origin(g)), point(origin(h))); });
+  return walks;
+}
+
+/// The half-edge right to the left of a component's least node, with the node on its left; -1 if there is none.
+int Subdivision::left_of_component(const Point& p, const SegmentStrips& strips) const {
+  int nearest = -1;  // it runs down
+  strips.each_to_the_left(p, [&](std::size_t e) {
+    int h = static_cast<int>(2 * e);
+    if (point(origin(h)).y < point(target(h)).y) h ^= 1;
+    const Point &high = point(origin(h)), &low = point(target(h));
+    // As a ray a little above p would meet it.
+    if (low.y <= p.y && p.y < high.y && orientation(high, low, p) > 0 &&
+        (nearest < 0 || is_left_of(point(target(nearest)), point(origin(nearest)), low, high)))
+      nearest = h;
+    return nearest < 0 ? -INFINITY : std::min(point(origin(nearest)).x, point(target(nearest)).x);
+  });
+  return nearest;
+}
+
+void Subdivision::find_faces() {
+  const std::vector<int> outer = outer_walks();
+  std::vector<bool> outside(next_.size(), false);
+  for (const int start : outer) {
+    for (int h = start; !outside[static_cast<std::size_t>(h)]; h = next(h)) outside[static_cast<std::size_t>(h)] = true;
   }
   faces_.assign(next_.size(), -1);
   const auto mark = [this](int start, int face) {
     for (int h = start; faces_[static_cast<std::size_t>(h)] < 0; h = next(h))
       faces_[static_cast<std::size_t>(h)] = face;
   };
-  // For now, the outer walks have faces of their own below -1.
-  std::vector<int> outer;
-  for (const int h : least)
-    if (h >= 0) outer.push_back(h);
-  std::vector<bool> outside(next_.size(), false);
-  for (const int h : outer) {
-    int g = h;
-    do {
-      outside[static_cast<std::size_t>(g)] = true;
-      g = next(g);
-    } while (g != h);
-  }
   for (int h = 0; h < half_edges(); ++h)
     if (!outside[static_cast<std::size_t>(h)] && faces_[static_cast<std::size_t>(h)] < 0) mark(h, face_count_++);
-  // Components from left to right: what is left of one's least node has its face by then.
-  std::sort(outer.begin(), outer.end(),
-            [this](int g, int h) { return lexicographically_less(point(origin(g)), point(origin(h))); });
   if (outer.size() == 1) return mark(outer[0], 0);
   std::vector<SegmentBox> boxes;
   for (const SubdivisionEdge& e : edges_) boxes.emplace_back(point(e.from), point(e.to));
   const SegmentStrips strips(std::move(boxes));
+  // What is left of a component's least node belongs to one that begins farther left, and has its face by then.
   for (const int start : outer) {
-    const Point& p = point(origin(start));
-    int nearest = -1;  // the half-edge that runs down, with p on its left
-    SegmentBox ray(p, p);
-    ray.lo_x = -max_coordinate;
-    strips.each_near(ray, [&](std::size_t e) {
-      int h = static_cast<int>(2 * e);
-      if (point(origin(h)).y < point(target(h)).y) h ^= 1;
-      const Point &high = point(origin(h)), &low = point(target(h));
-      // As a ray a little above p would meet it.
-      if (!(low.y <= p.y && p.y < high.y) || orientation(high, low, p) <= 0) return;
-      if (nearest < 0 || left_of(point(target(nearest)), point(origin(nearest)), low, high)) nearest = h;
-    });
-    mark(start, nearest < 0 ? 0 : face(nearest));
+    const int h = left_of_component(point(origin(start)), strips);
+    mark(start, h < 0 ? 0 : face(h));
   }
 }
 

@@ -8,6 +8,8 @@
 
 namespace taut {
 
+class SegmentStrips;
+
 /// A segment between two nodes.
 struct SubdivisionEdge {
   int from = 0, to = 0;
@@ -33,6 +35,8 @@ class Subdivision {
  private:
   const SubdivisionEdge& edge(int h) const { return edges_[static_cast<std::size_t>(h / 2)]; }
   void link_around_nodes();
+  std::vector<int> outer_walks() const;
+  int left_of_component(const Point& p, const SegmentStrips& strips) const;
   void find_faces();
 
   std::vector<Point> nodes_;
