@@ -143,6 +143,13 @@ expect 2 '' 'missing.svg' import missing.svg
 printf 'P2 3 3 255  0 0 0  0 254 0  0 0 0\n' >room.pgm
 printf 'image: room.pgm\nresolution: 2\norigin: [-3, -3, 0]\n' >room.yaml
 expect 0 '"holes":\[\[' 'room.yaml: occupancy grid, units: 3 x 3 cells of 2' import room.yaml
+# The same as PNG: 3 x 3, grey, of 8 bits.
+printf 'iVBORw0KGgoAAAANSUhEUgAAAAMAAAADCAAAAABzQ+pjAAAADklEQVR42mNgAIF/YBIABgAA/wMmOiYAAAAASUVORK5CYII=' | base64 -d >room.png
+sed 's/room.pgm/room.png/' room.yaml >room_png.yaml
+expect 0 '"holes":\[\[' 'body cells 1: 1 part, 1 hole, 8 vertices, area 32' import room_png.yaml
+head -c 50 room.png >cut.png
+sed 's/room.pgm/cut.png/' room.yaml >cut_png.yaml
+expect 2 '' 'cut.png: the PNG cannot be read' import cut_png.yaml
 printf 'image: room.pgm\nresolution: 0\n' >bad.yaml
 expect 2 '' "bad.yaml: .origin. is missing" import bad.yaml
 printf 'image: nowhere.pgm\nresolution: 1\norigin: [0, 0, 0]\n' >bad.yaml

@@ -144,10 +144,14 @@ void BodyMaker::merge_layers(Drawing& drawing, const std::vector<std::string>& n
 void BodyMaker::read_lines(Drawing& drawing) {
   std::vector<LineLayer> lines;
   for (std::size_t k = 0; k < drawing.layers.size(); ++k) {
-    LineLayer layer{k, {}};
+    LineLayer layer{k, {}, {}};
     for (Sheet& sheet : drawing.layers[k].sheets) {
       if (!sheet.lines) continue;
       require_range(sheet.chains);
+      if (sheet.alone && !settings_.merge_all) {
+        lines.push_back({k, std::move(sheet.chains), sheet.name});
+        continue;
+      }
       for (Chain& chain : sheet.chains) layer.chains.push_back(std::move(chain));
     }
     if (!layer.chains.empty()) lines.push_back(std::move(layer));
@@ -175,7 +179,8 @@ void BodyMaker::read_lines(Drawing& drawing) {
     if (plan.sets[s].size() > 1) note_holes(outlines, layers);
     for (std::size_t i = 0; i < outlines.regions.size(); ++i) {
       const std::size_t source = outlines.sources[i];
-      pieces.push_back({std::move(outlines.regions[i]), layer_of[source], s, chains[source].place});
+      pieces.push_back({std::move(outlines.regions[i]), layer_of[source], s, chains[source].place,
+                        lines[plan.sets[s].front()].name});
     }
   }
   if (!plan.crossings.empty()) {
@@ -204,7 +209,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
         outermost.push_back({piece.region.part.outline, nest});
       }
     }
-    add_region(std::move(piece.region), "", piece.place, nest, parts_[piece.layer]);
+    add_region(std::move(piece.region), piece.name, piece.place, nest, parts_[piece.layer]);
   }
 }
 

@@ -27,7 +27,7 @@ class BodyMaker {
   struct Piece {
     Region region;
     std::size_t layer, set;
-    std::string place;
+    std::string place, name;
   };
 
   void choose_layers(Drawing& drawing) const;

@@ -68,6 +68,7 @@ struct Sheet {
   std::vector<Chain> chains;
   bool lines = false;            ///< not filled: chains are joined where their ends meet
   std::vector<Part> parts = {};  ///< where the file says itself what is a hole
+  bool alone = false;            ///< lines that are not put together with those of other sheets
 };
 
 /// What becomes a body.

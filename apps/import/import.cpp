@@ -6,6 +6,8 @@
 
 #include "import/bodies.hpp"
 #include "import/dxf_reader.hpp"
+#include "import/kicad_reader.hpp"
+#include "import/png_image.hpp"
 #include "import/svg_reader.hpp"
 #include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
@@ -71,6 +73,7 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
 Drawing read_occupancy(const std::string& file, const ImportSettings& settings) {
   GridOptions options;
   options.unknown_occupied = !settings.unknown_free;
+  options.read_image = read_png;
   const OccupancyGrid grid = read_grid(file, options);
   Drawing drawing;
   drawing.file = file;
@@ -90,9 +93,11 @@ Drawing read_drawing(std::string text, const std::string& file, const ImportSett
   const std::string ending = ending_of(file);
   if (ending == ".svg") return read_svg(text, file, settings);
   if (ending == ".dxf") return read_dxf(text, file, settings);
+  if (ending == ".kicad_pcb") return read_kicad(text, file, settings);
   if (ending == ".wkt") return read_map(std::move(text), file, settings, true);
   if (ending == ".geojson" || ending == ".json") return read_map(std::move(text), file, settings, false);
-  throw InputError(file, "the ending of the file's name is none of .svg, .dxf, .wkt, .geojson, .json and .yaml",
+  throw InputError(file,
+                   "the ending of the file's name is none of .svg, .dxf, .kicad_pcb, .wkt, .geojson, .json and .yaml",
                    "give the file the ending of its format");
 }
 

@@ -12,6 +12,7 @@ namespace taut::drawing {
 struct LineLayer {
   std::size_t layer = 0;  ///< index in the drawing
   std::vector<Chain> chains;
+  std::string name = {};  ///< of what they are, within the layer
 };
 
 /// Two layers whose lines cross.

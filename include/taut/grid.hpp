@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,16 +28,25 @@ struct OccupancyGrid {
   }
 };
 
+/// A picture in shades of grey, row by row from the highest one, from 0 (black) to 1 (white).
+struct GreyImage {
+  int width = 0, height = 0;
+  std::vector<double> grey;
+};
+
 /// How a map of map_server is read.
 struct GridOptions {
   /// Are cells that the thresholds call neither free nor occupied obstacles? What was never seen may be anything.
   bool unknown_occupied = true;
+  /// Reads images that are not PGM, from the bytes of the file and its name, or gives nothing for those that it does
+  /// not know either. The library itself reads PGM only.
+  std::function<std::optional<GreyImage>(const std::string& bytes, const std::string& file)> read_image = {};
 };
 
-/// A map as ROS's map_server writes it: a YAML file with `image` (a PGM file, P2 or P5, found relative to it),
-/// `resolution`, `origin` [x, y, yaw], and, if they are there, `negate`, `occupied_thresh` (0.65) and `free_thresh`
-/// (0.25). A cell is occupied where its darkness is above occupied_thresh, and unknown where it is not below
-/// free_thresh either. Throws InputError with the file, the line, and the remedy.
+/// A map as ROS's map_server writes it: a YAML file with `image` (a PGM file, P2 or P5, or what GridOptions::read_image
+/// reads, found relative to it), `resolution`, `origin` [x, y, yaw], and, if they are there, `negate`,
+/// `occupied_thresh` (0.65) and `free_thresh` (0.25). A cell is occupied where its darkness is above occupied_thresh,
+/// and unknown where it is not below free_thresh either. Throws InputError with the file, the line, and the remedy.
 OccupancyGrid read_grid(const std::string& yaml_file, const GridOptions& options = {}, const ReadLimits& limits = {});
 
 /// The occupied cells as bodies, exactly: one for each set of cells that hang together by their sides, with holes where

@@ -121,12 +121,6 @@ class MapYaml {
   std::map<std::string, Line> lines_;
 };
 
-/// Rows from the highest to the lowest, and grey from 0 to 1.
-struct GreyImage {
-  int width = 0, height = 0;
-  std::vector<double> grey;
-};
-
 /// P2 (numbers) or P5 (bytes).
 class PgmReader {
  public:
@@ -229,7 +223,8 @@ OccupancyGrid read_grid(const std::string& yaml_file, const GridOptions& options
     yaml.refuse("image", error.problem());
   }
   const std::string bytes = io::read_text_file(image, limits.max_bytes);
-  const io::GreyImage grey = io::PgmReader(bytes, image).read();
+  std::optional<GreyImage> other = options.read_image ? options.read_image(bytes, image) : std::nullopt;
+  const GreyImage grey = other ? std::move(*other) : io::PgmReader(bytes, image).read();
   grid.width = grey.width;
   grid.height = grey.height;
   grid.occupied.resize(grey.grey.size());

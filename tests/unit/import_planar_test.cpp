@@ -353,6 +353,39 @@ TEST(ImportPlanar, ReadsFillingsWhereTheyAreAllThereIs) {
   EXPECT_EQ(import.files[0].skipped.at(0).what, "HATCH");
 }
 
+/// The edge of a board with a hole, and a courtyard that lies on it, turned by 90 degrees.
+TEST(ImportPlanar, ReadsBoardsOfKicad) {
+  const std::string board =
+      "(kicad_pcb (version 20221018) (general (thickness 1.6))\n"
+      " (gr_line (start 0 0) (end 20 0) (layer \"Edge.Cuts\"))\n (gr_line (start 20 0) (end 20 10) (layer Edge.Cuts))\n"
+      " (gr_arc (start 20 10) (mid 15 15) (end 10 10) (stroke (width 0.1)) (layer \"Edge.Cuts\"))\n"
+      " (gr_line (start 10 10) (end 0 10) (layer \"Edge.Cuts\")) (gr_line (start 0 10) (end 0 0) (layer "
+      "\"Edge.Cuts\"))\n"
+      " (gr_circle (center 5 5) (end 6 5) (layer \"Edge.Cuts\")) (gr_text \"R(1)\" (at 0 0) (layer \"Edge.Cuts\"))\n"
+      " (footprint \"R\" (layer \"F.Cu\") (at 15 5 90) (property \"Reference\" \"R1\" (at 0 0))\n"
+      "  (fp_rect (start -3 -1) (end 2 1) (layer \"F.CrtYd\")) (fp_line (start 0 0) (end 9 9) (layer \"F.SilkS\"))\n"
+      "  (fp_poly (pts (xy -1 0) (xy 1 0) (xy 1 1)) (layer \"B.CrtYd\"))))\n";
+  const Import import = examine(board, "b.kicad_pcb");
+  ASSERT_TRUE(import.faults.empty());
+  ASSERT_EQ(import.bodies.size(), 3u);
+  EXPECT_EQ(import.bodies[0].name, "board");
+  EXPECT_NEAR(import.bodies[0].area, 200 + 12.5 * 3.14159265 - 3.14159265, 0.3);
+  EXPECT_EQ(import.bodies[0].holes, 1u);
+  EXPECT_EQ(import.bodies[1].name, "courtyards F");
+  EXPECT_EQ(import.bodies[1].area, 10);
+  // On the screen it is turned counterclockwise: what was left is below.
+  EXPECT_EQ(import.bodies[1].low, (Point{14, -8}));
+  EXPECT_EQ(import.bodies[1].high, (Point{16, -3}));
+  EXPECT_EQ(import.bodies[2].area, 1);
+  ASSERT_EQ(import.files[0].skipped.size(), 1u);
+  EXPECT_EQ(import.files[0].skipped[0].what, "gr_text");
+  ImportSettings settings;
+  settings.split = true;
+  EXPECT_EQ(examine(board, "b.kicad_pcb", settings).bodies[1].name, "R1");
+  EXPECT_THROW(examine("(kicad_sch)", "b.kicad_pcb"), InputError);
+  EXPECT_THROW(examine("(kicad_pcb (a", "b.kicad_pcb"), InputError);
+}
+
 TEST(ImportPlanar, FollowsTheUnitAndTheSize) {
   const auto tolerance = [](double size, int unit) {
     DxfText text;

@@ -1,0 +1,206 @@
+#include "import/kicad_reader.hpp"
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "import/affine.hpp"
+#include "import/curves.hpp"
+#include "import/s_expression.hpp"
+#include "io/text_file.hpp"
+#include "taut/error.hpp"
+
+namespace taut::drawing {
+
+namespace {
+
+constexpr double kicad_turn = 2 * 3.14159265358979323846;
+
+/// The centre of the circle through three points; nothing if they are on a line.
+std::optional<Point> centre_of(const Point& a, const Point& b, const Point& c) {
+  const double x = b.x - a.x, y = b.y - a.y, u = c.x - a.x, v = c.y - a.y, d = 2 * (x * v - y * u);
+  if (d == 0) return std::nullopt;
+  const double p = x * x + y * y, q = u * u + v * v;
+  return Point{a.x + (v * p - y * q) / d, a.y + (x * q - u * p) / d};
+}
+
+class KicadReader {
+ public:
+  KicadReader(const SExpression& board, const std::string& text, const std::string& file,
+              const ImportSettings& settings, double tolerance)
+      : board_(board), text_(text), settings_(settings), flattener_(settings, tolerance, file) {
+    drawing_.file = file;
+    drawing_.format = "KiCad board";
+    drawing_.units = "mm";
+    drawing_.millimetre = settings.scale;
+    // Courtyards lie on the board: they are no holes in it.
+    drawing_.nests = false;
+  }
+
+  Drawing read() {
+    const Affine root = scaling(settings_.scale, -settings_.scale);
+    for (const SExpression& item : board_.items) {
+      if (item.word == "footprint" || item.word == "module")
+        read_footprint(item, root);
+      else
+        read_graphic(item, "gr_", root, "");
+    }
+    drawing_.curves = flattener_.counts();
+    drawing_.kept = flattener_.take_kept();
+    return std::move(drawing_);
+  }
+
+ private:
+  void read_footprint(const SExpression& footprint, const Affine& root) {
+    const SExpression* at = footprint.find("at");
+    const double x = at ? at->number(0).value_or(0) : 0, y = at ? at->number(1).value_or(0) : 0;
+    const double degrees = at ? at->number(2).value_or(0) : 0;
+    // Angles go counterclockwise on the screen, where y points down.
+    const Affine where = root * translation(x, y) * rotation(-degrees);
+    const std::string name = reference_of(footprint);
+    for (const SExpression& item : footprint.items) read_graphic(item, "fp_", where, name);
+  }
+
+  /// R1, say.
+  static std::string reference_of(const SExpression& footprint) {
+    for (const SExpression& item : footprint.items) {
+      const bool named = (item.word == "property" && item.items.size() > 1 && item.items[0].word == "Reference") ||
+                         (item.word == "fp_text" && item.items.size() > 1 && item.items[0].word == "reference");
+      if (named) return item.items[1].word;
+    }
+    return "";
+  }
+
+  void read_graphic(const SExpression& item, const std::string& prefix, const Affine& where, const std::string& name) {
+    static const std::map<std::string, std::string> read{
+        {"Edge.Cuts", "board"}, {"F.CrtYd", "courtyards F"}, {"B.CrtYd", "courtyards B"}};
+    if (!item.list || item.word.rfind(prefix, 0) != 0) return;
+    const auto layer = read.find(item.text("layer"));
+    if (layer == read.end()) return;
+    const std::string kind = item.word.substr(prefix.size());
+    if (kind == "text" || kind == "text_box") return skip(item, layer->second, "is text");
+    Chain chain{{}, false, place(item)};
+    if (!trace(kind, item, where, chain)) return skip(item, layer->second, "is no line or curve that is read");
+    lines(layer->second, layer->second == "board" ? "" : name).push_back(std::move(chain));
+  }
+
+  /// The lines of one footprint are by themselves: their outlines may lie in each other.
+  std::vector<Chain>& lines(const std::string& layer, const std::string& name) {
+    Layer& target = drawing_.layer(layer);
+    for (Sheet& sheet : target.sheets)
+      if (sheet.name == name) return sheet.chains;
+    target.sheets.push_back({name, Fill::even_odd, {}, true});
+    target.sheets.back().alone = true;
+    return target.sheets.back().chains;
+  }
+
+  bool trace(const std::string& kind, const SExpression& item, const Affine& where, Chain& chain) {
+    const auto start = item.point("start"), middle = item.point("mid"), end = item.point("end");
+    const auto centre = item.point("center");
+    if (kind == "line" && start && end) {
+      chain.points = {where(*start), where(*end)};
+    } else if (kind == "rect" && start && end) {
+      chain.points = {where(*start), where({end->x, start->y}), where(*end), where({start->x, end->y})};
+      chain.closed = true;
+    } else if (kind == "circle" && centre && end) {
+      const double r = std::hypot(end->x - centre->x, end->y - centre->y);
+      chain.closed = true;
+      flattener_.ellipse(chain.points, where(*centre), where.turn({r, 0}), where.turn({0, r}));
+    } else if (kind == "arc" && start && middle && end) {
+      return arc(*start, *middle, *end, where, chain);
+    } else if (kind == "arc" && start && end && item.find("angle")) {
+      // Up to KiCad 5: the centre, the start, and the angle clockwise on the screen.
+      return turn_around(*start, *end, item.find("angle")->number(0).value_or(0), where, chain);
+    } else if (kind == "poly" || kind == "curve") {
+      return points_of(kind == "curve", item, where, chain);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  bool arc(const Point& a, const Point& b, const Point& c, const Affine& where, Chain& chain) {
+    chain.points = {where(a)};
+    const auto centre = centre_of(a, b, c);
+    if (!centre) {
+      chain.points.push_back(where(c));
+      return true;
+    }
+    const auto angle = [&](const Point& p) { return std::atan2(p.y - centre->y, p.x - centre->x); };
+    const double from = angle(a);
+    double by = std::fmod(angle(b) - from + kicad_turn, kicad_turn),
+           to = std::fmod(angle(c) - from + kicad_turn, kicad_turn);
+    // The other way round, if the middle is not between the ends.
+    if (by > to) to -= kicad_turn;
+    const double r = std::hypot(a.x - centre->x, a.y - centre->y);
+    flattener_.arc(chain.points, where(*centre), where.turn({r, 0}), where.turn({0, r}), from, to, where(c));
+    return true;
+  }
+
+  bool turn_around(const Point& centre, const Point& from, double degrees, const Affine& where, Chain& chain) {
+    const Point a{from.x - centre.x, from.y - centre.y}, b{-a.y, a.x};
+    const double sweep = degrees / 360 * kicad_turn;
+    const Point end{centre.x + std::cos(sweep) * a.x + std::sin(sweep) * b.x,
+                    centre.y + std::cos(sweep) * a.y + std::sin(sweep) * b.y};
+    chain.points = {where(from)};
+    flattener_.arc(chain.points, where(centre), where.turn(a), where.turn(b), 0, sweep, where(end));
+    return true;
+  }
+
+  bool points_of(bool bezier, const SExpression& item, const Affine& where, Chain& chain) {
+    const SExpression* list = item.find("pts");
+    if (!list) return false;
+    std::vector<ControlPoint> control;
+    for (const SExpression& point : list->items) {
+      const auto x = point.number(0), y = point.number(1);
+      if (point.word != "xy" || !x || !y) return false;
+      const Point p = where({*x, *y});
+      control.push_back({p.x, p.y, 1});
+    }
+    if (control.size() < 2 || (bezier && control.size() != 4)) return false;
+    chain.points.push_back(control[0].point());
+    if (bezier) {
+      flattener_.bezier(chain.points, control);
+    } else {
+      for (std::size_t i = 1; i < control.size(); ++i) chain.points.push_back(control[i].point());
+      chain.closed = true;
+    }
+    return true;
+  }
+
+  std::string place(const SExpression& item) {
+    // Of boards that are long, lines are counted on from the place before.
+    if (item.offset < counted_) {
+      counted_ = 0;
+      line_ = 1;
+    }
+    for (; counted_ < item.offset; ++counted_)
+      if (text_[counted_] == '\n') ++line_;
+    return drawing_.file + ":" + std::to_string(line_);
+  }
+
+  void skip(const SExpression& item, const std::string& layer, const std::string& reason) {
+    drawing_.skip({place(item), item.word, reason, layer, "", true});
+  }
+
+  const SExpression& board_;
+  const std::string& text_;
+  ImportSettings settings_;
+  Flattener flattener_;
+  Drawing drawing_;
+  std::size_t counted_ = 0;
+  int line_ = 1;
+};
+
+}  // namespace
+
+Drawing read_kicad(const std::string& text, const std::string& file, const ImportSettings& settings) {
+  const SExpression board = parse_s_expression(text, file);
+  if (board.word != "kicad_pcb")
+    throw InputError(file, "the file is no board of KiCad: it begins with \"" + io::excerpt(board.word, 20) + "\"",
+                     "give a .kicad_pcb file");
+  return with_fineness(settings,
+                       [&](double tolerance) { return KicadReader(board, text, file, settings, tolerance).read(); });
+}
+
+}  // namespace taut::drawing
