@@ -11,6 +11,7 @@ void bind_many(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_simulations(pybind11::module_& module);
 void bind_cells(pybind11::module_& module);
+void bind_drawings(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);
 /// taut's exceptions as those of taut2d.errors.
 void bind_errors();

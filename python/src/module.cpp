@@ -13,6 +13,7 @@ PYBIND11_MODULE(_taut2d, module) {
   taut_python::bind_maps(module);
   taut_python::bind_simulations(module);
   taut_python::bind_cells(module);
+  taut_python::bind_drawings(module);
   taut_python::bind_pictures(module);
   module.def("version", [] { return TAUT_VERSION; });
 }

@@ -22,8 +22,8 @@ keep a distance, intervals() when they overlap, all of the time, range() how far
 which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
 along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
-goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. Scene.plot()
-and Scene.animate() draw by matplotlib.
+goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. read_drawing()
+makes a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -39,6 +39,7 @@ from ._numbers import number
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef, answer_from_json, verified_from_json)
 from .cells import Cells, cells
+from .drawings import Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .margins import MarginAnswer, MarginProof, PairMargin, margin_from_json
@@ -62,15 +63,15 @@ from .viewer import Viewer
 
 __all__ = [
     "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
-    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "EdgeRef", "Envelope",
-    "EnvelopeCell", "EnvelopeWitness", "GeojsonFile", "Geometry", "HalfAngleTangent", "InputError", "InternalError",
+    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "Drawing", "DrawingBody", "DrawingFile", "EdgeRef", "Envelope",
+    "EnvelopeCell", "EnvelopeWitness", "Gap", "GeojsonFile", "Geometry", "HalfAngleTangent", "InputError", "InternalError",
     "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage", "MarginAnswer", "MarginProof", "Meeting",
-    "Mover", "NearestPoints", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Path", "Pieces",
-    "Polynomial", "Pose", "Proof", "ProvedCloseness", "Range", "RemovalStep", "Revolute", "Scene", "Separation",
-    "Shape", "Simulation", "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge",
+    "Mover", "NearestPoints", "OpenLine", "Outcome", "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Path", "Pieces",
+    "Polynomial", "Pose", "Proof", "ProvedCloseness", "Range", "RemovalStep", "Repair", "Revolute", "Scene", "Separation",
+    "Shape", "Simulation", "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge",
     "TilingFace", "Turn", "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef",
     "Viewer", "WktFile", "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance",
-    "distance_profile", "envelope", "intervals", "prove", "prove_clearance", "range", "separate", "sweep", "verify",
+    "distance_profile", "envelope", "intervals", "prove", "prove_clearance", "range", "read_drawing", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()

@@ -1,0 +1,58 @@
+import json
+import pathlib
+
+import pytest
+import taut2d
+from taut2d import InputError
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+OPEN = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="plate" fill="none">
+<path d="M 0 0 H 40 V 40 H 0 V 0.5"/><rect x="10" y="10" width="10" height="10"/><path d="M 5 5 H 8"/></g></svg>"""
+
+
+def test_reads_the_examples():
+    drawing = taut2d.read_drawing(ROOT / "examples/import/cam.dxf")
+    assert [body.name for body in drawing.scene.bodies] == ["cam", "follower"]
+    assert [body.name for body in drawing.bodies] == ["cam", "follower"]
+    assert drawing.bodies[0].holes == 2 and drawing.bodies[0].area == pytest.approx(1610, abs=1)
+    assert drawing.area == pytest.approx(sum(body.area for body in drawing.bodies))
+    assert drawing.files[0].units == "mm" and drawing.files[0].tolerance == 0.01
+    assert drawing.files[0].skipped[0].what == "TEXT" and drawing.files[0].skipped[0].unread
+    assert json.loads(drawing.json)["bodies"][0]["name"] == "cam"
+    assert drawing.svg.startswith("<svg")
+    both = taut2d.read_drawing([ROOT / "examples/import/cam.dxf", str(ROOT / "examples/import/latch.svg")], curves=True)
+    assert len(both.files) == 2 and len(both.scene.bodies) == 4
+    taut2d.check(both.scene)
+
+
+def test_an_outline_that_stays_open_is_a_fault(tmp_path):
+    file = tmp_path / "open.svg"
+    file.write_text(OPEN)
+    with pytest.raises(InputError, match="stays open") as error:
+        taut2d.read_drawing(file)
+    assert "--join 0.505" in error.value.hint
+    drawing = taut2d.read_drawing(file, faults="report")
+    assert drawing.scene is None and len(drawing.faults) == 1
+    assert sorted(line.gap is None for line in drawing.files[0].open) == [False, False]
+    assert min(line.gap for line in drawing.files[0].open) == pytest.approx(0.5)
+    assert taut2d.read_drawing(file, open="close").area == pytest.approx(1500)
+    assert taut2d.read_drawing(file, open="skip").area == pytest.approx(100)
+    joined = taut2d.read_drawing(file, join=0.6)
+    assert joined.files[0].gaps[0].width == pytest.approx(0.5)
+
+
+def test_layers_and_words(tmp_path):
+    file = tmp_path / "layers.svg"
+    file.write_text('<svg><g id="a" fill="none"><rect width="9" height="9"/></g><g id="b" fill="none">'
+                    '<rect x="2" y="2" width="2" height="2"/></g></svg>')
+    assert taut2d.read_drawing(file).area == pytest.approx(77)
+    assert "1 contour is a hole" in taut2d.read_drawing(file).files[0].notes[0]
+    assert taut2d.read_drawing(file, by="layer").area == pytest.approx(85)
+    assert taut2d.read_drawing(file, layers=["b"]).area == pytest.approx(4)
+    assert len(taut2d.read_drawing(file, merge_layers=True).bodies) == 1
+    assert len(taut2d.read_drawing(file, merge_layers=["a", "b"], split=True).bodies) == 1
+    for wrong in ({"by": "size"}, {"open": "maybe"}, {"join": -1}, {"tolerance": 0}, {"layers": ["c"]}, {"faults": "x"}):
+        with pytest.raises(InputError):
+            taut2d.read_drawing(file, **wrong)
+    with pytest.raises(InputError, match="missing.svg"):
+        taut2d.read_drawing(tmp_path / "missing.svg")
