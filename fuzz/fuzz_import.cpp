@@ -1,4 +1,4 @@
-// Any bytes are a drawing or an InputError, as SVG and as DXF; the bodies of a drawing are valid.
+// Any bytes are a drawing or an InputError, in each of the formats; the bodies of a drawing are valid.
 #include "import/import.hpp"
 #include "io/terminal_text.hpp"
 #include "require.hpp"
@@ -42,5 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   look(text, "drawing.svg");
   look(text, "drawing.dxf");
+  look(text, "drawing.kicad_pcb");
+  look(text, "drawing.wkt");
+  look(text, "drawing.geojson");
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/interruption.hpp"
+#include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "pair/curved_world.hpp"
 #include "pair/validate_world.hpp"
@@ -198,6 +199,22 @@ EMSCRIPTEN_KEEPALIVE const char* taut_read_outline(const char* text, const char*
     for (const Part& part : json ? parse_geojson_parts(outline, name) : parse_wkt_parts(outline, name))
       s += (s.empty() ? "" : ",") + part_text(part);
     return "{\"parts\":[" + s + "]}";
+  });
+}
+
+/// {"scene": the scene, or null if there are faults, "report": see report_json(), "picture": see report_svg()} of a
+/// drawing, whose format its name tells. `open`: see drawing::OpenRings.
+EMSCRIPTEN_KEEPALIVE const char* taut_read_drawing(const char* text, const char* name, int open) {
+  return answered([&](Scene& scene) {
+    drawing::ImportSettings settings;
+    settings.open = static_cast<drawing::OpenRings>(open);
+    const drawing::Import import = drawing::examine_drawings({drawing::read_drawing(text, name, settings)}, settings);
+    if (import.faults.empty()) {
+      scene = import.scene;
+      validate_curved_world(scene);
+    }
+    return "{\"scene\":" + (import.faults.empty() ? write_scene(scene) : std::string("null")) +
+           ",\"report\":" + report_json(import, settings) + ",\"picture\":" + io::string_text(report_svg(import)) + "}";
   });
 }
 

@@ -88,7 +88,8 @@ Drawing read_drawing(std::string text, const std::string& file, const ImportSett
 std::string report_text(const Import& import, const ImportSettings& settings);
 /// The same as a JSON object on one line, with everything that report_text() abridges.
 std::string report_json(const Import& import, const ImportSettings& settings);
-/// A picture: bodies grey, what stays open red, gaps and repairs marked.
+/// A picture: bodies grey, what stays open red, gaps and repairs marked. Marks have ids: "open-F-K", "gap-F-K" and
+/// "repair-F-K" are number K in the report of file F.
 std::string report_svg(const Import& import);
 
 }  // namespace taut::drawing

@@ -80,10 +80,11 @@ class Planner {
       all.insert(all.end(), layers_[k].chains.begin(), layers_[k].chains.end());
     }
     bool any = false;
-    for (const auto& [root, all] : chains) {
+    for (const auto& entry : chains) {
+      const std::size_t root = entry.first;
       if (settled_.count(root)) continue;
       settled_.insert(root);
-      for (const Point& end : loose_ends(all, settings_)) {
+      for (const Point& end : loose_ends(entry.second, settings_)) {
         strips_->each_near(SegmentBox(end, end, settings_.join), [&](std::size_t s) {
           if (set_[segments_[s].layer] == set_[root] || distance_to(segments_[s], end) > settings_.join) return;
           join(root, segments_[s].layer);

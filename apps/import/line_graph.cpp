@@ -188,10 +188,10 @@ class Splitter {
   bool compare(std::size_t i, std::size_t j) {
     const auto [a, b] = segments_[i];
     const auto [c, d] = segments_[j];
-    // Each of the four is looked at.
-    const bool on_first = split_at_node(i, c) | split_at_node(i, d);
-    const bool on_second = split_at_node(j, a) | split_at_node(j, b);
-    if (on_first || on_second) return true;
+    bool any = false;
+    for (const int node : {c, d}) any = split_at_node(i, node) || any;
+    for (const int node : {a, b}) any = split_at_node(j, node) || any;
+    if (any) return true;
     if (a == c || a == d || b == c || b == d) return false;
     if (orientation(at(a), at(b), at(c)) * orientation(at(a), at(b), at(d)) >= 0) return false;
     if (orientation(at(c), at(d), at(a)) * orientation(at(c), at(d), at(b)) >= 0) return false;

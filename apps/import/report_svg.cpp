@@ -43,7 +43,7 @@ class ReportPicture {
         "fill=\"#fff\"/>\n",
         canvas_.width(), canvas_.height());
     for (std::size_t b = 0; b < import_.scene.bodies.size(); ++b) s += body(import_.scene.bodies[b]);
-    for (const FileReport& file : import_.files) s += marks(file);
+    for (std::size_t k = 0; k < import_.files.size(); ++k) s += marks(k, import_.files[k]);
     return s + legend() + "</svg>\n";
   }
 
@@ -76,19 +76,23 @@ class ReportPicture {
         d, body_color, io::escape_xml(body.name));
   }
 
-  std::string mark(const Point& at, const char* color, const std::string& title) const {
+  /// `id`: by which a page finds it.
+  std::string mark(const std::string& id, const Point& at, const char* color, const std::string& title) const {
     const Point p = canvas_.pixel(at);
     return fmt::format(
-        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"none\" stroke=\"{}\" "
+        "<circle id=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"none\" stroke=\"{}\" "
         "stroke-width=\"1.5\"><title>{}</title></circle>\n",
-        p.x, p.y, color, io::escape_xml(title));
+        id, p.x, p.y, color, io::escape_xml(title));
   }
 
-  std::string marks(const FileReport& file) const {
+  std::string marks(std::size_t number, const FileReport& file) const {
     std::string s;
-    for (const OpenReport& open : file.open) {
-      s += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"><title>open: {}</title></path>\n",
-                       line_path(open.points), open_color, io::escape_xml(open.place));
+    const auto id = [number](const char* kind, std::size_t k) { return fmt::format("{}-{}-{}", kind, number, k); };
+    for (std::size_t k = 0; k < file.open.size(); ++k) {
+      const OpenReport& open = file.open[k];
+      s += fmt::format(
+          "<path id=\"{}\" d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"><title>open: {}</title></path>\n",
+          id("open", k), line_path(open.points), open_color, io::escape_xml(open.place));
       for (const Point& end : {open.points.front(), open.points.back()}) {
         const Point p = canvas_.pixel(end);
         s += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3\" fill=\"{}\"/>\n", p.x, p.y, open_color);
@@ -99,10 +103,12 @@ class ReportPicture {
         for (const auto& [from, to] : ring.gaps)
           s += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"5 4\"/>\n",
                            line_path({from, to}), open_color);
-    for (const GapReport& gap : file.gaps)
-      s += mark(gap.from, gap_color, fmt::format("a gap of {:.3g}, closed: {}", gap.width, gap.place));
-    for (const RepairReport& repair : file.repairs)
-      s += mark(repair.at, repair_color, fmt::format("a {} of {:.3g}: {}", repair.what, repair.size, repair.place));
+    for (std::size_t k = 0; k < file.gaps.size(); ++k)
+      s += mark(id("gap", k), file.gaps[k].from, gap_color,
+                fmt::format("a gap of {:.3g}, closed: {}", file.gaps[k].width, file.gaps[k].place));
+    for (std::size_t k = 0; k < file.repairs.size(); ++k)
+      s += mark(id("repair", k), file.repairs[k].at, repair_color,
+                fmt::format("a {} of {:.3g}: {}", file.repairs[k].what, file.repairs[k].size, file.repairs[k].place));
     return s;
   }
 

@@ -12,6 +12,8 @@ namespace taut::drawing {
 namespace {
 
 constexpr std::size_t deepest_element = 256;
+/// Of entities that a document declares.
+constexpr std::size_t longest_entity = 1000, most_entities_declared = 100;
 
 bool in_xml_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' || c == ':' ||
@@ -82,9 +84,52 @@ void XmlReader::pass(const char* end, const char* what) {
 void XmlReader::pass_document_type() {
   const std::size_t end = text_.find('>', position_), inside = text_.find('[', position_);
   if (end == std::string::npos) fail(position_, "a document type without an end", "save the file again");
-  if (inside < end)
-    fail(inside, "the document type declares entities", "save the drawing as plain SVG, without such declarations");
+  if (inside < end) {
+    position_ = inside + 1;
+    read_declarations();
+    skip_space();
+    if (position_ >= text_.size() || text_[position_] != '>')
+      fail(position_, "a document type without an end", "save the file again");
+    ++position_;
+    return;
+  }
   position_ = end + 1;
+}
+
+/// Programs abbreviate the names of their own by entities. What they stand for has no markup, and no entities, in it.
+void XmlReader::read_declarations() {
+  const std::string hint = "save the drawing as plain SVG, without such declarations";
+  for (;;) {
+    skip_space();
+    const std::size_t start = position_;
+    if (starts_with("]")) {
+      ++position_;
+      return;
+    }
+    if (starts_with("<!--")) {
+      pass("-->", "comment");
+      continue;
+    }
+    if (!starts_with("<!ENTITY")) fail(start, "the document type declares something else than entities", hint);
+    position_ += 8;
+    skip_space();
+    if (starts_with("%")) fail(start, "the document type declares entities for itself", hint);
+    const std::string name = read_name();
+    skip_space();
+    const char quote = position_ < text_.size() ? text_[position_] : ' ';
+    const std::size_t begin = position_ + 1, end = text_.find(quote, begin);
+    if ((quote != '"' && quote != '\'') || end == std::string::npos)
+      fail(start, "an entity that is not declared as a text in quotes", hint);
+    const std::string value = text_.substr(begin, end - begin);
+    if (value.size() > longest_entity || value.find_first_of("&<%") != std::string::npos ||
+        entities_.size() == most_entities_declared)
+      fail(start, "the document type declares entities that are more than short texts", hint);
+    entities_.emplace(name, value);
+    position_ = end + 1;
+    skip_space();
+    if (!starts_with(">")) fail(position_, "a declaration without an end", hint);
+    ++position_;
+  }
 }
 
 XmlReader::Event XmlReader::open() {
@@ -165,6 +210,8 @@ std::string XmlReader::decoded(std::size_t begin, std::size_t end) {
 }
 
 std::string XmlReader::decoded_entity(const std::string& entity, std::size_t at) {
+  const auto declared = entities_.find(entity);
+  if (declared != entities_.end()) return declared->second;
   const auto character = xml_entity(entity);
   if (!character) fail(at, "an entity that XML does not have", "write the character itself");
   return *character;

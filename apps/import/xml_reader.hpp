@@ -1,6 +1,7 @@
 // As much of XML as drawings have: elements and their attributes, one after the other.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@ struct XmlElement {
 };
 
 /// Goes through a text. An element that closes itself is opened and closed. Comments, character data, processing
-/// instructions and the document type are passed over; a document type that declares entities is refused, as there is
-/// nothing that may not hide behind them.
+/// instructions and the document type are passed over. A document type may declare entities that are short texts;
+/// others are refused, as there is nothing that may not hide behind them.
 class XmlReader {
  public:
   XmlReader(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
@@ -46,6 +47,7 @@ class XmlReader {
   std::string decoded_entity(const std::string& entity, std::size_t at);
   void pass(const char* end, const char* what);
   void pass_document_type();
+  void read_declarations();
   void skip_space();
   bool starts_with(const char* word) const { return text_.compare(position_, std::string(word).size(), word) == 0; }
   std::string place(std::size_t offset);
@@ -57,6 +59,7 @@ class XmlReader {
   /// Up to where lines are counted.
   std::size_t counted_ = 0, line_start_ = 0;
   int line_ = 1;
+  std::map<std::string, std::string> entities_;  ///< that the document type declares
   std::vector<std::string> open_;
   bool closing_ = false;
   XmlElement element_;

@@ -256,6 +256,15 @@ TEST(ImportSvg, TellsWhatOfStylesItDoesNotRead) {
             std::vector<std::string>{});
 }
 
+TEST(ImportSvg, ReplacesEntitiesThatAreTexts) {
+  const std::string head =
+      "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"x.dtd\" [<!-- names --> <!ENTITY ns \"http://a.b/\">\n"
+      "<!ENTITY st0 'fill:none'> ]>";
+  const std::string text = head + "<svg xmlns:x='&ns;'><rect style='&st0;' width='9' height='9'/></svg>";
+  const auto import = drawing::import_drawings({drawing::read_drawing(text, "d.svg", {})}, {});
+  EXPECT_EQ(area_of(import.scene.bodies.at(0)), 81);
+}
+
 TEST(ImportSvg, RefusesTooManyChords) {
   drawing::ImportSettings settings;
   settings.tolerance = 1e-9;
@@ -293,7 +302,11 @@ std::vector<testing::BadInput> bad_svg() {
       {"open", "<svg><g></g>", "d.svg:1:13", "ends inside the element \"svg\"", "cut off"},
       {"crossed", "<svg><g></svg></g>", "d.svg:1:9", "not open", "save"},
       {"entity", "<svg id='&lol;'/>", "d.svg:1:10", "an entity that XML does not have", "character"},
-      {"entities", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "d.svg:1:15", "declares entities", "plain SVG"},
+      {"entities", "<!DOCTYPE svg [<!ENTITY a 'b'><!ENTITY b '&a;&a;'>]><svg/>", "d.svg:1:31", "more than short texts",
+       "plain SVG"},
+      {"entity_file", "<!DOCTYPE svg [<!ENTITY a SYSTEM 'b'>]><svg/>", "d.svg:1:16", "not declared as a text",
+       "plain SVG"},
+      {"entity_parameter", "<!DOCTYPE svg [<!ENTITY % a 'b'>]><svg/>", "d.svg:1:16", "for itself", "plain SVG"},
       {"attribute", "<svg><rect width=4/></svg>", "d.svg:1:12", "name=\"value\"", "save"},
       {"twice", "<svg><rect x='1' x='1'/></svg>", "d.svg:1:18", "appears twice", "keep one"},
       {"deep", "<svg>" + deep, "d.svg:1:771", "more than 256 deep", "ungroup"},

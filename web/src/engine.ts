@@ -166,6 +166,33 @@ export interface Pose {
   s: number;
 }
 
+export type OpenRings = "error" | "close" | "skip";
+
+/** What became of a drawing, as `taut import --json` prints it. */
+export interface DrawingReport {
+  files: {
+    format: string;
+    units: string;
+    tolerance: number;
+    deviation: number;
+    repeated: number;
+    gaps: { width: number; from: [number, number]; place: string }[];
+    open: { from: [number, number]; to: [number, number]; place: string }[];
+    repairs: { what: string; size: number; at: [number, number]; place: string }[];
+    notes: string[];
+    skipped: { what: string; place: string; layer: string; reason: string; times: number }[];
+  }[];
+  bodies: { name: string; parts: number; holes: number; area: number; box: [[number, number], [number, number]] }[];
+  faults: { place: string; problem: string; hint: string }[];
+}
+
+export interface ReadDrawing {
+  scene: Scene | null;
+  report: DrawingReport;
+  /** SVG, whose marks have ids: gap-0-K, open-0-K and repair-0-K. */
+  picture: string;
+}
+
 interface Module {
   HEAPU8: Uint8Array;
   HEAP32: Int32Array;
@@ -174,6 +201,7 @@ interface Module {
   _free(pointer: number): void;
   _taut_read_scene(text: number, name: number): number;
   _taut_read_outline(text: number, name: number): number;
+  _taut_read_drawing(text: number, name: number, open: number): number;
   _taut_shapes(text: number): number;
   _taut_open(text: number, name: number, closed: number): number;
   _taut_ask(question: number, text: number, options: number): number;
@@ -212,6 +240,13 @@ export class Engine {
 
   readOutline(text: string, name: string): Part[] {
     return this.call<{ parts: Part[] }>([text, name], (t, n) => this.module._taut_read_outline(t, n)).parts;
+  }
+
+  /** A drawing as a scene, with the report; outlines that stay open are a fault, or are closed, or left out. */
+  readDrawing(text: string, name: string, open: OpenRings): ReadDrawing {
+    const number = { error: 0, close: 1, skip: 2 }[open];
+    const drawing = this.call<ReadDrawing>([text, name], (t, n) => this.module._taut_read_drawing(t, n, number));
+    return { ...drawing, scene: drawing.scene && inParts(drawing.scene) };
   }
 
   open(scene: Scene, name: string, closed: boolean): Status {

@@ -56,10 +56,11 @@ function fileButton(host: OpenAndSaveHost): HTMLElement {
     id: "file",
     multiple: true,
     class: "hidden",
-    accept: ".json,.wkt,.geojson,.txt",
+    accept: ".json,.wkt,.geojson,.txt,.svg,.dxf,.kicad_pcb",
     onchange: () => void host.read([...(file.files ?? [])]).then(() => (file.value = "")),
   });
-  const title = "A scene, or an outline in WKT or GeoJSON for the chosen body. Files can be dropped on the page, too.";
+  const title =
+    "A scene, a drawing (SVG, DXF, KiCad), or an outline in WKT or GeoJSON for the chosen body. Files can be dropped on the page, too.";
   return h("label", { class: "button", for: "file", title }, "Open", file);
 }
 

@@ -3,11 +3,12 @@ import { Changes, type Base } from "./changes";
 import { h } from "./dom";
 import { Editor } from "./editing";
 import { EditPanel, modeOfKey } from "./editpanel";
-import { Engine, type Part, type Pose, type Scene } from "./engine";
+import { Engine, type OpenRings, type Part, type Pose, type Scene } from "./engine";
 import { FaultMessage, culprits } from "./faultmessage";
 import type { Mode } from "./handles";
 import { History } from "./history";
 import { besideOthers, withOutline } from "./importing";
+import { ImportReport } from "./importreport";
 import { keyframesOf, motionOf, piecesOf, sampled, withKeyframe, type Keyframe } from "./motions";
 import { acceptDrops, headerTools, pageExamples, saveFile, type Example, type OpenAndSaveHost } from "./openandsave";
 import { Player } from "./player";
@@ -31,6 +32,9 @@ class Playground {
   private readonly history: History;
   private readonly changes: Changes;
   private readonly worldEditing: WorldEditing;
+  private readonly report = new ImportReport((open) => this.readDrawing(open));
+  /** The drawing that was read last. */
+  private drawing = { text: "", name: "" };
   /** The last scene that could be opened, for plan changes and undoing. */
   private valid!: Scene;
 
@@ -117,7 +121,8 @@ class Playground {
       savePicture: () => this.savePicture(),
     };
     tools.append(...headerTools(this.examples, host), this.history.undoButton, this.history.redoButton);
-    side.insertBefore(this.panel.element, side.children[1]);
+    side.insertBefore(this.report.element, side.children[1]);
+    side.insertBefore(this.panel.element, side.children[2]);
     this.workbench.bodiesPart.append(this.worldEditing.panel.element);
     this.workbench.element.classList.add("editable");
     side.append(this.path.element, this.text.element);
@@ -273,7 +278,11 @@ class Playground {
       let body = files.length > 1 ? 0 : this.editor.body;
       for (const file of files) {
         const text = await file.text();
-        if (/"taut-scene\//.test(text)) this.load(engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
+        if (/\.(svg|dxf|kicad_pcb)$/i.test(file.name)) {
+          this.drawing = { text, name: file.name };
+          this.readDrawing("error");
+        } else if (/"taut-scene\//.test(text))
+          this.load(engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
         else
           this.adoptOutline(
             engine.readOutline(text, file.name),
@@ -281,6 +290,18 @@ class Playground {
             body++ % this.editor.scene.bodies.length,
           );
       }
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** The drawing becomes the scene, unless it can be read in two ways: the report says so, and asks. */
+  private readDrawing(open: OpenRings): void {
+    try {
+      const { text, name } = this.drawing;
+      const drawing = this.player.engine.readDrawing(text, name, open);
+      if (drawing.scene) this.load(drawing.scene, name.replace(/\.[^.]*$/, ""));
+      this.report.show(name, drawing);
     } catch (error) {
       this.fail(error);
     }

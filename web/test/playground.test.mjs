@@ -427,3 +427,42 @@ test("the slider of a scene that was changed ends at its contact", async () => {
   await screenshot(page, "playground");
   await page.close();
 });
+
+const drawing = (gap) => `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40">
+<g id="plate" fill="none"><path d="M0 0H40V40H0V${gap}"/><circle cx="20" cy="20" r="5"/></g>
+<g id="pin" fill="none"><circle cx="60" cy="5" r="3"/><path d="M50 30h5"/></g></svg>`;
+const asFile = (name, text) => ({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+const report = (page) => page.evaluate(() => document.getElementById("importreport").innerText);
+
+test("a drawing becomes a scene, with a report", async () => {
+  const page = await open();
+  await page.setInputFiles("#file", asFile("plate.svg", drawing("0.01")));
+  await page.waitForFunction(() => window.playground.state.scene.bodies[0].name === "plate");
+  assert.deepEqual((await sceneOf(page)).bodies.map((b) => b.name), ["plate", "pin"]);
+  const text = await report(page);
+  assert.match(text, /plate: area 1521.47, 40 x 40, parts: 1, holes: 1/);
+  assert.match(text, /Gaps that were closed\s+0.01 at \(0, 0\)/);
+  assert.match(text, /Open lines\s+from \(50, -30\) to \(55, -30\)/);
+  const view = () => page.evaluate(() => document.querySelector(".importpicture svg").getAttribute("viewBox"));
+  const whole = await view();
+  await page.click("#importreport li button");
+  assert.notEqual(await view(), whole);
+  await page.click(".importpicture");
+  assert.equal(await view(), whole);
+  await screenshot(page, "drawing");
+  await page.close();
+});
+
+test("an outline that stays open is asked about", async () => {
+  const page = await open();
+  const before = (await sceneOf(page)).bodies.map((b) => b.name);
+  await page.setInputFiles("#file", asFile("open.svg", drawing("0.5")));
+  await page.waitForSelector("#import-close");
+  assert.match(await report(page), /an outline stays open, with a gap of 0.5/);
+  assert.deepEqual((await sceneOf(page)).bodies.map((b) => b.name), before);
+  await screenshot(page, "open-drawing");
+  await page.click("#import-close");
+  await page.waitForFunction(() => window.playground.state.scene.bodies[0].name === "plate");
+  assert.match(await report(page), /plate: area 1521.67, 40 x 40, parts: 1, holes: 1/);
+  await page.close();
+});
