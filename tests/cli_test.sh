@@ -86,7 +86,7 @@ expect 0 'Exit codes' '' --help
 expect 0 '^taut [0-9]' '' --version
 for command in demo import check clearance intervals range separate envelope cells trace prove verify draw view separator flatten gen schema completion man; do expect 0 'Example' '' "$command" --help; done
 [ "$("$taut" --help | wc -l)" -le 30 ] || { echo "FAILED: --help does not fit a screen"; failures=$((failures + 1)); }
-expect 2 '' 'subcommand is required'
+expect 2 '' 'what is wanted is missing'
 expect 2 '' 'unknown command "chek"' chek x
 expect 2 '' 'did you mean `taut check`' chek x
 expect 2 '' 'SCENE' check
@@ -766,7 +766,20 @@ for kind in gears combs lock jigsaw dips rotor spiral maze; do
   expect 1 '"outcome":"contact"' '' check --json scene.json
   expect 0 '"format":"taut-scene/1"' '' gen "$kind" -n 100
 done
-expect 2 '' 'A subcommand is required' gen
+expect 2 '' 'hint: one of gears,' gen
+expect 2 '' 'hint: did you mean gears\?' gen gaers
+expect 2 '' 'hint: did you mean --pairs\?' check --pair all hit.json
+expect 2 '' "--at: 'abc' is not a number" draw hit.json --at abc
+expect 2 '' 'time tolerance: it is not between' check --time-tolerance 0 hit.json
+for words in --help man 'completion bash' demo; do
+  "$taut" $words >/dev/full 2>err
+  [ $? = 2 ] && grep -q 'cannot write to standard output' err || { echo "FAILED: taut $words >/dev/full"; failures=$((failures + 1)); }
+done
+# What a shell opens for a command is read to its end; a pipe that somebody made is not.
+expect 1 '^CONTACT' '' check <(cat hit.json)
+truncate -s 1200M big.json
+expect 2 '' 'big.json: the file is larger than the limit' check big.json
+rm big.json
 expect 2 '' '--teeth1: 3 is out of range' gen gears --teeth1 3
 
 all_are_json_lines

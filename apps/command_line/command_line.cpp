@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "io/json_object.hpp"
+
 namespace taut::cli {
 namespace {
 
@@ -17,6 +19,11 @@ std::string number_fault(const std::string& text, bool zero_allowed) {
 }
 
 }  // namespace
+
+std::string UsageError::text_with_hint(const std::string& hint) const {
+  const std::string text = what();
+  return text.find("\nhint: ") == std::string::npos ? text + "\nhint: " + hint : text;
+}
 
 Option& Option::required() {
   option_->required();
@@ -103,12 +110,73 @@ Program::~Program() = default;
 
 void Program::version(const std::string& text) { app_->set_version_flag("--version", text); }
 
+namespace {
+
+/// The innermost command that the words name.
+const CLI::App& command_of(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* at = &app;
+  for (int i = 1; i < argc; ++i) {
+    for (const CLI::App* inner : at->get_subcommands({})) {
+      if (inner->get_name() == argv[i]) at = inner;
+    }
+  }
+  return *at;
+}
+
+/// "--pair" for "--pairs": the option of the command that is meant by a word which it does not know.
+std::string nearest_option(const CLI::App& command, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back(name);
+  }
+  const std::string name = word.substr(2, word.find('=') - 2), near = io::nearest_word(name, known);
+  return near.empty() ? "" : "--" + near;
+}
+
+/// CLI11's message in plain words, with what may be meant.
+std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const CLI::App& command = command_of(app, argc, argv);
+  const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
+  if (is(CLI::ExitCodes::ExtrasError)) {
+    for (int i = 1; i < argc; ++i) {
+      const std::string word = argv[i];
+      if (word.rfind("--", 0) != 0 || word.size() < 4 || command.get_option_no_throw(word.substr(0, word.find('='))))
+        continue;
+      const std::string near = nearest_option(command, word);
+      return "unknown option " + word.substr(0, word.find('=')) +
+             (near.empty() ? "" : "\nhint: did you mean " + near + "?");
+    }
+  }
+  if (is(CLI::ExitCodes::ConversionError)) {
+    const std::string text = error.what(), mark = "Could not convert: ";
+    const std::size_t at = text.find(mark), equals = text.find(" = ", at);
+    if (at != std::string::npos && equals != std::string::npos)
+      return text.substr(at + mark.size(), equals - at - mark.size()) + ": '" + text.substr(equals + 3) +
+             "' is not a number";
+  }
+  if (is(CLI::ExitCodes::RequiredError) && command.get_require_subcommand_min() > 0) {
+    std::vector<std::string> known;
+    std::string all;
+    for (const CLI::App* inner : command.get_subcommands({})) {
+      known.push_back(inner->get_name());
+      all += (all.empty() ? "" : ", ") + inner->get_name();
+    }
+    const std::string word = argc > 2 ? argv[2] : "", near = io::nearest_word(word, known);
+    if (!word.empty() && word[0] != '-')
+      return "unknown kind \"" + word + "\"\nhint: " + (near.empty() ? "one of " + all : "did you mean " + near + "?");
+    return "what is wanted is missing\nhint: one of " + all;
+  }
+  return error.what();
+}
+
+}  // namespace
+
 bool Program::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
     return true;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw UsageError(error.what());
+    if (error.get_exit_code() != 0) throw UsageError(usage_text(*app_, error, argc, argv));
     app_->exit(error);
     return false;
   }
@@ -119,7 +187,7 @@ int run_program(Program& program, int argc, char** argv, const std::function<int
   try {
     return program.parse(argc, argv) ? work() : 0;
   } catch (const UsageError& error) {
-    std::fprintf(stderr, "%s: %s\nhint: --help lists the options\n", name, error.what());
+    std::fprintf(stderr, "%s: %s\n", name, error.text_with_hint("--help lists the options").c_str());
     return 2;
   } catch (const InputError& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());

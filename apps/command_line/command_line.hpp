@@ -16,10 +16,12 @@ class Option;
 
 namespace taut::cli {
 
-/// The command line is wrong; what() says how.
+/// The command line is wrong; what() says how, and may end with a line that begins with "hint: ".
 class UsageError : public Error {
  public:
   using Error::Error;
+  /// what(), with this hint if it has none of its own.
+  std::string text_with_hint(const std::string& hint) const;
 };
 
 /// An option of a command, or one of its arguments, while it is defined.

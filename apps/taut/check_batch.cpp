@@ -153,9 +153,9 @@ class Output {
     if (!waiting_) file_->expect_none();
   }
 
-  /// The next task, the one that take_up() came to first. What is left when a run was stopped is for the next run.
+  /// The next task, the one that take_up() came to first. None after a run was stopped: nothing would be asked.
   std::optional<BatchTask> next(Tasks& tasks, bool stopped) {
-    if (file_ && (stopped || !writes_)) return std::nullopt;
+    if (stopped || !writes_) return std::nullopt;
     if (!waiting_) return tasks.next();
     return std::exchange(waiting_, std::nullopt);
   }
@@ -222,9 +222,11 @@ int check_batch(const CheckBatch& batch) {
         worst.note(result.code);
       });
   output.expect_written();
-  if (!batch.resume.empty() && stop) {
-    fmt::print(stderr, "taut: stopped; the same command goes on behind the last answer in {}\n",
-               io::line_for_terminal(batch.resume));
+  if (stop) {
+    fmt::print(stderr, "taut: stopped; {}\n",
+               batch.resume.empty()
+                   ? fmt::format("{} scenes were answered", scenes)
+                   : "the same command goes on behind the last answer in " + io::line_for_terminal(batch.resume));
     worst.note(exit_undecided);
   }
   if (batch.timing) {

@@ -61,8 +61,8 @@ int run_check(const CheckArguments& arguments) {
   } else {
     print_text(report(scene, answer, arguments.options.touch));
     if (arguments.timing) {
-      fmt::print("  read {}, build {}, run {}\n", seconds_text(timing.read), seconds_text(timing.build),
-                 seconds_text(timing.run));
+      print_text(fmt::format("  read {}, build {}, run {}\n", seconds_text(timing.read), seconds_text(timing.build),
+                             seconds_text(timing.run)));
     }
   }
   return exit_code(answer.outcome, arguments.scene.allow_untested);

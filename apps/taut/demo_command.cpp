@@ -15,6 +15,7 @@
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "terminal.hpp"
 #include "viewer_page.hpp"
 
 namespace taut::cli {
@@ -112,7 +113,7 @@ struct DemoArguments {
 
 int run_demo(const DemoArguments& arguments) {
   if (arguments.name.empty()) {
-    fmt::print("{}", list());
+    print_text(list());
     return exit_free;
   }
   const Demo& demo = find_demo(arguments.name);
@@ -121,16 +122,16 @@ int run_demo(const DemoArguments& arguments) {
   const std::string text = demo.scene();
   const Scene scene = parse_scene(text);
   write_new(stem + ".json", text, arguments.force);
-  fmt::print("{}.json  {}\n", shown, demo.what);
+  print_text(fmt::format("{}.json  {}\n", shown, demo.what));
   write_new(stem + ".svg", animation(scene, Touch::open, {}), arguments.force);
-  fmt::print("{}.svg   the motion, to open in a browser\n", shown);
+  print_text(fmt::format("{}.svg   the motion, to open in a browser\n", shown));
   if (viewer_is_there()) {
     if (!arguments.force) require_new(stem + ".html");
     write_viewer(scene, {}, stem + ".html");
-    fmt::print("{}.html  the motion, to step through in a browser\n", shown);
+    print_text(fmt::format("{}.html  the motion, to step through in a browser\n", shown));
   }
   const std::string next = shell_word(arguments.program) + " check " + shell_word(stem + ".json");
-  fmt::print("next:  {}\n", io::line_for_terminal(next));
+  print_text(fmt::format("next:  {}\n", io::line_for_terminal(next)));
   return exit_free;
 }
 

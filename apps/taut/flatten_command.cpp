@@ -32,7 +32,7 @@ Body flattened(const Body& body, CurveSide side, double tolerance) {
 
 int run_flatten(const FlattenArguments& arguments) {
   if (arguments.inner == arguments.outer)
-    throw InputError("taut flatten", "the side of the curves is missing",
+    throw InputError("", "the side of the curves is missing",
                      "write --outer for polygons around the bodies, or --inner for polygons within them");
   Scene scene = load_scene(arguments.scene);
   within_file(arguments.scene.path, [&] {

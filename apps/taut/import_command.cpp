@@ -14,6 +14,7 @@
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
+#include "terminal.hpp"
 
 namespace taut::cli {
 
@@ -55,7 +56,7 @@ int run_import(ImportArguments arguments) {
   // What is wrong is seen best in the picture: it is written in any case, and so is the report.
   if (!arguments.svg.empty()) write_output(arguments.svg, report_svg(import));
   if (arguments.json)
-    fmt::print("{}", report_json(import, settings));
+    print_text(report_json(import, settings));
   else
     fmt::print(stderr, "{}", io::for_terminal(report_text(import, settings)));
   if (!import.faults.empty()) throw import.faults.front();

@@ -17,7 +17,8 @@ namespace {
 const char* const examples =
     "Example: taut demo lid && taut check lid.json. More: taut COMMAND --help; taut completion bash|zsh|fish; taut "
     "man\n"
-    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or usage, 3 undecided, 4 internal error.\n";
+    "Exit codes: 0 free, 1 contact or overlap at the start, 2 bad input or nothing tested, 3 undecided, 4 internal "
+    "error.\n";
 
 /// CLI11 would only say that a subcommand is required.
 void require_known_command(const taut::cli::Command& taut, int argc, char** argv) {
@@ -68,10 +69,10 @@ int main(int argc, char** argv) {
   taut::cli::clean_up_on_signals();
   try {
     require_known_command(app, argc, argv);
-    if (!program.parse(argc, argv)) return taut::cli::exit_free;
+    if (!program.parse(argc, argv)) return taut::cli::flushed("taut", taut::cli::exit_free);
     return taut::cli::flushed("taut", action());
   } catch (const taut::cli::UsageError& error) {
-    taut::cli::print_error("taut", std::string(error.what()) + "\nhint: see `taut --help` or `taut COMMAND --help`");
+    taut::cli::print_error("taut", error.text_with_hint("see `taut --help` or `taut COMMAND --help`"));
     return taut::cli::exit_bad_input;
   } catch (const taut::InputError& error) {
     taut::cli::print_error("taut", error);

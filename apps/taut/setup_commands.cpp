@@ -1,10 +1,9 @@
 // taut completion SHELL and taut man: what an installation needs.
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "commands.hpp"
 #include "manual.hpp"
+#include "terminal.hpp"
 
 namespace taut::cli {
 
@@ -24,7 +23,7 @@ void add_completion(const Command& app, Action& action) {
       "  taut completion zsh >_taut            into a folder of $fpath\n");
   command.on_chosen([app, &action, shell] {
     action = [app, shell] {
-      fmt::print("{}", completion(command_model(app), *shell));
+      print_text(completion(command_model(app), *shell));
       return static_cast<int>(exit_free);
     };
   });
@@ -39,7 +38,7 @@ void add_man(const Command& app, Action& action) {
       "  taut man >/usr/local/share/man/man1/taut.1\n");
   command.on_chosen([app, &action] {
     action = [app] {
-      fmt::print("{}", manual(command_model(app), TAUT_VERSION));
+      print_text(manual(command_model(app), TAUT_VERSION));
       return static_cast<int>(exit_free);
     };
   });

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     if (!app.parse(argc, argv)) return 0;
     return taut::cli::flushed(program, taut::cli::verify_and_report(arguments));
   } catch (const taut::cli::UsageError& error) {
-    taut::cli::print_error(program, std::string(error.what()) + "\nhint: see `taut-verify --help`");
+    taut::cli::print_error(program, error.text_with_hint("see `taut-verify --help`"));
     return 2;
   } catch (const taut::InputError& error) {
     taut::cli::print_error(program, error);

@@ -1,6 +1,7 @@
 #include "scene_source.hpp"
 
 #include <cstdio>
+#include <memory>
 
 #include "taut/io.hpp"
 
@@ -24,19 +25,34 @@ void add_at_rest(const Command& command, std::optional<AtRest>& at_rest) {
 
 namespace {
 
+/// Of `taut check <(command)`: a pipe that the shell opened, and that is read to its end as standard input is. A pipe
+/// that somebody made, or that a scene names, may never have one.
+bool is_opened_pipe(const std::string& path) {
+  return path.rfind("/dev/fd/", 0) == 0 || path.rfind("/proc/self/fd/", 0) == 0;
+}
+
 /// What the command line says instead of the scene.
 void take_choices(const SceneSource& source, Scene& scene) {
   if (source.at_rest) scene.at_rest = *source.at_rest;
 }
 
-std::string text_of_standard_input(std::size_t most) {
+std::string text_of(std::FILE* file, std::size_t most) {
   std::string text;
   char buffer[1 << 16];
-  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, stdin)) {
+  while (std::size_t n = std::fread(buffer, 1, sizeof buffer, file)) {
     text.append(buffer, n);
     if (text.size() > most) break;  // the parser refuses it
   }
   return text;
+}
+
+/// Of what is no file by a name of its own; nothing for others.
+std::optional<std::string> streamed_text(const std::string& path, std::size_t most) {
+  if (path == "-") return text_of(stdin, most);
+  if (!is_opened_pipe(path)) return std::nullopt;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) return std::nullopt;  // read_scene() says why
+  return text_of(file.get(), most);
 }
 
 }  // namespace
@@ -44,9 +60,8 @@ std::string text_of_standard_input(std::size_t most) {
 Scene load_scene(const SceneSource& source) {
   ReadLimits limits;
   limits.allow_outside = source.allow_outside;
-  Scene scene = source.path != "-"
-                    ? read_scene(source.path, limits)
-                    : parse_scene(text_of_standard_input(limits.max_bytes), display_name(source.path), ".", limits);
+  const std::optional<std::string> text = streamed_text(source.path, limits.max_bytes);
+  Scene scene = text ? parse_scene(*text, display_name(source.path), ".", limits) : read_scene(source.path, limits);
   take_choices(source, scene);
   return scene;
 }
@@ -54,9 +69,9 @@ Scene load_scene(const SceneSource& source) {
 Linkage load_linkage(const SceneSource& source) {
   ReadLimits limits;
   limits.allow_outside = source.allow_outside;
-  Linkage linkage = source.path != "-" ? read_linkage(source.path, limits)
-                                       : parse_linkage(text_of_standard_input(limits.max_bytes),
-                                                       display_name(source.path), ".", limits);
+  const std::optional<std::string> text = streamed_text(source.path, limits.max_bytes);
+  Linkage linkage =
+      text ? parse_linkage(*text, display_name(source.path), ".", limits) : read_linkage(source.path, limits);
   take_choices(source, linkage.scene);
   return linkage;
 }

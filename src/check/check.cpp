@@ -7,6 +7,7 @@
 #include "check/run.hpp"
 #include "pair/fitted_scene.hpp"
 #include "pair/validate_world.hpp"
+#include "taut/error.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {
@@ -42,6 +43,8 @@ Answer check_by_tiling(const Scene& scene, const CheckOptions& options) {
 }  // namespace
 
 Answer check(const Scene& scene, const CheckOptions& options) {
+  if (!(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1))
+    throw InputError("time tolerance", "it is not between 1e-15 and 1", "1e-9 of the scene's time is usual");
   if (has_curves(scene)) return check_curved(scene, options);
   if (options.fit != 0) return check_fitted(scene, options);
   if (options.all_pairs || is_world(scene)) return run_world(scene, options);

@@ -261,8 +261,6 @@ CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& op
 }
 
 Answer check_curved(const Scene& scene, const CheckOptions& options) {
-  if (!(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1))
-    throw InputError("time tolerance", "it is not between 1e-15 and 1", "1e-9 of the scene's time is usual");
   if (options.fit != 0) return check_fitted_curves(scene, options);
   if (options.all_pairs) return check_each_pair(scene, options);
   return CurvedCheck(scene, options).run();

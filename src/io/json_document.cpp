@@ -71,7 +71,7 @@ class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
     const bool overflow = problem.find("overflow") != std::string::npos;
     const bool whole_token = !special.empty() || overflow;
     const std::size_t at = whole_token ? start_of_token() : read == 0 ? 0 : read - 1;
-    const std::string hint = hint_for(problem);
+    const std::string found = hint_at(at), hint = found.empty() ? hint_for(problem) : found;
     if (quoting_ == Quoting::never) drop_quotation(problem);
     throw InputError(place_in_text(document_.text, document_.name, at),
                      special.empty() ? "not valid JSON: " + excerpt(problem, 160) : special,
@@ -96,6 +96,17 @@ class TokenWriter : public nlohmann::json_sax<nlohmann::json> {
   static void drop_quotation(std::string& problem) {
     for (const char* quotation : {"; last read", " parsing '"})
       problem.resize(std::min(problem.find(quotation), problem.size()));
+  }
+
+  /// What begins where the parser stopped, and is something that JSON does not have.
+  std::string hint_at(std::size_t at) const {
+    const std::string& text = document_.text;
+    const std::size_t from = text.find_first_not_of(" \t\r\n", std::min(at, text.size()));
+    const char c = from == std::string::npos ? '\0' : text[from];
+    if (c == '\'') return "JSON has double quotes only: write \"name\"";
+    if (c == '#' || (c == '/' && from + 1 < text.size() && (text[from + 1] == '/' || text[from + 1] == '*')))
+      return "JSON has no comments: take them out";
+    return "";
   }
 
   static std::string hint_for(const std::string& problem) {

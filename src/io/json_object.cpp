@@ -29,8 +29,22 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// What other formats call it, in the words of this one. Each stands for a key that is known where it is meant.
+std::string translated(const std::string& key, const std::vector<std::string>& known) {
+  static const std::pair<const char*, const char*> words[] = {
+      {"parent", "relative_to"}, {"attached_to", "relative_to"}, {"frame", "relative_to"}, {"holes", "polygon"},
+      {"outline", "polygon"},    {"shape", "polygon"},           {"points", "polygon"},    {"vertices", "polygon"},
+      {"path", "polygon"},       {"from", "from_deg"},           {"to", "to_deg"},         {"exclude", "ignore"}};
+  for (const auto& [word, meant] : words) {
+    if (key == word && std::find(known.begin(), known.end(), meant) != known.end()) return meant;
+  }
+  return "";
+}
+
 std::string hint_for_unknown(const std::string& key, const std::vector<std::string>& known) {
-  const std::string near = nearest_word(key, known);
+  const std::string meant = translated(key, known), near = meant.empty() ? nearest_word(key, known) : meant;
+  if (key == "holes" && near == "polygon")
+    return R"(write "polygon": {"outline": [[x, y], ...], "holes": [[[x, y], ...], ...]})";
   std::string hint = near.empty() ? "" : "did you mean \"" + near + "\"? ";
   hint += "the keys here are ";
   for (std::size_t i = 0; i < known.size(); ++i) hint += (i ? ", \"" : "\"") + known[i] + "\"";

@@ -13,7 +13,8 @@ namespace taut::io {
 namespace {
 
 [[noreturn]] void fail_to_open(const std::string& path, int error) {
-  throw InputError(path, std::string("cannot open the file: ") + std::strerror(error), "check the path");
+  throw InputError(path, std::string("cannot open the file: ") + std::strerror(error),
+                   error == EACCES ? "ask its owner for permission to read it, as `chmod +r` gives" : "check the path");
 }
 
 const char* kind_of(mode_t mode) {
@@ -25,7 +26,13 @@ const char* kind_of(mode_t mode) {
 
 }  // namespace
 
-FilePointer open_regular_file(const std::string& path) {
+void require_size(std::uintmax_t bytes, const std::string& name, std::size_t max_bytes) {
+  if (bytes > max_bytes)
+    throw InputError(name, "the file is larger than the limit of " + std::to_string(max_bytes) + " bytes",
+                     "simplify the outline, or raise ReadLimits::max_bytes");
+}
+
+FilePointer open_regular_file(const std::string& path, std::size_t max_bytes) {
   // What follows a NUL would be lost.
   if (path.find('\0') != std::string::npos) fail_to_open(path, EINVAL);
   // Opening a pipe would wait for somebody to write to it.
@@ -37,6 +44,10 @@ FilePointer open_regular_file(const std::string& path) {
     ::close(descriptor);
     throw InputError(path, std::string("cannot read the file: ") + kind_of(status.st_mode),
                      "give the path of a text file; what comes through a pipe can be read from standard input");
+  }
+  if (known && static_cast<std::uintmax_t>(status.st_size) > max_bytes) {
+    ::close(descriptor);
+    require_size(static_cast<std::uintmax_t>(status.st_size), path, max_bytes);
   }
   std::FILE* file = known ? ::fdopen(descriptor, "rb") : nullptr;
   if (!file) {

@@ -32,7 +32,17 @@ class SceneReader {
   SceneReader(const JsonDocument& document, const std::string& folder, const ReadLimits& limits)
       : document_(document), folder_(folder), limits_(limits) {}
 
+  /// Other files that people have are told by what they begin with.
+  void refuse_geojson() const {
+    if (document_.at(0).kind() != JsonKind::object || !io::has_member(document_, 0, "type")) return;
+    if (io::has_member(document_, 0, "format")) return;
+    throw document_.error(
+        0, "", "this is GeoJSON, not a scene",
+        "`taut import` makes scenes of drawings and maps; a body's polygon may be {\"geojson\": file}");
+  }
+
   Scene read() const {
+    refuse_geojson();
     // "$schema" is for editors.
     const JsonObject root(document_, 0, "",
                           {"format", "time", "bodies", "ignore", "at_rest", "id", "joints", "$schema"}, scene_shape);
@@ -50,6 +60,10 @@ class SceneReader {
   }
 
   Linkage read_linkage() const {
+    refuse_geojson();
+    if (document_.at(0).kind() == JsonKind::object && io::has_member(document_, 0, "time"))
+      throw document_.error(0, "", "the scene has a time instead of joints",
+                            "ask `taut check` about it, or write \"joints\": {\"lift\": [0, 60]} instead of \"time\"");
     const JsonObject root(document_, 0, "", {"format", "joints", "bodies", "ignore", "at_rest", "id", "$schema"},
                           linkage_shape);
     read_format(root.get("format"));
@@ -312,9 +326,30 @@ class SceneReader {
   const ReadLimits& limits_;
 };
 
+/// Text that is no JSON, but something that people have. The parser would complain of its first letter.
+void refuse_other_formats(const std::string& text, const std::string& name) {
+  const auto begins = [&](std::string_view with) { return std::string_view(text).substr(0, with.size()) == with; };
+  if (begins("\xFF\xFE") || begins("\xFE\xFF") || begins(std::string_view("{\0", 2)))
+    throw InputError(name, "this is not text in UTF-8", "a scene is a JSON file; save it as UTF-8");
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == std::string::npos) return;
+  const std::string_view rest = std::string_view(text).substr(first);
+  const bool svg = rest[0] == '<', dxf = rest.substr(0, 1) == "0" && rest.find("SECTION") < 20;
+  const bool wkt = rest.substr(0, 7) == "POLYGON" || rest.substr(0, 12) == "MULTIPOLYGON";
+  if (svg || dxf || wkt)
+    throw InputError(name,
+                     std::string("this is ") +
+                         (svg   ? "XML, perhaps an SVG drawing"
+                          : dxf ? "a DXF drawing"
+                                : "WKT") +
+                         ", not a scene",
+                     wkt ? "a body's polygon may be {\"wkt\": file}" : "`taut import` makes a scene of a drawing");
+}
+
 template <class Read>
 auto read_text(std::string text, const std::string& name, const std::string& folder, const ReadLimits& limits,
                const char* shape, const Read& read) {
+  refuse_other_formats(text, name);
   const JsonDocument document = io::parse_json(std::move(text), name, std::string("write ") + shape);
   return (SceneReader(document, folder, limits).*read)();
 }

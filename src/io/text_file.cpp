@@ -10,17 +10,8 @@
 
 namespace taut::io {
 
-namespace {
-
-std::string size_problem(std::size_t max_bytes) {
-  return "the file is larger than the limit of " + std::to_string(max_bytes) + " bytes";
-}
-
-}  // namespace
-
 void require_size(const std::string& text, const std::string& name, std::size_t max_bytes) {
-  if (text.size() > max_bytes)
-    throw InputError(name, size_problem(max_bytes), "simplify the outline, or raise ReadLimits::max_bytes");
+  require_size(text.size(), name, max_bytes);
 }
 
 std::string folder_of(const std::string& path) {
@@ -29,7 +20,7 @@ std::string folder_of(const std::string& path) {
 }
 
 std::string read_text_file(const std::string& path, std::size_t max_bytes) {
-  const FilePointer file = open_regular_file(path);
+  const FilePointer file = open_regular_file(path, max_bytes);
   std::string text;
   char buffer[1 << 16];
   while (std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) {
