@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "check/curved_questions.hpp"
 #include "check/near_cells.hpp"
@@ -21,36 +23,53 @@ struct OverlapBracket {
   OverlapInterval outer;
   std::vector<OverlapInterval> inner;
 
-  bool decided(double wanted) const {
-    if (inner.size() != 1) return false;
-    const auto narrow = [&](const TimeInterval& a, const TimeInterval& b) {
-      const double lo = std::min(a.lo, b.lo), hi = std::max(a.hi, b.hi);
-      return hi - lo <= std::max({wanted, 2 * (a.hi - a.lo), 0x1p-49 * std::fabs(hi)});
-    };
-    return narrow(inner[0].from, outer.from) && narrow(inner[0].to, outer.to);
+  static bool narrow(const TimeInterval& a, const TimeInterval& b, double wanted) {
+    const double lo = std::min(a.lo, b.lo), hi = std::max(a.hi, b.hi);
+    return hi - lo <= std::max({wanted, 2 * (a.hi - a.lo), 0x1p-49 * std::fabs(hi)});
   }
+  bool begin_decided(double wanted) const { return narrow(inner[0].from, outer.from, wanted); }
+  bool end_decided(double wanted) const { return narrow(inner[0].to, outer.to, wanted); }
+  bool decided(double wanted) const { return inner.size() == 1 && begin_decided(wanted) && end_decided(wanted); }
 };
 
 class CurvedIntervals {
  public:
-  CurvedIntervals(const Scene& scene, const CheckOptions& options)
-      : options_(options), began_(std::chrono::steady_clock::now()), world_(scene), limit_(world_) {
-    wanted_ = options.time_tolerance * (scene.end - scene.start);
-  }
+  /// Ends are told as well as `wanted`, in time. `in_windows`: of each end by itself, once it is known about where it
+  /// is.
+  CurvedIntervals(const Scene& scene, const CheckOptions& options, double wanted, bool in_windows)
+      : options_(options),
+        began_(std::chrono::steady_clock::now()),
+        world_(scene),
+        limit_(world_),
+        wanted_(wanted),
+        in_windows_(in_windows) {}
 
+  /// Pairs are settled one after the other, and not asked about again: others may need curves that are far finer.
   Intervals run() {
-    for (;;) {
+    for (bool first = true;; first = false) {
       Intervals outer = ask(CurveSide::outer);
-      if (outer.outcome == Outcome::untested) return outer;
+      if (first && outer.outcome == Outcome::untested) return outer;
       const Intervals inner = ask(CurveSide::inner);
-      const std::vector<OverlapBracket> brackets = brackets_of(outer, inner);
+      if (first) answer_.coverage = outer.coverage;
+      settle_undecided(outer);
+      settle_undecided(inner);
+      std::vector<OverlapBracket> brackets = brackets_of(outer, inner);
+      if (in_windows_) {
+        for (OverlapBracket& bracket : brackets) tell_ends(bracket);
+      }
+      const std::set<std::array<BodyId, 2>> open = open_pairs(brackets);
       CurvedWorld::Halvings marks = world_.no_halvings();
       std::size_t count = 0;
       for (const OverlapBracket& bracket : brackets) {
-        if (!bracket.decided(wanted_)) count += mark(bracket, marks);
+        if (open.count(bracket.outer.pair) == 0) {
+          settle(bracket);
+        } else if (!bracket.decided(wanted_)) {
+          count += mark(bracket, marks);
+        }
       }
       if (count == 0 || limit_.reached(world_) || !refine_marked(world_, std::move(marks), count))
-        return concluded(std::move(outer), inner, brackets);
+        return concluded(brackets, open);
+      ask_only(open);
     }
   }
 
@@ -58,7 +77,85 @@ class CurvedIntervals {
   Intervals ask(CurveSide side) const {
     CheckOptions options = options_;
     options.max_seconds -= seconds_since(began_);
-    return intervals(world_.polygons(side), options);
+    Scene polygons = world_.polygons(side);
+    polygons.ignore.insert(polygons.ignore.end(), settled_.begin(), settled_.end());
+    return intervals(polygons, options);
+  }
+
+  /// What polygons in short windows around the ends say, which are fine only where the two bodies meet then.
+  void tell_ends(OverlapBracket& bracket) {
+    if (bracket.inner.size() != 1) return;
+    OverlapInterval& inner = bracket.inner[0];
+    // Longer ones would have more than one end of the interval in them, or nearly.
+    constexpr double longest = 0.25;
+    const double length = inner.to.lo - inner.from.hi, middle = inner.from.hi + length / 2;
+    const double early = inner.from.hi - bracket.outer.from.lo, late = bracket.outer.to.hi - inner.to.lo;
+    if (!bracket.begin_decided(wanted_) && early < longest * length) {
+      const auto told = told_within(inner.pair, bracket.outer.from.lo - early, std::min(inner.from.hi + early, middle));
+      if (told && told->enter && !told->exit) {
+        bracket.outer.from = inner.from = told->from;
+        inner.enter = told->enter;
+      }
+    }
+    if (!bracket.end_decided(wanted_) && late < longest * length) {
+      const auto told = told_within(inner.pair, std::max(inner.to.lo - late, middle), bracket.outer.to.hi + late);
+      if (told && !told->enter && told->exit) {
+        bracket.outer.to = inner.to = told->to;
+        inner.exit = told->exit;
+      }
+    }
+  }
+
+  /// The only interval in which the two overlap in a window; its features have their curves' names.
+  std::optional<OverlapInterval> told_within(const std::array<BodyId, 2>& pair, double from, double to) {
+    std::vector<BodyId> ids;
+    Scene scene = scene_of_pair(world_.scene(), pair, ids);
+    scene.start = std::max(scene.start, from);
+    scene.end = std::min(scene.end, to);
+    CheckOptions options = options_;
+    options.max_seconds -= seconds_since(began_);
+    Intervals found = CurvedIntervals(scene, options, wanted_, false).run();
+    if (found.intervals.size() != 1 || !found.undecided.empty()) return std::nullopt;
+    OverlapInterval told = found.intervals[0];
+    for (std::optional<Contact>* contact : {&told.enter, &told.exit}) {
+      if (!*contact) continue;
+      for (BodyId* id : {&(*contact)->vertex.body, &(*contact)->edge.body}) *id = ids[static_cast<std::size_t>(*id)];
+      tolerance_ = std::max(tolerance_, found.geometry->tolerance);
+      segments_ = std::max(segments_, found.geometry->segments);
+    }
+    return told;
+  }
+
+  /// Those with an end that is not told well.
+  std::set<std::array<BodyId, 2>> open_pairs(const std::vector<OverlapBracket>& brackets) const {
+    std::set<std::array<BodyId, 2>> open;
+    for (const OverlapBracket& bracket : brackets) {
+      if (!bracket.decided(wanted_)) open.insert(bracket.outer.pair);
+    }
+    return open;
+  }
+
+  void settle_undecided(const Intervals& found) {
+    for (const PairAnswer& pair : found.undecided) {
+      if (undecided_.insert(pair.bodies).second) answer_.undecided.push_back(pair);
+    }
+  }
+
+  /// While the polygons are those that told it.
+  void settle(const OverlapBracket& bracket) {
+    if (undecided_.count(bracket.outer.pair) == 0) answer_.intervals.push_back(named(bracket));
+  }
+
+  void ask_only(const std::set<std::array<BodyId, 2>>& open) {
+    settled_.clear();
+    const std::vector<Body>& bodies = world_.scene().bodies;
+    const int n = static_cast<int>(bodies.size());
+    for (int a = 0; a < n; ++a) {
+      for (int b = a + 1; b < n; ++b) {
+        if (open.count({a, b}) == 0 || undecided_.count({a, b}) > 0)
+          settled_.push_back({bodies[static_cast<std::size_t>(a)].name, bodies[static_cast<std::size_t>(b)].name});
+      }
+    }
   }
 
   static std::vector<OverlapBracket> brackets_of(const Intervals& outer, const Intervals& inner) {
@@ -75,11 +172,14 @@ class CurvedIntervals {
   /// Near the ends that are not told well, and where nothing is known in between.
   std::size_t mark(const OverlapBracket& bracket, CurvedWorld::Halvings& marks) const {
     const OverlapInterval& o = bracket.outer;
-    std::vector<double> instants{o.from.lo, o.to.hi};
+    const bool one = bracket.inner.size() == 1;
+    std::vector<double> instants;
+    if (!one || !bracket.begin_decided(wanted_)) instants.push_back(o.from.lo);
+    if (!one || !bracket.end_decided(wanted_)) instants.push_back(o.to.hi);
     if (bracket.inner.empty()) instants.push_back(o.from.lo + (o.to.hi - o.from.lo) / 2);
     for (const OverlapInterval& i : bracket.inner) {
-      instants.push_back(i.from.hi);
-      instants.push_back(i.to.lo);
+      if (!one || !bracket.begin_decided(wanted_)) instants.push_back(i.from.hi);
+      if (!one || !bracket.end_decided(wanted_)) instants.push_back(i.to.lo);
     }
     std::size_t count = 0;
     for (const double t : instants)
@@ -87,41 +187,34 @@ class CurvedIntervals {
     return count;
   }
 
-  Intervals concluded(Intervals outer, const Intervals& inner, const std::vector<OverlapBracket>& brackets) const {
-    Intervals answer;
-    answer.coverage = outer.coverage;
-    answer.undecided = std::move(outer.undecided);
-    answer.undecided.insert(answer.undecided.end(), inner.undecided.begin(), inner.undecided.end());
-    answer.geometry = CurveGeometry{0, world_.segments()};
-    std::set<std::array<BodyId, 2>> open;
-    for (const PairAnswer& pair : answer.undecided) open.insert(pair.bodies);
+  Intervals concluded(const std::vector<OverlapBracket>& brackets, const std::set<std::array<BodyId, 2>>& open) {
     for (const OverlapBracket& bracket : brackets) {
-      if (bracket.decided(wanted_) || !open.insert(bracket.outer.pair).second) continue;
-      const TimeInterval& from = bracket.outer.from;
-      answer.undecided.push_back({bracket.outer.pair,
-                                  Outcome::undecided,
-                                  {},
-                                  from.lo,
-                                  "between t = " + time_words(from.lo) + " and t = " + time_words(bracket.outer.to.hi) +
-                                      " curves touch, or overlap by less than doubles tell: `taut flatten` makes "
-                                      "polygons, about which it is decided"});
+      const OverlapInterval& outer = bracket.outer;
+      if (open.count(outer.pair) == 0 || bracket.decided(wanted_) || !undecided_.insert(outer.pair).second) continue;
+      answer_.undecided.push_back({outer.pair,
+                                   Outcome::undecided,
+                                   {},
+                                   outer.from.lo,
+                                   "between t = " + time_words(outer.from.lo) + " and t = " + time_words(outer.to.hi) +
+                                       " curves touch, or overlap by less than doubles tell: `taut flatten` makes "
+                                       "polygons, about which it is decided"});
     }
-    for (const OverlapBracket& bracket : brackets) {
-      if (open.count(bracket.outer.pair) == 0) answer.intervals.push_back(named(bracket, *answer.geometry));
-    }
-    conclude(answer);
-    return answer;
+    std::stable_sort(answer_.intervals.begin(), answer_.intervals.end(),
+                     [](const OverlapInterval& a, const OverlapInterval& b) { return a.pair < b.pair; });
+    answer_.geometry = CurveGeometry{tolerance_, std::max(segments_, world_.segments())};
+    conclude(answer_);
+    return std::move(answer_);
   }
 
-  OverlapInterval named(const OverlapBracket& bracket, CurveGeometry& geometry) const {
+  OverlapInterval named(const OverlapBracket& bracket) {
     OverlapInterval found = bracket.inner[0];
     found.from.lo = std::min(found.from.lo, bracket.outer.from.lo);
     found.to.hi = std::max(found.to.hi, bracket.outer.to.hi);
-    const auto name = [&](std::optional<Contact>& contact) {
-      if (contact) geometry.tolerance = std::max(geometry.tolerance, world_.name_curves(CurveSide::inner, *contact));
-    };
-    name(found.enter);
-    name(found.exit);
+    for (std::optional<Contact>* contact : {&found.enter, &found.exit}) {
+      // Those of windows have their names.
+      if (*contact && !(*contact)->vertex.parameter && !(*contact)->edge.parameter)
+        tolerance_ = std::max(tolerance_, world_.name_curves(CurveSide::inner, **contact));
+    }
     return found;
   }
 
@@ -129,13 +222,19 @@ class CurvedIntervals {
   std::chrono::steady_clock::time_point began_;
   CurvedWorld world_;
   RefinementLimit limit_;
-  double wanted_ = 0;
+  double wanted_;
+  bool in_windows_;
+  std::uint64_t segments_ = 0;  ///< of the finest window
+  Intervals answer_;
+  std::set<std::array<BodyId, 2>> undecided_;
+  std::vector<std::array<std::string, 2>> settled_;  ///< by name, as a scene ignores pairs
+  double tolerance_ = 0;
 };
 
 }  // namespace
 
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options) {
-  return CurvedIntervals(scene, options).run();
+  return CurvedIntervals(scene, options, options.time_tolerance * (scene.end - scene.start), true).run();
 }
 
 }  // namespace taut

@@ -2,11 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
+#include "base/interruption.hpp"
+#include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"
+#include "taut/intervals.hpp"
 #include "taut/io.hpp"
+#include "taut/motions.hpp"
+#include "taut/outline.hpp"
 
 namespace taut {
 namespace {
@@ -281,6 +287,47 @@ TEST(CurvedCheck, EqualRadiiEndSoon) {
   // A hundred-thousandth less is told from it.
   const Body less = curve_body("pin", disc(0, 0, 5 - 1e-5), curve_motion({}, {}));
   EXPECT_EQ(check(scene_of({hub_of(5), less}, 1)).outcome, Outcome::free);
+}
+
+/// Discs that pass through each other in turn, beside polygons that do: each end is told in a window of its own, and
+/// pairs that are settled are not asked about again.
+TEST(CurvedIntervals, TakeLittleMoreWorkThanPolygons) {
+  Scene discs, polygons;
+  discs.end = 6;
+  testing::Rng rng(12);
+  for (int i = 0; i < 8; ++i) {
+    // From place to place on a grid, one at a time.
+    std::vector<Keyframe> way(7);
+    for (std::size_t t = 0; t < way.size(); ++t) {
+      way[t].t = static_cast<double>(t);
+      way[t].x = t == 0 ? i % 4 : way[t - 1].x;
+      way[t].y = t == 0 ? i / 4 : way[t - 1].y;
+      const double step = t == 0 ? 0 : rng.between(-1, 1);
+      (rng.chance(0.5) ? way[t].x : way[t].y) += step;
+    }
+    const Motion motion = from_keyframes(way, {});
+    const std::string name = "d" + std::to_string(i);
+    discs.bodies.push_back({name, {}, motion});
+    discs.bodies.back().curves = parse_path("M0.45 0 A0.45 0.45 0 0 1 -0.45 0 A0.45 0.45 0 0 1 0.45 0 Z");
+    Polygon gon;
+    for (int k = 0; k < 24; ++k)
+      gon.push_back({0.45 * std::cos(k * 0.2617993877991494), 0.45 * std::sin(k * 0.2617993877991494)});
+    polygons.bodies.push_back({name, gon, motion});
+  }
+  polygons.end = discs.end;
+  const auto work_of = [](const Scene& scene, std::size_t& count) {
+    const std::uint64_t before = work_spent();
+    const Intervals found = intervals(scene);
+    EXPECT_TRUE(found.undecided.empty());
+    count = found.intervals.size();
+    return work_spent() - before;
+  };
+  std::size_t of_discs = 0, of_polygons = 0;
+  const std::uint64_t curved = work_of(discs, of_discs), plain = work_of(polygons, of_polygons);
+  EXPECT_GE(of_discs, 3u);
+  EXPECT_NEAR(static_cast<double>(of_discs), static_cast<double>(of_polygons), 3);
+  EXPECT_LT(curved, 16 * plain);
+  std::cout << "work " << curved << " beside " << plain << " of polygons\n";
 }
 
 }  // namespace
