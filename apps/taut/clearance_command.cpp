@@ -37,7 +37,7 @@ std::string nearest_line(const Scene& scene, const NearestPoints& n) {
     if (at && angle.empty()) angle = fmt::format(" ({:.9g} deg)", at->lo + (at->hi - at->lo) / 2);
   }
   if (!(n.hi > 0)) return fmt::format("0  {}   they touch, at t = {}{}\n", pair, time_text(n.time), angle);
-  return fmt::format("{}  {}   at t = {:.9g}{}\n", time_text({n.lo, n.hi}), pair, n.time.lo, angle);
+  return fmt::format("{}  {}   at t = {}{}\n", time_text({n.lo, n.hi}), pair, instant_text(scene, n.time.lo), angle);
 }
 
 /// Of a polygon, or of a curve.
@@ -66,16 +66,16 @@ std::string clearance_text(const Scene& scene, const Clearance& answer) {
 std::string curve_line(const Scene& scene, const DistanceCurve& c) {
   const std::string pair = c.pair ? body_name(scene, (*c.pair)[0]) + " x " + body_name(scene, (*c.pair)[1])
                                   : std::string("all pairs, the least");
-  return fmt::format("{}   greatest {} at t = {:.9g}{}\n", pair, time_text({c.largest_lo, c.largest_hi}), c.largest_at,
-                     c.settled ? "" : "   (not as narrow as was asked for)");
+  return fmt::format("{}   greatest {} at t = {}{}\n", pair, time_text({c.largest_lo, c.largest_hi}),
+                     instant_text(scene, c.largest_at), c.settled ? "" : "   (not as narrow as was asked for)");
 }
 
-std::string instants_text(const DistanceCurve& c) {
+std::string instants_text(const Scene& scene, const DistanceCurve& c) {
   std::string text = fmt::format("  {:>14}  {:>14}   {}\n", "t", "distance", "until the next");
   for (std::size_t k = 0; k < c.instants.size(); ++k) {
     const DistanceAt& d = c.instants[k];
     const bool is_wide = d.hi - d.lo > 1e-8 * d.hi && d.lo > 0;
-    text += fmt::format("  {:>14.9g}  {:>14}", d.t,
+    text += fmt::format("  {:>14}  {:>14}", instant_text(scene, d.t),
                         is_wide ? fmt::format("[{:.6g}, {:.6g}]", d.lo, d.hi) : fmt::format("{:.9g}", d.hi));
     if (k < c.stretches.size()) text += fmt::format("   {:.6g} to {:.6g}", c.stretches[k].lo, c.stretches[k].hi);
     text += '\n';
@@ -88,7 +88,7 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
   std::string text;
   for (const DistanceCurve& c : answer.curves)
     text +=
-        "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") + instants_text(c);
+        "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") + instants_text(scene, c);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
@@ -95,6 +96,14 @@ std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
 }
 
 }  // namespace
+
+std::string instant_text(const Scene& scene, double t) {
+  constexpr int usual = 9, most = 17;
+  const double whole = scene.end - scene.start;
+  int digits = usual;
+  for (double size = std::fabs(t); whole > 0 && size > 10 * whole && digits < most; size /= 10) ++digits;
+  return fmt::format("{:.{}g}", t, digits);
+}
 
 std::string time_text(const TimeInterval& time) {
   if (time.lo == time.hi) return fmt::format("{}", time.lo);

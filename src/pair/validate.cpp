@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/predicates.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "motion/pieces.hpp"
 #include "pair/curved_world.hpp"
@@ -17,6 +18,12 @@ namespace taut {
 void validate_time(const Scene& scene) {
   if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
     throw InputError("time", "the time interval is not finite");
+  // Products of times and coefficients are to stay within doubles; instants may be as near to 0 as they are.
+  for (const double t : {scene.start, scene.end}) {
+    if (std::fabs(t) > max_coordinate)
+      throw InputError("time", "it goes beyond 2^400, the largest magnitude that taut computes with",
+                       "choose another unit of time");
+  }
   if (scene.end < scene.start)
     throw InputError("time", "the time interval ends before it starts", "write [start, end] with start <= end");
 }

@@ -190,7 +190,10 @@ TEST(Margins, InClosedForm) {
   EXPECT_EQ(check_clearance(slides, 3).outcome, Outcome::free);
   CheckOptions closed;
   closed.touch = Touch::closed;
-  EXPECT_EQ(check_clearance(slides, 3, closed).outcome, Outcome::overlap_at_start);
+  const MarginAnswer touching = check_clearance(slides, 3, closed);
+  ASSERT_EQ(touching.outcome, Outcome::contact);
+  EXPECT_EQ(touching.first->time.hi, 0);
+  EXPECT_EQ(check_clearance(slides, 3.0000001, closed).outcome, Outcome::overlap_at_start);
   EXPECT_THROW(check_clearance(slides, 0), InputError);
   EXPECT_THROW(check_clearance(slides, NAN), InputError);
 }

@@ -149,6 +149,22 @@ TEST(MotionValidation, SmallBodiesFarAwayMayJumpByWhatDoublesRound) {
   EXPECT_EQ(refusal(scene), "");
 }
 
+/// As docs/scenes.md has it: up to 2^400, and as near to 0 as doubles are.
+TEST(SceneValidation, TimesHaveMagnitudes) {
+  Scene scene = sliding_square(2);
+  scene.bodies[1].motion = {};
+  for (const double end : {5e-324, 1e-200, 0x1p400}) {
+    scene.end = end;
+    EXPECT_EQ(refusal(scene), "") << end;
+    EXPECT_NO_THROW(check(scene)) << end;
+  }
+  scene.end = 0x1.8p400;
+  expect_refusal(scene, "beyond 2^400");
+  scene.end = 1;
+  scene.start = -1.7e308;
+  expect_refusal(scene, "beyond 2^400");
+}
+
 TEST(SceneValidation, RefusesBadTimesAndBodies) {
   Scene scene = sliding_square(2);
   scene.end = -1;
