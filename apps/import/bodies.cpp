@@ -7,11 +7,9 @@
 #include <utility>
 
 #include "geometry/part_validation.hpp"
-#include "geometry/predicates.hpp"
-#include "geometry/segment_strips.hpp"
 #include "geometry/touching_rings.hpp"
+#include "import/body_text.hpp"
 #include "import/kept_curves.hpp"
-#include "import/layer_plan.hpp"
 #include "import/text_encoding.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -20,37 +18,6 @@
 namespace taut::drawing {
 
 namespace {
-
-std::string point_text(const Point& p) { return fmt::format("({:.9g}, {:.9g})", p.x + 0.0, p.y + 0.0); }
-
-std::string counted_text(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
-/// What is computed from here on needs numbers that do not overflow.
-void require_range(const std::vector<Chain>& chains) {
-  for (const Chain& chain : chains) {
-    for (const Point& p : chain.points) {
-      if (std::fabs(p.x) < max_coordinate && std::fabs(p.y) < max_coordinate) continue;
-      throw InputError(chain.place, "a coordinate is beyond 2^400", "choose another unit, or check the drawing");
-    }
-  }
-}
-
-SegmentBox box_of(const Polygon& ring) {
-  SegmentBox box(ring[0], ring[0]);
-  for (const Point& p : ring) box.include(SegmentBox(p, p));
-  return box;
-}
-
-bool holds(const SegmentBox& outer, const SegmentBox& inner) {
-  return outer.lo_x <= inner.lo_x && outer.lo_y <= inner.lo_y && outer.hi_x >= inner.hi_x && outer.hi_y >= inner.hi_y;
-}
-
-/// Do all vertices of the ring lie within the other one?
-bool lies_within(const Polygon& ring, const Polygon& outer) {
-  return std::all_of(ring.begin(), ring.end(), [&](const Point& p) { return roughly_inside(outer, p); });
-}
 
 bool names_layer(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -138,160 +105,6 @@ void BodyMaker::merge_layers(Drawing& drawing, const std::vector<std::string>& n
     }
   }
   drawing.layers = std::move(left);
-}
-
-/// Lines of layers, in the sets that the plan says.
-void BodyMaker::read_lines(Drawing& drawing) {
-  std::vector<LineLayer> lines;
-  for (std::size_t k = 0; k < drawing.layers.size(); ++k) {
-    LineLayer layer{k, {}, {}};
-    for (Sheet& sheet : drawing.layers[k].sheets) {
-      if (!sheet.lines) continue;
-      require_range(sheet.chains);
-      if (sheet.alone && !settings_.merge_all) {
-        lines.push_back({k, std::move(sheet.chains), sheet.name});
-        continue;
-      }
-      for (Chain& chain : sheet.chains) layer.chains.push_back(std::move(chain));
-    }
-    if (!layer.chains.empty()) lines.push_back(std::move(layer));
-  }
-  LayerPlan plan;
-  const OutlineSettings settings = outline_settings();
-  if (settings_.by == Grouping::automatic && drawing.nests)
-    plan = plan_layers(lines, settings);
-  else
-    for (std::size_t k = 0; k < lines.size(); ++k) plan.sets.push_back({k});
-  std::vector<Piece> pieces;
-  for (std::size_t s = 0; s < plan.sets.size(); ++s) {
-    std::vector<Chain> chains;
-    std::vector<std::size_t> layer_of;
-    std::vector<std::string> layers;
-    for (const std::size_t k : plan.sets[s]) {
-      for (Chain& chain : lines[k].chains) {
-        layer_of.push_back(lines[k].layer);
-        layers.push_back(drawing.layers[lines[k].layer].name);
-        chains.push_back(std::move(chain));
-      }
-    }
-    Outlines outlines = outlines_of_lines(chains, settings);
-    take_report(outlines, chains, layers);
-    if (plan.sets[s].size() > 1) note_holes(outlines, layers);
-    for (std::size_t i = 0; i < outlines.regions.size(); ++i) {
-      const std::size_t source = outlines.sources[i];
-      pieces.push_back({std::move(outlines.regions[i]), layer_of[source], s, chains[source].place,
-                        lines[plan.sets[s].front()].name});
-    }
-  }
-  if (!plan.crossings.empty()) {
-    const LayerCrossing& crossing = plan.crossings.front();
-    const auto name = [&](std::size_t set) {
-      return io::excerpt(drawing.layers[lines[plan.sets[set].front()].layer].name);
-    };
-    file_.notes.push_back(fmt::format("layers {} and {} cross near {}: layers that cross are different bodies{}",
-                                      name(crossing.first), name(crossing.second), point_text(crossing.at),
-                                      plan.crossings.size() > 1 ? ", and others do" : ""));
-    require_clear_nesting(drawing, pieces);
-  }
-  // The larger ones first: the outermost outline around a piece is known before the piece.
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return doubled_area(a.region.part.outline) > doubled_area(b.region.part.outline);
-  });
-  std::vector<std::pair<Polygon, int>> outermost;
-  for (Piece& piece : pieces) {
-    int nest = -1;
-    if (settings_.by == Grouping::nesting) {
-      const Point inner = piece.region.part.outline.front();
-      for (const auto& [ring, number] : outermost)
-        if (roughly_inside(ring, inner)) nest = number;
-      if (nest < 0) {
-        nest = static_cast<int>(outermost.size());
-        outermost.push_back({piece.region.part.outline, nest});
-      }
-    }
-    add_region(std::move(piece.region), piece.name, piece.place, nest, parts_[piece.layer]);
-  }
-}
-
-/// A piece within material of a layer that is read apart could be a hole in it, or a body on it.
-void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces) {
-  for (const Piece& inner : pieces) {
-    const Polygon& ring = inner.region.part.outline;
-    for (const Piece& outer : pieces) {
-      if (inner.set == outer.set || !holds(box_of(outer.region.part.outline), box_of(ring))) continue;
-      const auto& holes = outer.region.part.holes;
-      const bool in_hole = std::any_of(holes.begin(), holes.end(),
-                                       [&](const Polygon& hole) { return roughly_inside(hole, ring.front()); });
-      if (in_hole || !lies_within(ring, outer.region.part.outline)) continue;
-      return fail(
-          inner.place,
-          fmt::format("the layer \"{}\" has an outline within layer \"{}\", and one of the two crosses another "
-                      "layer: is it a hole or a body?",
-                      io::excerpt(drawing.layers[inner.layer].name), io::excerpt(drawing.layers[outer.layer].name)),
-          "say --by layer, if each layer is a body, or --merge-layers, if all of them are lines to cut");
-    }
-  }
-}
-
-void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& chains,
-                            const std::vector<std::string>& layers) {
-  for (const Gap& gap : outlines.gaps)
-    file_.gaps.push_back({chains[gap.source].place, layers[gap.source], gap.from, gap.to, gap.width});
-  for (const OpenLine& line : outlines.open)
-    file_.open.push_back({chains[line.source].place, layers[line.source], line.points, line.nearest_start,
-                          line.nearest_end, line.gap_start, line.gap_end});
-  const auto ring = [&](const Closure& closure, std::size_t source) {
-    return RingReport{chains[source].place, layers[source], closure.gaps, closure.gap_length, closure.line_length};
-  };
-  for (const Closure& closure : outlines.suspicious)
-    file_.suspicious.push_back(ring(closure, outlines.open[closure.lines.front()].source));
-  for (const auto& [source, closure] : outlines.closed) file_.closed.push_back(ring(closure, source));
-  for (const Repair& repair : outlines.repairs)
-    file_.repairs.push_back({repair.kind == Repair::Kind::loop ? "loop" : "sliver", chains[repair.source].place,
-                             layers[repair.source], repair.at, repair.size});
-  file_.repeated += outlines.repeated;
-  for (const std::size_t k : outlines.idle)
-    skip(chains[k].place, "line", "divides nothing: on both of its sides is the same", layers[k]);
-  if (outlines.cuts > 0)
-    file_.notes.push_back(fmt::format("parts share cuts, {}, the first one at {}: the areas between cuts are parts",
-                                      counted_text(outlines.cuts, "segment", "segments"),
-                                      point_text(outlines.first_cut)));
-  if (settings_.open != OpenRings::error) return;
-  for (const Closure& closure : outlines.suspicious) {
-    const std::size_t source = outlines.open[closure.lines.front()].source;
-    const auto widest = std::max_element(closure.gaps.begin(), closure.gaps.end(), [](const auto& a, const auto& b) {
-      return std::hypot(a.first.x - a.second.x, a.first.y - a.second.y) <
-             std::hypot(b.first.x - b.second.x, b.first.y - b.second.y);
-    });
-    const double width = std::hypot(widest->first.x - widest->second.x, widest->first.y - widest->second.y);
-    fail(chains[source].place,
-         fmt::format("an outline stays open, with a gap of {:.4g} from {} to {}{}", width, point_text(widest->first),
-                     point_text(widest->second),
-                     closure.gaps.size() > 1
-                         ? fmt::format(", and {} more", counted_text(closure.gaps.size() - 1, "gap", "gaps"))
-                         : ""),
-         fmt::format("close it with --join {:.3g}, or by straight lines with --open close, or leave it out with --open "
-                     "skip",
-                     width * 1.01));
-  }
-}
-
-void BodyMaker::note_holes(const Outlines& outlines, const std::vector<std::string>& layers) {
-  std::map<std::pair<std::string, std::string>, std::size_t> holes;
-  for (std::size_t i = 0; i < outlines.regions.size(); ++i)
-    for (const std::size_t source : outlines.hole_sources[i])
-      if (layers[source] != layers[outlines.sources[i]]) ++holes[{layers[source], layers[outlines.sources[i]]}];
-  if (holes.size() > 20) {
-    std::size_t all = 0;
-    for (const auto& [names, n] : holes) all += n;
-    file_.notes.push_back(fmt::format("{} are holes in material of other layers (--by layer keeps layers apart)",
-                                      counted_text(all, "contour", "contours")));
-    return;
-  }
-  for (const auto& [names, n] : holes)
-    file_.notes.push_back(
-        fmt::format("layer {}: {} in material of layer {} (--by layer keeps layers apart)", io::excerpt(names.first),
-                    counted_text(n, "contour is a hole", "contours are holes"), io::excerpt(names.second)));
 }
 
 void BodyMaker::read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts) {

@@ -9,6 +9,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
 #include "geometry/touching_rings.hpp"
+#include "import/contours.hpp"
 
 namespace taut::drawing {
 
@@ -46,7 +47,7 @@ class OutlineMaker {
     mend();
     if (!any_alive()) return std::move(out_);
     const FaceMap faces(graph_, alive_);
-    finish(faces, keys_of_lines(graph_, alive_, contours(), faces));
+    finish(faces, keys_of_lines(graph_, alive_, contour_edges(graph_, alive_), faces));
     return std::move(out_);
   }
 
@@ -170,67 +171,6 @@ class OutlineMaker {
 
   void mend() {
     while (mend_lines(graph_, alive_, settings_.join, settings_.repair, out_.repairs)) prune(false);
-  }
-
-  /// The edges of chains that are closed, by themselves or since exactly two ends meet.
-  std::vector<bool> contours() const {
-    std::vector<bool> contour(graph_.edges.size(), false);
-    // Lines drawn a little beyond a corner go as far as it.
-    const auto lives = [this](int h) { return alive_[static_cast<std::size_t>(h / 2)]; };
-    std::vector<std::vector<int>> walks;
-    for (const std::vector<int>& walk : graph_.walks) {
-      const auto first = std::find_if(walk.begin(), walk.end(), lives);
-      const auto last = std::find_if(walk.rbegin(), walk.rend(), lives).base();
-      const bool whole = first < last && std::all_of(first, last, lives);
-      walks.push_back(whole ? std::vector<int>(first, last) : std::vector<int>());
-    }
-    const auto mark = [&](const std::vector<int>& walk) {
-      for (const int h : walk) contour[static_cast<std::size_t>(h / 2)] = true;
-    };
-    // Open chains by their ends; of those that run along the same edges, one.
-    std::map<int, std::vector<std::size_t>> ends;
-    std::set<std::vector<int>> known;
-    for (std::size_t s = 0; s < walks.size(); ++s) {
-      const std::vector<int>& walk = walks[s];
-      if (walk.empty()) continue;
-      const int from = graph_.origin(walk.front()), to = graph_.target(walk.back());
-      if (from == to) {
-        mark(walk);
-        continue;
-      }
-      if (graph_.edge(walk.front()).times > 1) {
-        std::vector<int> edges;
-        for (const int h : walk) edges.push_back(h / 2);
-        std::sort(edges.begin(), edges.end());
-        if (!known.insert(edges).second) continue;
-      }
-      ends[from].push_back(2 * s);
-      ends[to].push_back(2 * s + 1);
-    }
-    std::vector<bool> used(walks.size(), false);
-    for (const auto& [node, here] : ends) {
-      for (const std::size_t start : here) {
-        if (used[start / 2]) continue;
-        std::vector<std::size_t> ring;
-        std::size_t end = start;
-        for (;;) {
-          ring.push_back(end / 2);
-          const std::size_t exit = end ^ 1;
-          const std::vector<int>& walk = walks[exit / 2];
-          const int there = exit % 2 == 0 ? graph_.origin(walk.front()) : graph_.target(walk.back());
-          const std::vector<std::size_t>& meeting = ends[there];
-          if (meeting.size() != 2) break;
-          end = meeting[0] == exit ? meeting[1] : meeting[0];
-          if (end == start) {
-            for (const std::size_t s : ring) mark(walks[s]);
-            break;
-          }
-          if (ring.size() > walks.size()) break;
-        }
-        for (const std::size_t s : ring) used[s] = true;
-      }
-    }
-    return contour;
   }
 
   void finish(const FaceMap& faces, const FaceKeys& keys) {

@@ -69,16 +69,8 @@ std::function<void(const std::string&)> choose(Value& target, std::map<std::stri
   return [&target, values = std::move(values)](const std::string& word) { target = values.at(word); };
 }
 
-}  // namespace
-
-void add_import(const Command& app, Action& action) {
-  const Command command =
-      app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, KiCad, WKT, GeoJSON, PGM, PNG");
-  const auto arguments = std::make_shared<ImportArguments>();
-  drawing::ImportSettings& settings = arguments->settings;
-  command.add_option("FILE", arguments->files, "drawings and maps, told by their endings").required().value(" ");
-  const Option output =
-      command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
+/// How lines are read.
+void add_reading_options(const Command& command, drawing::ImportSettings& settings) {
   command
       .add_option(
           "--tolerance", settings.tolerance,
@@ -101,6 +93,11 @@ void add_import(const Command& app, Action& action) {
                                                                 {"close", drawing::OpenRings::close},
                                                                 {"skip", drawing::OpenRings::skip}}),
                      "what becomes of outlines that stay open (error)");
+}
+
+/// What becomes a body.
+void add_layer_options(const Command& command, ImportArguments& arguments) {
+  drawing::ImportSettings& settings = arguments.settings;
   command.add_choice(
       "--by", {"layer", "color", "group", "nesting"},
       choose<drawing::Grouping>(settings.by, {{"layer", drawing::Grouping::layer},
@@ -109,9 +106,23 @@ void add_import(const Command& app, Action& action) {
                                               {"nesting", drawing::Grouping::nesting}}),
       "what becomes a body, by itself (layers, but contours in material of another layer\nare its holes)");
   command.add_option("--layer", settings.layers, "read only this layer; may be given more than once").value("NAME");
-  command.add_option("--merge-layers", arguments->merged, "read these layers, or all, as one: NAME,NAME,...")
+  command.add_option("--merge-layers", arguments.merged, "read these layers, or all, as one: NAME,NAME,...")
       .value("NAMES")
       .or_alone("*");
+}
+
+}  // namespace
+
+void add_import(const Command& app, Action& action) {
+  const Command command =
+      app.add_command("import", "Make a scene of drawings and maps: SVG, DXF, KiCad, WKT, GeoJSON, PGM, PNG");
+  const auto arguments = std::make_shared<ImportArguments>();
+  drawing::ImportSettings& settings = arguments->settings;
+  command.add_option("FILE", arguments->files, "drawings and maps, told by their endings").required().value(" ");
+  const Option output =
+      command.add_option("-o,--output", arguments->output, "write to FILE instead of standard output").value("FILE");
+  add_reading_options(command, settings);
+  add_layer_options(command, *arguments);
   command.add_option("--scale", settings.scale, "multiply all lengths by S (1)").value("S");
   command.add_flag("--split", settings.split, "a body for each part, instead of one for each group or layer");
   command.add_flag("--unknown-free", settings.unknown_free,

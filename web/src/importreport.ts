@@ -22,11 +22,13 @@ export class ImportReport {
   show(name: string, drawing: ReadDrawing): void {
     const { report, picture } = drawing;
     const file = report.files[0];
+    const open = report.faults.length > 0 && file?.open.length > 0;
     this.element.classList.remove("hidden");
     this.element.replaceChildren(
       h("h2", {}, name),
-      ...report.faults.map((fault) => h("p", { class: "fault" }, `${fault.problem}. ${fault.hint}`)),
-      ...(report.faults.length > 0 && file?.open.length > 0 ? [this.decisions()] : []),
+      // What to do about open lines are buttons.
+      ...report.faults.map(({ problem, hint }) => h("p", { class: "fault" }, open ? problem : `${problem}: ${hint}`)),
+      ...(open ? [this.decisions()] : []),
       ...(file ? [h("p", {}, `${file.format}, units: ${file.units}`)] : []),
       this.pictureOf(picture),
       ...bodiesOf(report),

@@ -438,7 +438,10 @@ test("a drawing becomes a scene, with a report", async () => {
   const page = await open();
   await page.setInputFiles("#file", asFile("plate.svg", drawing("0.01")));
   await page.waitForFunction(() => window.playground.state.scene.bodies[0].name === "plate");
-  assert.deepEqual((await sceneOf(page)).bodies.map((b) => b.name), ["plate", "pin"]);
+  assert.deepEqual(
+    (await sceneOf(page)).bodies.map((b) => b.name),
+    ["plate", "pin"],
+  );
   const text = await report(page);
   assert.match(text, /plate: area 1521.47, 40 x 40, parts: 1, holes: 1/);
   assert.match(text, /Gaps that were closed\s+0.01 at \(0, 0\)/);
@@ -459,7 +462,10 @@ test("an outline that stays open is asked about", async () => {
   await page.setInputFiles("#file", asFile("open.svg", drawing("0.5")));
   await page.waitForSelector("#import-close");
   assert.match(await report(page), /an outline stays open, with a gap of 0.5/);
-  assert.deepEqual((await sceneOf(page)).bodies.map((b) => b.name), before);
+  assert.deepEqual(
+    (await sceneOf(page)).bodies.map((b) => b.name),
+    before,
+  );
   await screenshot(page, "open-drawing");
   await page.click("#import-close");
   await page.waitForFunction(() => window.playground.state.scene.bodies[0].name === "plate");
