@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/predicates.hpp"
@@ -47,9 +48,13 @@ class RingCutter {
       if ((ring_direction(rings_[r]) > 0) != (r == 0)) std::reverse(rings_[r].begin(), rings_[r].end());
       add_edges(rings_[r]);
     }
-    for (std::size_t r = 1; r < rings_.size(); ++r)
-      if (!connect(r, false) || !connect(r, true)) return std::nullopt;
-    return faces();
+    connected_.assign(rings_.size(), 0);
+    // Where rings touch, a face is more than a ring: connect one of its holes, until all faces are rings.
+    for (;;) {
+      const std::optional<std::size_t> hole = hole_to_connect();
+      if (!hole) return faces();
+      if (*hole == 0 || !connect(*hole, connected_[*hole]++ > 0)) return std::nullopt;
+    }
   }
 
  private:
@@ -113,14 +118,65 @@ class RingCutter {
         here.push_back(r);
       }
     }
-    return std::any_of(rings_at_.begin(), rings_at_.end(), [](const auto& here) { return here.size() > 1; });
+    involved_.assign(rings_.size(), false);
+    for (const std::vector<std::size_t>& here : rings_at_)
+      if (here.size() > 1)
+        for (const std::size_t r : here) involved_[r] = true;
+    const bool any = std::find(involved_.begin(), involved_.end(), true) != involved_.end();
+    involved_[0] = true;
+    return any;
   }
 
   int id(const Point& p) const { return ids_.at({p.x, p.y}); }
 
   void add_edges(const Polygon& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges_.push_back({id(ring[i]), id(ring[(i + 1) % ring.size()])});
-    ring_edges_ = edges_.size();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      edges_.push_back({id(ring[i]), id(ring[(i + 1) % ring.size()])});
+      ring_of_.push_back(static_cast<std::size_t>(&ring - rings_.data()));
+    }
+  }
+
+  /// The edges of rings that touch others or are connected to them, and the cuts.
+  Subdivision involved_map() {
+    std::vector<SubdivisionEdge> some;
+    involved_edges_.clear();
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (e < ring_of_.size() && !involved_[ring_of_[e]]) continue;
+      some.push_back(edges_[e]);
+      involved_edges_.push_back(e);
+    }
+    return Subdivision(nodes_, std::move(some));
+  }
+
+  /// Material is to the left of rings, and on both sides of cuts.
+  bool material(int h) const {
+    return h % 2 == 0 || involved_edges_[static_cast<std::size_t>(h / 2)] >= ring_of_.size();
+  }
+
+  /// A hole on a face whose boundary is not one ring; 0 if there is such a face, and none of its holes is left.
+  std::optional<std::size_t> hole_to_connect() {
+    const Subdivision map = involved_map();
+    std::map<int, std::vector<int>> bounds;  // half-edges of each face of material
+    for (int h = 0; h < map.half_edges(); ++h)
+      if (material(h)) bounds[map.face(h)].push_back(h);
+    for (const auto& [face, all] : bounds) {
+      // One walk, and no node twice.
+      std::set<int> seen;
+      std::size_t length = 0;
+      int h = all.front();
+      do {
+        seen.insert(map.origin(h));
+        ++length;
+        h = map.next(h);
+      } while (h != all.front());
+      if (length == all.size() && seen.size() == length) continue;
+      for (const int g : all) {
+        const std::size_t e = involved_edges_[static_cast<std::size_t>(g / 2)];
+        if (e < ring_of_.size() && ring_of_[e] != 0 && connected_[ring_of_[e]] < 2) return ring_of_[e];
+      }
+      return 0;
+    }
+    return std::nullopt;
   }
 
   static bool before(const Point& p, const Point& q, bool right) {
@@ -133,7 +189,8 @@ class RingCutter {
   }
 
   /// A hole that is connected to what lies to its left by its leftmost vertex, and to what lies to its right by its
-  /// rightmost one, is on a cycle through the outline. If all are, no vertex is twice on the boundary of a face.
+  /// rightmost one, is on a cycle through the outline. If all are, no vertex is twice on the boundary of a face; mostly
+  /// fewer connections do.
   bool connect(std::size_t hole, bool right) {
     const Point q = extreme(hole, right);
     for (const std::size_t r : rings_at_[static_cast<std::size_t>(id(q))])
@@ -146,6 +203,7 @@ class RingCutter {
     for (const auto& [distance, r] : candidates) {
       if (!visible(q, nodes_[static_cast<std::size_t>(r)])) continue;
       edges_.push_back({id(q), r});
+      for (const std::size_t ring : rings_at_[static_cast<std::size_t>(r)]) involved_[ring] = true;
       return true;
     }
     return false;
@@ -160,12 +218,10 @@ class RingCutter {
     });
   }
 
-  std::optional<std::vector<Part>> faces() const {
-    const Subdivision map(nodes_, edges_);
+  std::optional<std::vector<Part>> faces() {
+    const Subdivision map = involved_map();
     std::vector<Part> parts;
     std::vector<bool> seen(static_cast<std::size_t>(map.half_edges()), false);
-    // Material is to the left of rings, and on both sides of cuts.
-    const auto material = [&](int h) { return h % 2 == 0 || static_cast<std::size_t>(h / 2) >= ring_edges_; };
     for (int start = 0; start < map.half_edges(); ++start) {
       if (!material(start) || seen[static_cast<std::size_t>(start)]) continue;
       Part part;
@@ -177,6 +233,14 @@ class RingCutter {
       }
       parts.push_back(std::move(part));
     }
+    for (std::size_t r = 1; r < rings_.size(); ++r) {
+      if (involved_[r]) continue;
+      const auto around = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+        return side_of_ring(part.outline, rings_[r].front()) > 0;
+      });
+      if (around == parts.end()) return std::nullopt;
+      around->holes.push_back(std::move(rings_[r]));
+    }
     return parts;
   }
 
@@ -185,7 +249,10 @@ class RingCutter {
   std::vector<std::vector<std::size_t>> rings_at_;  ///< of each node
   std::map<std::pair<double, double>, int> ids_;
   std::vector<SubdivisionEdge> edges_;
-  std::size_t ring_edges_ = 0;  ///< so many of them are not cuts
+  std::vector<std::size_t> ring_of_;         ///< of edges that are not cuts
+  std::vector<bool> involved_;               ///< of rings: does it touch another one, or is it connected to one?
+  std::vector<int> connected_;               ///< of holes: how often
+  std::vector<std::size_t> involved_edges_;  ///< of the map's edges
 };
 
 }  // namespace

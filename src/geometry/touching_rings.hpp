@@ -8,7 +8,7 @@
 namespace taut {
 
 /// Parts that cover the same points as `part`. If two of its rings touch at points, and nothing worse, the part is cut
-/// along segments between its vertices, so that each of the parts is a simple ring without holes. Otherwise it is the
+/// along segments between its vertices, so that no rings of a part touch. Otherwise it is the
 /// only one in the result, as it was. Exact: no vertex is moved, and none is new.
 std::vector<Part> cut_where_rings_touch(Part part);
 
