@@ -28,8 +28,6 @@ struct MapQueryOptions {
   Touch touch = Touch::open;
   /// Do links meet each other, too? Links and their parents never do: they share a joint.
   bool links_meet = true;
-  /// May there be nothing to meet, neither a body of the map nor another link? Every question is answered `free` then.
-  bool allow_untested = false;
   /// A question that takes longer is `undecided`, in seconds of wall time.
   double max_seconds = 1e300;
   /// As in CheckOptions.
@@ -65,8 +63,7 @@ struct MapFinding {
 class MapQuery {
  public:
   /// One body. Prepares all bodies of the map that were not yet. Throws InputError where a feature is finer than the
-  /// displacement (see StaticMap), a mover is not this map's, or there is nothing to meet
-  /// (MapQueryOptions::allow_untested).
+  /// displacement (see StaticMap), or a mover is not this map's.
   MapQuery(const StaticMap& map, const StaticMap::Mover& robot, const MapQueryOptions& options = {});
   /// A chain or a tree of links, each after its parent. Throws InputError also where it is not.
   MapQuery(const StaticMap& map, const std::vector<RobotLink>& links, const MapQueryOptions& options = {});

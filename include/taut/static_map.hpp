@@ -25,9 +25,10 @@ struct OccupancyGrid;
 ///     const Answer answer = map.check(robot, from_keyframes(path), 0, 10);
 class StaticMap {
  public:
-  /// The bodies must rest in the world's frame: no motion, no parent. `reach`: shapes of movers may have coordinates of
-  /// their own up to this magnitude; those of the map may always. Each body is validated as in a scene, and prepared
-  /// when first needed: O(n log n) in its vertices. Throws InputError.
+  /// At least one body, so that there is something to test. Bodies must rest in the world's frame: no motion, no
+  /// parent. `reach`: shapes of movers may have coordinates of their own up to this magnitude; those of the map may
+  /// always. Each body is validated as in a scene, and prepared when first needed: O(n log n) in its vertices. Throws
+  /// InputError.
   explicit StaticMap(std::vector<Body> bodies, double reach = 0);
 
   /// The occupied cells of a grid, as grid_bodies() of taut/grid.hpp makes bodies of them; read_grid() there reads the

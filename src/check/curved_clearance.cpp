@@ -104,13 +104,16 @@ class ClearanceBracket {
     return answer;
   }
 
-  /// Whether a margin is kept is easier to tell: curves need to be fine only where they come so near, one instant after
-  /// the other. Margins nearer and nearer to the upper end, until one is not told with a few times the work so far.
+  /// Whether a margin is kept is easier to decide: curves need to be fine only where they come so near, one instant
+  /// after the other. Asks margins nearer and nearer to the upper end, with a few times the work so far in all. Where
+  /// the bracket is narrow already, that would take long for little.
   void raise_lower_end(Clearance& answer) const {
     constexpr int most_margins = 40;
     constexpr std::uint64_t times_the_work = 16;
+    constexpr double narrow = 0.95;
     NearestPoints& nearest = *answer.nearest;
-    const std::uint64_t effort = times_the_work * (work_spent() - work_before_);
+    if (nearest.lo > narrow * nearest.hi) return;
+    const InterruptionScope limit(times_the_work * (work_spent() - work_before_));
     const double jump = largest_jump(world_.polygons(CurveSide::outer));
     CheckOptions how;
     how.stop = options_.stop;
@@ -120,13 +123,12 @@ class ClearanceBracket {
       // What is known already need not be asked.
       if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
       how.max_seconds = options_.max_seconds - seconds_since(began_);
-      if (!keeps(margin, how, effort)) return;
+      if (!keeps(margin, how)) return;
       nearest.lo = (margin - jump) * (1 - 0x1p-50);
     }
   }
 
-  bool keeps(double margin, const CheckOptions& how, std::uint64_t effort) const {
-    const InterruptionScope limit(effort);
+  bool keeps(double margin, const CheckOptions& how) const {
     try {
       return check_clearance(scene_, margin, how).outcome == Outcome::free;
     } catch (const Interrupted&) {

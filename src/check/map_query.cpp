@@ -72,13 +72,6 @@ MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, c
     rings.push_back({link.shape.impl_->rings, link.parent});
   }
   if (links.empty()) throw InputError("robot", "there is no link", "give at least one");
-  const auto hangs = [](const RobotLink& link) { return link.parent >= 0; };
-  // Links and their parents never meet: of two links, these need both to stand on the ground.
-  const bool meet = options.links_meet && (links.size() > 2 || std::count_if(links.begin(), links.end(), hangs) + 2 ==
-                                                                   static_cast<std::ptrdiff_t>(links.size()));
-  if (bodies->rings.empty() && !meet && !options.allow_untested)
-    throw InputError("map", "the map has no bodies, so nothing would be tested",
-                     "give it bodies, or set `allow_untested` to have every question answered `free`");
   own.resize(links.size());
   search.emplace(*bodies, std::move(rings), options.touch == Touch::open, options.links_meet);
 }

@@ -91,14 +91,6 @@ class MapRun {
   }
 
   Answer run() {
-    if (bodies_.rings.empty()) {
-      Answer answer;
-      answer.outcome = Outcome::untested;
-      answer.engine = EngineName::spacetime;
-      answer.free_until = start_;
-      answer.reason = "nothing was tested: the map has no bodies";
-      return answer;
-    }
     Answer answer = asked(options_.touch == Touch::open);
     if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
       return answer;

@@ -141,6 +141,8 @@ std::string fault_in(const std::function<void()>& work) {
 }
 
 TEST(StaticMaps, RefuseWhatIsNoMap) {
+  // An empty map would have nothing to test.
+  EXPECT_NE(fault_in([] { StaticMap map({}); }).find("no bodies"), std::string::npos);
   Body wall;
   wall.name = "wall";
   wall.polygon = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
