@@ -19,6 +19,12 @@ export class TautError extends Error {
   constructor(readonly fault: Fault) {
     super((fault.place ? fault.place + ": " : "") + fault.problem);
   }
+
+  /** What the page itself refuses. */
+  static input(problem: string, hint: string): TautError {
+    const nothing = { body: -1, vertices: [], edges: [], vertexRings: [], edgeRings: [] };
+    return new TautError({ kind: "input", place: "", problem, hint, ...nothing });
+  }
 }
 
 export interface Feature {

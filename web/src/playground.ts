@@ -32,7 +32,7 @@ class Playground {
   private readonly history: History;
   private readonly changes: Changes;
   private readonly worldEditing: WorldEditing;
-  private readonly report = new ImportReport((open) => this.readDrawing(open));
+  private readonly report = new ImportReport((open) => this.readAgain(open));
   /** The drawing that was read last. */
   private drawing = { text: "", name: "" };
   /** The last scene that could be opened, for plan changes and undoing. */
@@ -130,17 +130,20 @@ class Playground {
     acceptDrops(element, host);
   }
 
+  /** Opens the scene of a shared link. False if the address is none; of a damaged one, the page says so. */
   private async fromAddress(): Promise<boolean> {
     try {
       const shared = await fromFragment(location.hash);
       if (!shared) return false;
-      this.panel.touch = shared.touch === "closed" ? "closed" : "open";
-      this.load(this.player.engine.readScene(JSON.stringify(shared.scene), "link"), null);
-      return true;
+      const scene = this.player.engine.readScene(JSON.stringify(shared.scene), "link");
+      this.load(scene, null, shared.touch === "closed" ? "closed" : "open");
     } catch (error) {
-      this.fail(error, "The link holds no scene that can be read.");
-      return false;
+      const first = this.editor.scene === undefined;
+      if (first) this.loadExample(this.examples[firstExample]);
+      const shown = first ? "an example" : "the one from before";
+      this.refuse(error, `The link holds no scene that can be read. The scene shown is ${shown}.`);
     }
+    return true;
   }
 
   private setMode(mode: Mode): void {
@@ -153,12 +156,15 @@ class Playground {
     this.load(this.player.engine.readScene(JSON.stringify(scene), title), title);
   }
 
-  /** Opens a scene from elsewhere, at its start. */
-  private load(scene: Scene, title: string | null): void {
+  /** Opens a scene from elsewhere, at its start. Throws TautError, and the present scene stays as it is. */
+  private load(scene: Scene, title: string | null, touch = this.panel.touch): void {
+    this.player.open(structuredClone(scene), touch === "closed", scene.time[0]);
     this.history.remember();
+    this.panel.touch = touch;
     this.workbench.title = title;
     this.editor.adopt(scene);
-    this.apply(true, scene.time[0]);
+    this.succeeded(this.player.scene);
+    this.showBody();
     this.workbench.opened();
     this.panel.note = "";
   }
@@ -211,10 +217,16 @@ class Playground {
     this.workbench.redraw();
   }
 
-  private fail(error: unknown, prefix = ""): void {
+  /** Of the scene that is shown: what is wrong is marked in it. */
+  private fail(error: unknown): void {
     this.editor.faults = culprits(error);
-    this.message.show(error, prefix);
+    this.message.show(error);
     this.workbench.redraw();
+  }
+
+  /** Of what is not shown: the scene and its answer stay, and nothing in it is at fault. */
+  private refuse(error: unknown, what: string): void {
+    this.message.show(error, what);
   }
 
   /** A scene with other bodies, or that belong together otherwise. */
@@ -254,7 +266,7 @@ class Playground {
     try {
       this.load(this.player.engine.readScene(text, "scene"), null);
     } catch (error) {
-      this.fail(error);
+      this.refuse(error, "The text of the scene was not applied.");
     }
   }
 
@@ -265,55 +277,58 @@ class Playground {
       scene.bodies[body].parts = paths.map((path) => ({ path, "fill-rule": "evenodd" }));
       this.change(this.player.engine.readScene(JSON.stringify(scene), "outline"), "", body);
     } catch (error) {
-      this.fail(error);
-      // Culprits are in the text, not in the picture.
-      this.editor.faults = [];
+      this.refuse(error, "The outline was not applied.");
     }
   }
 
   /** A scene replaces all; an outline replaces the chosen body's polygon, several outlines those of the first bodies. */
   private async readFiles(files: File[]): Promise<void> {
-    const { engine } = this.player;
-    try {
-      let body = files.length > 1 ? 0 : this.editor.body;
-      for (const file of files) {
-        const text = await file.text();
-        if (/\.(svg|dxf|kicad_pcb)$/i.test(file.name)) {
-          this.drawing = { text, name: file.name };
-          this.readDrawing("error");
-        } else if (/"taut-scene\//.test(text))
-          this.load(engine.readScene(text, file.name), file.name.replace(/\.json$/, ""));
-        else
-          this.adoptOutline(
-            engine.readOutline(text, file.name),
-            file.name.replace(/\.[^.]*$/, ""),
-            body++ % this.editor.scene.bodies.length,
-          );
+    let body = files.length > 1 ? 0 : this.editor.body;
+    for (const file of files) {
+      try {
+        if (this.readFile(file.name, await file.text(), body % this.editor.scene.bodies.length)) ++body;
+      } catch (error) {
+        return this.refuse(error, notOpened(file.name));
       }
-    } catch (error) {
-      this.fail(error);
     }
   }
 
+  /** True if it was an outline, of body `body` from now on. */
+  private readFile(name: string, text: string, body: number): boolean {
+    const { engine } = this.player;
+    const title = name.replace(/\.[^.]*$/, "");
+    if (/\.(svg|dxf|kicad_pcb)$/i.test(name)) {
+      this.openDrawing({ text, name }, "error");
+    } else if (/"taut-scene\//.test(text)) {
+      this.load(engine.readScene(text, name), title);
+    } else {
+      this.adoptOutline(engine.readOutline(text, name), title, body);
+      return true;
+    }
+    return false;
+  }
+
   /** The drawing becomes the scene, unless it can be read in two ways: the report says so, and asks. */
-  private readDrawing(open: OpenRings): void {
+  private openDrawing(source: { text: string; name: string }, open: OpenRings): void {
+    const { text, name } = source;
+    const drawing = this.player.engine.readDrawing(text, name, open);
+    if (drawing.scene) this.load(drawing.scene, name.replace(/\.[^.]*$/, ""));
+    this.drawing = source;
+    this.report.show(name, drawing);
+  }
+
+  /** The last drawing once more, with the answer to what the report asks. */
+  private readAgain(open: OpenRings): void {
     try {
-      const { text, name } = this.drawing;
-      const drawing = this.player.engine.readDrawing(text, name, open);
-      if (drawing.scene) this.load(drawing.scene, name.replace(/\.[^.]*$/, ""));
-      this.report.show(name, drawing);
+      this.openDrawing(this.drawing, open);
     } catch (error) {
-      this.fail(error);
+      this.refuse(error, notOpened(this.drawing.name));
     }
   }
 
   private adoptOutline(parts: Part[], name: string, index: number): void {
-    this.history.remember();
     const scene = withOutline(this.editor.scene, index, parts, name);
-    this.editor.adopt(scene);
-    this.workbench.title = null;
-    this.panel.note = "";
-    this.apply(true, scene.time[0]);
+    this.load(scene, null);
     if (this.player.overlapping) {
       this.editor.adopt(besideOthers(scene, index, this.player.engine.poses(scene.time[0])));
       this.apply(true, scene.time[0]);
@@ -331,7 +346,7 @@ class Playground {
     try {
       saveFile(this.player.engine.svg(this.player.t), "scene.svg", "image/svg+xml");
     } catch (error) {
-      this.fail(error);
+      this.refuse(error, "There is no picture to save.");
     }
   }
 
@@ -364,6 +379,8 @@ class Playground {
     };
   }
 }
+
+const notOpened = (name: string): string => `${name} was not opened. The scene shown is the one from before.`;
 
 async function main(): Promise<void> {
   const playground = new Playground(new Player(await Engine.load()));

@@ -1,5 +1,5 @@
 // A scene in the fragment of an address: packed, and written in letters that need no escapes.
-import type { Scene } from "./engine";
+import { TautError, type Scene } from "./engine";
 
 export interface Shared {
   scene: Scene;
@@ -20,13 +20,19 @@ export async function toFragment(shared: Shared): Promise<string> {
   return "#s=" + btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** Null if the fragment holds no scene. Throws if it holds a damaged one. */
+/** Null if the fragment is no shared link. Throws TautError if it is a damaged one. */
 export async function fromFragment(fragment: string): Promise<Shared | null> {
   if (!fragment.startsWith("#s=")) return null;
+  const shared = await unpacked(fragment).catch(() => null);
+  if (typeof shared?.scene === "object" && shared.scene) return shared;
+  throw TautError.input("it was cut off or changed on its way", "ask for it again, or for the scene as a file");
+}
+
+async function unpacked(fragment: string): Promise<Shared | null> {
   const binary = atob(fragment.slice(3).replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
   const text = new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
-  return JSON.parse(text) as Shared;
+  return JSON.parse(text) as Shared | null;
 }
 
 /** Puts a link to it into the address bar and the clipboard; says so. */

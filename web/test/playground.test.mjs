@@ -317,10 +317,84 @@ test("a link holds the scene and the way of touching", async () => {
   assert.deepEqual(await sceneOf(other), await sceneOf(page));
   assert.deepEqual(other.problems, []);
   await other.close();
-  // A damaged link is said to be one, and the page works.
-  const damaged = await openPage(site.browser, site.server.address + "#s=AAAA");
-  assert.match(await damaged.textContent("#message"), /link holds no scene/);
-  await damaged.close();
+  await page.close();
+});
+
+test("a damaged link is said to be one", async () => {
+  const page = await open();
+  await choose(page, "combs");
+  await page.click("#share");
+  await page.waitForFunction(() => location.hash.startsWith("#s="));
+  const fragment = new URL(page.url()).hash;
+  const before = await sceneOf(page);
+  await page.close();
+  for (const hash of ["#s=", "#s=AAAA", "#s=garbage", "#s=%%%", fragment.slice(0, -9)]) {
+    const damaged = await openPage(site.browser, site.server.address + hash);
+    await damaged.waitForSelector("#message:not([hidden])");
+    const message = await damaged.innerText("#message");
+    assert.match(message, /link holds no scene.* an example.*cut off.*ask for it again/s, hash);
+    assert.deepEqual(damaged.problems, [], hash);
+    // Pasted into a page that is open, it leaves the scene alone.
+    await damaged.evaluate((whole) => (location.hash = whole), fragment);
+    await damaged.waitForFunction(() => document.querySelector("#message").hidden);
+    assert.deepEqual(await sceneOf(damaged), before);
+    await damaged.evaluate((broken) => (location.hash = broken), hash + "A");
+    await damaged.waitForSelector("#message:not([hidden])");
+    assert.match(await damaged.innerText("#message"), /the one from before/);
+    assert.deepEqual(await sceneOf(damaged), before);
+    if (hash === "#s=garbage") await screenshot(damaged, "playground-damaged-link");
+    await damaged.close();
+  }
+});
+
+test("a file that is refused leaves the scene, the picture and the answer as they were", async () => {
+  const page = await open();
+  await choose(page, "lid");
+  const bow = "[[0,0],[4,4],[4,0],[0,4]]";
+  const square = "[[9,9],[10,9],[10,10]]";
+  const scene = (polygon) =>
+    `{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","polygon":${square}},{"name":"bow","polygon":${polygon}}]}`;
+  const refused = [
+    ["selfint.json", scene(bow), /bow: .* edges \d-\d and \d-\d cross/s],
+    ["cut.json", scene(bow).slice(0, -5), /cut\.json:1:\d+/],
+    ["bow.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4))", /edges \d-\d and \d-\d cross/],
+    ["words.txt", "hello", /POLYGON/],
+    ["empty.dxf", "hello", /./],
+  ];
+  const state = () =>
+    page.evaluate(() => [
+      window.playground.state.scene,
+      window.taut.player.status.answer,
+      document.querySelector("#headline").textContent,
+      document.querySelector("canvas.picture").toDataURL(),
+    ]);
+  await page.click("#mode-look");
+  await settled(page);
+  const before = await state();
+  for (const [name, text, why] of refused) {
+    await page.setInputFiles("#file", { name, mimeType: "text/plain", buffer: Buffer.from(text) });
+    await page.waitForFunction((n) => document.querySelector("#message").innerText.includes(n), name);
+    await settled(page);
+    const message = await page.innerText("#message");
+    assert.ok(message.startsWith(`${name} was not opened`), message);
+    assert.match(message, why);
+    const after = await state();
+    before.forEach((each, k) => assert.deepEqual(after[k], each, `${name}: ${k}`));
+    assert.equal(await pixelsOf(page, "#c4161c"), 0, name);
+    if (name === "selfint.json") await screenshot(page, "playground-refused-file");
+  }
+  // The text of a scene, too.
+  await page.evaluate(() => (document.querySelector(".part-text").open = true));
+  await page.fill("#scene-text", scene(bow));
+  await page.click("#apply");
+  await settled(page);
+  assert.match(await page.innerText("#message"), /text of the scene was not applied/);
+  assert.equal(await pixelsOf(page, "#c4161c"), 0);
+  assert.deepEqual((await state()).slice(0, 3), before.slice(0, 3));
+  // What is opened next takes the message away.
+  await page.setInputFiles("#file", join(root, "examples/combs.json"));
+  await page.waitForFunction(() => document.querySelector("#message").hidden);
+  assert.deepEqual(page.problems, []);
   await page.close();
 });
 
