@@ -4,6 +4,7 @@ import type { Scene } from "./engine";
 import type { Mode } from "./handles";
 import { KeyframeTable, type KeyframeHost } from "./keyframetable";
 import type { Keyframe } from "./motions";
+import { NumberField } from "./numberfield";
 
 const modes: [Mode, string, string][] = [
   ["look", "Look", "Drag to move the view."],
@@ -32,8 +33,8 @@ export class EditPanel {
   private readonly modeButtons: HTMLButtonElement[];
   private readonly body: HTMLSelectElement;
   private readonly touchSelect: HTMLSelectElement;
-  private readonly start: HTMLInputElement;
-  private readonly end: HTMLInputElement;
+  private readonly start: NumberField;
+  private readonly end: NumberField;
   private readonly table: KeyframeTable;
 
   constructor(host: EditPanelHost) {
@@ -51,9 +52,9 @@ export class EditPanel {
       h("option", { value: "open" }, "open: touching is allowed"),
       h("option", { value: "closed" }, "closed: touching counts"),
     );
-    const setTime = (): void => host.setTime(Number(this.start.value), Number(this.end.value));
-    this.start = h("input", { type: "number", step: "any", id: "time-start", onchange: setTime });
-    this.end = h("input", { type: "number", step: "any", id: "time-end", onchange: setTime });
+    const taken = (): void => host.setTime(this.start.value!, this.end.value!);
+    this.start = new NumberField("Start of the time", { id: "time-start" }, { taken });
+    this.end = new NumberField("End of the time", { id: "time-end" }, { taken });
     this.table = new KeyframeTable(host);
     this.element = this.build();
   }
@@ -82,7 +83,7 @@ export class EditPanel {
   show(scene: Scene, body: number, keyframes: Keyframe[] | null): void {
     this.body.replaceChildren(...scene.bodies.map((b, i) => h("option", { value: i, selected: i === body }, b.name)));
     [this.start, this.end].forEach((field, i) => {
-      if (document.activeElement !== field) field.value = String(scene.time[i]);
+      field.show(String(scene.time[i]));
     });
     this.table.show(keyframes);
   }
@@ -100,10 +101,12 @@ export class EditPanel {
         h("label", { for: "body" }, "Body"),
         this.body,
         h("label", { for: "time-start" }, "Time"),
-        h("span", { class: "pair" }, this.start, h("label", { for: "time-end" }, "to"), this.end),
+        h("span", { class: "pair" }, this.start.input, h("label", { for: "time-end" }, "to"), this.end.input),
         h("label", { for: "touch" }, "Touch"),
         this.touchSelect,
       ),
+      this.start.fault,
+      this.end.fault,
       this.table.element,
       this.noteLine,
     );

@@ -1,6 +1,7 @@
 // The keyframes of a body as a table of numbers.
 import { h } from "./dom";
 import type { Keyframe } from "./motions";
+import { NumberField } from "./numberfield";
 import { roundText } from "./words";
 
 export interface KeyframeHost {
@@ -25,26 +26,12 @@ export class KeyframeTable {
       );
       return;
     }
-    const input = (k: number, field: keyof Keyframe, label: string): HTMLInputElement => {
-      const scale = field === "angle" ? 180 / Math.PI : 1;
-      const element = h("input", {
-        type: "number",
-        step: "any",
-        value: roundText(frames[k][field] * scale, 8),
-        "aria-label": `${label} of keyframe ${k + 1}`,
-        disabled: field === "t" && (k === 0 || k === frames.length - 1),
-        onchange: () => {
-          frames[k] = { ...frames[k], [field]: Number(element.value) / scale };
-          this.host.set(frames);
-        },
-      });
-      return element;
-    };
-    const rows = frames.map((_, k) =>
+    const fields = frames.map((_, k) => (["t", "x", "y", "angle"] as const).map((name) => this.field(frames, k, name)));
+    const rows = fields.map((row, k) =>
       h(
         "tr",
         {},
-        ...(["t", "x", "y", "angle"] as const).map((field) => h("td", {}, input(k, field, field))),
+        ...row.map((field) => h("td", {}, field.input)),
         h(
           "td",
           {},
@@ -71,6 +58,7 @@ export class KeyframeTable {
         h("thead", {}, h("tr", {}, ...["t", "x", "y", "angle °", ""].map((t) => h("th", { scope: "col" }, t)))),
         h("tbody", {}, ...rows),
       ),
+      ...fields.flat().map((field) => field.fault),
       h(
         "button",
         { type: "button", id: "add-keyframe", title: "Where the body is now", onclick: () => this.host.add(frames) },
@@ -78,6 +66,25 @@ export class KeyframeTable {
       ),
     );
   }
+
+  private field(frames: Keyframe[], k: number, name: keyof Keyframe): NumberField {
+    const scale = name === "angle" ? 180 / Math.PI : 1;
+    const attributes = { disabled: name === "t" && (k === 0 || k === frames.length - 1) };
+    const field = new NumberField(`${name} of keyframe ${k + 1}`, attributes, {
+      taken: (value) =>
+        this.host.set(frames.map((frame, i) => (i === k ? { ...frame, [name]: value / scale } : frame))),
+      wrong: (value) => (name === "t" ? wrongTime(frames, k, value) : ""),
+    });
+    field.show(roundText(frames[k][name] * scale, 8));
+    return field;
+  }
+}
+
+/** A keyframe may pass others, but neither of those at the ends of the time. */
+function wrongTime(frames: Keyframe[], k: number, t: number): string {
+  const [first, last] = [frames[0].t, frames[frames.length - 1].t];
+  if (t <= first || t >= last) return `it must lie between ${roundText(first, 8)} and ${roundText(last, 8)}`;
+  return frames.some((frame, i) => i !== k && frame.t === t) ? "another keyframe has this time" : "";
 }
 
 function keepEnds(frames: Keyframe[], remove: number): Keyframe[] {

@@ -1,6 +1,7 @@
 // What is asked, and the answers in words; the free directions as roses.
 import { h } from "./dom";
 import type { NearestMarks } from "./frame";
+import { NumberField } from "./numberfield";
 import type { Player } from "./player";
 import type { FreeDirections, Nearest, Overlap, QuestionName, Questions, SeparationAnswer } from "./questions";
 import { arcText, rose } from "./rose";
@@ -24,14 +25,14 @@ export class QuestionPanel {
   private readonly boxes = new Map<QuestionName, HTMLInputElement>();
   private readonly words = new Map<QuestionName, HTMLElement>();
   /** The clearance that is to be kept. */
-  private readonly margin = h("input", {
-    type: "number",
-    step: "any",
-    min: 0,
-    id: "margin",
-    "aria-label": "Clearance, in the scene's units",
-    onchange: () => this.choose("check_clearance"),
-  });
+  private readonly margin = new NumberField(
+    "Clearance, in the scene's units",
+    { id: "margin", min: 0 },
+    {
+      taken: () => this.choose("check_clearance"),
+      wrong: (value) => (value > 0 ? "" : "it must be greater than 0"),
+    },
+  );
   private shown = -1;
 
   constructor(
@@ -44,7 +45,7 @@ export class QuestionPanel {
       this.boxes.set(name, box);
       this.words.set(name, words);
       const label = h("label", { title: command }, box, text);
-      this.element.append(label, ...(name === "check_clearance" ? [this.margin] : []), words);
+      this.element.append(label, ...(name === "check_clearance" ? [this.margin.input, this.margin.fault] : []), words);
     }
   }
 
@@ -57,8 +58,8 @@ export class QuestionPanel {
     if (name === "range") return { from: this.player.t };
     if (name !== "check_clearance") return {};
     // To begin with, a hundredth of the first body.
-    if (!(Number(this.margin.value) > 0)) this.margin.value = roundText(this.player.figures[0].diameter / 100, 1);
-    return { clearance: Number(this.margin.value) };
+    if (this.margin.value === null) this.margin.show(roundText(this.player.figures[0].diameter / 100, 1));
+    return { clearance: this.margin.value };
   }
 
   /** The points that are closest, or first closer than is wanted, while the instant is shown at which they are. */
@@ -76,7 +77,7 @@ export class QuestionPanel {
   show(): void {
     if (this.shown === this.asked.version) return;
     this.shown = this.asked.version;
-    this.margin.hidden = this.asked.asked.check_clearance === undefined;
+    this.margin.input.hidden = this.asked.asked.check_clearance === undefined;
     for (const [name] of questions) {
       this.boxes.get(name)!.checked = this.asked.asked[name] !== undefined;
       this.words.get(name)!.replaceChildren(...this.wordsOf(name));

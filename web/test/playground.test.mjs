@@ -347,6 +347,72 @@ test("a damaged link is said to be one", async () => {
   }
 });
 
+/** Types into a number field and leaves it. */
+async function typeInto(page, field, text) {
+  await field.click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Delete");
+  await page.keyboard.type(text);
+  await page.keyboard.press("Enter");
+  await settled(page);
+}
+
+test("a number that cannot be read changes nothing, and its field is marked", async () => {
+  const page = await open();
+  await choose(page, "lid");
+  await page.check("#ask-check_clearance");
+  await page.waitForFunction(() => window.taut.questions.answers.check_clearance);
+  const state = async () =>
+    page.evaluate(() =>
+      JSON.stringify([
+        window.playground.state.scene,
+        window.taut.player.status.answer,
+        window.taut.questions.answers,
+        document.querySelector("#headline").textContent,
+      ]),
+    );
+  const before = await state();
+  const fields = ["#time-start", "#time-end", "#margin"].map((id) => page.locator(id));
+  for (const name of ["x", "y", "angle"]) fields.push(page.getByLabel(`${name} of keyframe 2`));
+  for (const field of fields) {
+    const value = await field.inputValue();
+    assert.notEqual(value, "");
+    for (const [text, why] of [
+      ["", /nothing was typed/],
+      ["1e999", /not a number/],
+      ["-", /not a number/],
+    ]) {
+      await typeInto(page, field, text);
+      assert.equal(await field.inputValue(), value);
+      assert.equal(await field.getAttribute("aria-invalid"), "true");
+      const fault = page.locator(`#${await field.getAttribute("aria-describedby")}`);
+      assert.ok(await fault.isVisible());
+      assert.match(await fault.innerText(), why);
+      assert.ok((await fault.innerText()).includes(`stays ${value}`), await fault.innerText());
+      assert.equal(await state(), before, `${value} "${text}"`);
+    }
+    if (field === fields[1]) await screenshot(page, "playground-unreadable-number");
+  }
+  await typeInto(page, page.locator("#margin"), "0");
+  assert.match(await page.innerText(".questions .number-fault"), /must be greater than 0/);
+  assert.equal(await state(), before);
+  // A number takes the mark away, and counts.
+  await typeInto(page, page.locator("#time-end"), "100");
+  assert.equal(await page.getAttribute("#time-end", "aria-invalid"), null);
+  assert.equal((await compare(page, "readable-number")).outcome, "free");
+  assert.deepEqual((await sceneOf(page)).time, [0, 100]);
+  // Keyframes between the ends of the time stay between them.
+  await page.evaluate(() => window.taut.player.seek(50));
+  await page.click("#add-keyframe");
+  await finished(page);
+  const middle = page.getByLabel("t of keyframe 2");
+  await typeInto(page, middle, "300");
+  assert.equal(await middle.inputValue(), "50");
+  assert.match(await page.innerText("#keyframes .number-fault:not([hidden])"), /must lie between 0 and 100/);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test("a file that is refused leaves the scene, the picture and the answer as they were", async () => {
   const page = await open();
   await choose(page, "lid");
