@@ -1,58 +1,417 @@
-/** A scene in the format taut-scene/1, as an object or as JSON text: see docs/scenes.md of taut. Scenes that name files
- * cannot be read here. */
-export type Scene = string | object;
-/** Two numbers that certainly enclose an instant. */
+// Scenes are as docs/scenes.md of taut has them, answers as `taut check --json` and the like print them: docs/answers.md and
+// docs/questions.md say more about each member.
+
+export type Point = readonly [number, number];
+
+/** Any value that JSON has. */
+export type Id = string | number | boolean | null | object;
+
+/** Three points or more; the last is joined to the first. */
+export type Ring = readonly Point[];
+/** An outline, minus its holes. */
+export interface OutlineWithHoles {
+  readonly outline: Ring;
+  readonly holes?: readonly Ring[];
+}
+/** The data of an SVG path, y upwards: curves. */
+export interface Path {
+  readonly path: string;
+  readonly "fill-rule"?: "nonzero" | "evenodd";
+}
+export type Polygon = Ring | OutlineWithHoles | Path;
+
+/** The way from the keyframe before, about a centre, by so many degrees counterclockwise; instead of x, y and angle_deg. */
+export interface Arc {
+  readonly center: Point;
+  readonly deg: number;
+}
+export interface Keyframe {
+  readonly t: number;
+  readonly x?: number;
+  readonly y?: number;
+  readonly angle_deg?: number;
+  /** The body turns with it, like a car. */
+  readonly turn?: Arc;
+  /** The body does not turn. */
+  readonly arc?: Arc;
+}
+export interface KeyframedMotion {
+  readonly keyframes: readonly Keyframe[];
+  readonly pivot?: Point;
+}
+/** Both are per unit of time; one of them is there. */
+export type SteadyMotion =
+  | { readonly velocity: Point; readonly spin_deg?: number; readonly pivot?: Point }
+  | { readonly velocity?: Point; readonly spin_deg: number; readonly pivot?: Point };
+/** An even turn over the scene's time; answers say at which angle. */
+export interface SweepMotion {
+  readonly sweep: { readonly pivot?: Point; readonly from_deg: number; readonly to_deg: number };
+}
+/** Coefficients, the constant one first. */
+export type Polynomial = readonly number[];
+export type Rotation =
+  | { readonly angle: Polynomial }
+  | { readonly direction: { readonly a: Polynomial; readonly b: Polynomial } }
+  | { readonly half_angle_tangent: Polynomial }
+  | { readonly cosine: Polynomial };
+/** Polynomials in the time t: the body's point (u, v) is at (x, y), plus (u, v) as it is rotated. */
+export interface MotionPiece {
+  readonly x?: Polynomial;
+  readonly y?: Polynomial;
+  readonly rotation?: Rotation | null;
+  readonly pivot?: Point;
+  readonly orbit?: { readonly center: Point; readonly angle: Polynomial };
+  readonly until?: number;
+}
+export type Motion = null | KeyframedMotion | SteadyMotion | SweepMotion | MotionPiece | readonly MotionPiece[];
+
+interface AnyBody {
+  readonly name: string;
+  /** The body from whose frame the motion is seen. */
+  readonly relative_to?: string;
+  /** At rest without it. */
+  readonly motion?: Motion;
+  readonly id?: Id;
+}
+export interface BodyOfPolygon extends AnyBody {
+  readonly polygon: Polygon;
+  readonly parts?: undefined;
+}
+export interface BodyOfParts extends AnyBody {
+  readonly polygon?: undefined;
+  readonly parts: readonly Polygon[];
+}
+export type Body = BodyOfPolygon | BodyOfParts;
+
+/** A scene in the format taut-scene/1. Scenes that name files cannot be read here. */
+export interface SceneObject {
+  readonly $schema?: string;
+  readonly format: "taut-scene/1";
+  readonly time: readonly [number, number];
+  readonly bodies: readonly Body[];
+  /** Pairs of names that are not tested; "*" is every other body. */
+  readonly ignore?: readonly (readonly [string, string])[];
+  /** Are pairs tested that do not move? "skip" is the default. */
+  readonly at_rest?: "skip" | "test";
+  readonly id?: Id;
+}
+/** A scene as an object, or as JSON text. */
+export type Scene = string | SceneObject;
+
+/** Two numbers that certainly enclose another one: an instant, an angle in degrees. */
 export type Bracket = [number, number];
-export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided";
+/** The names of two bodies, in the order of the scene. */
+export type Pair = [string, string];
+export type Touch = "open" | "closed";
+/** "untested": no pair of bodies was tested, so there is no verdict. */
+export type Outcome = "free" | "contact" | "overlap_at_start" | "undecided" | "untested";
 
 export interface Options {
   /** What counts as a collision: overlap ("open", the default), or touching, too. */
-  touch?: "open" | "closed";
+  touch?: Touch;
   engine?: "kinetic" | "spacetime" | "both" | "either" | "usual";
   /** Stop with "undecided" after so many seconds. */
   maxSeconds?: number;
   /** Stop with "undecided" after so many events of the kinetic engine. */
   maxEvents?: number;
-  /** Every pair's own first contact. */
+  /** Every pair's own answer. */
   allPairs?: boolean;
 }
 
+/** Which pairs an answer is about: `pairs` is the sum of the others, the last three of which were not tested. */
+export interface Coverage {
+  pairs: number;
+  tested: number;
+  /** Kept apart by their bounding boxes. */
+  apart: number;
+  ignored: number;
+  moving_alike: number;
+  at_rest: number;
+}
+
+/** What every answer has. */
+interface Verdict {
+  /** The scene's. */
+  id?: Id;
+  outcome: Outcome;
+  /** Why it is undecided or untested. */
+  reason?: string;
+  /** How well curves were known, and the number of segments that stood for them. */
+  geometry?: { tolerance: number; segments: number };
+  coverage: Coverage;
+}
+
+/** A vertex, or the edge from it to the next, by the indices of the scene. */
 export interface Feature {
   body: string;
-  index?: number;
-  [more: string]: unknown;
+  /** The body's. */
+  id?: Id;
+  /** Of bodies with parts or holes: ring 0 is the part's outline, ring k its k-th hole. */
+  part?: number;
+  ring?: number;
+  index: number;
+  /** Of curves: where on the segment, from 0 to 1. */
+  at?: number;
 }
 
-/** As `taut check --json` prints it: see docs/answers.md of taut. */
-export interface Answer {
+/** Where bodies meet. */
+export interface Contact {
+  vertex: Feature;
+  edge: Feature;
+  point: [number, number];
+  /** Of the edge, out of its body; of length 1. */
+  normal: [number, number];
+  /** Of a sweep. */
+  angle_deg?: Bracket;
+}
+
+/** A contact and its time. */
+export interface TimedContact {
+  t: Bracket;
+  /** Overlapping and touching cannot be told apart, all over `t`. */
+  grazing?: true;
+  contact: Contact;
+}
+
+/** One pair's own answer. */
+export interface PairAnswer {
+  bodies: Pair;
   outcome: Outcome;
-  /** Of a contact: when. */
   t?: Bracket;
-  point?: [number, number];
+  grazing?: true;
+  contact?: Contact;
   free_until?: number;
   reason?: string;
-  [more: string]: unknown;
 }
 
-/** `valid` is null where maxSeconds ended the work. */
-export interface Verified {
-  valid: boolean | null;
-  reason?: string;
-  outcome?: Outcome;
-  free_until?: number;
+interface AnyAnswer extends Verdict {
   t?: Bracket;
-  touch?: "open" | "closed";
+  grazing?: true;
+  contact?: Contact;
+  /** Of "free" with open touching: the first touch. */
+  touching?: TimedContact;
+  /** Why it is not known whether they touch. */
+  touching_undecided?: string;
+  /** A point that lies inside both bodies, where one was found. */
+  overlap?: { point: [number, number] };
+  /** Up to then the motion is proved free. */
+  free_until?: number;
+  /** Which bodies the outcome is about. */
+  pair?: Pair;
+  /** Other pairs that meet at the same time. */
+  also?: PairAnswer[];
+  /** With allPairs: each tested pair's own. */
+  pairs?: PairAnswer[];
+  engine: "kinetic" | "spacetime" | "both";
+  /** Of the kinetic engine, like the size of its active set. */
+  events: number;
+  certificates: { initial: number; max: number };
+  scope: { bodies: string[]; time: [number, number]; touch: Touch; at_rest?: "test" };
+}
+export interface FreeAnswer extends AnyAnswer {
+  outcome: "free";
+}
+export interface ContactAnswer extends AnyAnswer {
+  outcome: "contact";
+  t: Bracket;
+  contact: Contact;
+  pair: Pair;
+}
+export interface OverlapAnswer extends AnyAnswer {
+  outcome: "overlap_at_start";
+  pair: Pair;
+}
+export interface UndecidedAnswer extends AnyAnswer {
+  outcome: "undecided";
+  free_until: number;
+  reason: string;
+}
+export interface UntestedAnswer extends AnyAnswer {
+  outcome: "untested";
+  reason: string;
+}
+/** The first contact, or that there is none. */
+export type Answer = FreeAnswer | ContactAnswer | OverlapAnswer | UndecidedAnswer | UntestedAnswer;
+
+/** What a valid proof shows. */
+export interface ValidProof {
+  valid: true;
+  outcome: Outcome;
+  free_until: number;
+  t?: Bracket;
+  grazing?: true;
+  contact?: Contact;
+  /** The contact is at the start, where two pieces of a motion join, or in between. */
+  contact_at?: "start" | "joint" | "motion";
+  /** Of a proof about a clearance. */
+  clearance?: number;
+  closer?: { t: Bracket; vertex: Feature; edge?: Feature; other_vertex?: Feature };
+  touch: Touch;
+  events: number;
+  separations: number;
+  /** Of curves: the segments of the polygons that stand for them. */
+  segments?: number;
+  coverage: Coverage;
   /** Of what the proof is about. */
-  scene_sha256?: string;
-  [more: string]: unknown;
+  scene_sha256: string;
+}
+/** `valid` is null where maxSeconds ended the work. */
+export interface InvalidProof {
+  valid: false | null;
+  reason: string;
+}
+export type Verified = ValidProof | InvalidProof;
+
+/** A distance in [lo, hi], and where it is: not where the bodies touch. */
+export interface Nearest {
+  lo: number;
+  hi: number;
+  t: Bracket;
+  pair: Pair;
+  /** Of a sweep. */
+  angle_deg?: Bracket;
+  points?: [[number, number], [number, number]];
+  edges?: [Feature, Feature];
+}
+export interface ClearanceAnswer extends Verdict {
+  /** Null where nothing was decided. */
+  clearance: Nearest | null;
+  /** With allPairs. */
+  pairs?: Nearest[];
+  /** Why the bracket is wider than was asked for. */
+  wide?: string;
+  scope: { time: [number, number] };
 }
 
-/** As `taut clearance --json`, `taut intervals --json`, `taut range --json` and the like print them. */
-export interface Report {
-  [key: string]: unknown;
+/** What meets where an overlap begins or ends. */
+export interface Meeting {
+  vertex: Feature;
+  edge: Feature;
+  point: [number, number];
+  grazing?: true;
+}
+export interface OverlapInterval {
+  pair: Pair;
+  from: Bracket;
+  to: Bracket;
+  /** Of a sweep. */
+  from_deg?: Bracket;
+  to_deg?: Bracket;
+  /** Left out where the overlap is there at the start, or at the end. */
+  enter?: Meeting;
+  exit?: Meeting;
+}
+export interface IntervalsAnswer extends Verdict {
+  intervals: OverlapInterval[];
+  undecided: PairAnswer[];
+  scope: { time: [number, number]; touch: Touch };
 }
 
-/** The first contact, or that there is none. Throws TautError if the scene is not valid. */
+export interface RangeAnswer extends Verdict {
+  /** An end is null where it is the scene's own; all of it is null where there is none. */
+  range: { from: Bracket | null; to: Bracket | null; from_deg?: Bracket; to_deg?: Bracket } | null;
+  around: number;
+  /** The overlaps that end the range. */
+  before?: OverlapInterval;
+  after?: OverlapInterval;
+  scope: { time: [number, number]; touch: Touch };
+}
+
+/** One pair's first instant closer than the clearance: a vertex and an edge, or two vertices. */
+export interface PairMargin {
+  bodies: Pair;
+  outcome: Outcome;
+  t?: Bracket;
+  grazing?: true;
+  vertex?: Feature;
+  edge?: Feature;
+  other_vertex?: Feature;
+  /** Between these points, on these edges. */
+  distance?: number;
+  points?: [[number, number], [number, number]];
+  edges?: [Feature, Feature];
+  free_until?: number;
+  reason?: string;
+}
+/** "contact": closer than the clearance from `t` on; "overlap_at_start": closer at the start. */
+export interface MarginAnswer extends Verdict {
+  clearance: number;
+  t?: Bracket;
+  pair?: Pair;
+  /** Of `pair`. */
+  first?: PairMargin;
+  also?: PairMargin[];
+  /** With allPairs. */
+  pairs?: PairMargin[];
+  free_until?: number;
+  scope: { time: [number, number]; touch: Touch };
+}
+
+export interface DistanceCurve {
+  /** Null: the least distance of all pairs. */
+  pair: Pair | null;
+  /** `settled`: the bracket is as narrow as was asked for. */
+  largest: { lo: number; hi: number; t: number; settled: boolean };
+  /** Instant, and the bracket of the distance. */
+  instants: [t: number, lo: number, hi: number][];
+  /** From, to, and the bracket that the distance does not leave meanwhile. */
+  stretches: [from: number, to: number, lo: number, hi: number][];
+}
+export interface ProfileAnswer extends Verdict {
+  profile: DistanceCurve[];
+  scope: { time: [number, number] };
+}
+
+/** A vertex that reaches an edge at the end of the travel. */
+export interface Reach {
+  vertex: Feature;
+  edge: Feature;
+}
+/** Directions from one bound to the other, counterclockwise; `point`: one direction only. */
+export interface DirectionArc {
+  from_deg: Bracket;
+  to_deg: Bracket;
+  point: boolean;
+  /** What bounds the arc: two vertices in line, or what the travel reaches. */
+  from_vertices?: [Feature, Feature];
+  to_vertices?: [Feature, Feature];
+  from_reach?: Reach;
+  to_reach?: Reach;
+}
+export interface FreeDirections {
+  body: string;
+  /** Every direction is free. */
+  all: boolean;
+  directions: DirectionArc[];
+}
+export interface RemovalStep {
+  body: string;
+  direction_deg: number;
+  within: DirectionArc;
+}
+interface AnySeparation extends Omit<Verdict, "outcome"> {
+  outcome: "free" | "locked" | "overlap_at_start" | "undecided" | "untested";
+  /** Bodies that overlap at the start. */
+  pair?: Pair;
+}
+/** In which directions the second body leaves the first one. */
+export interface SeparationOfTwo extends AnySeparation, FreeDirections {
+  bodies?: undefined;
+  order?: undefined;
+  stuck?: undefined;
+}
+export interface SeparationOfMany extends AnySeparation {
+  body?: undefined;
+  all?: undefined;
+  directions?: undefined;
+  bodies: FreeDirections[];
+  /** In which they come apart, one after the other. */
+  order: RemovalStep[];
+  stuck: string[];
+}
+export type SeparationAnswer = SeparationOfTwo | SeparationOfMany;
+
+/** The first contact, or that there is none. Throws TautError if the scene is not valid, like all functions here. */
 export function check(scene: Scene, options?: Options): Promise<Answer>;
 /** The same with a proof, which is null where nothing was proved. */
 export function prove(scene: Scene, options?: Options): Promise<{ answer: Answer; log: Uint8Array | null }>;
@@ -62,25 +421,32 @@ export function verify(scene: Scene, log: Uint8Array, options?: Pick<Options, "m
 export function clearance(
   scene: Scene,
   options?: Pick<Options, "maxSeconds" | "allPairs"> & { tolerance?: number },
-): Promise<Report>;
+): Promise<ClearanceAnswer>;
 /** All intervals of time in which bodies overlap. */
-export function intervals(scene: Scene, options?: Pick<Options, "touch" | "maxSeconds">): Promise<Report>;
+export function intervals(scene: Scene, options?: Pick<Options, "touch" | "maxSeconds">): Promise<IntervalsAnswer>;
 /** How far the bodies can go from the instant `from` without overlapping, both ways. */
-export function range(scene: Scene, from: number, options?: Pick<Options, "touch" | "maxSeconds">): Promise<Report>;
+export function range(
+  scene: Scene,
+  from: number,
+  options?: Pick<Options, "touch" | "maxSeconds">,
+): Promise<RangeAnswer>;
 
 /** Do bodies keep this distance, in the scene's units, and if not, when and where do they first come closer? */
 export function checkClearance(
   scene: Scene,
   clearance: number,
-  options?: Pick<Options, "maxSeconds" | "allPairs">,
-): Promise<Report>;
+  options?: Pick<Options, "touch" | "maxSeconds" | "allPairs">,
+): Promise<MarginAnswer>;
 /** The distance over time in certain brackets: at `instants` (101), between them, and the greatest. */
 export function distanceProfile(
   scene: Scene,
   options?: Pick<Options, "maxSeconds" | "allPairs"> & { tolerance?: number; instants?: number },
-): Promise<Report>;
-/** In which directions bodies come apart, and in which order. */
-export function separate(scene: Scene, options?: Pick<Options, "maxSeconds">): Promise<Report>;
+): Promise<ProfileAnswer>;
+/** In which directions bodies come apart, and in which order; if need be, only by the distance `travel`. */
+export function separate(
+  scene: Scene,
+  options?: Pick<Options, "maxSeconds"> & { travel?: number },
+): Promise<SeparationAnswer>;
 
 /** What taut refuses, or cannot decide. */
 export class TautError extends Error {

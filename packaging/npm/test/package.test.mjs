@@ -1,6 +1,6 @@
 // The package as users have it: unpacked into a project's node_modules.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import {
   existsSync,
   mkdirSync,
@@ -177,29 +177,157 @@ test("it is as large as its page says", () => {
   assert.ok(Math.abs(size - said) <= 0.1, `${size} MB`);
 });
 
+/** Compiles a program of the project; what the compiler prints. */
+function compiled(name, text) {
+  writeFileSync(join(folder, name), text);
+  writeFileSync(join(folder, "package.json"), '{"type":"module"}');
+  const tsc = join(dirname(tools.resolve("typescript/package.json")), "bin/tsc");
+  const args = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
+  const { stdout } = spawnSync(process.execPath, [tsc, ...args, join(folder, name)], { encoding: "utf8" });
+  return stdout;
+}
+
 test("its types are those that it has", () => {
-  writeFileSync(
-    join(folder, "typed.ts"),
-    `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, TautError, type Answer } from "taut2d";
-const scene = {};
+  const text = `import { check, prove, verify, clearance, intervals, range, checkClearance, distanceProfile, separate, TautError, type Answer, type Scene } from "taut2d";
+const scene: Scene = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", polygon: [[0, 0], [1, 0], [0, 1]] }] };
 const answer: Answer = await check(scene, { touch: "closed", maxSeconds: 1 });
+if (answer.outcome === "contact") console.log(answer.t[0], answer.contact.point[0], answer.coverage.tested);
+if (answer.outcome === "untested") console.log(answer.reason.length);
 const { log } = await prove(scene);
-if (log) console.log((await verify(scene, log)).valid, answer.t?.[0]);
+const verified = log && (await verify(scene, log));
+console.log(verified?.valid ? verified.scene_sha256 : verified?.reason, answer.t?.[0]);
 await clearance(scene, { tolerance: 1e-6 });
 await intervals("{}");
 await range(scene, 2, { touch: "open" });
 await checkClearance(scene, 0.1);
 await distanceProfile(scene, { instants: 9 });
-await separate(scene);
+await separate(scene, { travel: 3 });
+const constant = { format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a", parts: [{ path: "M0 0H1V1Z" }] }] } as const;
+await check(constant);
 console.log(new TautError instanceof Error);
 // @ts-expect-error an unknown word
 await check(scene, { touch: "ajar" });
-`,
-  );
-  const tsc = join(dirname(tools.resolve("typescript/package.json")), "bin/tsc");
-  const args = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
-  writeFileSync(join(folder, "package.json"), '{"type":"module"}');
-  execFileSync(process.execPath, [tsc, ...args, join(folder, "typed.ts")], { encoding: "utf8", stdio: "pipe" });
+// @ts-expect-error an answer has no such member
+console.log(answer.point);
+// @ts-expect-error a body has a polygon or parts
+await check({ format: "taut-scene/1", time: [0, 1], bodies: [{ name: "a" }] });
+// @ts-expect-error a key that scenes do not have
+await check({ format: "taut-scene/1", tiem: [0, 1], bodies: [] });
+`;
+  assert.equal(compiled("typed.ts", text), "");
+});
+
+/** Scenes that name no files and have a time: those of the examples, and some for what these do not show. */
+function typedScenes() {
+  const scenes = {};
+  const examples = join(root, "examples");
+  for (const name of readdirSync(examples, { recursive: true })
+    .filter((n) => n.endsWith(".json"))
+    .sort()) {
+    const text = readFileSync(join(examples, name), "utf8");
+    if (!/"joints"|"csv"|"wkt"|"geojson"/.test(text)) scenes[name] = JSON.parse(text);
+  }
+  const [anvil, hammerBody] = falls.bodies;
+  const raised = (name, y) => ({ name, polygon: anvil.polygon.map(([u, v]) => [u, v + y]) });
+  return Object.assign(scenes, {
+    through: { ...falls, time: [0, 20] },
+    touching: { ...falls, time: [0, 8] },
+    identified: {
+      ...falls,
+      id: 7,
+      bodies: [
+        { ...anvil, id: "a" },
+        { ...hammerBody, id: [1] },
+      ],
+    },
+    ignored: { ...falls, ignore: [["*", "anvil"]] },
+    alone: { ...falls, bodies: [anvil] },
+    rest: { ...falls, at_rest: "test", bodies: [anvil, raised("plate", 0.5), raised("roof", 9), hammerBody] },
+    overlapping: { ...falls, bodies: [anvil, raised("plate", 0.5)] },
+    together: { ...falls, bodies: [anvil, hammerBody, { ...hammerBody, name: "other" }] },
+    keyframes: hammer({
+      keyframes: [
+        { t: 0, x: 0, y: 0 },
+        { t: 5, turn: { center: [4, 0], deg: 90 } },
+        { t: 9, x: 1, y: 1 },
+      ],
+    }),
+  });
+}
+
+/** Every question about a scene, in several ways: [type, answer]. */
+async function answersAbout(scene) {
+  const out = [];
+  const add = async (type, work) => out.push([type, await work]);
+  const [start] = scene.time;
+  for (const options of [
+    { allPairs: true },
+    { touch: "closed" },
+    { engine: "kinetic", maxEvents: 1 },
+    { maxSeconds: 0 },
+  ])
+    await add("Answer", taut.check(scene, { maxSeconds: 5, ...options }));
+  const { answer, log } = await taut.prove(scene, { maxSeconds: 5 });
+  out.push(["Answer", answer]);
+  if (log) await add("Verified", taut.verify(scene, log));
+  await add("Verified", taut.verify(scene, new Uint8Array(9)));
+  for (const options of [{ maxSeconds: 5 }, { maxSeconds: 0 }]) {
+    await add("ClearanceAnswer", taut.clearance(scene, { allPairs: true, ...options }));
+    await add("IntervalsAnswer", taut.intervals(scene, options));
+    // From an instant at which bodies overlap there is no range.
+    if (answer.outcome !== "overlap_at_start") await add("RangeAnswer", taut.range(scene, start, options));
+    await add("MarginAnswer", taut.checkClearance(scene, 0.05, { allPairs: true, ...options }));
+    await add("MarginAnswer", taut.checkClearance(scene, 3, options));
+    await add("ProfileAnswer", taut.distanceProfile(scene, { allPairs: true, instants: 3, ...options }));
+    await add("SeparationAnswer", taut.separate(scene, options));
+  }
+  await add("SeparationAnswer", taut.separate(scene, { maxSeconds: 5, travel: 2 }));
+  return out;
+}
+
+/** Small enough that all questions are answered in a moment. */
+const asked =
+  /^(hello|lid|combs|lock|gears_thick_tooth|worlds.(arm|room|puzzle|drawer)|curves.(slot|cam))\.json$|^\w+$/;
+
+test("its types have all members of scenes and answers, and answers have all that types require", async () => {
+  const scenes = Object.entries(typedScenes());
+  assert.ok(scenes.length > 20, String(scenes.length));
+  const constants = scenes.map(([name, scene]) => ["Scene", name, scene]);
+  const outcomes = new Set();
+  for (const [name, scene] of scenes.filter(([n]) => asked.test(n))) {
+    for (const [type, answer] of await answersAbout(scene)) {
+      constants.push([type, name, answer]);
+      outcomes.add(`${type} ${answer.outcome ?? answer.valid}`);
+    }
+  }
+  for (const kind of [
+    "Answer",
+    "IntervalsAnswer",
+    "ClearanceAnswer",
+    "RangeAnswer",
+    "MarginAnswer",
+    "SeparationAnswer",
+  ])
+    for (const outcome of ["untested", "undecided"])
+      assert.ok(outcomes.has(`${kind} ${outcome}`), `${kind} ${outcome}`);
+  const types = [...new Set(constants.map(([type]) => type))];
+  const text = (list) =>
+    `import type { ${types.join(", ")} } from "taut2d";\n` +
+    list.map(([t, name, value], k) => `// ${name}\nexport const c${k}: ${t} = ${JSON.stringify(value)};\n`).join("");
+  assert.equal(compiled("answers.ts", text(constants)), "");
+  // What is not in the types, or not in an answer, is found at any depth.
+  const contact = constants.find(([type, , a]) => type === "Answer" && a.outcome === "contact")[2];
+  const spoiled = [
+    (a) => (a.more = 1),
+    (a) => (a.contact.vertex.more = 1),
+    (a) => delete a.coverage.at_rest,
+    (a) => delete a.contact,
+  ];
+  for (const spoil of spoiled) {
+    const answer = structuredClone(contact);
+    spoil(answer);
+    assert.match(compiled("spoiled.ts", text([["Answer", "spoiled", answer]])), /error TS/, String(spoil));
+  }
 });
 
 test(
