@@ -48,7 +48,7 @@ test("every body is drawn, and the pair that meets is named and marked", async (
     const part = (f) => (f.part === undefined ? "" : `part ${f.part} of `);
     const words = `ertex ${vertex.index} of ${part(vertex)}${vertex.body} meets edge ${edge.index}-`;
     assert.ok(text.includes(words), `${words}: ${text}`);
-    assert.ok(text.includes(`${answer.coverage.pairs} pairs: ${answer.coverage.checked} checked`), text);
+    assert.ok(text.includes(`${answer.coverage.pairs} pairs: ${answer.coverage.tested} tested`), text);
     assert.match(text, /tilings of the pairs that are near/);
     await screenshot(page, `world-${name}`);
     assert.deepEqual(page.problems, []);

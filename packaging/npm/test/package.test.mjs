@@ -112,7 +112,7 @@ test("clearance(), intervals() and range() answer, too", async () => {
   const through = await taut.intervals({ ...falls, time: [0, 20] });
   assert.equal(through.intervals.length, 1);
   const far = await taut.range(falls, 1);
-  assert.deepEqual(Object.keys(far), ["range", "around", "after", "scope"]);
+  assert.deepEqual(Object.keys(far), ["outcome", "range", "around", "after", "coverage", "scope"]);
   await assert.rejects(taut.range(falls, 11), taut.TautError);
   assert.equal((await taut.checkClearance(rises, hi * 0.99)).outcome, "free");
   assert.equal((await taut.checkClearance(rises, hi * 1.01)).outcome, "overlap_at_start");
