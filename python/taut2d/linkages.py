@@ -44,7 +44,7 @@ class Linkage:
                              'write {"lift": (0, 60)}')
         for name in ("bodies", "ignore", "folder"):
             object.__setattr__(self, name, getattr(scene, name))
-        object.__setattr__(self, "joints", {name: point(range, f"joints.{name}") for name, range in self.joints.items()})
+        object.__setattr__(self, "joints", {name: point(range, f"joints.{name}", "write (lowest, highest)") for name, range in self.joints.items()})
 
     def to_json(self) -> str:
         """The linkage in the format taut-scene/1, on one line: what ``taut envelope`` reads."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _taut2d, pictures
-from ._numbers import number, point
+from ._numbers import number, time_span
 from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
@@ -128,7 +128,7 @@ class Scene:
                 raise InputError(f"bodies[{i}]", f"expected a Body, found {type(body).__name__}",
                                  "write Body(name, shape, motion)")
         object.__setattr__(self, "bodies", bodies)
-        object.__setattr__(self, "time", point(self.time, "time"))
+        object.__setattr__(self, "time", time_span(self.time, "time"))
         pairs = []
         for i, given in enumerate(self.ignore):
             pair = (given,) if isinstance(given, str) else tuple(given)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Optional, Union
 
 from . import _taut2d
-from ._numbers import doubles, numpy_for, point
+from ._numbers import doubles, numpy_for, time_span
 from .errors import InputError
 from .motions import Keyframes, Velocity
 from .options import scene_text
@@ -54,7 +54,7 @@ class KeyframeRows:
         """From a pose to a pose, evenly: ``starts`` and ``ends`` have x, y and the angle in degrees (or x, y) in each
         row; one of the two may be a single pose. ``time``: when the way begins and ends."""
         numpy = numpy_for("check_many()")
-        begin, end = point(time, "time")
+        begin, end = time_span(time, "time")
         poses = [_array(p, name, "(rows, 2 or 3)", lambda shape: len(shape) in (1, 2) and shape[-1] in (2, 3))
                  for name, p in (("starts", starts), ("ends", ends))]
         try:
