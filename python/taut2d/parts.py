@@ -16,22 +16,32 @@ Point = tuple[float, float]
 Ring = tuple[Point, ...]
 
 
+def opened(ring: Any) -> Any:
+    """A ring, a sequence of points or an array, without a first vertex that is repeated at the end, once or more often:
+    what has been opened stays as it is."""
+    while len(ring) > 1 and all(a == b for a, b in zip(ring[0], ring[-1])):
+        ring = ring[:-1]
+    return ring
+
+
 def _ring(values: Any, place: str) -> Ring:
-    """Points from a sequence of pairs, or from a numpy array with two columns."""
+    """Points from a sequence of pairs, or from a numpy array with two columns; the first one may be repeated at the
+    end."""
     if hasattr(values, "tolist"):
         # Python's own floats, many times faster than one by one.
         values = values.tolist()
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise InputError(place, f"expected points, found {type(values).__name__}",
                          "give a list of (x, y), or a numpy array with two columns")
-    return tuple(point(value, f"{place}[{i}]") for i, value in enumerate(values))
+    ring: Ring = opened(tuple(point(value, f"{place}[{i}]") for i, value in enumerate(values)))
+    return ring
 
 
 @dataclass(frozen=True)
 class Part:
     """A polygon without its holes. ``outline`` and each of ``holes`` are lists of (x, y), or numpy arrays with two
-    columns: the vertices in order, in either orientation, the first one not repeated. Holes lie inside the outline, and
-    none touches it or another one."""
+    columns: the vertices in order, in either orientation. A first vertex that is repeated at the end is left out there.
+    Holes lie inside the outline, and none touches it or another one."""
 
     outline: Any
     holes: Any = ()
@@ -129,8 +139,8 @@ _shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a
 
 def _geo_ring(values: Any) -> Ring:
     """As GeoJSON has it: the first vertex is repeated at the end, and heights may follow x and y."""
-    ring = tuple((number(p[0], "x"), number(p[1], "y")) for p in values)
-    return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+    ring: Ring = opened(tuple((number(p[0], "x"), number(p[1], "y")) for p in values))
+    return ring
 
 
 def _geo_parts(geometry: Mapping[str, Any], place: str) -> tuple[Part, ...]:

@@ -36,8 +36,8 @@ class Body:
     """A rigid body.
 
     ``name``: what answers call it; all bodies of a scene have different names.
-    ``shape``: a list of (x, y) or a numpy array with two columns, vertices in order, the first one not repeated; a Part,
-    which may have holes; a list of shapes, which move together and may overlap; any object with ``__geo_interface__``
+    ``shape``: a list of (x, y) or a numpy array with two columns, vertices in order, where the first one may be
+    repeated at the end; a Part, which may have holes; a list of shapes, which move together and may overlap; any object with ``__geo_interface__``
     (a Polygon or MultiPolygon of shapely, a feature of geopandas, a Shape), or the GeoJSON dictionary itself; a string of WKT,
     POLYGON or MULTIPOLYGON, if shapely is installed; WktFile or GeojsonFile. Afterwards it is a Part, a file, or a
     tuple of these.

@@ -8,14 +8,14 @@ from typing import Any
 from . import _taut2d
 from ._numbers import doubles
 from .errors import InputError
-from .parts import GeojsonFile, Part, WktFile, parts_of_value
+from .parts import GeojsonFile, Part, WktFile, opened, parts_of_value
 
 __all__ = ["Shape"]
 
 
 def _ring(value: Any) -> Any:
-    """An array as the library reads it, without a list of its numbers; anything else as it is."""
-    return doubles(value) if hasattr(value, "ndim") else value
+    """An array as the library reads it, without a list of its numbers."""
+    return opened(doubles(value))
 
 
 def _rings(value: Any) -> list[tuple[Any, list[Any]]]:
@@ -25,7 +25,7 @@ def _rings(value: Any) -> list[tuple[Any, list[Any]]]:
     if hasattr(value, "exterior") and hasattr(value, "interiors") and not getattr(value, "is_empty", True):
         # A polygon of shapely, whose coordinates are arrays: the first one is repeated, and heights may follow.
         import numpy
-        rings = [numpy.asarray(ring.coords, float)[:-1, :2] for ring in (value.exterior, *value.interiors)]
+        rings = [opened(numpy.asarray(ring.coords, float)[:, :2]) for ring in (value.exterior, *value.interiors)]
         return [(rings[0], rings[1:])]
     parts = parts_of_value(value, "shape")
     for part in parts:

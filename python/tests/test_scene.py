@@ -52,6 +52,27 @@ def test_holes_and_parts_in_every_form():
     assert {Body("a", form).shape for form in rings} == {(Part(SQUARE), Part(OTHER))}
 
 
+def test_rings_may_be_closed_in_every_form():
+    numpy = pytest.importorskip("numpy")
+    shapely = pytest.importorskip("shapely.geometry")
+    closed, hole = geo_ring(SQUARE), geo_ring(HOLE)
+    forms = [closed, tuple(map(tuple, closed)), numpy.array(closed), numpy.array(closed, dtype=numpy.float32),
+             (p for p in closed), {"outline": closed}, Part(closed), [numpy.array(p) for p in closed]]
+    assert {Body("a", form) for form in forms} == {Body("a", SQUARE)}
+    assert Part(closed, [hole]) == Part(numpy.array(closed), [numpy.array(hole)]) == Part(SQUARE, [HOLE])
+    assert Body("a", [closed, numpy.array(geo_ring(OTHER))]).shape == (Part(SQUARE), Part(OTHER))
+    scene = {"format": "taut-scene/1", "time": [0, 1], "bodies": [{"name": "a", "polygon": closed}]}
+    assert Scene.from_json(json.dumps(scene)).bodies[0].shape == Part(SQUARE)
+    for form in (closed, numpy.array(closed), numpy.array(closed)[:, ::1], shapely.Polygon(SQUARE), Part(closed)):
+        assert taut2d.Shape(form).parts == (Part(SQUARE),)
+    assert taut2d.Shape(shapely.Polygon([(*p, 7) for p in SQUARE], [HOLE])).parts == (Part(SQUARE, [HOLE]),)
+    answer = taut2d.check(Scene([Body("a", closed, taut2d.Velocity((1, 0))), Body("b", numpy.array(geo_ring(OTHER)))], (0, 9)))
+    assert answer.outcome == "contact" and answer.contact.t[0] <= 6 <= answer.contact.t[1]
+    # A vertex that is repeated elsewhere stays an error.
+    with pytest.raises(InputError, match="vertices 0 and 1 are the same point"):
+        Scene([Body("a", [SQUARE[0], *SQUARE]), Body("b", OTHER)], (0, 1)).validate()
+
+
 def test_numbers_go_through_without_loss():
     numbers = [0.1, 1 / 3, math.pi, 5e-324 * 2**600, 2.0**-400, 2.0**53 + 2, -0.0, 1e22, math.nextafter(1, 2)]
     scene = Scene([Body("a", [(x, -x) for x in numbers])], (0, 0.1 + 0.2))
@@ -103,6 +124,8 @@ def test_files_are_found_in_the_folder_of_the_scene(tmp_path):
     (lambda: Body("lid", SQUARE, "fast"), "lid: motion", "expected a motion, found str"),
     (lambda: taut2d.Keyframes([(0, 0, 0), (1, 2)]), "keyframes[1]", "found 2"),
     (lambda: Scene([Body("a", SQUARE)], (0,)), "time", "expected two numbers, found 1"),
+    (lambda: Scene([Body("a", SQUARE)], 10), "time", "expected two numbers, found int"),
+    (lambda: taut2d.Velocity(3), "velocity", "expected two numbers, found int"),
     (lambda: Scene([Body("a", SQUARE)], (0, 1), ["ab"]), "ignore[0]", "expected two names"),
     (lambda: Scene.from_json('{"format": "taut-scene/1"}'), "scene:1:1", '"time"'),
     (lambda: Scene([Body("a", SQUARE), Body("b", SQUARE[:2])], (0, 1)).validate(), "b", "vertices"),
@@ -130,6 +153,20 @@ def test_an_error_has_a_hint():
     assert (error.place, error.hint[:17]) == ("bow", "list the vertices")
     assert error.problem == "the boundary is not simple: edges 0-1 and 2-3 cross at (0.5, 0.5)"
     assert str(error) == f"bow: {error.problem}\nhint: {error.hint}"
+
+
+@pytest.mark.parametrize("make, hint", [
+    (lambda: Scene([Body("a", SQUARE)], 10), "write (start, end)"),
+    (lambda: Scene([Body("a", SQUARE)], (0, 1, 2)), "write (start, end)"),
+    (lambda: taut2d.KeyframeRows.between([(0, 0)], [(1, 1)], time=1), "write (start, end)"),
+    (lambda: taut2d.Linkage([Body("a", SQUARE)], {"lift": 60}), "write (lowest, highest)"),
+    (lambda: taut2d.Velocity((1, 2, 3)), "write (x, y)"),
+    (lambda: Body("a", [0, 1, 2]), "write (x, y)"),
+])
+def test_hints_are_about_what_was_meant(make, hint):
+    with pytest.raises(InputError) as caught:
+        make()
+    assert caught.value.hint.startswith(hint)
 
 
 def test_wkt_that_is_none_is_an_error_with_a_hint():
