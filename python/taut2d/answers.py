@@ -7,6 +7,8 @@ import os
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+from ._verdict import Undivided, Verdict, bodies_text, instant, names
+
 if TYPE_CHECKING:
     from .scene import Scene
 
@@ -73,6 +75,14 @@ class Contact:
     angle_deg: Optional[Interval] = None
 
 
+def meeting_text(contact: Contact) -> str:
+    """What meets what, and where."""
+    vertex, edge, (x, y) = contact.vertex, contact.edge, contact.point
+    kind = "vertex" if vertex.at is None else "segment"
+    other = "edge" if edge.at is None else "segment"
+    return f"{kind} {vertex.index} of {vertex.body} meets {other} {edge.index} of {edge.body} at ({x:.9g}, {y:.9g})"
+
+
 @dataclass(frozen=True)
 class PairAnswer:
     """What is known of one pair of bodies. ``outcome`` as in Answer; ``free_until`` and ``reason`` are there if it is
@@ -108,8 +118,8 @@ class Coverage:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What check() found out.
+class Answer(Verdict):
+    """What check() found out. str() says it in words; there is no truth value: see ``free`` and ``outcome``.
 
     ``outcome``: "free", "contact", "overlap_at_start", "undecided", or "untested": no pair of bodies was tested, so there
     is no verdict. "free" and "contact" are proved, of the pairs that ``coverage`` counts as tested or apart.
@@ -156,10 +166,30 @@ class Answer:
     scene: Optional[Scene] = field(default=None, repr=False, compare=False)
     geometry: Optional[Geometry] = None
 
+    _instead = 'answer.free, or answer.outcome == "contact"'
+
     @property
     def free(self) -> bool:
         """Proved free of collisions over the whole time. "undecided" and "untested" are never free."""
         return self.outcome == "free"
+
+    def _words(self) -> tuple[str, str]:
+        if self.outcome == "free":
+            do = "overlap" if self.touch == "open" else "touch"
+            known = f"{bodies_text(self.coverage)} {do} from t = {self.time[0]!r} to {self.time[1]!r}"
+            if self.touching is not None:
+                return known, f"bodies first touch at {instant(self.touching.t)}: {meeting_text(self.touching)}"
+            undecided = self.touching_undecided
+            return known, "" if undecided is None else f"whether bodies touch is undecided: {undecided}"
+        if self.contact is None:
+            return names(self.pair), ""
+        return f"{names(self.pair)} at {instant(self.contact.t)}", meeting_text(self.contact)
+
+    def _undecided_words(self) -> tuple[str, str]:
+        about = "" if self.pair is None else names(self.pair)
+        if self.free_until is not None and self.free_until > self.time[0]:
+            about += f"{', ' if about else ''}free until t = {self.free_until!r}"
+        return about, self.reason or ""
 
     def _repr_html_(self) -> str:
         """What Jupyter shows: the answer in words, and the motion up to there."""
@@ -168,7 +198,7 @@ class Answer:
 
 
 @dataclass(frozen=True)
-class Proof:
+class Proof(Undivided):
     """An answer with a log that proves it, which verify() and the program taut-verify check.
 
     ``answer``: as check() gives it. ``log``: the proof; empty if there is nothing to prove, since the bodies overlap at
@@ -179,6 +209,8 @@ class Proof:
     answer: Answer
     log: bytes = field(repr=False)
     scene_sha256: str
+
+    _instead = 'proof.answer.outcome == "free", or verify(scene, proof)'
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes the log into a file, for ``taut verify``. Raises ValueError if there is none."""
@@ -201,7 +233,8 @@ class ProvedCloseness:
 
 @dataclass(frozen=True)
 class Verified:
-    """What a log proves about a scene.
+    """What a log proves about a scene. It is true, as bool() has it, if the log is valid: that alone says nothing of the
+    outcome.
 
     ``valid``: True: it proves the rest of this. False: it proves nothing, for the ``reason`` given. None: the time was
     up.

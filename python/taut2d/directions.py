@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from ._verdict import Verdict, counted, names
 from .answers import Coverage, EdgeRef, Interval, VertexRef, _floats
 
 
@@ -45,6 +46,13 @@ class BodyDirections:
     free: tuple[DirectionArc, ...]
 
 
+def _freedom(body: BodyDirections) -> str:
+    if body.all:
+        return f"{body.body} leaves in every direction"
+    return f"{body.body} leaves in {counted(len(body.free), 'arc')} of directions" if body.free else \
+        f"{body.body} leaves in no direction"
+
+
 @dataclass(frozen=True)
 class RemovalStep:
     """One body taken away, straight, in ``direction_deg``, about the middle of the arc ``within``."""
@@ -55,7 +63,7 @@ class RemovalStep:
 
 
 @dataclass(frozen=True)
-class Separation:
+class Separation(Verdict):
     """How bodies come apart. ``outcome``: "free", "locked", "overlap_at_start" (of ``pair``), "undecided" or
     "untested" (for ``reason``). ``bodies``: of two bodies, the second one's directions against the first; of more, each one's against
     all others. ``order``: of more than two, bodies in an order in which they leave one by one; ``stuck``: those that are
@@ -69,6 +77,14 @@ class Separation:
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+
+    def _words(self) -> tuple[str, str]:
+        if self.outcome == "overlap_at_start":
+            return names(self.pair), ""
+        if self.order or self.stuck:
+            leave = "bodies leave in the order " + ", ".join(step.body for step in self.order) if self.order else "no body leaves"
+            return leave, "these cannot leave: " + ", ".join(self.stuck) if self.stuck else ""
+        return "; ".join(map(_freedom, self.bodies)), ""
 
 
 def _arc(value: Any) -> DirectionArc:

@@ -10,6 +10,7 @@ from typing import Any, Optional, Union
 
 from . import _taut2d
 from ._numbers import number, point
+from ._verdict import Verdict, bodies_text, names
 from .answers import Coverage, _pair
 from .errors import InputError
 from .options import run_options
@@ -99,7 +100,7 @@ class EnvelopeWitness:
 
 
 @dataclass(frozen=True)
-class Envelope:
+class Envelope(Verdict):
     """For which combinations bodies keep apart. ``outcome``: "free": for every one, proved. "contact": not for the one in
     ``witness``. "undecided": none was found that collides, and not all were shown to be free. "untested": no pair was
     tested. ``coverage``: which pairs that is about. ``free``, ``colliding``,
@@ -116,6 +117,16 @@ class Envelope:
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+
+    def _words(self) -> tuple[str, str]:
+        shares = f"free {self.free:.4%}, colliding {self.colliding:.4%}, undecided {self.undecided:.4%} of all combinations"
+        if self.witness is None:
+            return f"{bodies_text(self.coverage)} touch for any combination", shares
+        at = ", ".join(f"{joint} = {value:.9g}" for joint, value in self.witness.values.items())
+        return f"{names(self.witness.pair)} overlap at {at}", shares
+
+    def _undecided_words(self) -> tuple[str, str]:
+        return "" if self.outcome == "untested" else self._words()[1], self.reason or ""
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the cells of two joints by matplotlib, and returns the axes. Raises InputError without cells, or for

@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from ._verdict import Undivided, Verdict, instant, names
 from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
 
 
@@ -34,8 +35,15 @@ class PairMargin:
     reason: Optional[str] = None
 
 
+def _nearest_text(pair: PairMargin) -> str:
+    if pair.points is None or pair.distance is None:
+        return ""
+    (a, b), (c, d) = pair.points
+    return f"nearest points then: ({a:.9g}, {b:.9g}) and ({c:.9g}, {d:.9g}), at most {pair.distance!r} apart"
+
+
 @dataclass(frozen=True)
-class MarginAnswer:
+class MarginAnswer(Verdict):
     """Do all bodies keep a clearance? ``first``: the pair that comes closer first; None if ``outcome`` is "free".
     ``also``: others that do at the same time, as far as is known. ``pairs``: every pair, if they were asked for.
     ``json`` is what ``taut check --clearance C --json`` prints."""
@@ -54,9 +62,24 @@ class MarginAnswer:
         """When that is."""
         return None if self.first is None else self.first.t
 
+    def _words(self) -> tuple[str, str]:
+        first, least = self.first, repr(self.clearance)
+        if first is None:
+            who = "all bodies keep" if self.coverage.untested == 0 else "bodies of the tested pairs keep"
+            return f"{who} a distance of {least}", ""
+        known = f"{names(first.bodies)} do not keep a distance of {least}"
+        return f"{known} at {'the start' if first.t is None else instant(first.t)}", _nearest_text(first)
+
+    def _undecided_words(self) -> tuple[str, str]:
+        first = self.first
+        if first is None:
+            return "", self.reason or ""
+        until = "" if first.free_until is None else f", free until t = {first.free_until!r}"
+        return names(first.bodies) + until, first.reason or self.reason or ""
+
 
 @dataclass(frozen=True)
-class MarginProof:
+class MarginProof(Undivided):
     """An answer about a clearance with a log that proves it, which verify() and the program taut-verify check. ``log`` is
     empty if there is nothing to prove: bodies are closer at the start, or nothing was decided. ``scene_sha256``: names the
     scene that it is about."""
@@ -64,6 +87,8 @@ class MarginProof:
     answer: MarginAnswer
     log: bytes = field(repr=False)
     scene_sha256: str
+
+    _instead = 'proof.answer.outcome == "free", or verify(scene, proof)'
 
 
 def _margin(value: Any) -> PairMargin:

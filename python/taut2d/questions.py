@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from ._verdict import Verdict, bodies_text, bracket, counted, instant, names
 from .answers import Coverage, EdgeRef, Interval, PairAnswer, Point, VertexRef, _floats, _pair, _pair_answer
 
 
@@ -37,7 +38,7 @@ class OverlapInterval:
 
 
 @dataclass(frozen=True)
-class Intervals:
+class Intervals(Verdict):
     """All intervals of overlap, pair by pair, each pair's in order of time. Nothing is claimed about pairs in
     ``undecided``. ``outcome``: "undecided" if there are such pairs, else "contact" if two bodies overlap at some time,
     else "free"; "untested" if no pair was tested. ``reason``: why it is undecided or untested; else None. ``json`` is what
@@ -50,9 +51,24 @@ class Intervals:
     coverage: Coverage
     json: str = field(repr=False, compare=False)
 
+    def _words(self) -> tuple[str, str]:
+        if not self.intervals:
+            return f"{bodies_text(self.coverage)} overlap at any time", ""
+        first = min(self.intervals, key=lambda interval: interval.start)
+        word = "first" if len(self.intervals) > 1 else "that is"
+        return (f"{counted(len(self.intervals), 'interval')} of overlap",
+                f"{word} {names(first.pair)}, from t = {bracket(first.start)} to {bracket(first.end)}")
+
+    def _undecided_words(self) -> tuple[str, str]:
+        if not self.undecided:
+            return "", self.reason or ""
+        count, first = len(self.undecided), names(self.undecided[0].bodies)
+        known = first if count == 1 else f"{count} pairs, {first} among them"
+        return f"{known}; of the others {counted(len(self.intervals), 'interval')} of overlap", self.reason or ""
+
 
 @dataclass(frozen=True)
-class Range:
+class Range(Verdict):
     """The maximal interval of time around an instant in which nothing overlaps.
 
     ``outcome``: "free", "undecided" or "untested". ``reason``: why it is one of the last two; else None.
@@ -71,6 +87,13 @@ class Range:
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+
+    def _words(self) -> tuple[str, str]:
+        start = "the start" if self.start is None else f"t = {bracket(self.start)}"
+        end = "the end" if self.end is None else f"t = {bracket(self.end)}"
+        around = [f"{names(overlap.pair)} overlap {word}"
+                  for overlap, word in ((self.before, "before"), (self.after, "after")) if overlap is not None]
+        return f"{bodies_text(self.coverage)} overlap from {start} to {end}", ", ".join(around)
 
 
 @dataclass(frozen=True)
@@ -92,7 +115,7 @@ class NearestPoints:
 
 
 @dataclass(frozen=True)
-class Clearance:
+class Clearance(Verdict):
     """How close bodies come. ``outcome``: "free": no two bodies touch; "contact": two do; "undecided"; "untested".
     ``nearest``: of the closest pair; None if it is undecided or untested: ``reason`` then says why. ``pairs``: of every pair, if they were asked for. ``wide``: why the bracket is wider than
     was asked for, as where a limit of time was reached or curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
@@ -105,6 +128,21 @@ class Clearance:
     coverage: Coverage
     json: str = field(repr=False, compare=False)
     wide: Optional[str] = None
+
+    @property
+    def distance(self) -> Optional[Interval]:
+        """(lo, hi), which certainly contain the least distance over the scene's time: those of ``nearest``; None if that
+        is undecided or untested."""
+        return None if self.nearest is None else (self.nearest.lo, self.nearest.hi)
+
+    def _words(self) -> tuple[str, str]:
+        if self.nearest is None:
+            return "", self.reason or ""
+        nearest, among = self.nearest, "" if self.coverage.untested == 0 else " of the tested pairs"
+        if nearest.hi == 0:
+            return f"{names(nearest.pair)} touch or overlap at {instant(nearest.t)}", self.wide or ""
+        return (f"the least distance{among} is {bracket((nearest.lo, nearest.hi))}",
+                f"between {names(nearest.pair)}, at {instant(nearest.t)}")
 
 
 @dataclass(frozen=True)
@@ -126,7 +164,7 @@ class DistanceCurve:
 
 
 @dataclass(frozen=True)
-class DistanceProfile:
+class DistanceProfile(Verdict):
     """The distance of bodies over time. ``outcome``: as of Clearance. ``curves``: first the least of all pairs, then each
     pair's own, if they were asked for; none if it is undecided or untested: ``reason`` then says why. Of bodies with curves
     brackets hold the curves' own distance; between instants to 1e-4 of it at best. ``json`` is what
@@ -137,6 +175,20 @@ class DistanceProfile:
     reason: Optional[str]
     coverage: Coverage
     json: str = field(repr=False, compare=False)
+
+    @property
+    def greatest(self) -> Optional[Interval]:
+        """(lo, hi), which certainly contain the greatest distance over the scene's time: ``largest`` of the first curve,
+        at each time the least distance of all pairs; None if there are no curves."""
+        return self.curves[0].largest if self.curves else None
+
+    def _words(self) -> tuple[str, str]:
+        if not self.curves:
+            return "", self.reason or ""
+        curve, among = self.curves[0], "" if self.coverage.untested == 0 else " of the tested pairs"
+        lo = min(part[-2] for part in (*curve.instants, *curve.stretches))
+        who = "two bodies touch or overlap" if self.outcome == "contact" else f"the distance{among} is never below {lo!r}"
+        return who, f"it is greatest, {bracket(curve.largest)}, at t = {curve.largest_at!r}"
 
 
 def _interval(value: Any) -> Optional[Interval]:

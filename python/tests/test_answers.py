@@ -25,6 +25,10 @@ scene = taut2d.Scene([taut2d.Body("a", square, taut2d.Velocity(spin_deg=360)),
 """
 
 
+def square(x, y):
+    return [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+
+
 def answers_of_the_command(taut, path, *options):
     run = subprocess.run([taut, "check", "--json", *options, str(path)], stdout=subprocess.PIPE, text=True, timeout=120)
     return run.stdout
@@ -177,6 +181,86 @@ def test_help_has_words_for_everything():
         assert doc and not doc.startswith(name + "("), name
 
 
+FALLS, RISES = (Body("b", square(0, 5), taut2d.Velocity((0, v))) for v in (-1, 1))
+ARM = taut2d.Linkage([Body("a", square(0, 0)), Body("b", square(2, 0), taut2d.Slide((-1, 0), by="reach"))], {"reach": (0, 2)})
+ASK = {"check": taut2d.check, "margin": lambda scene: taut2d.check_clearance(scene, 0.5), "intervals": taut2d.intervals,
+       "range": lambda scene: taut2d.range(scene, 0), "clearance": taut2d.clearance,
+       "profile": lambda scene: taut2d.distance_profile(scene, 3), "separate": taut2d.separate,
+       "envelope": lambda scene: taut2d.envelope(ARM)}
+
+
+@pytest.mark.parametrize("ask", ASK.values(), ids=ASK)
+@pytest.mark.parametrize("mover", [FALLS, RISES], ids=["falls", "rises"])
+def test_no_answer_has_a_truth_value(ask, mover):
+    with pytest.raises(TypeError, match=r'is neither true nor false: write .*answer\.outcome == "'):
+        bool(ask(Scene([Body("a", square(0, 0)), mover], (0, 10))))
+
+
+def test_proofs_have_no_truth_value_but_what_is_verified_has():
+    scene = Scene([ANVIL, HAMMER], (0, 10))
+    for proof in (taut2d.prove(scene), taut2d.prove_clearance(scene, 0.5)):
+        with pytest.raises(TypeError, match="proof.answer.outcome"):
+            bool(proof)
+        assert taut2d.verify(scene, proof)
+    assert not taut2d.verify(scene, b"nothing")
+
+
+@pytest.mark.parametrize("ask, falls, rises", [
+    ("check", "contact: a and b at t in [4.0, 4.000000000000001]\nvertex 3 of a meets edge 0 of b at (0, 1)",
+     "free: no two bodies overlap from t = 0.0 to 10.0"),
+    ("margin", "contact: a and b do not keep a distance of 0.5 at t in [3.4999999999999996, 3.5000000000000004]\n"
+     "nearest points then: (1, 1) and (1, 1.5), at most 0.5 apart", "free: all bodies keep a distance of 0.5"),
+    ("intervals", "contact: 1 interval of overlap\nthat is a and b, from t = [4.0, 4.000000000000001] to "
+     "[5.999999999999999, 6.0]", "free: no two bodies overlap at any time"),
+    ("range", "free: no two bodies overlap from the start to t = [4.0, 4.000000000000001]\na and b overlap after",
+     "free: no two bodies overlap from the start to the end"),
+    ("clearance", "contact: a and b touch or overlap at t in [", "free: the least distance is [3.99"),
+    ("profile", "contact: two bodies touch or overlap\nit is greatest, [", "free: the distance is never below 3.99"),
+    ("separate", "free: b leaves in 1 arc of directions", "free: b leaves in 1 arc of directions"),
+    ("envelope", "contact: a and b overlap at reach = ", "contact: a and b overlap at reach = "),
+])
+def test_an_answer_is_said_in_words(ask, falls, rises):
+    for mover, words in ((FALLS, falls), (RISES, rises)):
+        said = str(ASK[ask](Scene([Body("a", square(0, 0)), mover], (0, 10))))
+        assert said.startswith(words) and said.count("\n") <= 2 and "not tested" not in said
+
+
+@pytest.mark.parametrize("ask", sorted(set(ASK) - {"envelope", "separate"}))
+def test_words_say_what_was_not_tested(ask):
+    bodies = [Body("a", square(0, 0)), Body("c", square(9, 9)), FALLS]
+    said = str(ASK[ask](Scene(bodies, (0, 3), [("b", "c")])))
+    assert said.startswith("free: ") and said.count("\n") <= 2
+    assert said.endswith("\nnot tested: 2 of 3 pairs (1 ignored, 1 at rest)")
+    # The sentence about the others is about the others.
+    assert "tested pairs" in said.splitlines()[0]
+    nothing = str(ASK[ask](Scene([Body("a", square(0, 0)), FALLS], (0, 10), [("a", "*")])))
+    assert re.fullmatch(r"untested\nnothing was tested: .*\nnot tested: 1 of 1 pair \(1 ignored\)", nothing)
+
+
+def test_words_begin_with_what_is_undecided():
+    gears = Scene.load(root / "examples" / "gears.json")
+    said = str(taut2d.check(gears, max_events=5))
+    assert re.fullmatch(r"undecided: wheel and pinion, free until t = 0\.0.*\nthe limit of 5 events was reached", said)
+    for ask in (taut2d.check, taut2d.intervals, taut2d.clearance):
+        said = str(ask(gears, max_seconds=0))
+        assert said.startswith("undecided") and said.endswith("\nthe time limit was reached") and "free" not in said
+
+
+def test_repr_has_all_fields():
+    answer = taut2d.check(Scene([ANVIL, HAMMER], (0, 10)))
+    assert repr(answer).startswith("Answer(outcome='contact', contact=Contact(t=(8.0, ") and "coverage=Coverage(" in repr(answer)
+
+
+def test_the_distance_is_a_bracket():
+    scene = Scene([Body("a", square(0, 0)), RISES], (0, 10))
+    found = taut2d.clearance(scene)
+    assert found.distance == (found.nearest.lo, found.nearest.hi) and found.distance[0] <= 4 <= found.distance[1]
+    profile = taut2d.distance_profile(scene, 3)
+    assert profile.greatest == profile.curves[0].largest and profile.greatest[0] <= 14 <= profile.greatest[1]
+    untested = Scene([Body("a", square(0, 0)), RISES], (0, 10), [("a", "b")])
+    assert taut2d.clearance(untested).distance is None and taut2d.distance_profile(untested, 3).greatest is None
+
+
 @pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
 def test_types_are_right_for_the_package_and_its_users(tmp_path):
     user = tmp_path / "user.py"
@@ -194,10 +278,6 @@ moved.view().save("page.html")
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
     assert run.returncode == 0, run.stdout
-
-def square(x, y):
-    return [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
-
 
 def test_no_verdict_where_nothing_was_tested():
     falls = taut2d.Body("b", square(0, 5), taut2d.Velocity((0, -1)))

@@ -1,0 +1,74 @@
+"""What all answers have in common: an outcome for which no truth value stands, and words for a person to read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NoReturn, Optional
+
+if TYPE_CHECKING:
+    from .answers import Coverage
+
+
+class Undivided:
+    """Has no truth value. An object of Python is true, and so would be the answer that two bodies collide."""
+
+    _instead = 'answer.outcome == "free"'
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(f"{type(self).__name__} is neither true nor false: write {self._instead}")
+
+
+class Verdict(Undivided):
+    """An answer: str() gives it in at most three lines."""
+
+    outcome: str
+    reason: Optional[str]
+    coverage: Coverage
+
+    def _words(self) -> tuple[str, str]:
+        """What is known, and about whom or when, in a line each, of an answer that was decided. The second may be
+        empty."""
+        raise NotImplementedError
+
+    def _undecided_words(self) -> tuple[str, str]:
+        return "", self.reason or ""
+
+    def __str__(self) -> str:
+        is_decided = self.outcome not in ("undecided", "untested")
+        known, detail = self._words() if is_decided else self._undecided_words()
+        outcome = self.outcome.replace("_", " ")
+        lines = [f"{outcome}: {known}" if known else outcome, detail, untested_text(self.coverage)]
+        # Three lines at most, whatever characters a name or a reason has.
+        return "\n".join(" ".join(line.splitlines()) for line in lines if line)
+
+
+def untested_text(coverage: Coverage) -> str:
+    """Which pairs the answer says nothing about; empty if there are none."""
+    if coverage.untested == 0:
+        return ""
+    counts = ((coverage.ignored, "ignored"), (coverage.moving_alike, "moving alike"), (coverage.at_rest, "at rest"))
+    why = ", ".join(f"{count} {word}" for count, word in counts if count > 0)
+    return f"not tested: {coverage.untested} of {coverage.pairs} pair{'' if coverage.pairs == 1 else 's'} ({why})"
+
+
+def bodies_text(coverage: Coverage) -> str:
+    """Of whom something is said that holds for every pair: the subject of a sentence without "not"."""
+    return "no two bodies" if coverage.untested == 0 else "no two bodies of the tested pairs"
+
+
+def bracket(values: Sequence[float]) -> str:
+    """An enclosure, or the number that it is."""
+    lo, hi = values
+    return repr(lo) if lo == hi else f"[{lo!r}, {hi!r}]"
+
+
+def instant(values: Sequence[float]) -> str:
+    return f"t = {bracket(values)}" if values[0] == values[1] else f"t in {bracket(values)}"
+
+
+def names(pair: Optional[Sequence[str]]) -> str:
+    return "two bodies" if pair is None else " and ".join(pair)
+
+
+def counted(count: int, word: str) -> str:
+    return f"{count} {word}{'' if count == 1 else 's'}"
