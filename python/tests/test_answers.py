@@ -1,5 +1,6 @@
 import dataclasses
 import pathlib
+import pkgutil
 import re
 import shutil
 import subprocess
@@ -261,6 +262,17 @@ def test_the_distance_is_a_bracket():
     assert taut2d.clearance(untested).distance is None and taut2d.distance_profile(untested, 3).greatest is None
 
 
+def test_the_package_has_the_names_that_it_offers():
+    modules = {module.name for module in pkgutil.iter_modules(taut2d.__path__)}
+    public = {name for name in dir(taut2d) if not name.startswith("_")}
+    assert public - modules == set(taut2d.__all__) - modules | {"range"}
+    assert len(taut2d.__all__) == len(set(taut2d.__all__)) and set(taut2d.__all__) <= public
+    names = {}
+    exec("from taut2d import *", names)
+    assert set(names) - {"__builtins__"} == set(taut2d.__all__) and "range" not in names
+    assert taut2d.range(Scene([ANVIL, HAMMER], (0, 10)), 0).end[0] <= 8
+
+
 @pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
 def test_types_are_right_for_the_package_and_its_users(tmp_path):
     user = tmp_path / "user.py"
@@ -274,6 +286,7 @@ taut2d.sweep(scene, {"a": rows}, to="folder").array().tobytes()
 moved.poses(0)["a"].cos.hex()
 moved.plot(at=answer)
 moved.view().save("page.html")
+end: taut2d.Range = taut2d.range(scene, 0)
 """)
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
