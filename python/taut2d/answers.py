@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from ._verdict import Undivided, Verdict, bodies_text, instant, names
+from .words import ContactAt, EngineName, OutcomeWord, Touch, VerifiedOutcome
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -89,7 +90,7 @@ class PairAnswer:
     "undecided"."""
 
     bodies: tuple[str, str]
-    outcome: str
+    outcome: OutcomeWord
     contact: Optional[Contact] = None
     free_until: Optional[float] = None
     reason: Optional[str] = None
@@ -142,7 +143,7 @@ class Answer(Verdict):
     ``geometry``: of a scene with curves, how well they were known; else None.
     """
 
-    outcome: str
+    outcome: OutcomeWord
     contact: Optional[Contact]
     touching: Optional[Contact]
     touching_undecided: Optional[str]
@@ -153,11 +154,11 @@ class Answer(Verdict):
     also: tuple[PairAnswer, ...]
     coverage: Coverage
     pairs: Optional[tuple[PairAnswer, ...]]
-    engine: str
+    engine: EngineName
     events: int
     certificates_initial: int
     certificates_max: int
-    touch: str
+    touch: Touch
     bodies: tuple[str, ...]
     time: Interval
     fit: float
@@ -250,11 +251,11 @@ class Verified:
 
     valid: Optional[bool]
     reason: Optional[str] = None
-    outcome: Optional[str] = None
+    outcome: Optional[VerifiedOutcome] = None
     free_until: Optional[float] = None
     contact: Optional[Contact] = None
-    contact_at: Optional[str] = None
-    touch: Optional[str] = None
+    contact_at: Optional[ContactAt] = None
+    touch: Optional[Touch] = None
     events: Optional[int] = None
     separations: Optional[int] = None
     scene_sha256: Optional[str] = None

@@ -15,12 +15,13 @@ from .options import run_options, scene_text, seconds
 from .questions import (Clearance, DistanceProfile, Intervals, Range, clearance_from_json, intervals_from_json,
                         profile_from_json, range_from_json)
 from .scene import Scene, _plain_places
+from .words import Engine, Pairs, Touch
 
 __all__ = ["check", "check_clearance", "clearance", "distance_profile", "intervals", "prove", "prove_clearance", "range",
            "separate", "verify"]
 
 
-def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: str = "first",
+def check(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", pairs: Pairs = "first",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None, fit: Optional[float] = None,
           time_tolerance: float = 1e-9) -> Answer:
     """Decides whether and when bodies of the scene first collide.
@@ -44,7 +45,7 @@ def check(scene: Scene, *, touch: str = "open", engine: str = "usual", pairs: st
         return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
 
 
-def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float] = None) -> Intervals:
+def intervals(scene: Scene, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Intervals:
     """All maximal intervals of time in which bodies of the scene overlap, for each pair that is asked about.
 
     ``touch``: with "open", an instant at which bodies only touch is no interval; with "closed" it is one.
@@ -55,7 +56,7 @@ def intervals(scene: Scene, *, touch: str = "open", max_seconds: Optional[float]
         return intervals_from_json(_taut2d.intervals(scene_text(scene), options))
 
 
-def range(scene: Scene, around: float, *, touch: str = "open", max_seconds: Optional[float] = None) -> Range:
+def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Range:
     """The maximal interval of time around an instant in which no two bodies that are asked about overlap.
 
     Raises InputError if the instant is outside of the scene's time, or bodies overlap then; else as check().
@@ -65,7 +66,7 @@ def range(scene: Scene, around: float, *, touch: str = "open", max_seconds: Opti
         return range_from_json(_taut2d.range(scene_text(scene), number(around, "around"), options))
 
 
-def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
+def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first",
               max_seconds: Optional[float] = None) -> Clearance:
     """How close bodies come over the scene's time: a bracket that certainly holds the least distance of their closures.
 
@@ -78,7 +79,7 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: str = "first",
         return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
 
 
-def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: str = "first",
+def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: Pairs = "first",
                      max_seconds: Optional[float] = None) -> DistanceProfile:
     """The distance of bodies over the scene's time, in brackets that are certain: at so many ``instants`` (2 to
     1,000,000), evenly spaced, on the stretches between them, and of the greatest distance.
@@ -95,7 +96,7 @@ def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e
             _taut2d.distance_profile(scene_text(scene), int(instants), number(tolerance, "tolerance"), options))
 
 
-def check_clearance(scene: Scene, clearance: float, *, touch: str = "open", pairs: str = "first",
+def check_clearance(scene: Scene, clearance: float, *, touch: Touch = "open", pairs: Pairs = "first",
                     max_seconds: Optional[float] = None) -> MarginAnswer:
     """Do all bodies keep this distance, in the scene's units, and if not, when and where do they first come closer?
 
@@ -122,7 +123,7 @@ def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optio
                                                       options))
 
 
-def prove(scene: Scene, *, touch: str = "open", engine: str = "usual", max_seconds: Optional[float] = None,
+def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_seconds: Optional[float] = None,
           max_events: Optional[int] = None) -> Proof:
     """As check(), with a log that proves the answer, in memory.
 
@@ -138,7 +139,7 @@ def prove(scene: Scene, *, touch: str = "open", engine: str = "usual", max_secon
     return Proof(answer_from_json(answer, scene), log, name)
 
 
-def prove_clearance(scene: Scene, clearance: float, *, touch: str = "open",
+def prove_clearance(scene: Scene, clearance: float, *, touch: Touch = "open",
                     max_seconds: Optional[float] = None) -> MarginProof:
     """As check_clearance(), with a log that proves the answer, in memory. Options and errors are those of
     check_clearance()."""

@@ -8,6 +8,7 @@ from typing import Any, Optional
 
 from ._verdict import Verdict, counted, names
 from .answers import Coverage, EdgeRef, Interval, VertexRef, _floats
+from .words import SeparationOutcome
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ class Separation(Verdict):
     all others. ``order``: of more than two, bodies in an order in which they leave one by one; ``stuck``: those that are
     left then. ``json`` is what ``taut separate --json`` prints."""
 
-    outcome: str
+    outcome: SeparationOutcome
     bodies: tuple[BodyDirections, ...]
     order: tuple[RemovalStep, ...]
     stuck: tuple[str, ...]

@@ -11,6 +11,7 @@ from . import _taut2d
 from ._numbers import number
 from .errors import InputError
 from .scene import Scene
+from .words import Faults, Grouping, OpenLines, RepairKind
 
 __all__ = ["Drawing", "DrawingBody", "DrawingFile", "Gap", "OpenLine", "Repair", "Skipped", "read_drawing"]
 
@@ -45,7 +46,7 @@ class OpenLine:
 class Repair:
     """A "loop" or "crossing" of this size that was cut off, or a "sliver" of this width that was filled."""
 
-    what: str
+    what: RepairKind
     at: _Point
     size: float
     place: str
@@ -170,10 +171,10 @@ def _word(value: str, name: str, words: Sequence[str]) -> str:
 
 def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]]], *,
                  tolerance: Optional[float] = None, join: Optional[float] = None, repair: Optional[float] = None,
-                 open: str = "error", by: str = "auto", layers: Sequence[str] = (),
+                 open: OpenLines = "error", by: Grouping = "auto", layers: Sequence[str] = (),
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
                  split: bool = False, unknown_free: bool = False, strict: bool = False,
-                 faults: str = "raise") -> Drawing:
+                 faults: Faults = "raise") -> Drawing:
     """A scene of SVG and DXF drawings, of boards of KiCad, WKT and GeoJSON files, and maps of map_server; bodies rest.
 
     ``path``: one file, or several ones; their endings say what they are.

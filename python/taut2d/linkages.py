@@ -15,6 +15,7 @@ from .answers import Coverage, _pair
 from .errors import InputError
 from .options import run_options
 from .scene import Body, Scene, _body_from_json, _plain_places, _scene_text
+from .words import AtRest, CellState, QuestionOutcome
 
 __all__ = ["Envelope", "EnvelopeCell", "EnvelopeWitness", "Linkage", "envelope"]
 
@@ -35,7 +36,7 @@ class Linkage:
     ignore: Sequence[Sequence[str]] = ()
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
-    at_rest: str = "skip"
+    at_rest: AtRest = "skip"
 
     def __post_init__(self) -> None:
         # What a scene looks at, with a time that means nothing.
@@ -85,7 +86,7 @@ class EnvelopeCell:
     touches; "colliding": for all, the interiors of ``pair`` overlap; "undecided": neither was shown before the box became
     as small as the tolerance."""
 
-    state: str
+    state: CellState
     lo: tuple[float, ...]
     hi: tuple[float, ...]
     pair: Optional[tuple[str, str]] = None
@@ -107,7 +108,7 @@ class Envelope(Verdict):
     ``undecided``: shares of all combinations. ``cells``: a partition of them, if it was asked for. ``reason``: why it
     ended early. ``json`` is what ``taut envelope --json`` prints."""
 
-    outcome: str
+    outcome: QuestionOutcome
     witness: Optional[EnvelopeWitness]
     free: float
     colliding: float

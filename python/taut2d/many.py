@@ -13,6 +13,7 @@ from .errors import InputError
 from .options import run_options
 from .scene import Scene, _plain_places
 from .variants import Scenes, Variants, asked
+from .words import Engine, Touch
 
 if TYPE_CHECKING:
     import numpy
@@ -61,8 +62,8 @@ def answers_to(given: Union[Variants, Scenes], options: _taut2d.RunOptions, thre
 
 
 def check_many(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *,
-               shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: str = "open",
-               engine: str = "usual", threads: Optional[int] = None, max_seconds: Optional[float] = None,
+               shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: Touch = "open",
+               engine: Engine = "usual", threads: Optional[int] = None, max_seconds: Optional[float] = None,
                max_events: Optional[int] = None) -> Answers:
     """Checks many scenes, on all processors, and gives an array of as many answers: what check() says of each.
 

@@ -16,6 +16,7 @@ from .motions import Motion
 from .options import run_options
 from .scene import Body, Scene, _motions, _plain_places, _scene_text, _unnamed
 from .variants import KeyframeRows, VelocityRows, _array
+from .words import Touch
 
 if TYPE_CHECKING:
     import numpy
@@ -119,7 +120,7 @@ class StaticMap:
         moving = replace(mover.body, motion=motion)
         return Scene((*self.bodies, moving), (start, end))
 
-    def check(self, mover: Mover, motion: Optional[Motion], start: float, end: float, *, touch: str = "open",
+    def check(self, mover: Mover, motion: Optional[Motion], start: float, end: float, *, touch: Touch = "open",
               max_seconds: Optional[float] = None) -> Answer:
         """Does the mover, on this motion, first meet anything on [``start``, ``end``], what, and when?
 
@@ -138,7 +139,7 @@ class StaticMap:
         answer = answer_from_json(before + after)
         return replace(answer, bodies=mover._names, json=before + mover._json + after)
 
-    def overlapped(self, mover: Mover, motion: Optional[Motion], t: float, *, touch: str = "open") -> Optional[str]:
+    def overlapped(self, mover: Mover, motion: Optional[Motion], t: float, *, touch: Touch = "open") -> Optional[str]:
         """The name of a body of the map that the mover overlaps, or with ``touch="closed"`` touches, where its motion has
         it at time ``t``; of several, the first in the map; None if the placement is free.
 
@@ -151,7 +152,7 @@ class StaticMap:
             found = self._core.overlapped(_mover(mover)._core, motion_text(motion, when, when), options)
         return None if found is None else self.bodies[found].name
 
-    def check_many(self, mover: Mover, motions: Any, start: Any, end: Any, *, touch: str = "open",
+    def check_many(self, mover: Mover, motions: Any, start: Any, end: Any, *, touch: Touch = "open",
                    threads: Optional[int] = None, max_seconds: Optional[float] = None) -> Answers:
         """check() of many motions, on all processors: an array of answer_dtype(), as taut2d.check_many() gives it.
 
@@ -174,7 +175,7 @@ class StaticMap:
             self._core.check_rows(_mover(mover)._core, table, options, count, answers)
         return answers
 
-    def overlapped_many(self, mover: Mover, placements: Any, *, touch: str = "open",
+    def overlapped_many(self, mover: Mover, placements: Any, *, touch: Touch = "open",
                         threads: Optional[int] = None) -> Places:
         """overlapped() of many placements: for each the place in the map of the first body that the mover overlaps, or
         -1.

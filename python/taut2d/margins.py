@@ -8,6 +8,7 @@ from typing import Any, Optional
 
 from ._verdict import Undivided, Verdict, instant, names
 from .answers import Coverage, EdgeRef, Interval, Point, VertexRef, _floats, _pair
+from .words import OutcomeWord
 
 
 @dataclass(frozen=True)
@@ -22,7 +23,7 @@ class PairMargin:
     """
 
     bodies: tuple[str, str]
-    outcome: str
+    outcome: OutcomeWord
     t: Optional[Interval] = None
     grazing: bool = False
     vertex: Optional[VertexRef] = None
@@ -48,7 +49,7 @@ class MarginAnswer(Verdict):
     ``also``: others that do at the same time, as far as is known. ``pairs``: every pair, if they were asked for.
     ``json`` is what ``taut check --clearance C --json`` prints."""
 
-    outcome: str
+    outcome: OutcomeWord
     clearance: float
     first: Optional[PairMargin]
     also: tuple[PairMargin, ...]

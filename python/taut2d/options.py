@@ -8,6 +8,7 @@ from . import _taut2d
 from ._numbers import number
 from .errors import InputError
 from .scene import Scene
+from .words import Engine, Pairs, Touch
 
 
 def seconds(limit: Optional[float]) -> Optional[float]:
@@ -19,7 +20,7 @@ def seconds(limit: Optional[float]) -> Optional[float]:
     return found
 
 
-def run_options(touch: str, engine: str, pairs: str, max_seconds: Optional[float],
+def run_options(touch: Touch, engine: Engine, pairs: Pairs, max_seconds: Optional[float],
                 max_events: Optional[int], fit: Optional[float] = None, time_tolerance: float = 1e-9) -> _taut2d.RunOptions:
     for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
         if not isinstance(value, str):

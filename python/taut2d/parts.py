@@ -9,6 +9,7 @@ from typing import Any, Union
 
 from ._numbers import number, path_text, point
 from .errors import InputError
+from .words import FillRule
 
 __all__ = ["GeojsonFile", "OnePart", "Part", "Parts", "Path", "WktFile", "parts_of_value", "shape_of_value"]
 
@@ -82,7 +83,7 @@ class Path:
     """
 
     path: Any
-    fill_rule: str = "nonzero"
+    fill_rule: FillRule = "nonzero"
 
     def __post_init__(self) -> None:
         if self.fill_rule not in ("nonzero", "evenodd"):

@@ -8,6 +8,7 @@ from typing import Any, Optional
 
 from ._verdict import Verdict, bodies_text, bracket, counted, instant, names
 from .answers import Coverage, EdgeRef, Interval, PairAnswer, Point, VertexRef, _floats, _pair, _pair_answer
+from .words import QuestionOutcome, RangeOutcome
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Intervals(Verdict):
     else "free"; "untested" if no pair was tested. ``reason``: why it is undecided or untested; else None. ``json`` is what
     ``taut intervals --json`` prints."""
 
-    outcome: str
+    outcome: QuestionOutcome
     reason: Optional[str]
     intervals: tuple[OverlapInterval, ...]
     undecided: tuple[PairAnswer, ...]
@@ -77,7 +78,7 @@ class Range(Verdict):
     ``json`` is what ``taut range --json`` prints.
     """
 
-    outcome: str
+    outcome: RangeOutcome
     start: Optional[Interval]
     end: Optional[Interval]
     start_deg: Optional[Interval]
@@ -121,7 +122,7 @@ class Clearance(Verdict):
     was asked for, as where a limit of time was reached or curves run along each other for long; else None. ``json`` is what ``taut clearance --json``
     prints."""
 
-    outcome: str
+    outcome: QuestionOutcome
     nearest: Optional[NearestPoints]
     pairs: tuple[NearestPoints, ...]
     reason: Optional[str]
@@ -170,7 +171,7 @@ class DistanceProfile(Verdict):
     brackets hold the curves' own distance; between instants to 1e-4 of it at best. ``json`` is what
     ``taut clearance --profile N --json`` prints."""
 
-    outcome: str
+    outcome: QuestionOutcome
     curves: tuple[DistanceCurve, ...]
     reason: Optional[str]
     coverage: Coverage

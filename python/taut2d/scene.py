@@ -16,6 +16,7 @@ from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revol
                       motion_from_json)
 from .parts import GeojsonFile, OnePart, Part, Path, WktFile, shape_of_value
 from .pictures import Pose
+from .words import AtRest, Touch
 
 if TYPE_CHECKING:
     from .viewer import Viewer
@@ -117,7 +118,7 @@ class Scene:
     ignore: Sequence[Sequence[str]] = ()
     id: Any = None
     folder: Union[str, os.PathLike[str]] = field(default=".", compare=False)
-    at_rest: str = "skip"
+    at_rest: AtRest = "skip"
 
     def __post_init__(self) -> None:
         if self.at_rest not in ("skip", "test"):
@@ -226,7 +227,7 @@ class Scene:
         with _plain_places():
             return pictures.animate(self, ax, until, frames, seconds)
 
-    def view(self, *, touch: str = "open", at: Optional[float] = None, intervals: bool = False,
+    def view(self, *, touch: Touch = "open", at: Optional[float] = None, intervals: bool = False,
              clearance: bool = False, profile: Optional[int] = None, separate: bool = False,
              template: Union[None, str, os.PathLike[str]] = None) -> Viewer:
         """The viewer, as ``taut view`` writes it: Jupyter shows it in place, and ``.save(path)`` makes a page of it.

@@ -14,6 +14,7 @@ from .maps import motion_text, plain_motions
 from .motions import Motion
 from .options import run_options, scene_text
 from .scene import Scene, _names, _plain_places
+from .words import FaceKind, SimulationState, Touch
 
 __all__ = ["Simulation", "Tiling", "TilingEdge", "TilingFace"]
 
@@ -39,7 +40,7 @@ class TilingFace:
     Tiling.vertices; empty for interiors.
     """
 
-    kind: str
+    kind: FaceKind
     body: Optional[str]
     depth: int
     boundary: tuple[int, ...]
@@ -68,7 +69,7 @@ class Simulation:
     The time only grows. Threads may share a simulation: they take turns. Raises InputError if the scene is not valid.
     """
 
-    def __init__(self, scene: Scene, *, touch: str = "open", max_events: Optional[int] = None,
+    def __init__(self, scene: Scene, *, touch: Touch = "open", max_events: Optional[int] = None,
                  max_seconds: Optional[float] = None) -> None:
         options = run_options(touch, "kinetic", "first", max_seconds, max_events)
         with _plain_places():
@@ -81,7 +82,7 @@ class Simulation:
         return self._scene
 
     @property
-    def state(self) -> str:
+    def state(self) -> SimulationState:
         """"running": the tested pairs are free up to ``time``, and there may be more events; "finished": they are proved
         free to the end of the scene; "contact"; "overlap_at_start"; "undecided": nothing is claimed beyond ``time``, for
         the ``reason`` given; "untested": the end was reached, and no pair was tested at any time: see ``coverage``."""
@@ -151,7 +152,7 @@ class Simulation:
         the end, after a contact, or if it is undecided."""
         return self._core.step()
 
-    def advance_to(self, t: float) -> str:
+    def advance_to(self, t: float) -> SimulationState:
         """Processes all events before ``t``, at most to the end of the scene, and stands at ``t``, unless a contact comes
         first. A time before ``time`` changes nothing. Returns the state. KeyboardInterrupt on Ctrl-C, which leaves it
         "undecided"; InputError for what is no finite number."""

@@ -16,6 +16,7 @@ from .many import Outcome, answer_dtype, answers_to, thread_count
 from .options import run_options
 from .scene import Scene
 from .variants import Scenes, Variants, asked
+from .words import Engine, Touch
 
 if TYPE_CHECKING:
     import numpy
@@ -111,8 +112,8 @@ def _read(row: Any, line: dict[str, Any], names: Sequence[str]) -> None:
 class _Options:
     """What check_many() is told besides the rows; it goes to other processes as it is."""
 
-    touch: str
-    engine: str
+    touch: Touch
+    engine: Engine
     max_seconds: Optional[float]
     max_events: Optional[int]
 
@@ -209,7 +210,7 @@ def _on_threads(count: int, options: _Options, given: Union[Variants, Scenes],
 
 
 def sweep(scene: Union[Scene, Iterable[Scene]], motions: Mapping[str, Any] = {}, *, to: Union[str, os.PathLike[str]],
-          shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: str = "open", engine: str = "usual",
+          shapes: Mapping[str, Sequence[Any]] = {}, times: Any = None, touch: Touch = "open", engine: Engine = "usual",
           max_seconds: Optional[float] = None, max_events: Optional[int] = None, shard: int = 1000,
           threads: Optional[int] = None, client: Any = None) -> SweepAnswers:
     """check_many() for more rows than one sitting: answers go to files, and a sweep that was stopped goes on where it was.

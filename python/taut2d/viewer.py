@@ -13,6 +13,7 @@ from .errors import InputError
 from .parts import GeojsonFile, WktFile
 from .motions import CsvKeyframes
 from .scene import Scene
+from .words import Touch
 
 __all__ = ["Viewer", "viewer_of"]
 
@@ -74,7 +75,7 @@ def questions_of(intervals: bool, clearance: bool, profile: Optional[int], separ
     return ask
 
 
-def viewer_of(scene: Scene, touch: str, at: Optional[float], ask: dict[str, Any],
+def viewer_of(scene: Scene, touch: Touch, at: Optional[float], ask: dict[str, Any],
               template: Optional[Union[str, os.PathLike[str]]]) -> Viewer:
     """See Scene.view()."""
     _require_no_files(scene)

@@ -6,10 +6,11 @@ import shutil
 import subprocess
 import threading
 import time
+import typing
 
 import pytest
 import taut2d
-from taut2d import Body, Scene
+from taut2d import Body, Scene, words
 
 root = pathlib.Path(__file__).resolve().parents[2]
 worlds = root.parent / "shared" / "worlds"
@@ -273,6 +274,26 @@ def test_the_package_has_the_names_that_it_offers():
     assert taut2d.range(Scene([ANVIL, HAMMER], (0, 10)), 0).end[0] <= 8
 
 
+def test_the_words_of_the_types_are_those_of_the_library():
+    scene = Scene([ANVIL, HAMMER], (0, 10))
+    for touch in typing.get_args(words.Touch):
+        assert taut2d.check(scene, touch=touch).touch == touch
+    for engine in typing.get_args(words.Engine):
+        assert taut2d.check(scene, engine=engine).engine in typing.get_args(words.EngineName)
+    for pairs in typing.get_args(words.Pairs):
+        assert taut2d.check(scene, pairs=pairs).outcome in typing.get_args(words.OutcomeWord)
+    for option, kind in (("touch", words.Touch), ("engine", words.Engine), ("pairs", words.Pairs)):
+        with pytest.raises(taut2d.InputError) as caught:
+            taut2d.check(scene, **{option: "other"})
+        assert sorted(re.findall('"(.*?)"', caught.value.hint)) == sorted(typing.get_args(kind))
+    assert {outcome.name.lower() for outcome in taut2d.Outcome} == set(typing.get_args(words.OutcomeWord))
+    for at_rest in typing.get_args(words.AtRest):
+        assert Scene(scene.bodies, (0, 1), at_rest=at_rest).at_rest == at_rest
+    for rule in typing.get_args(words.FillRule):
+        assert taut2d.Path("M0 0 L1 0 L0 1 Z", rule).fill_rule == rule
+    assert {face.kind for face in taut2d.Simulation(scene).tiling().faces} <= set(typing.get_args(words.FaceKind))
+
+
 @pytest.mark.skipif(shutil.which("mypy") is None, reason="mypy is not installed")
 def test_types_are_right_for_the_package_and_its_users(tmp_path):
     user = tmp_path / "user.py"
@@ -287,6 +308,15 @@ moved.poses(0)["a"].cos.hex()
 moved.plot(at=answer)
 moved.view().save("page.html")
 end: taut2d.Range = taut2d.range(scene, 0)
+if answer.outcome == "overlap_at_start" or answer.touch == "closed" or end.outcome == "untested":
+    taut2d.Simulation(scene, touch=answer.touch)
+# A word that means nothing is noticed: mypy complains of comments that ignore nothing.
+taut2d.check(scene, touch="shut")  # type: ignore[arg-type]
+taut2d.check(scene, engine="fast")  # type: ignore[arg-type]
+taut2d.clearance(scene, pairs="some")  # type: ignore[arg-type]
+taut2d.Scene(scene.bodies, (0, 1), at_rest="ask")  # type: ignore[arg-type]
+taut2d.Simulation(scene).state == "stopped"  # type: ignore[comparison-overlap]
+answer.outcome == "collision"  # type: ignore[comparison-overlap]
 """)
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)

@@ -1,0 +1,33 @@
+"""The words that functions take and answers give, as types: a checker such as mypy then knows them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+__all__ = ["AtRest", "CellState", "ContactAt", "Engine", "EngineName", "FaceKind", "Faults", "FillRule", "Grouping",
+           "OpenLines", "OutcomeWord", "Pairs", "QuestionOutcome", "RangeOutcome", "RepairKind", "SeparationOutcome",
+           "Side", "SimulationState", "Touch", "VerifiedOutcome"]
+
+# What functions take.
+Touch = Literal["open", "closed"]
+Engine = Literal["usual", "kinetic", "spacetime", "both", "either"]
+Pairs = Literal["first", "all"]
+AtRest = Literal["skip", "test"]
+FillRule = Literal["nonzero", "evenodd"]
+Side = Literal["outer", "inner"]
+OpenLines = Literal["error", "close", "skip"]
+Grouping = Literal["auto", "layer", "color", "group", "nesting"]
+Faults = Literal["raise", "report"]
+
+# What answers give.
+OutcomeWord = Literal["free", "contact", "overlap_at_start", "undecided", "untested"]
+QuestionOutcome = Literal["free", "contact", "undecided", "untested"]
+RangeOutcome = Literal["free", "undecided", "untested"]
+SeparationOutcome = Literal["free", "locked", "overlap_at_start", "undecided", "untested"]
+VerifiedOutcome = Literal["free", "contact", "undecided"]
+EngineName = Literal["kinetic", "spacetime", "both"]
+ContactAt = Literal["start", "motion", "joint"]
+CellState = Literal["free", "colliding", "undecided"]
+FaceKind = Literal["node", "root", "infinite", "polygon_interior"]
+SimulationState = Literal["running", "finished", "contact", "overlap_at_start", "undecided", "untested"]
+RepairKind = Literal["loop", "crossing", "sliver"]
