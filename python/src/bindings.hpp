@@ -12,6 +12,7 @@ void bind_maps(pybind11::module_& module);
 void bind_simulations(pybind11::module_& module);
 void bind_cells(pybind11::module_& module);
 void bind_drawings(pybind11::module_& module);
+void bind_flatten(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);
 /// taut's exceptions as those of taut2d.errors.
 void bind_errors();

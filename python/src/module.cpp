@@ -14,6 +14,7 @@ PYBIND11_MODULE(_taut2d, module) {
   taut_python::bind_simulations(module);
   taut_python::bind_cells(module);
   taut_python::bind_drawings(module);
+  taut_python::bind_flatten(module);
   taut_python::bind_pictures(module);
   module.def("version", [] { return TAUT_VERSION; });
 }

@@ -22,8 +22,8 @@ keep a distance, intervals() when they overlap, all of the time, range() how far
 which directions they come apart. envelope() says for which combinations of joint values bodies of a Linkage keep apart,
 along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
-goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. read_drawing()
-makes a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw by matplotlib.
+goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. flatten()
+makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw by matplotlib.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -39,6 +39,7 @@ from .cells import Cells, cells
 from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, VertexAtEdge
 from .drawings import Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
+from .flattening import flatten
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
@@ -66,7 +67,7 @@ __all__ = [
     "RemovalStep", "Repair", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Skipped", "Slide", "StaticMap",
     "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity",
     "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check",
-    "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "intervals", "prove",
+    "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "flatten", "intervals", "prove",
     "prove_clearance", "read_drawing", "separate", "sweep", "verify",
 ]
 

@@ -47,7 +47,7 @@ def cells(scene: Scene, body: str, resolution: float, *, origin: Sequence[float]
     whatever happens between poses, and none is always more than a sixteenth of a cell away from the body.
 
     ``body``: its name. ``resolution``: the side of a cell. ``origin``: the lower left corner of cell (0, 0). Other bodies
-    do not matter. InputError if the scene is not valid, if there is no such body, or if cells are so small that doubles
+    do not matter. Of a body with curves, flatten() makes polygons first. InputError if the scene is not valid, if there is no such body, or if cells are so small that doubles
     do not tell sixteenths of them.
     """
     x, y = point(origin, "origin")

@@ -134,6 +134,10 @@ class GeojsonFile:
 OnePart = Union[Part, Path, WktFile, GeojsonFile]
 Parts = Union[OnePart, tuple[OnePart, ...]]
 
+# What to do where polygons only are taken.
+flatten_hint = ("taut2d.flatten(scene, tolerance), or flatten(body, tolerance), makes polygons around such bodies, and with "
+                'side="inner" within them')
+
 _shape_hint = ("give a list of (x, y), a numpy array with two columns, a Part, a list of these, an object with "
                "__geo_interface__, or WKT")
 

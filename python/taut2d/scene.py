@@ -14,7 +14,7 @@ from .answers import Answer, Contact
 from .errors import InputError
 from .motions import (CsvKeyframes, Keyframes, Motion, Pieces, Polynomial, Revolute, Slide, Sweep, Velocity,
                       motion_from_json)
-from .parts import GeojsonFile, OnePart, Part, Path, WktFile, shape_of_value
+from .parts import GeojsonFile, OnePart, Part, Path, WktFile, flatten_hint, shape_of_value
 from .pictures import Pose
 from .words import AtRest, Touch
 
@@ -269,12 +269,18 @@ _unnamed = "\x01"
 
 
 class _plain_places:
-    """Errors about a scene that was made here name no line and no column of a text that nobody has seen."""
+    """Errors about a scene that was made here name no line and no column of a text that nobody has seen, and remedies in
+    Python."""
 
     def __enter__(self) -> None:
         pass
 
     def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
-        if isinstance(error, InputError) and _unnamed in error.place:
-            row, _, rest = error.place.partition(_unnamed)
-            raise InputError(row + rest.partition(": ")[2], error.problem, error.hint) from None
+        if not isinstance(error, InputError):
+            return
+        row, unnamed, rest = error.place.partition(_unnamed)
+        place = row + rest.partition(": ")[2] if unnamed else error.place
+        # The library names its program, which is of no use here.
+        hint = flatten_hint if error.hint.startswith("`taut flatten") else error.hint
+        if (place, hint) != (error.place, error.hint):
+            raise InputError(place, error.problem, hint) from None

@@ -8,7 +8,7 @@ from typing import Any
 from . import _taut2d
 from ._numbers import doubles
 from .errors import InputError
-from .parts import GeojsonFile, Part, WktFile, opened, parts_of_value
+from .parts import GeojsonFile, Part, Path, WktFile, flatten_hint, opened, parts_of_value
 
 __all__ = ["Shape"]
 
@@ -32,6 +32,8 @@ def _rings(value: Any) -> list[tuple[Any, list[Any]]]:
         if isinstance(part, (WktFile, GeojsonFile)):
             raise InputError("shape", "a file is read with the scene that names it, and makes no shape by itself",
                              "read the file, and give what it says")
+        if isinstance(part, Path):
+            raise InputError("shape", "it is bounded by curves, which Shape does not take", flatten_hint)
     return [(part.outline, list(part.holes)) for part in parts if isinstance(part, Part)]
 
 

@@ -48,7 +48,7 @@ def test_scenes_keep_their_paths():
 
 
 def test_what_takes_polygons_only_refuses_with_a_remedy():
-    with pytest.raises(taut2d.InputError, match="taut flatten"):
+    with pytest.raises(taut2d.InputError, match=r"taut2d\.flatten\(scene"):
         taut2d.Simulation(scene_of(taut2d.Path(DISC)))
     with pytest.raises(taut2d.InputError, match="before"):
         taut2d.check(scene_of(taut2d.Path("M0 0 X")))

@@ -1,0 +1,45 @@
+// Polygons for curves.
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <vector>
+
+#include "attended.hpp"
+#include "base/interruption.hpp"
+#include "bindings.hpp"
+#include "rings.hpp"
+#include "scene_text.hpp"
+#include "taut/outline.hpp"
+
+namespace taut_python {
+namespace {
+
+namespace py = pybind11;
+using PartsOfBodies = std::vector<std::vector<taut::Part>>;
+
+std::vector<taut::Part> flat_parts(const taut::Body& body, double tolerance, taut::CurveSide side) {
+  if (!body.curves.empty()) return taut::flatten(body.curves, side, tolerance, body.name);
+  if (!body.parts.empty()) return body.parts;
+  return {{body.polygon, {}}};
+}
+
+/// For each body the rings of its parts, where curves are replaced by polygons.
+py::list flatten(const SceneText& text, double tolerance, bool outer) {
+  const taut::CurveSide side = outer ? taut::CurveSide::outer : taut::CurveSide::inner;
+  const auto flat = attended<PartsOfBodies>([&](const std::atomic<bool>& stop) {
+    const taut::InterruptionScope scope(&stop, 1e300);
+    PartsOfBodies bodies;
+    const taut::Scene scene = text.read();
+    for (const taut::Body& body : scene.bodies) bodies.push_back(flat_parts(body, tolerance, side));
+    return bodies;
+  });
+  py::list found;
+  for (const std::vector<taut::Part>& parts : flat) found.append(rings_of(parts));
+  return found;
+}
+
+}  // namespace
+
+void bind_flatten(py::module_& module) { module.def("flatten", &flatten); }
+
+}  // namespace taut_python
