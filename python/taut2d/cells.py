@@ -46,9 +46,9 @@ def cells(scene: Scene, body: str, resolution: float, *, origin: Sequence[float]
     """All cells that a body, its boundary included, touches at any instant of the scene's time: none is missing,
     whatever happens between poses, and none is always more than a sixteenth of a cell away from the body.
 
-    ``body``: its name. ``resolution``: the side of a cell. ``origin``: the lower left corner of cell (0, 0). Other bodies
-    do not matter. Of a body with curves, flatten() makes polygons first. InputError if the scene is not valid, if there is no such body, or if cells are so small that doubles
-    do not tell sixteenths of them.
+    ``body``: its name. ``resolution``: the side of a cell. ``origin``: the lower left corner of cell (0, 0). Other
+    bodies do not matter. Of a body with curves, flatten() makes polygons first. InputError if the scene is not valid,
+    if there is no such body, or if cells are so small that doubles do not tell sixteenths of them.
     """
     x, y = point(origin, "origin")
     with _plain_places():

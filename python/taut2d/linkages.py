@@ -14,6 +14,7 @@ from ._verdict import Verdict, bodies_text, names
 from .answers import Coverage, _pair
 from .errors import InputError
 from .options import run_options
+from .pictures import _new_axes
 from .scene import Body, Scene, _body_from_json, _plain_places, _scene_text
 from .words import AtRest, CellState, QuestionOutcome
 
@@ -130,14 +131,13 @@ class Envelope(Verdict):
         return "" if self.outcome == "untested" else self._words()[1], self.reason or ""
 
     def plot(self, ax: Any = None) -> Any:
-        """Draws the cells of two joints by matplotlib, and returns the axes. Raises InputError without cells, or for
-        another number of joints."""
+        """Draws the cells of two joints by matplotlib, and returns the axes. ``ax``: axes to draw into; None makes a new
+        figure. Raises InputError without cells, or for another number of joints."""
         if not self.cells or len(self.cells[0].lo) != 2:
             raise InputError("cells", "there is no partition of two joints to draw", "ask envelope(..., cells=True)")
-        from matplotlib import pyplot
+        axes = _new_axes(ax)
         from matplotlib.collections import PolyCollection
 
-        axes = pyplot.gca() if ax is None else ax
         for state, colour in (("free", "#bfe3c6"), ("colliding", "#d98a80"), ("undecided", "#4a4a4a")):
             boxes = [[(c.lo[0], c.lo[1]), (c.hi[0], c.lo[1]), (c.hi[0], c.hi[1]), (c.lo[0], c.hi[1])]
                      for c in self.cells if c.state == state]

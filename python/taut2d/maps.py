@@ -80,8 +80,7 @@ class StaticMap:
     planner.
 
     ``bodies``: each a Body without a motion, a parent and curves (flatten() makes polygons of these); their names differ.
-    Each is validated as in a scene, and
-    prepared when something first comes near it.
+    Each is validated as in a scene, and prepared when something first comes near it.
     ``reach``: shapes of movers may have coordinates of their own up to this magnitude, in the map's units; those of the
     map they may always have.
 

@@ -52,6 +52,15 @@ class Intervals(Verdict):
     coverage: Coverage
     json: str = field(repr=False, compare=False)
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the intervals over time by matplotlib, a row for each pair that overlaps, and returns
+        the axes. Pairs that are undecided are hatched.
+
+        ``ax``: axes to draw into; None makes a new figure. Raises ImportError if matplotlib is missing, InputError if
+        there is nothing to draw."""
+        from .charts import plot_intervals
+        return plot_intervals(self, ax)
+
     def _words(self) -> tuple[str, str]:
         if not self.intervals:
             return f"{bodies_text(self.coverage)} overlap at any time", ""
@@ -136,6 +145,15 @@ class Clearance(Verdict):
         is undecided or untested."""
         return None if self.nearest is None else (self.nearest.lo, self.nearest.hi)
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the least distance of the closest pair, or of each pair if they were asked for, by matplotlib, and
+        returns the axes. Brackets are hatched from their lower to their upper end.
+
+        ``ax``: axes to draw into; None makes a new figure. Raises ImportError if matplotlib is missing, InputError if
+        there is nothing to draw."""
+        from .charts import plot_clearance
+        return plot_clearance(self, ax)
+
     def _words(self) -> tuple[str, str]:
         if self.nearest is None:
             return "", self.reason or ""
@@ -182,6 +200,15 @@ class DistanceProfile(Verdict):
         """(lo, hi), which certainly contain the greatest distance over the scene's time: ``largest`` of the first curve,
         at each time the least distance of all pairs; None if there are no curves."""
         return self.curves[0].largest if self.curves else None
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the distance over time by matplotlib, a line for each curve, with its brackets between instants as
+        bands, and returns the axes.
+
+        ``ax``: axes to draw into; None makes a new figure. Raises ImportError if matplotlib is missing, InputError if
+        there is nothing to draw."""
+        from .charts import plot_profile
+        return plot_profile(self, ax)
 
     def _words(self) -> tuple[str, str]:
         if not self.curves:

@@ -61,9 +61,9 @@ class Simulation:
     """check() online: stands at a time up to which the motion is proved free, and goes on from there, event by event; what
     a body does after that time may be changed.
 
-    ``scene``: of two polygons, or a world of any number of bodies, with parts, holes and parents, and without curves (flatten() makes polygons of
-    these). Of a world, events are
-    those of all pairs of rings that are near; what is far costs nothing. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
+    ``scene``: of two polygons, or a world of any number of bodies, with parts, holes and parents, and without
+    curves (flatten() makes polygons of these). Of a world, events are those of all pairs of rings that are near; what is
+    far costs nothing. ``touch``, ``max_events``, ``max_seconds``: as in check(); the last
     one is for each call. Where one of them, Ctrl-C, or the highest precision ends it, ``state`` is "undecided" from then
     on.
 

@@ -128,6 +128,68 @@ def test_what_cannot_be_drawn(call, message):
         call()
 
 
+def square(x, y):
+    return [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+
+
+# One falls through "a" from t = 4 to 6, the other one rises.
+THREE = Scene([Body("a", square(0, 0)), Body("b", square(0, 5), taut2d.Velocity((0, -1))),
+               Body("c", square(9, 3), taut2d.Velocity((0, 1)))], (0, 10))
+
+
+def labels(axes):
+    return [text.get_text() for text in axes.get_yticklabels()]
+
+
+def test_a_chart_of_intervals():
+    axes = taut2d.intervals(THREE).plot()
+    assert labels(axes) == ["a x b"] and axes.get_xlim() == (0, 10) and axes.get_xlabel() == "t"
+    seen = {x: colour_at(axes, x, 0) == (0xd7, 0x19, 0x1c) for x in (3.9, 4.1, 5.9, 6.1)}
+    assert seen == {3.9: False, 4.1: True, 5.9: True, 6.1: False}
+    gears = taut2d.intervals(Scene.load(root / "examples" / "gears.json"), max_seconds=0).plot()
+    assert labels(gears) == ["wheel x pinion"]
+    assert [text.get_text() for text in gears.get_legend().get_texts()] == ["undecided"]
+    assert taut2d.intervals(THREE.with_motion("b", None)).plot().get_title() == "no overlap"
+
+
+def test_a_chart_of_distances():
+    profile = taut2d.distance_profile(THREE, 21, pairs="all")
+    figure, axes = pyplot.subplots(1, 2)
+    assert profile.plot(axes[1]) is axes[1] and not axes[0].lines
+    assert [text.get_text() for text in axes[1].get_legend().get_texts()] == \
+        ["least of all pairs", *(" x ".join(curve.pair) for curve in profile.curves[1:])]
+    for line, curve in zip(axes[1].lines, profile.curves):
+        assert [tuple(p) for p in line.get_xydata()] == [(t, hi) for t, _, hi in curve.instants]
+    assert len(axes[1].collections) == len(profile.curves) and axes[1].get_ylim()[0] == 0
+
+
+def test_a_chart_of_clearances():
+    found = taut2d.clearance(THREE, pairs="all")
+    axes = found.plot()
+    assert labels(axes) == [" x ".join(pair.pair) for pair in found.pairs]
+    assert [bar.get_width() for bar in axes.patches] == [pair.lo for pair in found.pairs]
+    apart = taut2d.clearance(THREE.with_motion("b", taut2d.Velocity((0, 1))))
+    axes = apart.plot()
+    assert labels(axes) == [" x ".join(apart.nearest.pair)] and axes.get_xlim()[1] >= apart.distance[1]
+
+
+def test_a_chart_makes_a_figure_of_its_own():
+    figure, axes = pyplot.subplots()
+    link = taut2d.Linkage([Body("a", square(0, 0)), Body("b", square(3, 0), taut2d.Slide((1, 0), by="x"), None),
+                           Body("c", square(0, 3), taut2d.Slide((0, 1), by="y"))], {"x": (0, 1), "y": (0, 1)})
+    for answer in (taut2d.intervals(THREE), taut2d.clearance(THREE), taut2d.distance_profile(THREE, 3),
+                   taut2d.envelope(link, cells=True)):
+        assert answer.plot().figure is not figure
+    assert not axes.collections and not axes.patches and not axes.lines
+
+
+def test_there_is_no_chart_without_an_answer():
+    nothing = Scene(THREE.bodies, (0, 10), [("a", "*"), ("b", "c")])
+    for answer in (taut2d.intervals(nothing), taut2d.clearance(nothing), taut2d.distance_profile(nothing, 3)):
+        with pytest.raises(InputError, match="there is nothing to draw: the answer is untested"):
+            answer.plot()
+
+
 def svg_in(page):
     """The picture that a page holds, as a tree of elements."""
     return ElementTree.fromstring(base64.b64decode(re.search(r'src="data:image/svg\+xml;base64,([^"]*)"', page)[1]))
