@@ -109,7 +109,8 @@ def test_margins(taut, tmp_path):
     far = taut2d.Scene([taut2d.Body("a", [(0, 0), (1, 0), (0, 1)]), taut2d.Body("b", [(3, 0), (4, 0), (4, 1)])], (0, 1))
     assert taut2d.check_clearance(far, 1.5).outcome == "free"
     assert taut2d.check_clearance(far, 2).outcome == "free"
-    assert taut2d.check_clearance(far, 2, touch="closed").outcome == "overlap_at_start"
+    at_start = taut2d.check_clearance(far, 2, touch="closed")
+    assert at_start.outcome == "contact" and at_start.t == (0, 0)
     assert taut2d.check_clearance(far, 2.5, pairs="all").pairs[0].outcome == "overlap_at_start"
     with pytest.raises(taut2d.InputError):
         taut2d.check_clearance(far, 0)
@@ -127,7 +128,8 @@ def test_proofs_of_a_clearance():
     assert not taut2d.verify(scene(), bytes(broken))
     far = taut2d.Scene([taut2d.Body("a", [(0, 0), (1, 0), (0, 1)]), taut2d.Body("b", [(3, 0), (4, 0), (4, 1)])], (0, 1))
     assert taut2d.verify(far, taut2d.prove_clearance(far, 2)).outcome == "free"
-    assert taut2d.prove_clearance(far, 2, touch="closed").log == b""
+    assert taut2d.verify(far, taut2d.prove_clearance(far, 2, touch="closed")).outcome == "contact"
+    assert taut2d.prove_clearance(far, 2.5).log == b""
 
 
 def test_fit():
