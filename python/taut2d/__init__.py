@@ -23,7 +23,8 @@ which directions they come apart. envelope() says for which combinations of join
 along all motions at once. check_many() takes arrays of motions, or many scenes, and answers on all processors; sweep()
 does, too, into files. Shape prepares a shape for many scenes, StaticMap a map for bodies that move in it, and Simulation
 goes from event to event, with plans that may change. cells() lists the cells of a grid that a body touches. flatten()
-makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw by matplotlib.
+makes polygons of curves, and read_drawing() a scene of SVG, DXF and other drawings. Scene.plot() and Scene.animate() draw
+by matplotlib, and so do the methods plot() of answers.
 
 Errors are TautError; InputError, with place, problem and hint, is a ValueError as well. Ctrl-C ends every function within
 moments. Functions may be called from several threads, which then run at the same time.
@@ -32,7 +33,8 @@ moments. Functions may be called from several threads, which then run at the sam
 from . import _taut2d
 from .answers import (Answer, Contact, Coverage, EdgeRef, Geometry, PairAnswer, Proof, ProvedCloseness, Verified,
                       VertexRef)
-from .asking import check, check_clearance, clearance, distance_profile, intervals, prove, prove_clearance, separate, verify
+from .asking import (check, check_clearance, clearance, distance_profile, intervals, prove, prove_clearance, separate,
+                     verify)
 # Not in __all__: `from taut2d import *` must leave Python's own range() alone.
 from .asking import range as range
 from .cells import Cells, cells
