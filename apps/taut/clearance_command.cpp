@@ -87,8 +87,8 @@ std::string profile_text(const Scene& scene, const DistanceProfile& answer) {
   if (answer.curves.empty()) return no_verdict(scene, answer.outcome, answer.reason, answer.coverage);
   std::string text;
   for (const DistanceCurve& c : answer.curves)
-    text +=
-        "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") + instants_text(scene, c);
+    text += "PROFILE  " + curve_line(scene, c) + (text.empty() ? coverage_text(answer.coverage) : "") +
+            instants_text(scene, c);
   return text;
 }
 

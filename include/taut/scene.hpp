@@ -43,7 +43,8 @@ inline constexpr int max_depth = 16;
 /// What to do about pairs of bodies that do not move relative to each other: both rest, or both have the same motion at
 /// all times, parents included.
 enum class AtRest {
-  /// Test them only if no two bodies of the scene move relative to each other, as in a layout. Otherwise leave them
+  /// Test them only if no two bodies, of those not ignored altogether, move relative to each other, as in a layout.
+  /// Otherwise leave them
   /// out;
   /// Coverage::at_rest and Coverage::moving_alike count them.
   skip,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "motion/pieces.hpp"
@@ -55,8 +56,11 @@ ProvedScene::ProvedScene(const Scene& scene)
   }
   add_motions(scene);
   find_alike();
-  const bool all_alike = std::all_of(bodies_.begin(), bodies_.end(), [](const ProvedBody& b) { return b.alike == 0; });
-  tests_alike_ = all_alike || scene.at_rest == AtRest::test;
+  std::set<int> motions;
+  for (int i = 0; i < size(); ++i) {
+    if (!ignored_.has_all(i)) motions.insert((*this)[i].alike);
+  }
+  tests_alike_ = motions.size() <= 1 || scene.at_rest == AtRest::test;
 }
 
 void ProvedScene::find_alike() {

@@ -37,7 +37,7 @@ class ProvedScene {
 
   /// All pairs but the ignored ones, and those that move alike unless they are tested, too.
   bool asked(int a, int b) const;
-  /// Are pairs that move alike tested? As the scene says, and where all bodies do.
+  /// Are pairs that move alike tested? As the scene says, and where all bodies do that are not ignored altogether.
   bool tests_alike() const { return tests_alike_; }
   /// `tested`: all pairs that are asked about.
   Coverage coverage() const;

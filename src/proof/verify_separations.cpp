@@ -97,7 +97,7 @@ class SeparationsVerifier {
     left.listed.emplace();
     // Each of them takes a byte, at least: no more are listed than the log can speak of.
     std::optional<BodyPairs> meeting;
-    if (open.all()) meeting = boxes_->meeting(plan_, in_.left());
+    if (open.all()) meeting = boxes_->meeting(plan_, static_cast<std::size_t>(in_.left()));
     if (open.all() && !meeting)
       throw ProofError("the log is cut off: more pairs have boxes that meet than it has bytes");
     for (const auto& [a, b] : open.all() ? *meeting : *open.listed) {

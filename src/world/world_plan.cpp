@@ -56,7 +56,7 @@ std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 WorldPlan::WorldPlan(const Scene& scene) : start_(scene.start), end_(scene.end), ignored_(scene) {
   add_bodies(scene);
   find_groups();
-  tests_groups_ = groups_ == 1 || scene.at_rest == AtRest::test;
+  tests_groups_ = scene.at_rest == AtRest::test || all_alike();
 }
 
 void WorldPlan::add_bodies(const Scene& scene) {
@@ -172,6 +172,18 @@ void WorldPlan::find_groups() {
 bool WorldPlan::asked(int a, int b) const {
   const bool together = bodies_[static_cast<std::size_t>(a)].group == bodies_[static_cast<std::size_t>(b)].group;
   return (!together || tests_groups_) && !ignored_.has(a, b);
+}
+
+/// Does nothing move relative to anything else? Bodies that are ignored altogether, as what carries others, do not
+/// count.
+bool WorldPlan::all_alike() const {
+  int group = -1;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (ignored_.has_all(static_cast<int>(i))) continue;
+    if (group >= 0 && bodies_[i].group != group) return false;
+    group = bodies_[i].group;
+  }
+  return true;
 }
 
 /// All pairs, and those that are not asked about.

@@ -79,6 +79,7 @@ class WorldPlan {
   void note_moving();
   void leave_group(int body);
   void join_group(int body);
+  bool all_alike() const;
   Coverage excluded() const;
 
   double start_, end_;

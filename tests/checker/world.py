@@ -264,7 +264,8 @@ class Scene:
                 k = self.parents[k]
             self.chains.append(chain)
         self.keys = [tuple(tuple((p.until, p.key()) for p in motion) for motion in chain) for chain in self.chains]
-        self.tests_alike = self.at_rest_tested or all(key == self.keys[0] for key in self.keys)
+        listening = {key for key, ignored in zip(self.keys, self.ignored_by_all) if not ignored}
+        self.tests_alike = self.at_rest_tested or len(listening) <= 1
 
     def asked(self, a, b):
         if self.ignored_by_all[a] or self.ignored_by_all[b] or (min(a, b), max(a, b)) in self.ignored:
