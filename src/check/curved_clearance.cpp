@@ -5,6 +5,7 @@
 #include "check/curved_questions.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
+#include "geometry/vector.hpp"
 #include "motion/pose.hpp"
 #include "world/world_plan.hpp"
 
