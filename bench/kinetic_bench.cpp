@@ -75,7 +75,7 @@ void warm_up(const Case& c) {
   while (!session.finished()) session.step(c.scene.end);
 }
 
-/// Of two legs.
+/// Of two segments.
 constexpr std::uint64_t allocations_of_piece = 32;
 
 void events(benchmark::State& state, const Case& c) {
@@ -98,8 +98,8 @@ void events(benchmark::State& state, const Case& c) {
     if (const std::string wrong = fault(c, session); !wrong.empty()) fail(state, wrong);
   }
   totals.report(state);
-  // Once a run, at most: room for models around a singular instant is made where the first one comes. And legs are made
-  // where the engine comes to them, two for each piece of a motion: no event allocates.
+  // Once a run, at most: room for models around a singular instant is made where the first one comes. And segments are
+  // made where the engine comes to them, two for each piece of a motion: no event allocates.
   const std::size_t pieces = c.scene.bodies[0].motion.pieces.size() + c.scene.bodies[1].motion.pieces.size();
   const std::uint64_t most = 1 + (pieces > 2 ? allocations_of_piece * pieces : 0);
   if (totals.allocations > most * static_cast<std::uint64_t>(state.iterations()))

@@ -8,8 +8,8 @@
 #include "families.hpp"
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "spacetime/first_contact.hpp"
 #include "yardstick.hpp"
 
@@ -31,25 +31,25 @@ struct Certified {
   const Case& wanted;
   PairPlan plan;
   PairGeometry geometry;
-  Legs legs;
+  MotionSegments segments;
   SpacetimeResult result;
 
   explicit Certified(const Case& c)
       : wanted(c),
         plan(plan_pair(c.scene)),
         geometry(displaced_pair(plan, true)),
-        legs(make_legs(plan.pieces[0], plan.pieces[1], c.scene.start, c.scene.end)) {}
+        segments(make_segments(plan.pieces[0], plan.pieces[1], c.scene.start, c.scene.end)) {}
   double seconds() {
     const Stopwatch watch;
     const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);
-    result = spacetime::first_contact(geometry, {p, q}, legs);
+    result = spacetime::first_contact(geometry, {p, q}, segments);
     return watch.seconds();
   }
   std::string fault() const {
     if (result.outcome == SpacetimeResult::undecided) return result.reason;
-    const Leg& leg = legs[result.leg];
-    return bench::fault(wanted, result.outcome == SpacetimeResult::contact, leg.time(result.lo),
-                        leg.time(result.found.hi));
+    const MotionSegment& segment = segments[result.segment];
+    return bench::fault(wanted, result.outcome == SpacetimeResult::contact, segment.time(result.lo),
+                        segment.time(result.found.hi));
   }
 };
 

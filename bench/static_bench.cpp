@@ -9,8 +9,8 @@
 #include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "tiling/checks.hpp"
 #include "tiling/static_tiling.hpp"
 
@@ -32,8 +32,8 @@ void tiling(benchmark::State& state, std::size_t vertices) {
   const Scene scene = bay(vertices);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
-  const Placement placement(geometry, legs.front(), scene.start);
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const Placement placement(geometry, segments.front(), scene.start);
   double seconds = 0;
   std::size_t held = 0, peak = 0;
   bool first = true;

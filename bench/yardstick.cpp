@@ -244,7 +244,7 @@ class Search {
     if (apart(in, in.side[0], p, q, way)) return;
     if (apart(in, in.side[1], q, p, in.side[1].place(p.centre, q.centre))) return;
     const double motion = way.x.swing(in.r) + way.y.swing(in.r) + in.side[0].swing * q.disc + in.rest;
-    if (motion > patience * discs && in.r > shortest_) {
+    if (motion > subdivision_threshold * discs && in.r > shortest_) {
       pairs_.push_back(pair);
     } else if (p.count == 1 && q.count == 1) {
       if (!settled(in, p, q)) pairs_.push_back(pair);
@@ -289,7 +289,7 @@ class Search {
   }
 
   /// Pairs that move farther than this share of their size wait for a shorter interval.
-  static constexpr double patience = 0.75;
+  static constexpr double subdivision_threshold = 0.75;
 
   const Tree &p_, &q_;
   const MotionPiece &mp_, &mq_;

@@ -13,7 +13,7 @@ namespace {
 class Examined : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Examined, NothingIsWrong) {
-  Looks looks;
+  Evaluations looks;
   looks.max_events = testing::effort(500);
   looks.max_seconds = 60;
   std::string report;

@@ -3,8 +3,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "io/json_text.hpp"
 #include "pair/placement.hpp"
 #include "replan.hpp"
@@ -68,7 +68,7 @@ std::string line(const char* touch, const Answer& a) {
 /// The map against the static one, after every event.
 std::string audit_tilings(const Scene& scene, const CheckOptions& options) {
   testing::AuditCounts counts;
-  const InterruptionScope scope(nullptr, options.max_seconds);
+  const Budget scope(nullptr, options.max_seconds);
   try {
     Session session(scene, options.touch, nullptr);
     while (!session.finished() && session.engine().events() < options.max_events) {
@@ -90,7 +90,7 @@ std::string audit_proof(const Scene& scene, const CheckOptions& options) {
   if (answer.outcome == Outcome::overlap_at_start || (answer.outcome == Outcome::undecided && answer.events == 0))
     return {};
   // Verification sets itself no limits.
-  const InterruptionScope scope(nullptr, 4 * options.max_seconds);
+  const Budget scope(nullptr, 4 * options.max_seconds);
   try {
     const Verified v = verify(scene, log);
     Answer proved;
@@ -140,7 +140,7 @@ std::string audit_query(Simulation& s, double before, const LastEvent& last) {
 }
 
 std::string audit_queries(const Scene& scene, const Answer& answer, const CheckOptions& options) {
-  const InterruptionScope scope(nullptr, 4 * options.max_seconds);
+  const Budget scope(nullptr, 4 * options.max_seconds);
   try {
     LastEvent last_event(scene.start);
     Simulation s(scene, options.touch, &last_event);
@@ -171,7 +171,7 @@ bool is_beyond_precision(const Answer& answer) {
   return answer.outcome == Outcome::undecided && answer.reason.find("limit") == std::string::npos;
 }
 
-Finding look(const Scene& scene, Touch touch, const Looks& looks, std::string* report) {
+Finding look(const Scene& scene, Touch touch, const Evaluations& looks, std::string* report) {
   CheckOptions options;
   options.touch = touch;
   options.max_events = looks.max_events;
@@ -195,7 +195,7 @@ Finding look(const Scene& scene, Touch touch, const Looks& looks, std::string* r
 
 }  // namespace
 
-Finding examine(const Scene& scene, const Looks& looks, std::string* report) {
+Finding examine(const Scene& scene, const Evaluations& looks, std::string* report) {
   Finding found;
   try {
     for (const Touch touch : looks.touch) {

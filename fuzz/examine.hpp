@@ -37,7 +37,7 @@ struct Finding {
   std::string signature() const;
 };
 
-struct Looks {
+struct Evaluations {
   std::vector<Touch> touch = {Touch::open, Touch::closed};
   std::uint64_t max_events = 2000;  ///< of each run
   double max_seconds = 1;           ///< of each run
@@ -49,7 +49,7 @@ struct Looks {
 };
 
 /// The first thing that is wrong. `report`, if given, gets a line for every answer.
-Finding examine(const Scene& scene, const Looks& looks, std::string* report = nullptr);
+Finding examine(const Scene& scene, const Evaluations& looks, std::string* report = nullptr);
 
 /// Runs `look` in a process of its own, which may crash, or be ended after some seconds. `look` may add to the report.
 Finding in_process_apart(const std::function<Finding(std::string& report)>& look, double seconds,

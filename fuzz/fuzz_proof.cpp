@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "bytes.hpp"
 #include "proof/curve_log.hpp"
 #include "proof/log_text.hpp"
@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Specimen& specimen = specimens[bytes.u8() % specimens.size()];
   std::istringstream log(log_of(bytes, specimen));
   try {
-    const InterruptionScope scope(nullptr, 5);
+    const Budget scope(nullptr, 5);
     const std::string wrong = specimen.truth.refutation(verify(specimen.scene, log));
     fuzz::require(wrong.empty(), "a proof of what is not so: " + wrong);
   } catch (const ProofError&) {

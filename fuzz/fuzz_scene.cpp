@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "io/terminal_text.hpp"
 #include "pair/validate_world.hpp"
 #include "require.hpp"
@@ -75,7 +75,7 @@ void examine_world(const Scene& scene) {
     if (answer.outcome == Outcome::undecided || proved.outcome == Outcome::undecided) continue;
     fuzz::require(proved.outcome == answer.outcome, "prove() has another outcome");
     if (answer.outcome == Outcome::overlap_at_start) continue;
-    const InterruptionScope scope(nullptr, 4);
+    const Budget scope(nullptr, 4);
     try {
       fuzz::require(verify(scene, log).outcome == answer.outcome, "the log proves something else");
     } catch (const ProofError& error) {
@@ -90,7 +90,7 @@ void examine_world(const Scene& scene) {
 }
 
 /// For validation, in seconds: under the sanitizers, and beside other work. What has no end takes any time.
-constexpr double patience = 30;
+constexpr double subdivision_threshold = 30;
 
 }  // namespace
 
@@ -108,7 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scene again = parse_scene(written);
     fuzz::require(same(scene, again), "the scene that was written is another one");
     fuzz::require(write_scene(again) == written, "a scene that was read is written differently");
-    const InterruptionScope scope(nullptr, patience);
+    const Budget scope(nullptr, subdivision_threshold);
     validate(again);
     if (is_world(again) && vertices_of(again) <= 200) examine_world(again);
   } catch (const InputError& error) {

@@ -44,7 +44,7 @@ bool is_finite(const Scene& scene) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::optional<Scene> scene = read(data, size);
   if (!scene || !fuzz::fits(*scene, {})) return 0;
-  fuzz::Looks looks;
+  fuzz::Evaluations looks;
   // One of the two, by chance, and the same for the same input.
   looks.touch = {std::accumulate(data, data + size, 0u) % 2 ? Touch::closed : Touch::open};
   looks.max_events = 50;

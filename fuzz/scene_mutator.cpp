@@ -100,9 +100,9 @@ void change_coefficient(Rng& rng, Scene& scene) {
 void change_rotation(Rng& rng, Scene& scene) {
   MotionPiece& piece = some_piece(rng, scene.bodies[index_below(rng, 2)]);
   const double speed = rng.below(9) / 4.0 - 1;
-  const Rotation forms[] = {NoRotation{}, AngleRotation{{0, speed}}, DirectionRotation{{1}, {0, speed}},
-                            HalfAngleRotation{{0, speed}}, CosineRotation{{1, -std::fabs(speed) / 2}}};
-  piece.rotation = forms[rng.below(5)];
+  const Rotation functions[] = {NoRotation{}, AngleRotation{{0, speed}}, DirectionRotation{{1}, {0, speed}},
+                                HalfAngleRotation{{0, speed}}, CosineRotation{{1, -std::fabs(speed) / 2}}};
+  piece.rotation = functions[rng.below(5)];
   // Often a corner, of either body: what turns about it stays in touch with it.
   const Polygon& around = scene.bodies[index_below(rng, 2)].polygon;
   if (rng.below(2)) piece.pivot = rng.below(3) ? around[index_below(rng, around.size())] : Point{};

@@ -19,7 +19,7 @@ struct Arguments {
 
 int run(const Arguments& arguments) {
   const Scene scene = read_scene(arguments.scene);
-  Looks looks;
+  Evaluations looks;
   looks.undecided = arguments.undecided;
   const auto examined = [&](const Scene& s, std::string* report) {
     return in_process_apart([&](std::string& text) { return examine(s, looks, &text); }, arguments.seconds, report);

@@ -100,7 +100,7 @@ TEST(ProcessApart, HandsOverFindingAndReport) {
 }
 
 TEST(Examine, FindsNothingWrongWithASoundScene) {
-  Looks looks;
+  Evaluations looks;
   looks.max_events = 30;
   looks.max_seconds = 60;
   std::string report;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "io/json_text.hpp"
 #include "questions.hpp"
 #include "taut/error.hpp"

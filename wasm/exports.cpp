@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "pair/curved_world.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
@@ -86,7 +86,7 @@ std::string proved(const Scene& scene, const CheckOptions& options, std::string&
 
 std::string verified(const Scene& scene, const std::string& log, const CheckOptions& options) {
   try {
-    const InterruptionScope scope(nullptr, options.max_seconds);
+    const Budget scope(nullptr, options.max_seconds);
     std::istringstream stream(log);
     return verified_json(scene, verify(scene, stream));
   } catch (const ProofError& error) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/curved_questions.hpp"
 #include "io/json_text.hpp"
 #include "io/world_shapes.hpp"
@@ -120,7 +120,7 @@ std::vector<double> World::tilings(double t) const {
   if (curves_) return numbers;
   const double shown = std::clamp(t, scene_.start, end());
   try {
-    const InterruptionScope scope(nullptr, seconds_for_tilings);
+    const Budget scope(nullptr, seconds_for_tilings);
     if (!shapes_) shapes_.emplace(scene_);
     for (const io::TilingLine& line :
          io::tiling_lines(*shapes_, poses_at(scene_, shown), tilings_of_near_pairs(scene_, shown, touch_)))

@@ -184,7 +184,7 @@ RootState root_state(const Scene& scene, double t) {
   Session session(scene, Touch::open, nullptr);
   while (session.step(t)) {
   }
-  const Placement placement(session.engine().geometry(), session.engine().leg(), session.engine().parameter());
+  const Placement placement(session.engine().geometry(), session.engine().segment(), session.engine().parameter());
   return build_tiling(placement).root;
 }
 

@@ -24,7 +24,7 @@ std::string close_feature_text(const Scene& scene, const PairMargin& pair, const
   return edge_text(scene, edge);
 }
 
-std::string closeness_in_words(const Scene& scene, const PairMargin& pair) {
+std::string proved_margin_in_words(const Scene& scene, const PairMargin& pair) {
   const NearestPoints& n = *pair.nearest;
   return fmt::format("  {} at ({:.9g}, {:.9g}), {} at ({:.9g}, {:.9g}): {:.9g} apart\n",
                      close_feature_text(scene, pair, n.edges[0]), n.points[0].x, n.points[0].y,
@@ -58,7 +58,7 @@ std::string margin_in_words(const Scene& scene, double clearance, const MarginAn
   if (first.outcome == Outcome::undecided) text = fmt::format("UNDECIDED  {}\n", pair);
   text += coverage;
   if (first.outcome == Outcome::undecided) text += fmt::format("  at t = {} {}\n", first.free_until, first.reason);
-  if (first.nearest) text += closeness_in_words(scene, first);
+  if (first.nearest) text += proved_margin_in_words(scene, first);
   constexpr std::size_t most = 10;
   const std::size_t n = answer.also.size(), shown = n > most ? most : n;
   for (std::size_t i = 0; i < shown; ++i) text += "  also " + margin_subject(scene, answer.also[i]) + "\n";

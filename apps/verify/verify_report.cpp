@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
 #include "io/answer_json.hpp"
@@ -115,7 +115,7 @@ int report_failure(const Scene& scene, bool json, bool refuted, const std::strin
 int report_log(const VerifyArguments& arguments, const Scene& scene) {
   const bool json = arguments.json;
   try {
-    const InterruptionScope scope(nullptr, arguments.max_seconds);
+    const Budget scope(nullptr, arguments.max_seconds);
     const Verified verified = verify_file(scene, arguments.proof);
     const bool met = is_met(arguments.expected, scene, verified);
     if (json) {

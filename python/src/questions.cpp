@@ -9,7 +9,7 @@
 #include <string>
 
 #include "attended.hpp"
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "bindings.hpp"
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
@@ -64,7 +64,7 @@ std::string verify(const SceneText& text, const std::string& log, std::optional<
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     const taut::Scene scene = text.read();
     try {
-      const taut::InterruptionScope scope(&stop, max_seconds ? *max_seconds : 1e300);
+      const taut::Budget scope(&stop, max_seconds ? *max_seconds : 1e300);
       std::istringstream stream(log);
       return taut::verified_json(scene, taut::verify(scene, stream));
     } catch (const taut::ProofError& error) {

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "proof/kept_margin.hpp"
 
 namespace taut {
 namespace {
 
-using proof::Aside;
+using proof::SeparationReason;
 
 /// Ranges that move farther than this share of their size are left to shorter stretches of time.
-constexpr double patience_of_proofs = 0.75;
+constexpr double subdivision_threshold_of_proofs = 0.75;
 /// Or those whose motion is known no better than to this one: a window half as long leaves an eighth of that.
 constexpr double share_of_doubt = 0.0625;
 /// Where half a window left so much of the doubt, and that is much of the motion, it is what doubles round: no shorter
@@ -25,47 +25,51 @@ constexpr double share_of_rounding = 0.875;
 constexpr double doubtful = 0x1p-44;
 
 /// By about how much that keeps a vertex from an edge in the middle of the window.
-double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, Aside why) {
-  const Vector v = sight.shift + sight.turn * proof::place(g, i.vertex);
+double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
+                 SeparationReason why) {
+  const Vector v = model.shift + model.turn * proof::place(g, i.vertex);
   const proof::HalfPlane side = proof::half_plane(proof::place(g, i.edge), proof::place(g, g.next(i.edge)), why);
   return dot(side.normal, v - side.from);
 }
 
 /// The same for what a vertex may be aside of the edge itself by, the most first.
-std::array<std::pair<double, Aside>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
-                                                const proof::Sight& sight) {
-  std::array<std::pair<double, Aside>, 4> all{
-      {{0, Aside::left}, {0, Aside::right}, {0, Aside::behind_first}, {0, Aside::behind_second}}};
-  for (auto& [margin, why] : all) margin = margin_by(g, i, sight, why);
+std::array<std::pair<double, SeparationReason>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
+                                                           const proof::WindowModel& model) {
+  std::array<std::pair<double, SeparationReason>, 4> all{{{0, SeparationReason::left},
+                                                          {0, SeparationReason::right},
+                                                          {0, SeparationReason::behind_first},
+                                                          {0, SeparationReason::behind_second}}};
+  for (auto& [margin, why] : all) margin = margin_by(g, i, model, why);
   std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
   return all;
 }
 
 /// Is the edge's other side farther than the vertex comes within the window? Beside an infinite speed that may be known
 /// where no window is so short that doubles tell of signs in it.
-bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::Sight& sight, double half) {
+bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
+            double half) {
   const Vector v = proof::place(g, i.vertex), edge = proof::place(g, g.next(i.edge)) - proof::place(g, i.edge);
-  const double way = half * (l1_norm(sight.shift_rate + sight.turn_rate * v) +
-                             half / 2 * l1_norm(sight.shift_bend + sight.turn_bend * v));
-  return margin > 2 * l1_norm(edge) * (way + sight.shift_error + sight.turn_error * l1_norm(v));
+  const double way = half * (l1_norm(model.shift_rate + model.turn_rate * v) +
+                             half / 2 * l1_norm(model.shift_second + model.turn_second * v));
+  return margin > 2 * l1_norm(edge) * (way + model.shift_error + model.turn_error * l1_norm(v));
 }
 
 /// How well the motion is known.
 double doubt(const proof::MotionWindow& window, const proof::EdgeRange& q) {
-  const proof::Sight& sight = window.from_p();
-  return sight.shift_error + sight.turn_error * (l1_norm(q.centre) + q.radius());
+  const proof::WindowModel& model = window.from_p();
+  return model.shift_error + model.turn_error * (l1_norm(q.centre) + q.radius());
 }
 
 }  // namespace
 
 void ApartWriter::visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt_before) {
-  interruption_point();
+  checkpoint();
   if (until_ && time.from >= until_->hi) return step(proof::step::later);
   const proof::EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const proof::MotionWindow& window = windows_.at(time);
   if (const auto named = proof::separating_step(window, p, q, margin_)) return step(*named);
   const double radii = p.radius() + q.radius(), moved = proof::motion_in(window, q), unknown = doubt(window, q);
-  const bool far = moved > patience_of_proofs * radii || unknown > share_of_doubt * radii;
+  const bool far = moved > subdivision_threshold_of_proofs * radii || unknown > share_of_doubt * radii;
   if (far && time.divisible()) return halve_time(ranges, time, unknown);
   if (!pair_.single(ranges)) return halve_range(ranges, time, doubt_before);
   const bool rounded = unknown > moved / 4 && unknown > share_of_rounding * doubt_before;
@@ -93,20 +97,21 @@ void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::Halve
 }
 
 /// Reasons are tried where about the middle of the window speaks for them, the most convincing first.
-std::optional<Aside> ApartWriter::reason_for_margin(const proof::Incidence& i, const proof::Sight& sight,
-                                                    const proof::HalvedTime& time) {
+std::optional<SeparationReason> ApartWriter::reason_for_margin(const proof::Incidence& i,
+                                                               const proof::WindowModel& model,
+                                                               const proof::HalvedTime& time) {
   const PairGeometry& g = pair_.geometry;
   const DisplacedPoint &a = g.point(i.edge), &b = g.point(g.next(i.edge));
   const double length = std::hypot(b.x - a.x, b.y - a.y);
-  const proof::KeptMargin kept(pair_, lifetimes_.leg(), margin_);
-  auto candidates = margins(g, i, sight);
-  for (auto& [room, why] : candidates) room = room / length - (why == Aside::right ? margin_ : 0);
+  const proof::KeptMargin kept(pair_, lifetimes_.segment(), margin_);
+  auto candidates = margins(g, i, model);
+  for (auto& [room, why] : candidates) room = room / length - (why == SeparationReason::right ? margin_ : 0);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& x, const auto& y) { return x.first > y.first; });
-  const double doubt = doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
+  const double doubt = doubtful * (1 + model.size) + model.shift_error + model.turn_error;
   for (const auto& [room, why] : candidates) {
     try {
-      if (room >= -doubt && kept.aside(lifetimes_, i, why, time.from, time.to)) return why;
+      if (room >= -doubt && kept.separated(lifetimes_, i, why, time.from, time.to)) return why;
     } catch (const Undecidable&) {
     }
   }
@@ -119,7 +124,8 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
   if (!onto_p) return std::nullopt;
   const auto onto_q = reason_for_margin(pair_.onto_q(ranges), window.from_q(), time);
   if (!onto_q) return std::nullopt;
-  if (!proof::KeptMargin(pair_, lifetimes_.leg(), margin_).vertices(ranges, time.from, time.to)) return std::nullopt;
+  if (!proof::KeptMargin(pair_, lifetimes_.segment(), margin_).vertices(ranges, time.from, time.to))
+    return std::nullopt;
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
@@ -140,29 +146,29 @@ std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& rang
 
 ApartWriter::Look ApartWriter::look(const proof::Incidence& incidence, const proof::MotionWindow& window,
                                     const proof::HalvedTime& time, bool halves_help) {
-  const proof::Sight& sight = pair_.geometry.in_p(incidence.edge) ? window.from_p() : window.from_q();
-  Look seen{incidence, margins(pair_.geometry, incidence, sight), doubtful * (1 + sight.size)};
-  seen.doubt = seen.none + sight.shift_error + sight.turn_error;
+  const proof::WindowModel& model = pair_.geometry.in_p(incidence.edge) ? window.from_p() : window.from_q();
+  Look seen{incidence, margins(pair_.geometry, incidence, model), doubtful * (1 + model.size)};
+  seen.doubt = seen.none + model.shift_error + model.turn_error;
   seen.why = reason_in_doubles(seen, time);
-  seen.far = is_far(seen.candidates[0].first, pair_.geometry, incidence, sight, window.half());
-  seen.left_to_halves = !seen.why && halves_help && seen.some_room() && !seen.far && !lifetimes_.leg().translation;
+  seen.far = is_far(seen.candidates[0].first, pair_.geometry, incidence, model, window.half());
+  seen.left_to_halves = !seen.why && halves_help && seen.some_room() && !seen.far && !lifetimes_.segment().translation;
   return seen;
 }
 
-std::optional<Aside> ApartWriter::reason_in_doubles(const Look& seen, const proof::HalvedTime& time) {
+std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Look& seen, const proof::HalvedTime& time) {
   const Instant end = proof::end_of(time, until_);
   const auto& candidates = seen.candidates;
   std::array<bool, std::tuple_size_v<Candidates>> open{};
   for (std::size_t k = 0; k < candidates.size() && candidates[k].first >= -seen.doubt; ++k) {
     const auto& [margin, why] = candidates[k];
-    const auto told = proof::stays_aside_in_windows(pair_.geometry, seen.incidence, why, windows_, time, end);
-    if (told == proof::SeenAside::yes) return why;
+    const auto decided = proof::stays_separated_in_windows(pair_.geometry, seen.incidence, why, windows_, time, end);
+    if (decided == proof::SeparationInWindow::yes) return why;
     // Up to a contact it may be so for all that. A margin that is none in doubles may be one by the displacement.
-    open[k] = end.event || (told != proof::SeenAside::no && (margin < seen.none || !time.divisible()));
+    open[k] = end.event || (decided != proof::SeparationInWindow::no && (margin < seen.none || !time.divisible()));
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const Aside why = candidates[k].second;
-    if (open[k] && proof::stays_aside_in_doubles(pair_.geometry, lifetimes_, seen.incidence, why, time.from, end))
+    const SeparationReason why = candidates[k].second;
+    if (open[k] && proof::stays_separated_in_doubles(pair_.geometry, lifetimes_, seen.incidence, why, time.from, end))
       return why;
   }
   return std::nullopt;
@@ -170,45 +176,47 @@ std::optional<Aside> ApartWriter::reason_in_doubles(const Look& seen, const proo
 
 /// Shorter windows make more of doubles, but not where they do not help, or the largest margin is none in them, or is
 /// plain already.
-std::optional<Aside> ApartWriter::precise_reason(const Look& seen, const proof::HalvedTime& time, bool halves_help) {
+std::optional<SeparationReason> ApartWriter::precise_reason(const Look& seen, const proof::HalvedTime& time,
+                                                            bool halves_help) {
   const Instant end = proof::end_of(time, until_);
   const proof::Incidence& incidence = seen.incidence;
-  const Aside plain = seen.candidates[0].second;
-  if (seen.far && stays_aside(incidence, plain, time, end)) return plain;
+  const SeparationReason plain = seen.candidates[0].second;
+  if (seen.far && stays_separated(incidence, plain, time, end)) return plain;
   for (const auto& [margin, why] : seen.candidates) {
-    const bool tie = margin > seen.none && lifetimes_.leg().translation && is_new_tie(incidence, why, time);
-    if (tie && stays_aside(incidence, why, time, end)) return why;
+    const bool tie = margin > seen.none && lifetimes_.segment().translation && is_new_tie(incidence, why, time);
+    if (tie && stays_separated(incidence, why, time, end)) return why;
   }
   if (seen.some_room() && halves_help) return std::nullopt;
   for (const auto& [margin, why] : seen.candidates) {
-    if (margin >= -seen.doubt && stays_aside(incidence, why, time, end)) return why;
+    if (margin >= -seen.doubt && stays_separated(incidence, why, time, end)) return why;
   }
-  for (int why = static_cast<int>(Aside::beyond_line_before); why < proof::reasons; ++why) {
+  for (int why = static_cast<int>(SeparationReason::beyond_line_before); why < proof::reasons; ++why) {
     // The last one costs most, and says least: it is for stretches that cannot be halved.
-    if (static_cast<Aside>(why) == Aside::behind_when_on_line && time.divisible()) continue;
-    if (stays_aside(incidence, static_cast<Aside>(why), time, end)) return static_cast<Aside>(why);
+    if (static_cast<SeparationReason>(why) == SeparationReason::behind_when_on_line && time.divisible()) continue;
+    if (stays_separated(incidence, static_cast<SeparationReason>(why), time, end))
+      return static_cast<SeparationReason>(why);
   }
   return std::nullopt;
 }
 
 /// A margin that is gone, but for the displacement, at an end of the stretch: windows would be halved down to there,
 /// and exact forms tell of the whole window.
-bool ApartWriter::is_new_tie(const proof::Incidence& incidence, Aside why, const proof::HalvedTime& time) {
+bool ApartWriter::is_new_tie(const proof::Incidence& incidence, SeparationReason why, const proof::HalvedTime& time) {
   const auto is_gone = [&](double at, std::optional<proof::MotionWindow>& window) {
-    if (!window) window.emplace(lifetimes_.leg(), at, at);
-    const proof::Sight& sight = pair_.geometry.in_p(incidence.edge) ? window->from_p() : window->from_q();
-    return std::fabs(margin_by(pair_.geometry, incidence, sight, why)) <=
-           doubtful * (1 + sight.size) + sight.shift_error + sight.turn_error;
+    if (!window) window.emplace(lifetimes_.segment(), at, at);
+    const proof::WindowModel& model = pair_.geometry.in_p(incidence.edge) ? window->from_p() : window->from_q();
+    return std::fabs(margin_by(pair_.geometry, incidence, model, why)) <=
+           doubtful * (1 + model.size) + model.shift_error + model.turn_error;
   };
   const bool gone = (time.from == from_ && is_gone(from_, at_start_)) || (time.to == to_ && is_gone(to_, at_end_));
   return gone && ties_.insert({incidence.vertex.value, incidence.edge.value, why}).second;
 }
 
 /// Where it cannot be decided, another reason may do, or a shorter stretch of time.
-bool ApartWriter::stays_aside(const proof::Incidence& incidence, Aside why, const proof::HalvedTime& time,
-                              const Instant& end) {
+bool ApartWriter::stays_separated(const proof::Incidence& incidence, SeparationReason why,
+                                  const proof::HalvedTime& time, const Instant& end) {
   try {
-    return proof::stays_aside(pair_.geometry, lifetimes_, incidence, why, time.from, end);
+    return proof::stays_separated(pair_.geometry, lifetimes_, incidence, why, time.from, end);
   } catch (const Undecidable&) {
     return false;
   }

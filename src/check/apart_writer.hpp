@@ -12,15 +12,14 @@
 
 namespace taut {
 
-/// One pair on one stretch of one leg, of which it is known that nothing meets before `until`, or, with a margin, that
-/// nothing comes as close as that. Time is halved where the
-/// ranges move far beside their size, else the larger range is, until something separates them. All that is written
-/// down has been shown by the functions that check it.
+/// One pair on one stretch of one segment, of which it is known that nothing meets before `until`, or, with a margin,
+/// that nothing comes as close as that. Time is halved where the ranges move far beside their size, else the larger
+/// range is, until something separates them. All that is written down has been shown by the functions that check it.
 class ApartWriter {
  public:
   ApartWriter(const proof::RangedPair& pair, proof::Lifetimes& lifetimes, const std::optional<Instant>& until,
               std::string& out, double margin = 0)
-      : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), margin_(margin), windows_(lifetimes.leg()) {}
+      : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), margin_(margin), windows_(lifetimes.segment()) {}
 
   /// Throws Undecidable where nothing separates two edges.
   void write(double from, double to) {
@@ -37,27 +36,29 @@ class ApartWriter {
   void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   /// By what a vertex may be aside of an edge, and by how much about the middle of a window, the most first.
-  using Candidates = std::array<std::pair<double, proof::Aside>, 4>;
+  using Candidates = std::array<std::pair<double, proof::SeparationReason>, 4>;
   /// One vertex and one edge over a window.
   struct Look {
     proof::Incidence incidence;
     Candidates candidates;
-    double none;                        ///< a margin as small as that is none in doubles
-    double doubt = 0;                   ///< or may be, as well as the motion is known
-    std::optional<proof::Aside> why{};  ///< as doubles tell
-    bool far = false;                   ///< the largest margin is plain
-    bool left_to_halves = false;        ///< doubles may tell in shorter windows
+    double none;                                   ///< a margin as small as that is none in doubles
+    double doubt = 0;                              ///< or may be, as well as the motion is known
+    std::optional<proof::SeparationReason> why{};  ///< as doubles tell
+    bool far = false;                              ///< the largest margin is plain
+    bool left_to_halves = false;                   ///< doubles may tell in shorter windows
     bool some_room() const { return candidates[0].first > none; }
   };
   Look look(const proof::Incidence& incidence, const proof::MotionWindow& window, const proof::HalvedTime& time,
             bool halves_help);
-  std::optional<proof::Aside> reason_in_doubles(const Look& seen, const proof::HalvedTime& time);
-  std::optional<proof::Aside> precise_reason(const Look& seen, const proof::HalvedTime& time, bool halves_help);
-  bool is_new_tie(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time);
-  bool stays_aside(const proof::Incidence& incidence, proof::Aside why, const proof::HalvedTime& time,
-                   const Instant& end);
-  std::optional<proof::Aside> reason_for_margin(const proof::Incidence& incidence, const proof::Sight& sight,
-                                                const proof::HalvedTime& time);
+  std::optional<proof::SeparationReason> reason_in_doubles(const Look& seen, const proof::HalvedTime& time);
+  std::optional<proof::SeparationReason> precise_reason(const Look& seen, const proof::HalvedTime& time,
+                                                        bool halves_help);
+  bool is_new_tie(const proof::Incidence& incidence, proof::SeparationReason why, const proof::HalvedTime& time);
+  bool stays_separated(const proof::Incidence& incidence, proof::SeparationReason why, const proof::HalvedTime& time,
+                       const Instant& end);
+  std::optional<proof::SeparationReason> reason_for_margin(const proof::Incidence& incidence,
+                                                           const proof::WindowModel& model,
+                                                           const proof::HalvedTime& time);
   std::optional<std::uint8_t> margin_kept(const proof::RangePair& ranges, const proof::HalvedTime& time);
   std::optional<std::uint8_t> ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
                                          bool halves_help);
@@ -68,9 +69,10 @@ class ApartWriter {
   std::string& out_;
   double margin_;
   proof::HalvedWindows windows_;
-  double from_ = 0, to_ = 0;                                               ///< the stretch
-  std::optional<proof::MotionWindow> at_start_, at_end_;                   ///< of it, if they were asked for
-  std::set<std::tuple<std::uint32_t, std::uint32_t, proof::Aside>> ties_;  ///< vertex and edge; tried already
+  double from_ = 0, to_ = 0;                              ///< the stretch
+  std::optional<proof::MotionWindow> at_start_, at_end_;  ///< of it, if they were asked for
+  std::set<std::tuple<std::uint32_t, std::uint32_t, proof::SeparationReason>>
+      ties_;  ///< vertex and edge; tried already
 };
 
 }  // namespace taut

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "pair/fitted_scene.hpp"
@@ -36,8 +36,8 @@ Answer check_by_tiling(const Scene& scene, const CheckOptions& options) {
   const std::unique_ptr<Run> run = begin_kinetic(scene, options);
   run->work(UINT64_MAX);
   return with_touching(*run, scene, options,
-                       unless_soon_told((work_spent() - before) / 2,
-                                        [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); }));
+                       unless_settled_early((work_spent() - before) / 2,
+                                            [](const Scene& s, const CheckOptions& o) { return run_kinetic(s, o); }));
 }
 
 }  // namespace

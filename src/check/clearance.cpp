@@ -4,17 +4,17 @@
 #include <cmath>
 #include <set>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
-#include "search/pair_search.hpp"
-#include "sign/witness.hpp"
-#include "spacetime/settle_nearest.hpp"
+#include "search/pair_instance.hpp"
+#include "sign/feature_map.hpp"
+#include "spacetime/resolve_nearest.hpp"
 #include "taut/error.hpp"
 #include "world/pairs_in_reach.hpp"
 
@@ -87,7 +87,7 @@ class ClearanceSearch {
   std::vector<BoxedPair> new_pairs(double reach) const {
     std::vector<BoxedPair> pairs;
     for (const auto& [a, b] : boxes_.pairs_within(reach)) {
-      interruption_point();
+      checkpoint();
       if (searched_.count({a, b}) == 0) pairs.push_back({boxes_.distance(a, b), a, b});
     }
     std::stable_sort(pairs.begin(), pairs.end(),
@@ -96,16 +96,16 @@ class ClearanceSearch {
   }
 
   void search(const BoxedPair& pair) {
-    const PairSearch search(plan_, pair.a, pair.b, false);
+    const PairInstance search(plan_, pair.a, pair.b, false);
     NearestPoints found;
     found.pair = {pair.a, pair.b};
     if (!touching(search, found)) {
       spacetime::Nearest nearest;
       nearest.distance = options_.all_pairs ? INFINITY : best_;
       const double before = nearest.distance;
-      spacetime::find_nearest(search.geometry, search.trees(), search.legs(), tolerance_, nearest);
-      const std::string why = spacetime::settle_nearest(search.geometry, search.trees(), search.legs(),
-                                                        {plan_.start(), plan_.end()}, tolerance_, nearest);
+      spacetime::find_nearest(search.geometry, search.trees(), search.segments(), tolerance_, nearest);
+      const std::string why = spacetime::resolve_nearest(search.geometry, search.trees(), search.segments(),
+                                                         {plan_.start(), plan_.end()}, tolerance_, nearest);
       certain_ = std::min(certain_, nearest.unresolved);
       if (!why.empty()) why_ = why;
       if (!options_.all_pairs && !(nearest.distance < before)) return;
@@ -118,26 +118,27 @@ class ClearanceSearch {
   }
 
   /// Bodies that touch have no distance.
-  bool touching(const PairSearch& search, NearestPoints& found) const {
-    const Leg& first = search.legs()[0];
+  bool touching(const PairInstance& search, NearestPoints& found) const {
+    const MotionSegment& first = search.segments()[0];
     if (spacetime::overlapping(search.geometry, search.trees(), first, plan_.start())) {
       found.time = {plan_.start(), plan_.start()};
       return true;
     }
-    const spacetime::SpacetimeResult contact = spacetime::first_contact(search.geometry, search.trees(), search.legs());
+    const spacetime::SpacetimeResult contact =
+        spacetime::first_contact(search.geometry, search.trees(), search.segments());
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
     if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
-    const Leg& leg = search.legs()[contact.leg];
-    const Contact said = Witness(search.plan, search.geometry, false).contact(contact.found, leg);
+    const MotionSegment& segment = search.segments()[contact.segment];
+    const Contact said = FeatureMap(search.plan, search.geometry, false).contact(contact.found, segment);
     found.time = said.time;
     found.points = {said.point, said.point};
     return true;
   }
 
-  void describe(const PairSearch& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
-    found = nearest_points_of(search, nearest.leg, nearest.parameter, nearest.edge_p, nearest.edge_q);
-    const Leg& leg = search.legs()[nearest.leg];
-    const double t = std::clamp(leg.time(nearest.parameter), plan_.start(), plan_.end());
+  void describe(const PairInstance& search, const spacetime::Nearest& nearest, NearestPoints& found) const {
+    found = nearest_points_of(search, nearest.segment, nearest.parameter, nearest.edge_p, nearest.edge_q);
+    const MotionSegment& segment = search.segments()[nearest.segment];
+    const double t = std::clamp(segment.time(nearest.parameter), plan_.start(), plan_.end());
     found.time = {t, t};
     found.hi = std::ldexp(nearest.distance, -plan_.exponent());
     const double least = std::min(tolerance_.least(nearest.distance), nearest.unresolved);
@@ -160,7 +161,7 @@ class ClearanceSearch {
 Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
   if (has_curves(scene)) return clearance_of_curves(scene, options);
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   Clearance answer;
   try {
     const std::string stopped = what_stops([&] {

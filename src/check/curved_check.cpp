@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "check/curved_questions.hpp"
-#include "check/headline.hpp"
+#include "check/earliest.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
 #include "pair/fitted_scene.hpp"
@@ -205,7 +205,7 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   answer.also.clear();
   answer.reason.clear();
   answer.free_until = scene.end;
-  take_headline(events, answer);
+  take_earliest(events, answer);
   if (answer.outcome != Outcome::free) answer.geometry->tolerance = tolerance;
   return answer;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/curved_questions.hpp"
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
@@ -114,7 +114,7 @@ class ClearanceBracket {
     constexpr double narrow = 0.95;
     NearestPoints& nearest = *answer.nearest;
     if (nearest.lo > narrow * nearest.hi) return;
-    const InterruptionScope limit(times_the_work * (work_spent() - work_before_));
+    const Budget limit(times_the_work * (work_spent() - work_before_));
     const double jump = largest_jump(world_.polygons(CurveSide::outer));
     CheckOptions how;
     how.stop = options_.stop;
@@ -147,7 +147,7 @@ class ClearanceBracket {
   /// False if that is in vain, or doubles end.
   bool refine(const Clearance& outer, const Clearance& inner, double too_wide) {
     constexpr std::size_t much = 200;
-    constexpr int patience = 5;
+    constexpr int subdivision_threshold = 5;
     CurvedWorld::Halvings marks = world_.no_halvings();
     std::size_t count = mark_near(world_, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks) +
                         mark_near(world_, inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi, marks);
@@ -160,7 +160,7 @@ class ClearanceBracket {
     const bool grows = static_cast<double>(count) > 1.3 * static_cast<double>(last_count_);
     last_count_ = count;
     if (count > much && grows && in_vain && world_.segments() > most_ / 2) return false;
-    return stalled_ < patience && count > 0 && world_.segments() < 10 * most_ &&
+    return stalled_ < subdivision_threshold && count > 0 && world_.segments() < 10 * most_ &&
            refine_marked(world_, std::move(marks), count);
   }
 

@@ -51,11 +51,11 @@ class CurvedIntervals {
       if (first && outer.outcome == Outcome::untested) return outer;
       const Intervals inner = ask(CurveSide::inner);
       if (first) answer_.coverage = outer.coverage;
-      settle_undecided(outer);
-      settle_undecided(inner);
+      resolve_undecided(outer);
+      resolve_undecided(inner);
       std::vector<OverlapBracket> brackets = brackets_of(outer, inner);
       if (in_windows_) {
-        for (OverlapBracket& bracket : brackets) tell_ends(bracket);
+        for (OverlapBracket& bracket : brackets) report_ends(bracket);
       }
       const std::set<std::array<BodyId, 2>> open = open_pairs(brackets);
       CurvedWorld::Halvings marks = world_.no_halvings();
@@ -78,12 +78,12 @@ class CurvedIntervals {
     CheckOptions options = options_;
     options.max_seconds -= seconds_since(began_);
     Scene polygons = world_.polygons(side);
-    polygons.ignore.insert(polygons.ignore.end(), settled_.begin(), settled_.end());
+    polygons.ignore.insert(polygons.ignore.end(), dormant_.begin(), dormant_.end());
     return intervals(polygons, options);
   }
 
   /// What polygons in short windows around the ends say, which are fine only where the two bodies meet then.
-  void tell_ends(OverlapBracket& bracket) {
+  void report_ends(OverlapBracket& bracket) {
     if (bracket.inner.size() != 1) return;
     OverlapInterval& inner = bracket.inner[0];
     // Longer ones would have more than one end of the interval in them, or nearly.
@@ -91,23 +91,24 @@ class CurvedIntervals {
     const double length = inner.to.lo - inner.from.hi, middle = inner.from.hi + length / 2;
     const double early = inner.from.hi - bracket.outer.from.lo, late = bracket.outer.to.hi - inner.to.lo;
     if (!bracket.begin_decided(wanted_) && early < longest * length) {
-      const auto told = told_within(inner.pair, bracket.outer.from.lo - early, std::min(inner.from.hi + early, middle));
-      if (told && told->enter && !told->exit) {
-        bracket.outer.from = inner.from = told->from;
-        inner.enter = told->enter;
+      const auto decided =
+          decided_within(inner.pair, bracket.outer.from.lo - early, std::min(inner.from.hi + early, middle));
+      if (decided && decided->enter && !decided->exit) {
+        bracket.outer.from = inner.from = decided->from;
+        inner.enter = decided->enter;
       }
     }
     if (!bracket.end_decided(wanted_) && late < longest * length) {
-      const auto told = told_within(inner.pair, std::max(inner.to.lo - late, middle), bracket.outer.to.hi + late);
-      if (told && !told->enter && told->exit) {
-        bracket.outer.to = inner.to = told->to;
-        inner.exit = told->exit;
+      const auto decided = decided_within(inner.pair, std::max(inner.to.lo - late, middle), bracket.outer.to.hi + late);
+      if (decided && !decided->enter && decided->exit) {
+        bracket.outer.to = inner.to = decided->to;
+        inner.exit = decided->exit;
       }
     }
   }
 
   /// The only interval in which the two overlap in a window; its features have their curves' names.
-  std::optional<OverlapInterval> told_within(const std::array<BodyId, 2>& pair, double from, double to) {
+  std::optional<OverlapInterval> decided_within(const std::array<BodyId, 2>& pair, double from, double to) {
     std::vector<BodyId> ids;
     Scene scene = scene_of_pair(world_.scene(), pair, ids);
     scene.start = std::max(scene.start, from);
@@ -116,14 +117,14 @@ class CurvedIntervals {
     options.max_seconds -= seconds_since(began_);
     Intervals found = CurvedIntervals(scene, options, wanted_, false).run();
     if (found.intervals.size() != 1 || !found.undecided.empty()) return std::nullopt;
-    OverlapInterval told = found.intervals[0];
-    for (std::optional<Contact>* contact : {&told.enter, &told.exit}) {
+    OverlapInterval decided = found.intervals[0];
+    for (std::optional<Contact>* contact : {&decided.enter, &decided.exit}) {
       if (!*contact) continue;
       for (BodyId* id : {&(*contact)->vertex.body, &(*contact)->edge.body}) *id = ids[static_cast<std::size_t>(*id)];
       tolerance_ = std::max(tolerance_, found.geometry->tolerance);
       segments_ = std::max(segments_, found.geometry->segments);
     }
-    return told;
+    return decided;
   }
 
   /// Those with an end that is not told well.
@@ -135,7 +136,7 @@ class CurvedIntervals {
     return open;
   }
 
-  void settle_undecided(const Intervals& found) {
+  void resolve_undecided(const Intervals& found) {
     for (const PairAnswer& pair : found.undecided) {
       if (undecided_.insert(pair.bodies).second) answer_.undecided.push_back(pair);
     }
@@ -147,13 +148,13 @@ class CurvedIntervals {
   }
 
   void ask_only(const std::set<std::array<BodyId, 2>>& open) {
-    settled_.clear();
+    dormant_.clear();
     const std::vector<Body>& bodies = world_.scene().bodies;
     const int n = static_cast<int>(bodies.size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
         if (open.count({a, b}) == 0 || undecided_.count({a, b}) > 0)
-          settled_.push_back({bodies[static_cast<std::size_t>(a)].name, bodies[static_cast<std::size_t>(b)].name});
+          dormant_.push_back({bodies[static_cast<std::size_t>(a)].name, bodies[static_cast<std::size_t>(b)].name});
       }
     }
   }
@@ -227,7 +228,7 @@ class CurvedIntervals {
   std::uint64_t segments_ = 0;  ///< of the finest window
   Intervals answer_;
   std::set<std::array<BodyId, 2>> undecided_;
-  std::vector<std::array<std::string, 2>> settled_;  ///< by name, as a scene ignores pairs
+  std::vector<std::array<std::string, 2>> dormant_;  ///< by name, as a scene ignores pairs
   double tolerance_ = 0;
 };
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <queue>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
@@ -50,8 +50,8 @@ class ProfileSearch {
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
         if (!plan_.asked(a, b)) continue;
-        interruption_point();
-        pairs_.push_back({{a, b}, PairSearch(plan_, a, b, false), {}});
+        checkpoint();
+        pairs_.push_back({{a, b}, PairInstance(plan_, a, b, false), {}});
         while (next != touching.intervals.end() && next->pair == pairs_.back().pair)
           pairs_.back().touching.push_back(*next++);
       }
@@ -149,7 +149,7 @@ DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& op
   answer.reason = touching.reason;
   answer.coverage = touching.coverage;
   if (touching.outcome == Outcome::undecided || touching.outcome == Outcome::untested) return answer;
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   const auto search = [&] { answer = ProfileSearch(scene, options, only_instants).run(touching); };
   answer.reason = what_stops(search);
   answer.outcome = answer.reason.empty() ? touching.outcome : Outcome::undecided;

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "base/turns.hpp"
+#include "base/slices.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/pair_plan.hpp"
@@ -11,9 +11,9 @@ namespace taut {
 namespace {
 
 /// One of the engines, and what it has done.
-class Entrant {
+class PortfolioEngine {
  public:
-  Entrant(EngineName engine, const Scene& scene, const CheckOptions& options)
+  PortfolioEngine(EngineName engine, const Scene& scene, const CheckOptions& options)
       : engine_(engine), scene_(scene), options_(options) {}
 
   void begin() {
@@ -21,23 +21,23 @@ class Entrant {
       run_ = engine_ == EngineName::kinetic ? begin_kinetic(scene_, options_) : begin_spacetime(scene_, options_);
     });
   }
-  TurnEnd work(std::uint64_t effort) {
-    if (!run_->work(effort)) return TurnEnd::open;
-    return run_->answer().outcome == Outcome::undecided ? TurnEnd::given_up : TurnEnd::decided;
+  SliceResult work(std::uint64_t effort) {
+    if (!run_->work(effort)) return SliceResult::open;
+    return run_->answer().outcome == Outcome::undecided ? SliceResult::given_up : SliceResult::decided;
   }
   bool decides_by(std::uint64_t total) {
-    return effort_.work_until(total, [this](std::uint64_t effort) { return work(effort); }) == TurnEnd::decided;
+    return effort_.work_until(total, [this](std::uint64_t effort) { return work(effort); }) == SliceResult::decided;
   }
   EngineName engine() const { return engine_; }
   const Run& run() const { return *run_; }
-  Contestant& effort() { return effort_; }
+  PortfolioMember& effort() { return effort_; }
 
  private:
   EngineName engine_;
   const Scene& scene_;
   const CheckOptions& options_;
   std::unique_ptr<Run> run_;
-  Contestant effort_;
+  PortfolioMember effort_;
 };
 
 /// The engine that begins, and how much more it may do before the other one does.
@@ -54,9 +54,9 @@ void add_time(const Answer& spent, Answer& answer) {
 
 Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Lead& lead) {
   const bool kinetic_first = lead.engine == EngineName::kinetic;
-  Entrant first(lead.engine, scene, options);
-  Entrant second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
-  const auto finished = [&](Entrant& winner, Entrant* other) {
+  PortfolioEngine first(lead.engine, scene, options);
+  PortfolioEngine second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
+  const auto finished = [&](PortfolioEngine& winner, PortfolioEngine* other) {
     // Touching asks the same once more, for which the same engine is the better one, as a rule. But where the other one
     // is nearly done, too, it may not leave that open.
     const std::uint64_t longer = winner.effort().spent() + winner.effort().spent() / 2;
@@ -64,12 +64,12 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
       return other->decides_by(longer) && other->run().answer().outcome == Outcome::free &&
              !leaves_touching_open(other->run(), options);
     };
-    Entrant *told = &winner, *left = other;
-    if (other && leaves_touching_open(winner.run(), options) && settles()) std::swap(told, left);
+    PortfolioEngine *decided = &winner, *left = other;
+    if (other && leaves_touching_open(winner.run(), options) && settles()) std::swap(decided, left);
     const Question again = [&](const Scene& s, const CheckOptions& o) {
       return answer_in_turns(s, o, {winner.engine(), longer});
     };
-    Answer answer = with_touching(told->run(), scene, options, again);
+    Answer answer = with_touching(decided->run(), scene, options, again);
     if (left) add_time(left->run().answer(), answer);
     return answer;
   };
@@ -103,7 +103,7 @@ Answer run_either(const Scene& scene, const CheckOptions& options) {
     answer.reason = stopped;
     return answer;
   }
-  return answer_in_turns(prepared, options, {EngineName::spacetime, Contestant::first_turn});
+  return answer_in_turns(prepared, options, {EngineName::spacetime, PortfolioMember::first_turn});
 }
 
 }  // namespace taut

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
@@ -46,7 +46,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   // Of two plain polygons it is all of the time that is looked at, in one walk.
   const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
   const bool plain = !is_world(scene);
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   Intervals answer;
   answer.coverage = plan.coverage(near.pairs().size());
   if (answer.coverage.is_empty()) {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/run_watcher.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
@@ -62,7 +62,7 @@ class KineticRun final : public Run {
     if (done_) return true;
     if (effort < needed_) return false;
     needed_ = 0;
-    const InterruptionScope turn(effort, std::max({effort, wanted_, std::uint64_t{64}}));
+    const Budget turn(effort, std::max({effort, wanted_, std::uint64_t{64}}));
     const std::uint64_t until = effort < UINT64_MAX - work_spent() ? work_spent() + effort : UINT64_MAX;
     step_began_ = work_spent();
     try {
@@ -86,7 +86,7 @@ class KineticRun final : public Run {
 
  private:
   /// What was done for nothing, and has to be begun anew.
-  std::uint64_t lost(const InterruptionScope& turn) const {
+  std::uint64_t lost(const Budget& turn) const {
     const std::uint64_t since = std::max(step_began_, session_ ? session_->engine().work_kept() : 0);
     return work_spent() - std::min(work_spent(), since + turn.kept());
   }
@@ -135,7 +135,7 @@ class KineticRun final : public Run {
   const CheckOptions& options_;
   RunWatcher* watcher_;
   NearStart* near_;
-  InterruptionScope scope_;
+  Budget scope_;
   std::unique_ptr<Session> session_;
   Answer answer_;
   bool done_ = false;
@@ -167,7 +167,7 @@ NearAnswer run_kinetic(const Scene& scene, const CheckOptions& options, NearStar
   const std::uint64_t before = work_spent();
   KineticRun run(scene, options, nullptr, &near);
   run.work(UINT64_MAX);
-  const Answer answer = with_touching(run, scene, options, unless_soon_told((work_spent() - before) / 2, afresh));
+  const Answer answer = with_touching(run, scene, options, unless_settled_early((work_spent() - before) / 2, afresh));
   // Neither do limits stop the other way at the same place, nor need it have asked about touching.
   const bool settled = answer.outcome != Outcome::undecided && answer.touching_undecided.empty();
   if (run.began_near() && !settled) return {run_kinetic(scene, options), false};

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/free_poses.hpp"
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
@@ -28,7 +28,7 @@ double usable(const std::string& robot, const char* what, double x) {
 
 bool all_even(std::span<const Motion> motions) {
   return std::all_of(motions.begin(), motions.end(), [](const Motion& motion) {
-    return std::all_of(motion.pieces.begin(), motion.pieces.end(), spacetime::EvenMotion::is_even);
+    return std::all_of(motion.pieces.begin(), motion.pieces.end(), spacetime::UniformMotion::is_even);
   });
 }
 
@@ -110,7 +110,7 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   RobotFinding found;
   reason.clear();
   const std::string stopped = what_stops([&] {
-    std::optional<InterruptionScope> scope;
+    std::optional<Budget> scope;
     if (options.stop || options.max_seconds < 1e9) scope.emplace(options.stop, options.max_seconds);
     // Questions are short: those that come after the flag was set do not begin.
     if (scope) scope->check();
@@ -198,8 +198,8 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
     const bool swapped = plan.rings[0] != search->links()[a].rings;
     const MotionChain of_p = chain_of(motions, swapped ? b : a, start, end);
     const MotionChain of_q = chain_of(motions, swapped ? a : b, start, end);
-    auto legs = std::make_shared<const Legs>(make_legs(of_p, of_q, start, end));
-    PairQuestion pair(PairSearch(std::move(plan), std::move(legs), inwards), inwards, start, end);
+    auto segments = std::make_shared<const MotionSegments>(make_segments(of_p, of_q, start, end));
+    SpacetimeSolver pair(PairInstance(std::move(plan), std::move(segments), inwards), inwards, start, end);
     pair.ask_start();
     if (pair.open()) pair.ask(start, end);
     note(pair.result(), p, -1, q);

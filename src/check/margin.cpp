@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
-#include "sign/witness.hpp"
+#include "sign/feature_map.hpp"
 #include "spacetime/clearance.hpp"
 #include "spacetime/margin.hpp"
 #include "taut/clearance.hpp"
@@ -36,7 +36,7 @@ class MarginSearch {
     const std::vector<std::pair<int, int>> near = CoarseBoxes(plan_).pairs_within(margin_);
     answer_.coverage = plan_.coverage(near.size());
     for (const auto& [a, b] : near) {
-      interruption_point();
+      checkpoint();
       ask(a, b);
     }
     take_first();
@@ -56,7 +56,7 @@ class MarginSearch {
     PairMargin pair;
     pair.bodies = {a, b};
     pair.free_until = plan_.end();
-    settle(PairSearch(plan_, a, b, inwards_), pair);
+    settle(PairInstance(plan_, a, b, inwards_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Others are followed a little farther, so that those that come closer at the same time are seen to.
@@ -65,9 +65,9 @@ class MarginSearch {
     events_.push_back(std::move(pair));
   }
 
-  void settle(const PairSearch& search, PairMargin& pair) const {
+  void settle(const PairInstance& search, PairMargin& pair) const {
     try {
-      if (spacetime::overlapping(search.geometry, search.trees(), search.legs()[0], plan_.start())) {
+      if (spacetime::overlapping(search.geometry, search.trees(), search.segments()[0], plan_.start())) {
         pair.outcome = Outcome::overlap_at_start;
         pair.free_until = plan_.start();
         return;
@@ -78,14 +78,15 @@ class MarginSearch {
       pair.free_until = plan_.start();
       return;
     }
-    take(search, spacetime::first_closer(search.geometry, search.trees(), search.legs(), margin_, {-INFINITY, stop_}),
+    take(search,
+         spacetime::first_closer(search.geometry, search.trees(), search.segments(), margin_, {-INFINITY, stop_}),
          pair);
   }
 
-  void take(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
+  void take(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     if (found.outcome == MarginResult::free) return;
-    const Leg& leg = search.legs()[found.leg];
-    const auto time_at = [&](double t) { return std::clamp(leg.time(t), plan_.start(), plan_.end()); };
+    const MotionSegment& segment = search.segments()[found.segment];
+    const auto time_at = [&](double t) { return std::clamp(segment.time(t), plan_.start(), plan_.end()); };
     pair.free_until = time_at(found.lo);
     if (found.outcome == MarginResult::undecided) {
       pair.outcome = Outcome::undecided;
@@ -103,12 +104,12 @@ class MarginSearch {
 
   /// As of a contact at the start: bodies displaced outwards are as close as the margin where those given are, and
   /// those displaced inwards only where they are closer.
-  void take_start(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
+  void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     const double start = plan_.start();
     if (!inwards_) {
-      const PairSearch smaller(plan_, pair.bodies[0], pair.bodies[1], true);
+      const PairInstance smaller(plan_, pair.bodies[0], pair.bodies[1], true);
       const MarginResult closer =
-          spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.legs(), margin_, {start, start});
+          spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.segments(), margin_, {start, start});
       if (closer.outcome == MarginResult::undecided) {
         pair.outcome = Outcome::undecided;
         pair.reason = closer.reason;
@@ -125,26 +126,26 @@ class MarginSearch {
     pair.nearest = nearest_at_start(search);
   }
 
-  ContactBracket bracket_of(const PairSearch& search, const MarginResult& found) const {
+  ContactBracket bracket_of(const PairInstance& search, const MarginResult& found) const {
     const std::optional<PairGeometry> other = displaced_pair_if_possible(search.plan, !inwards_);
-    const Leg& leg = search.legs()[found.leg];
+    const MotionSegment& segment = search.segments()[found.segment];
     if (found.at_once) return {found.lo, found.hi, false};
-    if (!other) return {inwards_ ? leg.start : found.lo, inwards_ ? found.hi : leg.end, true};
-    const spacetime::PreciseApproaches here(search.geometry, leg, margin_), there(*other, leg, margin_);
+    if (!other) return {inwards_ ? segment.start : found.lo, inwards_ ? found.hi : segment.end, true};
+    const spacetime::PreciseApproaches here(search.geometry, segment, margin_), there(*other, segment, margin_);
     return bracket_of_sides(
-        found.lo, found.hi, inwards_, leg, [&](double t) { return here.side(found.pair, t); },
+        found.lo, found.hi, inwards_, segment, [&](double t) { return here.side(found.pair, t); },
         [&](double t) { return there.side(found.pair, t); });
   }
 
-  void name_features(const PairSearch& search, const MarginResult& found, PairMargin& pair) const {
+  void name_features(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     const VertexId vertex = found.pair.vertex, peer = found.pair.peer;
     const bool first = search.geometry.in_p(vertex);
     NearestPoints nearest =
-        nearest_points_of(search, found.leg, found.hi, first ? vertex : peer, first ? peer : vertex);
+        nearest_points_of(search, found.segment, found.hi, first ? vertex : peer, first ? peer : vertex);
     nearest.hi = clearance_;
     nearest.time = {pair.time.hi, pair.time.hi};
     pair.nearest = nearest;
-    const Witness witness(search.plan, search.geometry, inwards_);
+    const FeatureMap witness(search.plan, search.geometry, inwards_);
     CloseFeatures features;
     features.vertex = witness.vertex(vertex);
     if (found.pair.is_edge) {
@@ -155,13 +156,13 @@ class MarginSearch {
     pair.features = features;
   }
 
-  NearestPoints nearest_at_start(const PairSearch& search) const {
+  NearestPoints nearest_at_start(const PairInstance& search) const {
     spacetime::Nearest found;
     // Not the margin, which may be less than doubles tell.
     found.distance = INFINITY;
-    spacetime::find_nearest_within(search.geometry, search.trees(), search.legs(), plan_.start(), plan_.start(),
+    spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), plan_.start(), plan_.start(),
                                    {1e-9, 0}, found);
-    NearestPoints nearest = nearest_points_of(search, found.leg, found.parameter, found.edge_p, found.edge_q);
+    NearestPoints nearest = nearest_points_of(search, found.segment, found.parameter, found.edge_p, found.edge_q);
     nearest.hi = std::ldexp(found.distance, -plan_.exponent());
     nearest.time = {plan_.start(), plan_.start()};
     return nearest;
@@ -208,7 +209,7 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
   if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   MarginAnswer answer;
   try {
     validate_world(scene);

@@ -14,7 +14,7 @@ namespace taut {
 namespace {
 
 /// A cell, or an edge of a polygon, where its body is.
-struct PosedCell {
+struct CellAtPose {
   const curve::Piece* piece = nullptr;
   std::vector<Vector> corners;
   double thickness = 0;
@@ -35,7 +35,7 @@ bool crossing_edges(Vector a, Vector b, Vector c, Vector d) {
   return (side(a, b, c) > 0) != (side(a, b, d) > 0) && (side(c, d, a) > 0) != (side(c, d, b) > 0);
 }
 
-double distance_between(const PosedCell& a, const PosedCell& b) {
+double distance_between(const CellAtPose& a, const CellAtPose& b) {
   double least = INFINITY;
   for (std::size_t i = 0; i < a.corners.size(); ++i) {
     const Vector p = a.corners[i], q = a.corners[(i + 1) % a.corners.size()];
@@ -49,9 +49,9 @@ double distance_between(const PosedCell& a, const PosedCell& b) {
 }
 
 /// All cells of a body at an instant, and boxes around runs of them.
-class PosedCells {
+class CellsAtPose {
  public:
-  PosedCells(const CurvedWorld& world, BodyId body, const BodyPose& pose, CurvedWorld::Halvings& marks) : pose_(pose) {
+  CellsAtPose(const CurvedWorld& world, BodyId body, const BodyPose& pose, CurvedWorld::Halvings& marks) : pose_(pose) {
     const auto id = static_cast<std::size_t>(body);
     for (std::size_t p = 0; p < world.parts(body).size(); ++p) {
       const auto& bands = world.parts(body)[p].bands();
@@ -70,20 +70,20 @@ class PosedCells {
       }
     }
     std::vector<AxisBox> boxes;
-    for (const PosedCell& cell : cells_) boxes.push_back(cell.box);
+    for (const CellAtPose& cell : cells_) boxes.push_back(cell.box);
     around_ = BoxList(boxes);
   }
 
   /// Visits pairs of cells whose boxes are no farther from each other than `reach`.
   template <class Visit>
-  static void near(PosedCells& a, PosedCells& b, double reach, const Visit& visit) {
+  static void near(CellsAtPose& a, CellsAtPose& b, double reach, const Visit& visit) {
     a.around_.near(b.around_, reach, [&](std::size_t i, std::size_t k) { visit(a.cells_[i], b.cells_[k]); });
   }
 
   Vector posed(const Point& p) const {
     return Vector{pose_.origin.x, pose_.origin.y} + Vector{pose_.axis.x, pose_.axis.y} * Vector{p.x, p.y};
   }
-  std::size_t number_of(const PosedCell& cell) const { return static_cast<std::size_t>(&cell - cells_.data()); }
+  std::size_t number_of(const CellAtPose& cell) const { return static_cast<std::size_t>(&cell - cells_.data()); }
   std::size_t size() const { return cells_.size(); }
 
  private:
@@ -92,7 +92,7 @@ class PosedCells {
   }
 
   void add(const std::vector<Point>& corners, double thickness, int* mark) {
-    PosedCell cell;
+    CellAtPose cell;
     cell.thickness = thickness;
     cell.mark = mark;
     for (const Point& p : corners) {
@@ -104,14 +104,14 @@ class PosedCells {
   }
 
   const BodyPose& pose_;
-  std::vector<PosedCell> cells_;
+  std::vector<CellAtPose> cells_;
   BoxList around_;
 };
 
 /// Three points on a curve, its ends and its middle, or on an edge.
 using ThreePoints = std::array<Vector, 3>;
 
-ThreePoints points_on(const PosedCells& cells, const PosedCell& cell) {
+ThreePoints points_on(const CellsAtPose& cells, const CellAtPose& cell) {
   if (!cell.piece) return {cell.corners[0], (cell.corners[0] + cell.corners[1]) * Vector{0.5, 0}, cell.corners[1]};
   const curve::Piece& piece = *cell.piece;
   const Vector first = cells.posed(piece.first().rounded()), last = cells.posed(piece.last().rounded());
@@ -150,12 +150,12 @@ std::array<BodyPose, 2> poses_of_pair(const CurvedWorld& world, const std::array
 bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most) {
   const std::array<BodyPose, 2> poses = poses_of_pair(world, pair, t);
   CurvedWorld::Halvings marks = world.no_halvings();
-  PosedCells first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
+  CellsAtPose first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
   const double room = room_of(world, pair, poses);
   std::vector<double> gaps(first.size(), INFINITY);
   std::vector<std::optional<ThreePoints>> cache(second.size());
   double thickest = 0;
-  PosedCells::near(first, second, room, [&](PosedCell& a, PosedCell& b) {
+  CellsAtPose::near(first, second, room, [&](CellAtPose& a, CellAtPose& b) {
     if (distance_between(a, b) > a.thickness + b.thickness + room) return;
     std::optional<ThreePoints>& on = cache[second.number_of(b)];
     if (!on) on = points_on(second, b);
@@ -176,15 +176,15 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
                       CurvedWorld::Halvings& marks) {
   const std::array<BodyPose, 2> poses = poses_of_pair(world, pair, t);
   const double room = reach + room_of(world, pair, poses);
-  PosedCells first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
+  CellsAtPose first(world, pair[0], poses[0], marks), second(world, pair[1], poses[1], marks);
   std::size_t count = 0;
-  const auto mark = [&count](PosedCell& cell) {
+  const auto mark = [&count](CellAtPose& cell) {
     if (!cell.mark || cell.marked) return;
     cell.marked = true;
     *cell.mark = 1;
     ++count;
   };
-  PosedCells::near(first, second, room, [&](PosedCell& a, PosedCell& b) {
+  CellsAtPose::near(first, second, room, [&](CellAtPose& a, CellAtPose& b) {
     // Beside a coarse cell a fine one need not become finer.
     const bool first_matters = a.mark && !a.marked && 4 * a.thickness >= b.thickness;
     const bool second_matters = b.mark && !b.marked && 4 * b.thickness >= a.thickness;

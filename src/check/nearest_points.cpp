@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "sign/witness.hpp"
+#include "sign/feature_map.hpp"
 #include "spacetime/closest.hpp"
 
 namespace taut {
 
-NearestPoints nearest_points_of(const PairSearch& search, std::size_t leg, double parameter, VertexId edge_p,
+NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
                                 VertexId edge_q) {
-  const Witness witness(search.plan, search.geometry, false);
-  const Leg& on = search.legs()[leg];
+  const FeatureMap witness(search.plan, search.geometry, false);
+  const MotionSegment& on = search.segments()[segment];
   const auto at = [&](VertexId v) { return witness.in_frame(v, on, parameter); };
   const auto found = spacetime::Closest::of(at(edge_p), at(search.geometry.next(edge_p)), at(edge_q),
                                             at(search.geometry.next(edge_q)));

@@ -23,7 +23,7 @@ void ProofWriter::started(const Session& session) {
 /// Everything that may be stopped comes first: nothing is written by halves.
 void ProofWriter::on_event(const EngineEvent& event) {
   const double at = about(event);
-  to_leg(event.leg_index);
+  to_segment(event.segment_index);
   const bool hit = event.report.repair == Repair::collision;
   switch (event.report.gone) {
     case Gone::none:
@@ -43,10 +43,10 @@ void ProofWriter::on_event(const EngineEvent& event) {
 /// An instant so close to the event that the verifier finds it there. Where a function is flat the engine's enclosure
 /// in doubles may be wide.
 double ProofWriter::about(const EngineEvent& event) const {
-  const Leg& leg = *event.leg;
+  const MotionSegment& segment = *event.segment;
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
-  if (event.hi - event.lo > proof::nearness(leg.start, leg.end)) {
-    const PreciseTriple f(leg, *geometry_, Form::of(*geometry_, event.u, event.v, event.w));
+  if (event.hi - event.lo > proof::nearness(segment.start, segment.end)) {
+    const PreciseTriple f(segment, *geometry_, CertificateFunction::of(*geometry_, event.u, event.v, event.w));
     if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), Stage::precise))
       f.refine(before, t, Stage::precise);
   }
@@ -58,15 +58,15 @@ void ProofWriter::ended(const Session& session, const Answer& answer) {
   const Engine& engine = session.engine();
   if (answer.outcome == Outcome::free) kind(Record::free);
   if (answer.outcome == Outcome::undecided) {
-    to_leg(engine.leg_index());
+    to_segment(engine.segment_index());
     kind(Record::free_until);
-    out_.f64(engine.leg().bridge ? 0.0 : answer.free_until);
+    out_.f64(engine.segment().bridge ? 0.0 : answer.free_until);
   }
   out_.close();
 }
 
-void ProofWriter::to_leg(std::size_t leg) {
-  for (; leg_ < leg; ++leg_) kind(Record::next_leg);
+void ProofWriter::to_segment(std::size_t segment) {
+  for (; segment_ < segment; ++segment_) kind(Record::next_segment);
 }
 
 void ProofWriter::header(Shapes shapes) {
@@ -87,7 +87,7 @@ void ProofWriter::tiling(const PlanarMap& map) {
 void ProofWriter::contact_at_start(const Session& session) {
   const PairGeometry inner = displaced_pair(session.plan(), true);
   header(Shapes::inwards);
-  tiling(build_tiling(Placement(inner, session.engine().leg(), scene_.start)).map);
+  tiling(build_tiling(Placement(inner, session.engine().segment(), scene_.start)).map);
   kind(Record::touching);
   out_.u32(session.touching()->edge_p.value);
   out_.u32(session.touching()->edge_q.value);

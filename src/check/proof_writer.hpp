@@ -20,7 +20,7 @@ class ProofWriter : public RunWatcher {
 
  private:
   void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
-  void to_leg(std::size_t leg);
+  void to_segment(std::size_t segment);
   void header(proof::Shapes shapes);
   void tiling(const PlanarMap& map);
   void contact_at_start(const Session& session);
@@ -29,7 +29,7 @@ class ProofWriter : public RunWatcher {
   const Scene& scene_;
   Touch touch_;
   proof::ByteWriter out_;
-  std::size_t leg_ = 0;
+  std::size_t segment_ = 0;
   const PairGeometry* geometry_ = nullptr;  ///< of the session that is watched
 };
 

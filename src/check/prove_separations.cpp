@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/prove_curves.hpp"
 #include "check/separations_writer.hpp"
 #include "check/world_run.hpp"
@@ -31,7 +31,7 @@ void write_log(std::ostream& log, const Scene& scene, Touch touch, const Separat
 }
 
 /// The pair that the answer names.
-const PairResult* headline(const Answer& answer, const std::vector<PairResult>& results) {
+const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& results) {
   const std::array<int, 2> named = answer.pair.value_or(std::array<int, 2>{0, 1});
   const auto found = std::find_if(results.begin(), results.end(),
                                   [&](const PairResult& r) { return r.a == named[0] && r.b == named[1]; });
@@ -55,7 +55,7 @@ AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
 
 /// Up to where windows can go if nothing happens before `until`: at a joint they have all of its bridges, and on one of
 /// these it may happen, so they end at the double before.
-double end_of_windows(const proof::ProvedScene& scene, double until) {
+double end_of_windows(const proof::VerifierScene& scene, double until) {
   const double t = std::clamp(until, scene.start(), scene.end());
   for (int body = 0; body < scene.size(); ++body) {
     for (const PieceList& motion : scene[body].motions) {
@@ -68,7 +68,7 @@ double end_of_windows(const proof::ProvedScene& scene, double until) {
 
 /// That nothing happens up to where the answer says; nothing of other answers.
 template <class AnyAnswer>
-std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::ProvedScene& proved, bool inwards,
+std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, bool inwards,
                                        double margin) {
   SeparationsWriter writer(proved, inwards, margin);
   if (answer.outcome == Outcome::free) return writer.free();
@@ -78,15 +78,15 @@ std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::Pro
 }
 
 /// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
-std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::ProvedScene& proved, const Answer& answer,
-                                           Touch touch) {
+std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::VerifierScene& proved,
+                                           const Answer& answer, Touch touch) {
   const bool inwards = touch == Touch::open;
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
   // Of two bodies, the only pair has its own section.
   const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
                                           : end_of_windows(proved, answer.free_until);
   const std::vector<PairResult> results = run.search()->results();
-  const PairResult* named = headline(answer, results);
+  const PairResult* named = earliest(answer, results);
   if (named->touching) return SeparationsWriter(proved, true).touching(*named);
   return SeparationsWriter(proved, inwards).contact(*named, until);
 }
@@ -101,7 +101,7 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   Answer answer = with_touching(run, scene, options, run_world);
   if (!run.search()) return answer;
   return if_proved(answer, scene.start, [&] {
-    if (const auto body = body_of_log(run, proof::ProvedScene(scene), answer, options.touch))
+    if (const auto body = body_of_log(run, proof::VerifierScene(scene), answer, options.touch))
       write_log(log, scene, options.touch, *body);
   });
 }
@@ -110,30 +110,31 @@ namespace {
 
 /// The contact of the only two bodies in the terms of a log, which displaces them otherwise than the engines do: it is
 /// looked for from shortly before the time at which it is known to be. None if it is not found there.
-std::optional<PairResult> contact_after(const proof::ProvedPair& pair, const Answer& known, double start, double end) {
+std::optional<PairResult> contact_after(const proof::VerifierPair& pair, const Answer& known, double start,
+                                        double end) {
   constexpr double shortly = 0x1p-30;
   const double from = known.free_until - shortly * (end - start);
   if (!(from > start)) return std::nullopt;
   const spacetime::Hierarchy p = spacetime::hierarchy_of_p(pair.geometry), q = spacetime::hierarchy_of_q(pair.geometry);
   const spacetime::SpacetimeResult found =
-      spacetime::ContactSearch(pair.geometry, {p, q}, pair.legs, spacetime::TimeWindow{from, end, false}).go_on();
+      spacetime::ContactSearch(pair.geometry, {p, q}, pair.segments, spacetime::TimeWindow{from, end, false}).go_on();
   if (found.outcome != spacetime::SpacetimeResult::contact) return std::nullopt;
   PairResult result;
   result.b = 1;
   result.found = found.found;
-  result.leg = found.leg;
+  result.segment = found.segment;
   return result;
 }
 
 /// Of an answer by polygons that the engines displaced; none where that has to be found again.
-std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::ProvedScene& proved, bool inwards) {
+std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::VerifierScene& proved, bool inwards) {
   if (known.outcome == Outcome::free) return freedom(known, proved, inwards, 0);
   if (known.outcome != Outcome::contact) return std::nullopt;
   SeparationsWriter writer(proved, inwards);
-  const proof::ProvedPair& pair = writer.pair(0, 1);
+  const proof::VerifierPair& pair = writer.pair(0, 1);
   const auto met = contact_after(pair, known, proved.start(), proved.end());
   if (!met) return std::nullopt;
-  const double at = pair.legs[met->leg].time(met->found->lo);
+  const double at = pair.segments[met->segment].time(met->found->lo);
   return writer.contact(*met, std::clamp(std::min(known.free_until, at), proved.start(), proved.end()));
 }
 
@@ -143,7 +144,7 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   std::optional<SeparationsBody> body;
   const Answer proved = if_proved(known, scene.start, [&] {
     try {
-      body = body_of_known(known, proof::ProvedScene(scene), options.touch == Touch::open);
+      body = body_of_known(known, proof::VerifierScene(scene), options.touch == Touch::open);
     } catch (const Undecidable&) {
       // What is found again may be told where this was not.
     }
@@ -159,7 +160,7 @@ namespace {
 /// What an answer about a clearance comes to in a log.
 std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const MarginAnswer& answer, double clearance,
                                                     Touch touch) {
-  const proof::ProvedScene proved(scene);
+  const proof::VerifierScene proved(scene);
   const bool inwards = touch == Touch::open;
   const double margin = std::ldexp(clearance, proved.exponent());
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, margin);
@@ -174,7 +175,7 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
 
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
   // What it consists of has limits of its own: together they have this one.
-  const InterruptionScope scope(given.stop, given.max_seconds);
+  const Budget scope(given.stop, given.max_seconds);
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;

@@ -19,7 +19,7 @@ class RunWatcher;
 class Run {
  public:
   virtual ~Run() = default;
-  /// Goes on for about so much work, in the units of interruption_point(); true once answer() says all that will come
+  /// Goes on for about so much work, in the units of checkpoint(); true once answer() says all that will come
   /// of it.
   /// What a limit of the options stopped, or precision, is `undecided`.
   virtual bool work(std::uint64_t effort) = 0;
@@ -78,7 +78,7 @@ using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
 Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
 /// For with_touching(), whose bodies are known to be free: asks `otherwise`, unless boxes show with so little work that
 /// nothing meets, or at once that the bodies rest on each other from the start.
-Question unless_soon_told(std::uint64_t effort, const Question& otherwise);
+Question unless_settled_early(std::uint64_t effort, const Question& otherwise);
 /// Will it be asked again?
 bool leaves_touching_open(const Run& run, const CheckOptions& options);
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <memory>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
 #include "search/free_directions.hpp"
-#include "search/pair_search.hpp"
+#include "search/pair_instance.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -22,7 +22,7 @@ class SeparationSearch {
   SeparationSearch(const Scene& scene, double travel) : plan_(scene), ignored_(scene), travel_(travel) {
     for (const WorldBody& body : plan_.bodies()) {
       standing_.push_back(std::make_unique<const StandingBody>(
-          StandingBody{PosedVertices(body, plan_.start(), true), tree_of(*body.rings, true)}));
+          StandingBody{VerticesAtPose(body, plan_.start(), true), tree_of(*body.rings, true)}));
       left_.push_back(static_cast<int>(left_.size()));
     }
   }
@@ -64,10 +64,10 @@ class SeparationSearch {
     const int n = static_cast<int>(standing_.size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        interruption_point();
+        checkpoint();
         if (ignored_.has(a, b)) continue;
-        const PairSearch pair(plan_, a, b, true);
-        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], plan_.start()))
+        const PairInstance pair(plan_, a, b, true);
+        if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], plan_.start()))
           return std::array<BodyId, 2>{a, b};
       }
     }
@@ -161,7 +161,7 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   if (!(options.travel > 0))
     throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
   if (has_curves(scene)) return separate_curves(scene, options);
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   Separation answer;
   const std::string stopped = what_stops([&] {
     validate_world(scene);

@@ -27,7 +27,7 @@ void put_f64(std::string& out, double x) {
 }
 
 /// The contact as the verifier will find it, and an instant shortly before it since which the vertex is outside.
-std::pair<proof::FineInstant, Instant> instant(const proof::ProvedPair& pair, proof::Lifetimes& lifetimes,
+std::pair<proof::FineInstant, Instant> instant(const proof::VerifierPair& pair, proof::Lifetimes& lifetimes,
                                                const FoundContact& found, double about) {
   const auto first_since = [&](const proof::FineInstant& since) -> std::optional<Instant> {
     try {
@@ -39,10 +39,10 @@ std::pair<proof::FineInstant, Instant> instant(const proof::ProvedPair& pair, pr
     }
     return std::nullopt;
   };
-  const Leg& leg = lifetimes.leg();
+  const MotionSegment& segment = lifetimes.segment();
   std::optional<std::pair<proof::FineInstant, Instant>> any;
   for (double share = 0x1p-48; share <= 0x1p-8; share *= 0x1p8) {
-    const proof::FineInstant since{std::max(leg.start, found.lo - share * (leg.end - leg.start)), 0, 0};
+    const proof::FineInstant since{std::max(segment.start, found.lo - share * (segment.end - segment.start)), 0, 0};
     const auto now = first_since(since);
     if (!now && any) break;
     if (now) any = {since, *now};
@@ -53,14 +53,14 @@ std::pair<proof::FineInstant, Instant> instant(const proof::ProvedPair& pair, pr
   // It may have come to the outside between the same two doubles.
   for (double step = 0x1p-200; found.at && step <= 0x1p-48; step *= 0x1p4) {
     const proof::FineInstant since = proof::nearest_instant(found.at->lo() - step);
-    if (!proof::is_within(since, leg.start, leg.end)) break;
+    if (!proof::is_within(since, segment.start, segment.end)) break;
     if (const auto now = first_since(since)) return {since, *now};
   }
   throw Undecidable{"the instant of a contact, for a proof"};
 }
 
 template <class IsIt>
-VertexId id_where(const proof::ProvedPair& pair, BodyId body, const IsIt& is_it) {
+VertexId id_where(const proof::VerifierPair& pair, BodyId body, const IsIt& is_it) {
   const bool p = pair.plan.rings[0]->body() == body;
   const RingSet& rings = *pair.plan.rings[p ? 0 : 1];
   std::uint32_t k = 0;
@@ -69,20 +69,20 @@ VertexId id_where(const proof::ProvedPair& pair, BodyId body, const IsIt& is_it)
 }
 
 /// The vertex of the pair that the scene calls so, and the edge.
-VertexId id_of(const proof::ProvedPair& pair, const VertexRef& ref) {
+VertexId id_of(const proof::VerifierPair& pair, const VertexRef& ref) {
   return id_where(pair, ref.body, [&](const RingSet& rings, std::uint32_t k) { return rings.vertex(k) == ref; });
 }
-VertexId id_of_edge(const proof::ProvedPair& pair, const EdgeRef& ref) {
+VertexId id_of_edge(const proof::VerifierPair& pair, const EdgeRef& ref) {
   return id_where(pair, ref.body, [&](const RingSet& rings, std::uint32_t k) { return rings.edge(k) == ref; });
 }
 
 template <class IsCloser>
-std::optional<proof::FineInstant> instant_between_doubles(const proof::ProvedPair& pair, const Leg& leg,
+std::optional<proof::FineInstant> instant_between_doubles(const proof::VerifierPair& pair, const MotionSegment& segment,
                                                           const proof::Incidence& close, bool is_edge, double margin,
                                                           const TimeInterval& about, const IsCloser& is_closer) {
-  const spacetime::PreciseApproaches approaches(pair.geometry, leg, margin);
-  const double from = std::max(leg.start, about.lo);
-  const double to = std::min(leg.end, std::nextafter(about.hi, std::numeric_limits<double>::infinity()));
+  const spacetime::PreciseApproaches approaches(pair.geometry, segment, margin);
+  const double from = std::max(segment.start, about.lo);
+  const double to = std::min(segment.end, std::nextafter(about.hi, std::numeric_limits<double>::infinity()));
   const auto found = approaches.first({close.vertex, close.edge, is_edge}, from, to);
   if (!found) return std::nullopt;
   const RealMax root = found->precise.hi();
@@ -119,7 +119,7 @@ SeparationsBody SeparationsWriter::touching(const PairResult& result) {
 }
 
 SeparationsBody SeparationsWriter::close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features) {
-  const proof::ProvedPair& pair = world_.pair(bodies[0], bodies[1]);
+  const proof::VerifierPair& pair = world_.pair(bodies[0], bodies[1]);
   for (const int body : bodies) put_u32(out_, static_cast<std::uint32_t>(body));
   put_u32(out_, id_of(pair, features.vertex).value);
   put_u32(out_, (features.edge ? id_of_edge(pair, *features.edge) : id_of(pair, *features.other)).value);
@@ -130,12 +130,12 @@ SeparationsBody SeparationsWriter::close_at_start(const std::array<BodyId, 2>& b
 
 SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features,
                                           const TimeInterval& time) {
-  const proof::ProvedPair& pair = world_.pair(bodies[0], bodies[1]);
+  const proof::VerifierPair& pair = world_.pair(bodies[0], bodies[1]);
   const proof::Incidence close{id_of(pair, features.vertex),
                                features.edge ? id_of_edge(pair, *features.edge) : id_of(pair, *features.other)};
-  const auto [leg, at] = instant_of_closeness(pair, close, features.edge.has_value(), time);
+  const auto [segment, at] = instant_of_margin(pair, close, features.edge.has_value(), time);
   for (const int body : bodies) put_u32(out_, static_cast<std::uint32_t>(body));
-  put_u32(out_, static_cast<std::uint32_t>(leg));
+  put_u32(out_, static_cast<std::uint32_t>(segment));
   put_u32(out_, close.vertex.value);
   put_u32(out_, close.edge.value);
   out_.push_back(features.edge ? 1 : 0);
@@ -147,25 +147,25 @@ SeparationsBody SeparationsWriter::closer(const std::array<BodyId, 2>& bodies, c
 
 SeparationsBody SeparationsWriter::contact(const PairResult& result, double until) {
   contact_pair_ = {result.a, result.b};
-  const proof::ProvedPair& pair = world_.pair(result.a, result.b);
+  const proof::VerifierPair& pair = world_.pair(result.a, result.b);
   const FoundContact& found = *result.found;
-  const std::shared_ptr<const Leg> held = pair.legs.hold(result.leg);
-  const Leg& leg = *held;
+  const std::shared_ptr<const MotionSegment> held = pair.segments.hold(result.segment);
+  const MotionSegment& segment = *held;
   const double about = found.lo + (found.hi - found.lo) / 2;
   proof::Lifetimes lifetimes(pair.geometry);
-  lifetimes.enter(leg);
+  lifetimes.enter(segment);
   const auto [since, now] = instant(pair, lifetimes, found, about);
-  const double end = std::clamp(now.hi, leg.start, leg.end);
+  const double end = std::clamp(now.hi, segment.start, segment.end);
   put_pair(result);
-  put_u32(out_, static_cast<std::uint32_t>(result.leg));
+  put_u32(out_, static_cast<std::uint32_t>(result.segment));
   put_u32(out_, found.vertex.value);
   put_u32(out_, found.edge.value);
   const bool fine = since[1] != 0 || since[2] != 0;
   for (std::size_t k = 0; k < (fine ? since.size() : 1); ++k) put_f64(out_, since[k]);
   for (const double t : {about, end, until}) put_f64(out_, t);
-  std::vector<proof::LegStretch> way;
-  proof::add_stretches_before(pair.legs, result.leg, way);
-  way.push_back({result.leg, leg.start, end});
+  std::vector<proof::SegmentStretch> way;
+  proof::add_stretches_before(pair.segments, result.segment, way);
+  way.push_back({result.segment, segment.start, end});
   section(pair, way, now);
   all_windows(until);
   return {fine ? Claim::fine_contact : Claim::contact, std::move(out_)};
@@ -178,44 +178,44 @@ void SeparationsWriter::put_pair(const PairResult& result) {
 
 void SeparationsWriter::all_windows(double until) {
   WindowWriter(scene_, world_.room(), contact_pair_, out_, [this](const auto& pair, const WorldTime& time) {
-    const proof::ProvedPair& met = world_.pair(pair.first, pair.second);
-    section(met, proof::stretches(met.legs, time), {});
+    const proof::VerifierPair& met = world_.pair(pair.first, pair.second);
+    section(met, proof::stretches(met.segments, time), {});
   }).write(until);
 }
 
-void SeparationsWriter::section(const proof::ProvedPair& pair, const std::vector<proof::LegStretch>& stretches,
+void SeparationsWriter::section(const proof::VerifierPair& pair, const std::vector<proof::SegmentStretch>& stretches,
                                 const std::optional<Instant>& until) {
   proof::Lifetimes lifetimes(pair.geometry);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const std::shared_ptr<const Leg> leg = pair.legs.hold(stretches[i].leg);
-    lifetimes.enter(*leg);
+    const std::shared_ptr<const MotionSegment> segment = pair.segments.hold(stretches[i].segment);
+    lifetimes.enter(*segment);
     const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
-    const double margin = lifetimes.leg().bridge ? 0 : world_.margin();
+    const double margin = lifetimes.segment().bridge ? 0 : world_.margin();
     ApartWriter(pair.ranges, lifetimes, last, out_, margin).write(stretches[i].from, stretches[i].to);
   }
 }
 
 /// The bracket's end is not always one at which they are closer: where they graze, steps that grow lead to one, and
 /// where they come to the margin and no closer, it is between doubles.
-std::pair<std::size_t, proof::FineInstant> SeparationsWriter::instant_of_closeness(const proof::ProvedPair& pair,
-                                                                                   const proof::Incidence& close,
-                                                                                   bool is_edge,
-                                                                                   const TimeInterval& about) const {
-  for (std::size_t i = pair.legs.first_until(about.hi); i < pair.legs.size(); ++i) {
-    const std::shared_ptr<const Leg> held = pair.legs.hold(i);
-    const Leg& leg = *held;
-    if (!leg.bridge && about.hi < leg.start) break;
-    if (leg.bridge) continue;
+std::pair<std::size_t, proof::FineInstant> SeparationsWriter::instant_of_margin(const proof::VerifierPair& pair,
+                                                                                const proof::Incidence& close,
+                                                                                bool is_edge,
+                                                                                const TimeInterval& about) const {
+  for (std::size_t i = pair.segments.first_until(about.hi); i < pair.segments.size(); ++i) {
+    const std::shared_ptr<const MotionSegment> held = pair.segments.hold(i);
+    const MotionSegment& segment = *held;
+    if (!segment.bridge && about.hi < segment.start) break;
+    if (segment.bridge) continue;
     const auto is_closer = [&](const proof::FineInstant& at) {
-      return proof::closer_at(pair.geometry, leg, world_.margin(), close, is_edge, at);
+      return proof::closer_at(pair.geometry, segment, world_.margin(), close, is_edge, at);
     };
-    double step = 0x1p-53 * std::max(std::fabs(about.hi), 0x1p-20 * (leg.end - leg.start));
-    for (int k = 0; k < most_steps && about.hi + step <= leg.end; ++k, step *= 2) {
+    double step = 0x1p-53 * std::max(std::fabs(about.hi), 0x1p-20 * (segment.end - segment.start));
+    for (int k = 0; k < most_steps && about.hi + step <= segment.end; ++k, step *= 2) {
       for (const double at : {about.hi, about.hi + step}) {
         if (is_closer({at, 0, 0})) return {i, {at, 0, 0}};
       }
     }
-    if (const auto at = instant_between_doubles(pair, leg, close, is_edge, world_.margin(), about, is_closer))
+    if (const auto at = instant_between_doubles(pair, segment, close, is_edge, world_.margin(), about, is_closer))
       return {i, *at};
   }
   throw Undecidable{"an instant at which bodies are closer than the clearance"};

@@ -9,8 +9,8 @@
 
 #include "proof/fine_instant.hpp"
 #include "proof/format.hpp"
-#include "proof/proved_world.hpp"
-#include "search/pair_question.hpp"
+#include "proof/verifier_world.hpp"
+#include "search/pair_solver.hpp"
 #include "taut/clearance.hpp"
 
 namespace taut {
@@ -27,7 +27,7 @@ struct SeparationsBody {
 class SeparationsWriter {
  public:
   /// The scene must outlive it. The margin is in internal units; 0 if it is about contact.
-  SeparationsWriter(const proof::ProvedScene& scene, bool inwards, double margin = 0)
+  SeparationsWriter(const proof::VerifierScene& scene, bool inwards, double margin = 0)
       : scene_(scene), world_(scene, inwards, margin) {}
 
   /// Nothing meets.
@@ -40,22 +40,22 @@ class SeparationsWriter {
   SeparationsBody close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features);
   /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
   SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
-  /// A contact that was found on these legs; `until` is the earliest instant at which anything may happen.
+  /// A contact that was found on these segments; `until` is the earliest instant at which anything may happen.
   SeparationsBody contact(const PairResult& result, double until);
 
-  const proof::ProvedPair& pair(int a, int b) { return world_.pair(a, b); }
+  const proof::VerifierPair& pair(int a, int b) { return world_.pair(a, b); }
 
  private:
   void put_pair(const PairResult& result);
   void all_windows(double until);
-  void section(const proof::ProvedPair& pair, const std::vector<proof::LegStretch>& stretches,
+  void section(const proof::VerifierPair& pair, const std::vector<proof::SegmentStretch>& stretches,
                const std::optional<Instant>& until);
-  std::pair<std::size_t, proof::FineInstant> instant_of_closeness(const proof::ProvedPair& pair,
-                                                                  const proof::Incidence& close, bool is_edge,
-                                                                  const TimeInterval& about) const;
+  std::pair<std::size_t, proof::FineInstant> instant_of_margin(const proof::VerifierPair& pair,
+                                                               const proof::Incidence& close, bool is_edge,
+                                                               const TimeInterval& about) const;
 
-  const proof::ProvedScene& scene_;
-  proof::ProvedWorld world_;
+  const proof::VerifierScene& scene_;
+  proof::VerifierWorld world_;
   std::pair<int, int> contact_pair_{-1, -1};
   std::string out_;
 };

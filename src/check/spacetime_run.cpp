@@ -3,21 +3,21 @@
 #include <optional>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/run.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "sign/contact_at_start.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut {
 namespace {
 
-/// In units of interruption_point(), beside the plan.
+/// In units of checkpoint(), beside the plan.
 constexpr std::uint64_t work_of_spacetime_start = 25;
 
 using Clock = std::chrono::steady_clock;
@@ -47,9 +47,9 @@ class Tree {
 };
 
 /// One question with all that it is asked about.
-class SpacetimeQuestion {
+class SpacetimeSearch {
  public:
-  SpacetimeQuestion(const Scene& scene, Touch touch, bool apart)
+  SpacetimeSearch(const Scene& scene, Touch touch, bool apart)
       : scene_(scene),
         touch_(touch),
         apart_(apart),
@@ -57,19 +57,19 @@ class SpacetimeQuestion {
         geometry_(displaced_pair(plan_, touch == Touch::open)),
         tree_p_(Role::p, plan_, geometry_, touch == Touch::open),
         tree_q_(Role::q, plan_, geometry_, touch == Touch::open),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
-        search_(geometry_, trees(), legs_) {
+        segments_(make_segments(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        search_(geometry_, trees(), segments_) {
     count_work(work_of_spacetime_start);
   }
 
   /// Answers for the start; true if there is more to ask.
   bool start(Answer& answer) {
-    const auto overlap = spacetime::overlapping(geometry_, trees(), legs_[0], scene_.start, &stages_at_start_);
+    const auto overlap = spacetime::overlapping(geometry_, trees(), segments_[0], scene_.start, &stages_at_start_);
     stages_ = stages_at_start_;
     if (!overlap) return true;
     const auto overlap_of = [&](const PairGeometry& shapes) { return !apart_ && overlap_inwards(shapes); };
     if (const auto touching = contact_at_start(
-            witness(), legs_[0], scene_.start, [&] { return *overlap; }, overlap_of)) {
+            witness(), segments_[0], scene_.start, [&] { return *overlap; }, overlap_of)) {
       answer.outcome = Outcome::contact;
       answer.contact = touching->contact;
       return false;
@@ -84,12 +84,12 @@ class SpacetimeQuestion {
     const SpacetimeResult found = search_.go_on();
     stages_ = stages_at_start_;
     stages_ += found.stages;
-    answer.free_until = std::clamp(legs_[found.leg].time(found.lo), scene_.start, scene_.end);
+    answer.free_until = std::clamp(segments_[found.segment].time(found.lo), scene_.start, scene_.end);
     if (found.outcome == SpacetimeResult::free) {
       conclude_free(scene_.end, answer);
     } else if (found.outcome == SpacetimeResult::contact) {
       answer.outcome = Outcome::contact;
-      answer.contact = witness().contact(found.found, legs_[found.leg]);
+      answer.contact = witness().contact(found.found, segments_[found.segment]);
       answer.contact->time.lo = std::max(answer.contact->time.lo, scene_.start);
       answer.free_until = answer.contact->time.lo;
     } else {
@@ -103,9 +103,9 @@ class SpacetimeQuestion {
   spacetime::TreePair trees() const { return {tree_p_.get(), tree_q_.get()}; }
   bool overlap_inwards(const PairGeometry& shapes) const {
     const Tree p(Role::p, plan_, shapes, true), q(Role::q, plan_, shapes, true);
-    return spacetime::overlapping(shapes, {p.get(), q.get()}, legs_[0], scene_.start).has_value();
+    return spacetime::overlapping(shapes, {p.get(), q.get()}, segments_[0], scene_.start).has_value();
   }
-  Witness witness() const { return {plan_, geometry_, touch_ == Touch::open}; }
+  FeatureMap witness() const { return {plan_, geometry_, touch_ == Touch::open}; }
 
   const Scene& scene_;
   Touch touch_;
@@ -113,7 +113,7 @@ class SpacetimeQuestion {
   PairPlan plan_;
   PairGeometry geometry_;
   Tree tree_p_, tree_q_;
-  Legs legs_;
+  MotionSegments segments_;
   spacetime::ContactSearch search_;
   StageCounts stages_at_start_, stages_;
 };
@@ -138,7 +138,7 @@ class SpacetimeRun final : public Run {
   bool work(std::uint64_t effort) override {
     if (done_) return true;
     const Clock::time_point start = Clock::now();
-    const InterruptionScope turn(effort);
+    const Budget turn(effort);
     answer_.reason.clear();
     try {
       question_->run(answer_);
@@ -160,8 +160,8 @@ class SpacetimeRun final : public Run {
     done_ = true;
   }
 
-  InterruptionScope scope_;
-  std::optional<SpacetimeQuestion> question_;
+  Budget scope_;
+  std::optional<SpacetimeSearch> question_;
   Answer answer_;
   bool done_ = false;
 };

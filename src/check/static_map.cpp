@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
-#include "check/headline.hpp"
+#include "check/earliest.hpp"
 #include "check/run.hpp"
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
@@ -127,7 +127,7 @@ class MapRun {
 
   void conclude(MapSearch& search, const std::string& stopped, Answer& answer) const {
     std::vector<PairEvent> events;
-    search.for_each_pair([&](const WindowedPair& pair) {
+    search.for_each_pair([&](const PairSolver& pair) {
       if (!pair.open()) events.push_back({answer_of(pair.result()), pair.instant()});
     });
     if (!stopped.empty()) {
@@ -136,7 +136,7 @@ class MapRun {
       answer.free_until = search.proved();
       answer.reason = stopped;
     }
-    take_headline(events, answer);
+    take_earliest(events, answer);
     if (answer.outcome == Outcome::overlap_at_start && answer.pair)
       answer.overlap_point = search.common_point((*answer.pair)[0]);
     const std::uint64_t all = bodies_.rings.size();
@@ -198,7 +198,7 @@ Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, 
   time.end = end;
   validate_time(time);
   validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
 }
 

@@ -33,13 +33,14 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
 /// Many events at one instant, as drawings on a grid have them, ask for more than doubles, and yet most bodies that
 /// have them are far from touching, or touch at once. That is seen soon by boxes, while the tiling would be built
 /// again, and go through all events.
-Question unless_soon_told(std::uint64_t effort, const Question& otherwise) {
+Question unless_settled_early(std::uint64_t effort, const Question& otherwise) {
   return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
     // They are free with open touching.
     const std::unique_ptr<Run> boxes = begin_spacetime_apart(scene, options);
     if (boxes->work(effort)) {
-      const Answer& told = boxes->answer();
-      if (told.outcome == Outcome::free || (told.contact && told.contact->time.hi <= scene.start)) return told;
+      const Answer& decided = boxes->answer();
+      if (decided.outcome == Outcome::free || (decided.contact && decided.contact->time.hi <= scene.start))
+        return decided;
     }
     Answer answer = otherwise(scene, options);
     answer.run_seconds += boxes->answer().build_seconds + boxes->answer().run_seconds;

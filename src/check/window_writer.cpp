@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -57,7 +57,7 @@ void put_f32(std::string& out, float x) {
 
 }  // namespace
 
-WindowWriter::WindowWriter(const proof::ProvedScene& scene, double room, const Pair& except, std::string& out,
+WindowWriter::WindowWriter(const proof::VerifierScene& scene, double room, const Pair& except, std::string& out,
                            Section section)
     : scene_(scene),
       room_(room),
@@ -74,7 +74,7 @@ WindowWriter::WindowWriter(const proof::ProvedScene& scene, double room, const P
 }
 
 WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) const {
-  interruption_point();
+  checkpoint();
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::optional<BoxedBody> reach = proof::box_around(scene_[body], time);
   if (!reach) return {{-infinite, -infinite, infinite, infinite}, {}};
@@ -87,18 +87,18 @@ WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) con
 /// Of a few pairs: does a body's box tell enough of them apart? Of all pairs, every box does.
 std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, const OpenPairs& open) {
   if (open.all()) return std::vector<bool>(moving.size(), true);
-  std::map<int, int> told_apart;
+  std::map<int, int> pairs_decided;
   const auto box = [&](int i) {
     const Fresh& fresh = fresh_[static_cast<std::size_t>(i)];
     return !scene_[i].rests() && fresh.box ? as_doubles(*fresh.box) : boxes_.of(i);
   };
   for (const auto& [a, b] : *open.listed) {
     if (!boxes_.meet(a, b) || box(a).meets(box(b))) continue;
-    ++told_apart[a];
-    ++told_apart[b];
+    ++pairs_decided[a];
+    ++pairs_decided[b];
   }
   std::vector<bool> worth;
-  for (const int i : moving) worth.push_back(told_apart[i] >= pairs_for_a_box);
+  for (const int i : moving) worth.push_back(pairs_decided[i] >= pairs_for_a_box);
   return worth;
 }
 
@@ -164,7 +164,7 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
   const std::vector<Pair> pairs = looked_at.all() ? *boxes_.meeting(scene_) : *looked_at.listed;
   const std::set<int> crowded = crowded_bodies(pairs);
   for (const Pair& pair : pairs) {
-    interruption_point();
+    checkpoint();
     if (pair == except_ || !boxes_.meet(pair.first, pair.second)) continue;
     // Where no box will be stated, separations halve time themselves, and better.
     const bool later = divisible && crowded.count(pair.first) + crowded.count(pair.second) > 0 && is_left(pair);

@@ -18,7 +18,7 @@ class WindowWriter {
   using Section = std::function<void(const Pair&, const proof::WorldTime&)>;
 
   /// `room` as proof::stays_within() wants it. Of the pair `except` nothing is written. All of them must outlive it.
-  WindowWriter(const proof::ProvedScene& scene, double room, const Pair& except, std::string& out, Section section);
+  WindowWriter(const proof::VerifierScene& scene, double room, const Pair& except, std::string& out, Section section);
 
   void write(double until) { window({scene_.start(), until, true}, {}, 0); }
 
@@ -36,7 +36,7 @@ class WindowWriter {
   bool better_halved(const std::vector<int>& moving) const;
   bool is_left(const Pair& pair) const;
 
-  const proof::ProvedScene& scene_;
+  const proof::VerifierScene& scene_;
   double room_;
   Pair except_;
   std::string& out_;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "pair/untested.hpp"
 #include "pair/validate_world.hpp"
-#include "world/world_witness.hpp"
+#include "world/world_feature_map.hpp"
 
 namespace taut {
 namespace {
@@ -65,10 +65,10 @@ void WorldRun::conclude() {
     answer_.free_until = proved;
     answer_.reason = stopped_;
   }
-  take_headline(events, answer_);
+  take_earliest(events, answer_);
   if (answer_.outcome == Outcome::overlap_at_start && answer_.pair)
     answer_.overlap_point = common_point(*plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
-  tell_engine();
+  name_engine();
   if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
 }
 
@@ -76,7 +76,7 @@ void WorldRun::conclude() {
 std::vector<PairEvent> WorldRun::pairs() const {
   std::vector<PairEvent> pairs;
   if (!search_) return pairs;
-  search_->for_each_pair([&](const WindowedPair& pair) {
+  search_->for_each_pair([&](const PairSolver& pair) {
     const PairResult* other = pair.other();
     const PairAnswer answer = answer_of(pair.result());
     pairs.push_back({other ? agreed_pair(answer, answer_of(*other)) : answer, pair.instant()});
@@ -86,11 +86,11 @@ std::vector<PairEvent> WorldRun::pairs() const {
 
 /// Whose answer it is: of several engines' pairs, that of the pair that is named. Free is what every pair was found to
 /// be, and the kinetic engine's as soon as one of them is.
-void WorldRun::tell_engine() {
+void WorldRun::name_engine() {
   answer_.compared = options_.engine == EngineChoice::both;
   if (!search_) return;
   KineticCounts counts;
-  search_->for_each_pair([&](const WindowedPair& pair) {
+  search_->for_each_pair([&](const PairSolver& pair) {
     counts += pair.counts();
     const PairResult& r = pair.result();
     const bool counts_here = !answer_.pair || *answer_.pair == std::array<int, 2>{r.a, r.b};

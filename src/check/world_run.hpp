@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "base/interruption.hpp"
-#include "check/headline.hpp"
+#include "base/budget.hpp"
+#include "check/earliest.hpp"
 #include "check/run.hpp"
 #include "search/world_search.hpp"
 
@@ -27,11 +27,11 @@ class WorldRun final : public Run {
   bool leave_untested();
   void conclude();
   std::vector<PairEvent> pairs() const;
-  void tell_engine();
+  void name_engine();
 
   const Scene& scene_;
   const CheckOptions& options_;
-  InterruptionScope scope_;
+  Budget scope_;
   std::optional<WorldPlan> plan_;
   std::optional<WorldSearch> search_;
   Answer answer_;

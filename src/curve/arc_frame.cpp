@@ -60,7 +60,7 @@ double nearest_double(const WideBall& x) { return x.sign() == 0 ? 0 : RealTraits
 
 /// The frame in doubles, if it is that exactly. Of the two centres of ellipses through both ends, mirror images, it is
 /// the one that was computed, up to its error.
-void settle_exactly(const Point& from, const ArcTo& arc, double rx, double ry, CentredArc& found) {
+void decide_exactly(const Point& from, const ArcTo& arc, double rx, double ry, CentredArc& found) {
   const Point centre{nearest_double(found.frame.centre.x), nearest_double(found.frame.centre.y)};
   if (!on_ellipse(from, centre, rx, ry) || !on_ellipse(arc.to, centre, rx, ry)) return;
   const auto is_near = [](const WideBall& x, double value) {
@@ -106,7 +106,7 @@ CentredArc centred(const Point& from, const ArcTo& arc) {
   found.unit = {WidePoint{(ux - cx) / scale, (uy - cy) / scale}, WidePoint{(-ux - cx) / scale, (-uy - cy) / scale}};
   if (turned.is_exact() && (c.mid == 0 || s.mid == 0)) {
     const bool swapped = c.mid == 0;
-    settle_exactly(from, arc, swapped ? arc.ry : arc.rx, swapped ? arc.rx : arc.ry, found);
+    decide_exactly(from, arc, swapped ? arc.ry : arc.rx, swapped ? arc.rx : arc.ry, found);
   }
   return found;
 }

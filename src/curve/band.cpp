@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment_numbers.hpp"
@@ -119,7 +119,7 @@ bool Band::refine(const std::vector<int>& halvings) {
   std::vector<Gate> gates;
   bool finer = false;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    interruption_point();
+    checkpoint();
     finer = add_split(cells_[k], gate(k), gate(k + 1), halvings[k], cells, gates) || finer;
   }
   cells_ = std::move(cells);

@@ -73,13 +73,13 @@ class WallBuilder {
     const Vector e = unit(between(piece_.control[at(before)], c)), f = unit(between(c, piece_.control[at(after)]));
     const bool along_e = before == 0 && k == 1 && piece_.level[0] != Level::unknown;
     const bool along_f = after == piece_.size - 1 && k == piece_.size - 2 && piece_.level[1] != Level::unknown;
-    const double bend = std::max(std::fabs(cross(e, f)), 0x1p-40);
+    const double second = std::max(std::fabs(cross(e, f)), 0x1p-40);
     Vector away{0, 0};
     if (along_e && along_f) return c.rounded();
     if (along_e) {
-      away = {e.x * shift / bend, e.y * shift / bend};
+      away = {e.x * shift / second, e.y * shift / second};
     } else if (along_f) {
-      away = {-f.x * shift / bend, -f.y * shift / bend};
+      away = {-f.x * shift / second, -f.y * shift / second};
     } else {
       // Both edges move outwards by `shift`.
       const Vector outwards{side * -(e.y + f.y), side * (e.x + f.x)};

@@ -8,7 +8,7 @@
 //   C3  all of them but the end's own, and the vertices of the other gate, lie strictly ahead of the first gate, bent
 //   so
 //       that it passes through the curve's point, and strictly behind the last one;
-//   C4  the control polygon's legs have positive products with one direction.
+//   C4  the control polygon's segments have positive products with one direction.
 //
 // Hence, by the law of pieces, the piece does not meet itself (C4), stays between the walls (C2), and meets its gates
 // in its ends only (C3). If no two cells of a closed curve meet but neighbours in their common gate, the curve is

@@ -39,7 +39,7 @@ bool holds_control_points(const Cell& cell, const std::vector<Point>& wall) {
 }
 
 /// Are all of them strictly to the left of the lines from a to p and from p to b?
-bool beyond_bend(const Point& a, const WidePoint& p, const Point& b, const std::vector<WidePoint>& points) {
+bool beyond_second(const Point& a, const WidePoint& p, const Point& b, const std::vector<WidePoint>& points) {
   const WidePoint from = WidePoint::of(a), to = WidePoint::of(b);
   return std::all_of(points.begin(), points.end(),
                      [&](const WidePoint& q) { return turn(from, p, q) > 0 && turn(p, to, q) > 0; });
@@ -53,30 +53,30 @@ bool beyond_gates(const Cell& cell, const Gate& first, const Gate& last) {
     std::vector<WidePoint> ahead(begin + 1, end);
     ahead.push_back(WidePoint::of(last.left));
     ahead.push_back(WidePoint::of(last.right));
-    if (!beyond_bend(first.left, piece.first(), first.right, ahead)) return false;
+    if (!beyond_second(first.left, piece.first(), first.right, ahead)) return false;
   }
   if (!last.exact) {
     std::vector<WidePoint> behind(begin, end - 1);
     behind.push_back(WidePoint::of(first.left));
     behind.push_back(WidePoint::of(first.right));
-    if (!beyond_bend(last.right, piece.last(), last.left, behind)) return false;
+    if (!beyond_second(last.right, piece.last(), last.left, behind)) return false;
   }
   return true;
 }
 
-/// C4, for the direction of the chord. Legs of Bezier curves shall turn by less than a quarter from each other, which
-/// implies it, and which halves inherit: so whatever has a cell can be halved.
+/// C4, for the direction of the chord. Segments of Bezier curves shall turn by less than a quarter from each other,
+/// which implies it, and which halves inherit: so whatever has a cell can be halved.
 bool runs_ahead(const Piece& piece) {
-  std::vector<WidePoint> legs;
+  std::vector<WidePoint> segments;
   for (int k = 0; k + 1 < piece.size; ++k) {
     if ((k == 0 && piece.still[0]) || (k + 2 == piece.size && piece.still[1])) continue;
-    legs.push_back(piece.control[static_cast<std::size_t>(k + 1)] - piece.control[static_cast<std::size_t>(k)]);
+    segments.push_back(piece.control[static_cast<std::size_t>(k + 1)] - piece.control[static_cast<std::size_t>(k)]);
   }
   const WidePoint chord = piece.last() - piece.first();
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (dot(legs[i], chord).sign() <= 0) return false;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (dot(segments[i], chord).sign() <= 0) return false;
     for (std::size_t j = 0; j < i && !piece.frame; ++j) {
-      if (dot(legs[i], legs[j]).sign() <= 0) return false;
+      if (dot(segments[i], segments[j]).sign() <= 0) return false;
     }
   }
   return true;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/box_list.hpp"
 #include "geometry/predicates.hpp"
 
@@ -64,7 +64,7 @@ class MeetingSearch {
 
  private:
   void look_at(const PlacedCell& a, const PlacedCell& b) {
-    interruption_point();
+    checkpoint();
     if (a.id.band != b.id.band) {
       if (!separate(a.corners, b.corners, nullptr)) found_.push_back({a.id, b.id});
       return;

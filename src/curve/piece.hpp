@@ -1,15 +1,16 @@
 // Pieces of curves, each with a control polygon that bounds it.
 //
 // The law of a piece: its points are convex combinations of its control points, and its tangents are nonnegative
-// combinations of the control polygon's legs. So it lies in the hull of its control points, and if all legs have a
-// positive product with one direction, it runs along that direction without ever turning back.
+// combinations of the control polygon's segments. So it lies in the hull of its control points, and if all segments
+// have a positive product with one direction, it runs along that direction without ever turning back.
 //
 //   Bezier curves: both are theirs by definition (Bernstein polynomials are nonnegative and sum up to 1), and de
 //     Casteljau's halving keeps them.
 //   Arcs of ellipses of a quarter or hardly more: images of c + (cos t, sin t) under an affine map. The arc of the
 //   circle between
 //     the directions u and v lies in the triangle of its ends and the point (u + v) / (1 + u v) at which the tangents
-//     of these meet, and its tangents turn from the one leg's direction to the other's. Halves are between u, v and (u
+//     of these meet, and its tangents turn from the one segment's direction to the other's. Halves are between u, v and
+//     (u
 //     + v) / |u + v|. Affine maps keep combinations.
 //   Lines: trivially.
 #pragma once
@@ -41,7 +42,7 @@ struct Piece {
   std::array<WidePoint, 4> control;
   int size = 2;  ///< of `control`: 2 is a line
   std::array<Level, 2> level{Level::unknown, Level::unknown};
-  std::array<bool, 2> still{false, false};  ///< a cubic whose first, or last, leg is exactly null
+  std::array<bool, 2> still{false, false};  ///< a cubic whose first, or last, segment is exactly null
   std::shared_ptr<const ArcFrame> frame;    ///< of an arc
   std::array<WidePoint, 2> unit;            ///< of an arc: where it begins and ends, on the unit circle
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -15,7 +15,7 @@ using spacetime::Hierarchy;
 /// More than what rounds in the few operations on models and boxes, as a share of coordinates up to 1.
 constexpr double rounding_slack = 0x1p-44;
 /// Boxes that swing farther than this share of their size are left to smaller cells.
-constexpr double patience_of_cells = 1.5;
+constexpr double subdivision_threshold_of_cells = 1.5;
 /// So many pairs of ranges are looked at after one that stays open.
 constexpr int most_after_open = 256;
 /// So many points of a body are tried in search of one that is deep inside the other one.
@@ -114,7 +114,7 @@ CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
   todo.assign(1, {0, 0});
   int more = most_after_open;
   while (!todo.empty() && more > 0) {
-    interruption_point();
+    checkpoint();
     if (more < most_after_open) --more;
     const auto [i, k] = todo.back();
     todo.pop_back();
@@ -125,7 +125,8 @@ CellPair::Ranges CellPair::look_at_ranges(const Seen& seen) const {
       more = std::min(more, most_after_open - 1);
       continue;
     }
-    if (seen.of_q.place(q.box.centre).swing() > patience_of_cells * (p.box.radius + q.box.radius)) return Ranges::open;
+    if (seen.of_q.place(q.box.centre).swing() > subdivision_threshold_of_cells * (p.box.radius + q.box.radius))
+      return Ranges::open;
     if (q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius)) {
       todo.emplace_back(p.right, k);
       todo.emplace_back(p.left, k);

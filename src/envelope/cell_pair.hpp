@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "envelope/pose_model.hpp"
-#include "search/pair_search.hpp"
+#include "search/pair_instance.hpp"
 
 namespace taut {
 

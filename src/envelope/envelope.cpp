@@ -5,7 +5,7 @@
 #include <deque>
 #include <memory>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "envelope/cell_pair.hpp"
 #include "pair/ignored_pairs.hpp"
 #include "pair/untested.hpp"
@@ -27,7 +27,7 @@ void drop_common(Chain& a, Chain& b) {
 
 /// One pair that is asked about: the bodies in their roles, and the chains from them up to what they have in common.
 struct LinkedPair {
-  PairSearch search;
+  PairInstance search;
   Chain of_p, of_q;  ///< the innermost first, without common parents
   CellPair cells;
   std::array<BodyId, 2> bodies;
@@ -42,8 +42,8 @@ struct LinkedPair {
 
 /// Two bodies that no joint moves against each other overlap.
 bool overlap_at_rest(const WorldPlan& world, int a, int b) {
-  const PairSearch pair(world, a, b, true);
-  return spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], world.start()).has_value();
+  const PairInstance pair(world, a, b, true);
+  return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
 }
 
 /// A cell that is still to be looked at, with what is known of it.
@@ -82,7 +82,7 @@ class EnvelopeSearch {
     }
     try {
       while (!queue_.empty()) {
-        interruption_point();
+        checkpoint();
         look(queue_.front());
         queue_.pop_front();
       }
@@ -119,7 +119,7 @@ class EnvelopeSearch {
     Coverage& coverage = answer_.coverage;
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
-        interruption_point();
+        checkpoint();
         ++coverage.pairs;
         const bool apart = move_apart(chains[static_cast<std::size_t>(a)], chains[static_cast<std::size_t>(b)]);
         any_moves = any_moves || apart;
@@ -287,7 +287,7 @@ class EnvelopeSearch {
 Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options) {
   if (!(options.tolerance >= 1e-6 && options.tolerance <= 1))
     throw InputError("tolerance", "it is not between 1e-6 and 1", "it is a share of each joint's range");
-  const InterruptionScope scope(options.stop, options.max_seconds);
+  const Budget scope(options.stop, options.max_seconds);
   Envelope answer;
   try {
     validate(linkage);

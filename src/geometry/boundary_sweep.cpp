@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 
@@ -41,7 +41,7 @@ class Sweep {
 
   std::optional<SelfMeeting> run() {
     for (const int v : order_) {
-      interruption_point();
+      checkpoint();
       const int before = v == 0 ? n_ - 1 : v - 1;
       const bool ends = lexicographically_less(vertex(before), vertex(v));      // edge `before` lies to the left
       const bool next_ends = lexicographically_less(vertex(v + 1), vertex(v));  // edge v lies to the left

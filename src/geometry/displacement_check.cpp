@@ -28,7 +28,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/exact_sum.hpp"
 
@@ -74,7 +74,7 @@ class RingCheck {
   std::optional<DisplacementFault> close_edges() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
-      interruption_point();
+      checkpoint();
       const auto [i, j] = stack.back();
       stack.pop_back();
       const Node &a = nodes_[i], &b = nodes_[j];

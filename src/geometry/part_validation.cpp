@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
@@ -59,7 +59,7 @@ void require_rings_apart(const Part& part, const std::string& name) {
                    [](const RingEdge& e, const RingEdge& f) { return e.lo_x() < f.lo_x(); });
   std::vector<const RingEdge*> active;
   for (const RingEdge& e : edges) {
-    interruption_point();
+    checkpoint();
     std::erase_if(active, [&](const RingEdge* f) { return f->hi_x() < e.lo_x(); });
     for (const RingEdge* f : active) {
       if (f->ring != e.ring && meet(e, *f)) {
@@ -87,7 +87,7 @@ void validate_holes(const Part& part, const std::string& name) {
       throw InputError(name + ": hole " + std::to_string(i + 1), "the hole lies outside of the outline",
                        "remove it, or make it a part of its own");
     for (std::size_t j = 0; j < part.holes.size(); ++j) {
-      interruption_point();
+      checkpoint();
       if (i != j && within(boxes[j], boxes[i]) && side_of_ring(part.holes[i], part.holes[j][0]) > 0)
         throw InputError(name + ": hole " + std::to_string(j + 1), "the hole lies inside hole " + std::to_string(i + 1),
                          "remove it; what stands in a hole is a part of its own");

@@ -29,7 +29,7 @@ std::shared_ptr<const std::vector<Point>> PreparedShape::scaled_locked(int expon
 }
 
 std::shared_ptr<const ShapeInRole> PreparedShape::make(const ShapeRole& role) const {
-  const UncountedWork making;
+  const UnmeteredScope making;
   auto fresh = std::make_shared<ShapeInRole>();
   fresh->role = role;
   fresh->polygon = scaled_locked(role.exponent);
@@ -75,7 +75,7 @@ const Polygon& polygon_of(const Body& body) {
 }
 
 std::shared_ptr<const PreparedShape> prepare(const Polygon& polygon, const std::string& name) {
-  const UncountedWork making;
+  const UnmeteredScope making;
   return std::make_shared<const PreparedShape>(polygon, name);
 }
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
 #include "geometry/shape_facts.hpp"
@@ -40,7 +40,7 @@ struct ShapeInRole {
   const T* kept(Keeper keeper, const Make& make) const {
     const std::lock_guard lock(mutex_);
     if (!made_[keeper]) {
-      const UncountedWork making;
+      const UnmeteredScope making;
       kept_[keeper] = make();
       made_[keeper] = true;
     }

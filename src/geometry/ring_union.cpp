@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "geometry/box_list.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/dyadic.hpp"
@@ -99,7 +99,7 @@ class UnionBuilder {
       boxes.back().add(e.b);
     }
     BoxList(boxes).meeting([&](std::size_t i, std::size_t k) {
-      interruption_point();
+      checkpoint();
       note_crossing(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
     });
     for (Edge& e : edges_) std::sort(e.crossings.begin(), e.crossings.end(), comes_before);
@@ -143,7 +143,7 @@ class UnionBuilder {
 
   /// Winding numbers along a ring, from its leftmost vertex on.
   void wind(std::uint32_t first) {
-    interruption_point();
+    checkpoint();
     std::uint32_t start = first;
     for (std::uint32_t e = edges_[first].next; e != first; e = edges_[e].next) {
       if (lexicographically_less(edges_[e].a, edges_[start].a)) start = e;

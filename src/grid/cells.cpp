@@ -5,13 +5,13 @@
 #include <map>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "grid/cell_raster.hpp"
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "pair/ring_set.hpp"
 #include "pair/validate_world.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -85,7 +85,7 @@ class CellSweep {
   }
 
   void window(const PieceChain& chain, double from, double to, int depth) {
-    interruption_point();
+    checkpoint();
     const double middle = from + (to - from) / 2;
     const PoseInCells pose = pose_at_instant(chain, middle);
     const double away = way_in(chain, pose, from, to) + pose.away;
@@ -152,7 +152,7 @@ CoveredCells cells(const Scene& scene, BodyId body, const CellOptions& options) 
     throw InputError("cells", "there is no body " + std::to_string(body), "the first one is 0");
   validate_world(scene);
   try {
-    const InterruptionScope scope(options.stop, 1e300);
+    const Budget scope(options.stop, 1e300);
     return CellSweep(scene, scene.bodies[static_cast<std::size_t>(body)], options).run();
   } catch (const Interrupted& stopped) {
     throw UndecidedError(stopped.reason);

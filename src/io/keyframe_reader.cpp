@@ -45,7 +45,7 @@ class KeyframeReader {
   }
 
  private:
-  /// A leg around a centre: the place follows from the keyframe before.
+  /// A segment around a centre: the place follows from the keyframe before.
   void read_way(const JsonObject& object, std::size_t token, std::size_t index, std::optional<std::size_t> turn,
                 std::optional<std::size_t> arc, Keyframe& keyframe) const {
     const std::string shape = R"({"t": 1, "turn": {"center": [x, y], "deg": 90}}, or "arc" for "turn")";

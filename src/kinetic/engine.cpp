@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 
 namespace taut {
 namespace {
 
-/// In units of interruption_point(): of a certificate that is looked at, and of an event with its repair.
+/// In units of checkpoint(): of a certificate that is looked at, and of an event with its repair.
 /// Where functions are lines, all of that costs half.
-constexpr std::uint64_t work_of_look = 3, work_of_event = 10, work_of_event_on_lines = 5;
+constexpr std::uint64_t work_of_evaluation = 3, work_of_event = 10, work_of_event_on_lines = 5;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ CertificateId Engine::add_certificate(HalfedgeId h, const Corner& vertices) {
   if (free_.empty()) {
     id = CertificateId(certificates_.size());
     certificates_.emplace_back();
-    settled_.add();
+    dormant_.add();
   } else {
     id = free_.back();
     free_.pop_back();
@@ -93,7 +93,7 @@ class Requeue {
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
     work_kept_ = work_spent();
-    interruption_point(work_of_look);
+    checkpoint(work_of_evaluation);
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
     if (c.lo > limit) return false;
@@ -140,22 +140,22 @@ bool Engine::certainly_first(CertificateId head) {
 std::optional<std::pair<double, double>> Engine::next_event(double t) {
   make_whole();
   while (state_ == EngineState::running) {
-    const bool last = current_ + 1 == legs_.size();
-    const double limit = leg().bridge ? leg().end : std::min(t, leg().end);
-    if (find_next(std::min(limit, settled_.until()))) {
+    const bool last = current_ + 1 == segments_.size();
+    const double limit = segment().bridge ? segment().end : std::min(t, segment().end);
+    if (find_next(std::min(limit, dormant_.until()))) {
       const Certificate& c = certificates_[next_.value];
-      return std::pair<double, double>(leg().time(c.lo), leg().time(c.hi));
+      return std::pair<double, double>(segment().time(c.lo), segment().time(c.hi));
     }
-    if (settled_.until() < limit) {
-      look_at_settled(settled_.until(), false);
+    if (dormant_.until() < limit) {
+      check_dormant(dormant_.until(), false);
       continue;
     }
-    if (!leg().bridge && leg().end > t) return std::nullopt;
+    if (!segment().bridge && segment().end > t) return std::nullopt;
     if (last) return std::nullopt;
-    settled_.note_motion(leg(), leg().end);
-    leg().forget();
+    dormant_.note_motion(segment(), segment().end);
+    segment().forget();
     ++current_;
-    enter_leg();
+    enter_segment();
   }
   return std::nullopt;
 }
@@ -167,85 +167,88 @@ bool Engine::step(double t) {
     return true;
   }
   if (next_event(t)) {
-    interruption_point(LegClock::is_straight(leg()) ? work_of_event_on_lines : work_of_event);
-    process(next_, leg().bridge ? leg().end : std::min(t, leg().end));
+    checkpoint(TaylorModelCache::is_straight(segment()) ? work_of_event_on_lines : work_of_event);
+    process(next_, segment().bridge ? segment().end : std::min(t, segment().end));
     return state_ != EngineState::contact;
   }
-  parameter_ = leg().bridge ? leg().end : std::max(parameter_, std::min(t, leg().end));
+  parameter_ = segment().bridge ? segment().end : std::max(parameter_, std::min(t, segment().end));
   reached_ = parameter_;
-  if (current_ + 1 == legs_.size() && parameter_ >= leg().end) state_ = EngineState::finished;
+  if (current_ + 1 == segments_.size() && parameter_ >= segment().end) state_ = EngineState::finished;
   return false;
 }
 
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
   if (!is_whole()) return reached();
-  const double settled = std::min(settled_.until(), leg().end);
+  const double settled = std::min(dormant_.until(), segment().end);
   const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
-  return leg().time(std::max(first, reached_));
+  return segment().time(std::max(first, reached_));
 }
 
-void Engine::replan(Legs legs) {
-  settled_.note_motion(leg(), parameter_);
-  legs_ = std::move(legs);
+void Engine::replan(MotionSegments segments) {
+  dormant_.note_motion(segment(), parameter_);
+  segments_ = std::move(segments);
   current_ = 0;
   if (state_ == EngineState::finished) state_ = EngineState::running;
-  reserve_for_legs();
-  enter_leg();
+  reserve_for_segments();
+  enter_segment();
 }
 
-void Engine::reserve_for_legs() {
-  if (!legs_.straight()) solver_.reserve_cells();
+void Engine::reserve_for_segments() {
+  if (!segments_.straight()) solver_.reserve_cells();
 }
 
-void Engine::begin_question(Legs legs) {
+void Engine::begin_question(MotionSegments segments) {
   events_ = 0;
   initial_ = max_active_ = active_;
-  settled_.forget();
+  dormant_.forget();
   passing_ = false;
-  replan(std::move(legs));
+  replan(std::move(segments));
 }
 
-void Engine::enter_leg() {
-  leg_ = legs_.hold(current_);
-  parameter_ = reached_ = leg().start;
+void Engine::enter_segment() {
+  segment_ = segments_.hold(current_);
+  parameter_ = reached_ = segment().start;
   queue_.clear();
-  solver_.enter(leg());
+  solver_.enter(segment());
   if (passing_) {
-    settled_.begin_passage(active_);
+    dormant_.begin_passage(active_);
   } else {
-    settled_.begin_leg();
+    dormant_.begin_segment();
   }
-  look_at_settled(leg().start, true);
+  check_dormant(segment().start, true);
 }
 
 /// Sees to it that every certificate is settled or scheduled from t on. `all_due`: none is scheduled yet; otherwise
 /// those that were not settled are.
-void Engine::look_at_settled(double t, bool all_due) {
-  sweep_ = {Settled::Due::unknown, all_due, t, 0};
+void Engine::check_dormant(double t, bool all_due) {
+  sweep_ = {DormantCertificates::Due::unknown, all_due, t, 0};
   finish_sweep();
 }
 
 void Engine::finish_sweep() {
-  if (sweep_.due == Settled::Due::unknown) sweep_.due = settled_.look(leg(), sweep_.t, active_, sweep_.all_due);
-  const std::vector<CertificateId>& open = settled_.open();
-  const bool those_open = sweep_.due == Settled::Due::those_open;
-  const std::size_t count = those_open ? open.size() : sweep_.due == Settled::Due::as_marked ? certificates_.size() : 0;
+  if (sweep_.due == DormantCertificates::Due::unknown)
+    sweep_.due = dormant_.look(segment(), sweep_.t, active_, sweep_.all_due);
+  const std::vector<CertificateId>& open = dormant_.open();
+  const bool those_open = sweep_.due == DormantCertificates::Due::those_open;
+  const std::size_t count = those_open                                          ? open.size()
+                            : sweep_.due == DormantCertificates::Due::as_marked ? certificates_.size()
+                                                                                : 0;
   for (std::size_t& i = sweep_.next; i < count; ++i) {
     const CertificateId id = those_open ? open[i] : CertificateId(i);
     Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
-    if (those_open || (!settled_.is_settled(id) && (sweep_.all_due || settled_.was_settled(id)))) {
+    if (those_open || (!dormant_.is_dormant(id) && (sweep_.all_due || dormant_.was_dormant(id)))) {
       work_kept_ = work_spent();
       // A line costs half of that.
-      interruption_point(LegClock::is_straight(leg()) ? i % 2 * work_of_look : work_of_look);
+      checkpoint(TaylorModelCache::is_straight(segment()) ? i % 2 * work_of_evaluation : work_of_evaluation);
       schedule(id, sweep_.t);
-    } else if (settled_.is_settled(id)) {
+    } else if (dormant_.is_dormant(id)) {
       queue_.remove(id);
       solver_.rest(c);
     }
   }
-  sweep_.due = Settled::Due::nothing;
+  sweep_.due = DormantCertificates::Due::nothing;
 }
 
 void Engine::schedule(CertificateId id, double t) {
@@ -270,7 +273,7 @@ void Engine::process(CertificateId id, double limit) {
   repaired_.now = solver_.event(c);
   Now& now = repaired_.now;
   EngineEvent& event = repaired_.event;
-  event = {now.lo, now.hi, &leg(), current_, c.u, c.v, c.w, c.corner, {}, false, map_.node(c.corner)};
+  event = {now.lo, now.hi, &segment(), current_, c.u, c.v, c.w, c.corner, {}, false, map_.node(c.corner)};
   reached_ = now.lo;
   if (c.sign > 0) {
     VertexId middle;
@@ -315,7 +318,7 @@ void Engine::finish_event() {
     work_kept_ = work_spent();
     const CertificateId id = repaired_.fresh[repaired_.next];
     solver_.start_at(certificates_[id.value], repaired_.now);
-    settled_.unsettle(id);
+    dormant_.unsettle(id);
     queue_.update(id);
   }
   max_active_ = std::max(max_active_, active_);
@@ -325,7 +328,7 @@ void Engine::finish_event() {
 }
 
 std::size_t Engine::bytes() const {
-  return geometry_.bytes() + map_.bytes() + certificates_.capacity() * sizeof(Certificate) + settled_.bytes() +
+  return geometry_.bytes() + map_.bytes() + certificates_.capacity() * sizeof(Certificate) + dormant_.bytes() +
          free_.capacity() * 4 + certificate_of_.bytes() + queue_.bytes() + solver_.bytes();
 }
 

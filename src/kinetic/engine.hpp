@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "kinetic/dormant_certificates.hpp"
 #include "kinetic/event_queue.hpp"
 #include "kinetic/failure_solver.hpp"
 #include "kinetic/repair.hpp"
-#include "kinetic/settled.hpp"
-#include "relative/legs.hpp"
+#include "relative/motion_segments.hpp"
 #include "sign/found_contact.hpp"
 #include "tiling/prepared_tiling.hpp"
 
@@ -18,9 +18,9 @@ namespace taut {
 
 /// One processed event, for observers.
 struct EngineEvent {
-  double lo = 0, hi = 0;  ///< of the leg's parameter
-  const Leg* leg = nullptr;
-  std::size_t leg_index = 0;
+  double lo = 0, hi = 0;  ///< of the segment's parameter
+  const MotionSegment* segment = nullptr;
+  std::size_t segment_index = 0;
   VertexId u, v, w;
   HalfedgeId corner;  ///< enters the corner that the repair went by
   RepairReport report;
@@ -39,21 +39,22 @@ enum class EngineState : unsigned char { running, finished, contact, overlap };
 /// What is known of the bodies alone, displaced as in the pair; null where nothing is.
 struct KnownTilings {
   const ShapeTiling *p = nullptr, *q = nullptr;
-  /// Or the whole tiling at the start, which is the placement at that parameter of another leg, too. Then the first leg
-  /// may be a bridge.
+  /// Or the whole tiling at the start, which is the placement at that parameter of another segment, too. Then the first
+  /// segment may be a bridge.
   const PlanarMap* map = nullptr;
-  const Leg* placed = nullptr;
+  const MotionSegment* placed = nullptr;
   double parameter = 0;
 };
 
-/// Follows a sequence of legs. Allocates nothing per event once its buffers have grown.
+/// Follows a sequence of segments. Allocates nothing per event once its buffers have grown.
 ///
 /// It may be left in the middle of an event, by an exception of a long search's interruption point, and be taken up
 /// again: what is done by then is kept, and only the search is made anew.
 class Engine {
  public:
-  /// Builds the tiling at the start of the first leg (not a bridge).
-  Engine(PairGeometry geometry, Legs legs, EngineObserver* observer = nullptr, const KnownTilings& known = {});
+  /// Builds the tiling at the start of the first segment (not a bridge).
+  Engine(PairGeometry geometry, MotionSegments segments, EngineObserver* observer = nullptr,
+         const KnownTilings& known = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -62,15 +63,15 @@ class Engine {
   const std::optional<FoundContact>& contact() const { return contact_; }
   const PairGeometry& geometry() const { return geometry_; }
   const PlanarMap& map() const { return map_; }
-  const Leg& leg() const { return *leg_; }
-  std::size_t leg_index() const { return current_; }
-  /// The parameter of the current leg up to which everything is proved and processed.
+  const MotionSegment& segment() const { return *segment_; }
+  std::size_t segment_index() const { return current_; }
+  /// The parameter of the current segment up to which everything is proved and processed.
   double parameter() const { return parameter_; }
-  double time() const { return leg().time(parameter_); }
+  double time() const { return segment().time(parameter_); }
   /// Between events: a time before which no certificate fails, as far as is known now. Everything up to it is proved.
   double proved_until() const;
   /// The same in the middle of an event, after an exception.
-  double reached() const { return leg().time(reached_); }
+  double reached() const { return segment().time(reached_); }
   /// work_spent() when what is done now was begun: all before that is kept if it is stopped.
   std::uint64_t work_kept() const { return work_kept_; }
 
@@ -81,14 +82,14 @@ class Engine {
   std::optional<std::pair<double, double>> next_event(double t);
   /// After next_event found one: the certificate that will fail.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
-  /// At the end of its legs: a question begins, of which what came before is no part. Events and certificates are
+  /// At the end of its segments: a question begins, of which what came before is no part. Events and certificates are
   /// counted from here.
-  void begin_question(Legs legs);
+  void begin_question(MotionSegments segments);
   /// From now on it is told of events; may be null.
   void watch(EngineObserver* observer) { observer_ = observer; }
-  const std::shared_ptr<const Leg>& held_leg() const { return leg_; }
-  /// Replaces all legs from the present on; the first one must start at time().
-  void replan(Legs legs);
+  const std::shared_ptr<const MotionSegment>& held_segment() const { return segment_; }
+  /// Replaces all segments from the present on; the first one must start at time().
+  void replan(MotionSegments segments);
 
   std::uint64_t events() const { return events_; }
   std::size_t active_certificates() const { return active_; }
@@ -128,22 +129,22 @@ class Engine {
   Corner corner(HalfedgeId h) const;
   bool is_mixed(const Corner& c) const;
   CertificateId add_certificate(HalfedgeId h, const Corner& vertices);
-  void reserve_for_legs();
-  void enter_leg();
-  void look_at_settled(double t, bool all_due);
+  void reserve_for_segments();
+  void enter_segment();
+  void check_dormant(double t, bool all_due);
   void finish_sweep();
   void schedule(CertificateId id, double t);
   /// Is nothing half done? Otherwise the queue does not know all that is due.
-  bool is_whole() const { return !repaired_.open && sweep_.due == Settled::Due::nothing; }
+  bool is_whole() const { return !repaired_.open && sweep_.due == DormantCertificates::Due::nothing; }
   void make_whole() {
-    if (sweep_.due != Settled::Due::nothing) finish_sweep();
+    if (sweep_.due != DormantCertificates::Due::nothing) finish_sweep();
     if (repaired_.open) finish_event();
   }
 
   PairGeometry geometry_;
-  Legs legs_;
+  MotionSegments segments_;
   std::size_t current_ = 0;
-  std::shared_ptr<const Leg> leg_;  ///< that leg
+  std::shared_ptr<const MotionSegment> segment_;  ///< that segment
   EngineObserver* observer_;
   PlanarMap map_;
   FailureSolver solver_;
@@ -151,10 +152,10 @@ class Engine {
   std::vector<CertificateId> free_;
   BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
-  Settled settled_;
+  DormantCertificates dormant_;
   /// Certificates that are due at t: those from number `next` on are not scheduled yet.
   struct Sweep {
-    Settled::Due due = Settled::Due::nothing;
+    DormantCertificates::Due due = DormantCertificates::Due::nothing;
     bool all_due = false;
     double t = 0;
     std::size_t next = 0;

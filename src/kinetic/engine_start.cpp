@@ -1,7 +1,7 @@
 // How an engine begins: a tiling, built or known, and the certificates of its corners.
 #include <algorithm>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "kinetic/engine.hpp"
 #include "pair/placement.hpp"
 
@@ -9,20 +9,20 @@ namespace taut {
 
 namespace {
 
-/// In units of interruption_point(): of a vertex of a tiling that is built from nothing, and of every start.
+/// In units of checkpoint(): of a vertex of a tiling that is built from nothing, and of every start.
 constexpr std::uint64_t work_of_vertex = 16, work_of_start = 80;
 
 }  // namespace
 
-Engine::Engine(PairGeometry geometry, Legs legs, EngineObserver* observer, const KnownTilings& known)
+Engine::Engine(PairGeometry geometry, MotionSegments segments, EngineObserver* observer, const KnownTilings& known)
     : geometry_(std::move(geometry)),
-      legs_(std::move(legs)),
-      leg_(legs_.hold(0)),
+      segments_(std::move(segments)),
+      segment_(segments_.hold(0)),
       observer_(observer),
       solver_(geometry_),
       queue_(certificates_, solver_.pool()),
-      settled_(geometry_, certificates_) {
-  parameter_ = reached_ = leg().start;
+      dormant_(geometry_, certificates_) {
+  parameter_ = reached_ = segment().start;
   if (known.map) {
     take_map(known);
   } else {
@@ -36,7 +36,7 @@ StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
   if (known.p && known.q) {
     if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
   }
-  interruption_point_before(work_of_vertex * placement.size());
+  checkpoint_before(work_of_vertex * placement.size());
   placement.tabulate();
   return build_tiling(placement);
 }
@@ -45,7 +45,7 @@ StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
 
 void Engine::build(const KnownTilings& known) {
   count_work(work_of_start);
-  Placement placement(geometry_, leg(), parameter_, Positions::on_demand);
+  Placement placement(geometry_, segment(), parameter_, Positions::on_demand);
   StaticTiling tiling = tiling_of(placement, known);
   if (tiling.overlap) {
     overlap_ = tiling.overlap;
@@ -75,9 +75,9 @@ void Engine::begin(const Placement& placement) {
   at_start_ = placement.stages();
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
-  reserve_for_legs();
+  reserve_for_segments();
   try {
-    enter_leg();
+    enter_segment();
   } catch (const Interrupted&) {
     // What is made by now would be lost. The first step goes on with it, or is stopped.
   }
@@ -86,7 +86,7 @@ void Engine::begin(const Placement& placement) {
 
 void Engine::reserve_certificates(std::size_t room) {
   certificates_.reserve(room);
-  settled_.reserve(room);
+  dormant_.reserve(room);
   free_.reserve(room);
 }
 

@@ -4,7 +4,7 @@
 
 #include "base/errors.hpp"
 #include "kinetic/failure_solver.hpp"
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "pair/placement.hpp"
 
 namespace taut {
@@ -27,7 +27,7 @@ void FailureSolver::sharpen(Certificate& c, Stage stage) {
   precise_of(c).refine(c.sign, t, stage);
   t.stage = std::max(t.stage, stage);  // what a stage could not improve, it will not improve next time either
   c.lo = t.floor();
-  c.hi = std::min(t.ceiling(), leg().end);
+  c.hi = std::min(t.ceiling(), segment().end);
 }
 
 void FailureSolver::separate(Certificate& a, Certificate& b) {
@@ -46,11 +46,11 @@ bool FailureSolver::fails_by(Certificate& c, double t) {
   if (-c.sign * v.value > v.error) return true;
   const PreciseTriple f = precise_of(c);
   const auto sign = [&](Stage stage) { return f.sign_at(PreciseTime::between(t, t), stage); };
-  return told("whether an event falls on the end of the interval", sign) != c.sign;
+  return decide("whether an event falls on the end of the interval", sign) != c.sign;
 }
 
 VertexId FailureSolver::middle(VertexId u, VertexId v, VertexId w, Now& now) {
-  return middle_of(geometry_, u, v, w, [&](const Form& form) { return sign_now(form, now); });
+  return middle_of(geometry_, u, v, w, [&](const CertificateFunction& function) { return sign_now(function, now); });
 }
 
 Now FailureSolver::event(const Certificate& c) const {

@@ -46,25 +46,25 @@ void FailureSolver::release(Certificate& c) {
 
 void FailureSolver::holds_until(Certificate& c, double t) {
   release(c);
-  c.come_after(t, leg().end);
+  c.come_after(t, segment().end);
 }
 
 void FailureSolver::set_isolated(Certificate& c, const PreciseTime& t) {
   precise_slot(c) = t;
   c.kind = RootKind::isolated;
   c.lo = t.floor();
-  c.hi = std::min(t.ceiling(), leg().end);
+  c.hi = std::min(t.ceiling(), segment().end);
   c.monotone_until = c.lo;  // nothing is known in doubles
 }
 
 void FailureSolver::start(Certificate& c, double t) {
   release(c);
-  c.function = FastFunction::level_zero(leg(), geometry_, form_of(c));
+  c.function = FastFunction::undisplaced(segment(), geometry_, function_of(c));
   c.kind = RootKind::not_before;
   c.lo = t;
-  if (c.lo >= leg().end) return c.come_after(c.lo, leg().end);
+  if (c.lo >= segment().end) return c.come_after(c.lo, segment().end);
   if (clock_.straight() && start_on_line(c, t)) return;
-  const Course now = fast_.course(c.function, c.lo);
+  const LocalExpansion now = fast_.expansion(c.function, c.lo);
   const int sign = now.value.sign();
   if (sign == 0) return advance_hard(c, c.lo);
   if (sign != c.sign) throw StructureError("a certificate is invalid where it is said to hold");
@@ -97,10 +97,12 @@ void FailureSolver::advance(Certificate& c) {
 
 /// The certificate is known to hold up to t.
 void FailureSolver::advance_from(Certificate& c, double t) {
-  if (t >= leg().end) return c.come_after(t, leg().end);
-  const auto advance_by = [&](const Course& now) { return now.value.sign() == c.sign && fast_.follow(c, now, t); };
-  const Course near = fast_.course_near(c.function, t);
-  if (advance_by(near) || (near.t < t && advance_by(fast_.course(c.function, t)))) return;
+  if (t >= segment().end) return c.come_after(t, segment().end);
+  const auto advance_by = [&](const LocalExpansion& now) {
+    return now.value.sign() == c.sign && fast_.follow(c, now, t);
+  };
+  const LocalExpansion near = fast_.expansion_near(c.function, t);
+  if (advance_by(near) || (near.t < t && advance_by(fast_.expansion(c.function, t)))) return;
   advance_hard(c, t);
 }
 
@@ -109,7 +111,7 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
   if (!clock_.straight() && fast_.follow_from_zero(c, Instant::exactly(t), false)) return;
   if (!c.function.level1) {
     FastFunction next;
-    if (FastFunction::level_one(leg(), geometry_, form_of(c), next)) {
+    if (FastFunction::displacement_gradient(segment(), geometry_, function_of(c), next)) {
       memory_.stages.add(Stage::first_order);
       const FastFunction before = c.function;
       c.function = next;
@@ -124,10 +126,10 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
 /// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
 void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from) {
   if (pass_turn(c, from)) return memory_.stages.add(Stage::fixed);
-  // Events may crowd closer to the end of the leg than doubles can tell.
+  // Events may crowd closer to the end of the segment than doubles can tell.
   const double t = from.last().floor();
-  if (t >= leg().end) return holds_until(c, leg().end);
-  const double to = clock_.cell(std::max(t, leg().start)).end;
+  if (t >= segment().end) return holds_until(c, segment().end);
+  const double to = clock_.cell(std::max(t, segment().start)).end;
   if (!advance_beside_end(c, function, from, to)) advance_to(c, function, from, to);
 }
 
@@ -143,7 +145,7 @@ void FailureSolver::advance_to(Certificate& c, const PreciseTriple& function, co
 /// takes about as long for all of the time beside it as for one of them.
 bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from,
                                        double segment_end) {
-  const double to = end_of_neighbourhood(leg(), from.last().floor());
+  const double to = end_of_neighbourhood(segment(), from.last().floor());
   if (to <= segment_end || hopeless_beside_end_) return false;
   try {
     advance_to(c, function, from, to);
@@ -158,21 +160,21 @@ bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& func
 /// Where the function nearly touches zero, as those of symmetric mechanisms do, its turn tells. The certificate's sign
 /// holds just after `from`. False if that is not so.
 bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
-  if (c.function.level1 || from.floor() < leg().start || from.ceiling() > leg().end) return false;
+  if (c.function.level1 || from.floor() < segment().start || from.ceiling() > segment().end) return false;
   const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
   if (!place) return false;
   const auto beside = precise_of(c).beside_turn(c.sign, from, place->at);
   if (!beside) return false;
-  if (beside->failure) return isolate_on_leg(c, *beside->failure);
+  if (beside->failure) return isolate_on_segment(c, *beside->failure);
   holds_until(c, place->until);
   return true;
 }
 
-/// False if it is not known whether the failure comes on the leg.
-bool FailureSolver::isolate_on_leg(Certificate& c, const PreciseTime& t) {
-  const PreciseTime end = PreciseTime::between(leg().end, leg().end);
+/// False if it is not known whether the failure comes on the segment.
+bool FailureSolver::isolate_on_segment(Certificate& c, const PreciseTime& t) {
+  const PreciseTime end = PreciseTime::between(segment().end, segment().end);
   if (end.certainly_before(t)) {
-    holds_until(c, leg().end);
+    holds_until(c, segment().end);
   } else if (t.not_after(end)) {
     set_isolated(c, t);
   } else {
@@ -181,51 +183,51 @@ bool FailureSolver::isolate_on_leg(Certificate& c, const PreciseTime& t) {
   return true;
 }
 
-int FailureSolver::sign_now(const Form& form, Now& now) {
-  const FastFunction fast = FastFunction::level_zero(leg(), geometry_, form);
+int FailureSolver::sign_now(const CertificateFunction& function, Now& now) {
+  const FastFunction fast = FastFunction::undisplaced(segment(), geometry_, function);
   const int sign = clock_.straight() ? fast_.line_of(fast).sign_over(now.lo, now.hi)
-                                     : fast_.sign_during(fast, fast_.course(fast, now.at), now.lo, now.hi, now.at);
-  return sign != 0 ? sign : precise_sign(form, now);
+                                     : fast_.sign_during(fast, fast_.expansion(fast, now.at), now.lo, now.hi, now.at);
+  return sign != 0 ? sign : precise_sign(function, now);
 }
 
-int FailureSolver::precise_sign(const Form& form, Now& now) {
-  if (const int s = sign_at(leg(), geometry_, form, now, precise_now(now), &memory_)) return s;
+int FailureSolver::precise_sign(const CertificateFunction& function, Now& now) {
+  if (const int s = sign_at(segment(), geometry_, function, now, precise_now(now), &memory_)) return s;
   throw Undecidable{"two events at the same instant"};
 }
 
 void FailureSolver::start_at(Certificate& c, Now& now) {
   release(c);
-  const Form form = form_of(c);
-  c.function = FastFunction::level_zero(leg(), geometry_, form);
+  const CertificateFunction function = function_of(c);
+  c.function = FastFunction::undisplaced(segment(), geometry_, function);
   c.kind = RootKind::not_before;
   if (now.concerns(c.u, c.v, c.w)) {
     c.sign = static_cast<std::int8_t>(same_order(now, c.u, c.v) ? -now.sign : now.sign);
-    if (now.monotone_until > now.hi) return c.come_after(now.monotone_until, leg().end);
+    if (now.monotone_until > now.hi) return c.come_after(now.monotone_until, segment().end);
     if (fast_.follow_from_zero(c, now, true)) return;
     advance_precise(c, precise_of(c), precise_now(now).last());
     return;
   }
   if (start_in_doubles(c, now)) return;
   FastFunction next;
-  if (FastFunction::level_one(leg(), geometry_, form, next)) {
+  if (FastFunction::displacement_gradient(segment(), geometry_, function, next)) {
     memory_.stages.add(Stage::first_order);
     std::swap(c.function, next);
     if (start_in_doubles(c, now)) return;
     std::swap(c.function, next);
   }
-  c.sign = static_cast<std::int8_t>(precise_sign(form, now));
+  c.sign = static_cast<std::int8_t>(precise_sign(function, now));
   if (!fast_.follow_from_zero(c, now, false)) advance_precise(c, precise_of(c), precise_now(now));
 }
 
 /// By the certificate's function as it stands, if that shows a sign at the present.
 bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
   if (clock_.straight() && start_on_line(c, now)) return true;
-  const Course here = fast_.course(c.function, now.at);
+  const LocalExpansion here = fast_.expansion(c.function, now.at);
   const int sign = fast_.sign_during(c.function, here, now.lo, now.hi, now.at);
   if (sign == 0) return false;
   c.sign = static_cast<std::int8_t>(sign);
-  if (now.hi >= leg().end) {
-    c.come_after(now.hi, leg().end);
+  if (now.hi >= segment().end) {
+    c.come_after(now.hi, segment().end);
   } else if (!fast_.follow(c, here, now.hi, cells_for_new)) {
     advance_from(c, now.hi);
   }

@@ -19,9 +19,9 @@ struct Now : Instant {
   std::optional<PreciseTime> precise;
 };
 
-/// When certificates fail, on one leg: bounds first, which are moved on when somebody asks, enclosures when a failure
-/// is near. Each question goes through the stages: doubles (FastRoots), where the form is a line in doubles, too
-/// (FastLine); the same on the part that is linear in the displacement, where the rest is zero; then PreciseTriple,
+/// When certificates fail, on one segment: bounds first, which are moved on when somebody asks, enclosures when a
+/// failure is near. Each question goes through the stages: doubles (FastRoots), where the form is a line in doubles,
+/// too (FastLine); the same on the part that is linear in the displacement, where the rest is zero; then PreciseTriple,
 /// which has exact lines, forms about an instant, and multi-precision.
 class FailureSolver {
  public:
@@ -35,20 +35,20 @@ class FailureSolver {
     pool_.reserve(64 + certificates);
     pool_free_.reserve(64 + certificates);
   }
-  /// For a leg that is not straight.
+  /// For a segment that is not straight.
   void reserve_cells() {
     clock_.reserve_cells();
-    memory_.reserve_ties();
+    memory_.reserve_expansions();
   }
   std::size_t bytes() const {
     return pool_.capacity() * sizeof(PreciseTime) + pool_free_.capacity() * sizeof(std::int32_t);
   }
-  void enter(const Leg& leg) {
-    clock_.reset(leg);
-    memory_.reset(leg);
+  void enter(const MotionSegment& segment) {
+    clock_.reset(segment);
+    memory_.reset(segment);
     hopeless_beside_end_ = false;
   }
-  const Leg& leg() const { return clock_.leg(); }
+  const MotionSegment& segment() const { return clock_.segment(); }
   const StageCounts& stages() const { return memory_.stages; }
   const std::vector<PreciseTime>& pool() const { return pool_; }
 
@@ -85,15 +85,17 @@ class FailureSolver {
   void tighten(Certificate& c);
 
  private:
-  Form form_of(const Certificate& c) const { return Form::of(geometry_, c.u, c.v, c.w); }
-  PreciseTriple precise_of(const Certificate& c) { return {leg(), geometry_, form_of(c), &memory_}; }
+  CertificateFunction function_of(const Certificate& c) const {
+    return CertificateFunction::of(geometry_, c.u, c.v, c.w);
+  }
+  PreciseTriple precise_of(const Certificate& c) { return {segment(), geometry_, function_of(c), &memory_}; }
   void advance_from(Certificate& c, double t);
   void advance_hard(Certificate& c, double t);
   void advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from);
   void advance_to(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double to);
   bool advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from, double segment_end);
   bool pass_turn(Certificate& c, const PreciseTime& from);
-  bool isolate_on_leg(Certificate& c, const PreciseTime& t);
+  bool isolate_on_segment(Certificate& c, const PreciseTime& t);
   bool start_in_doubles(Certificate& c, const Now& now);
   bool start_on_line(Certificate& c, double t);
   bool start_on_line(Certificate& c, const Now& now);
@@ -103,14 +105,14 @@ class FailureSolver {
   PreciseTime& precise_slot(Certificate& c);
   static PreciseTime& precise_now(Now& now);
   /// The sign of a form at `now`: fast if possible, else precise.
-  int sign_now(const Form& form, Now& now);
-  int precise_sign(const Form& form, Now& now);
+  int sign_now(const CertificateFunction& function, Now& now);
+  int precise_sign(const CertificateFunction& function, Now& now);
 
   const PairGeometry& geometry_;
-  LegClock clock_;
+  TaylorModelCache clock_;
   FrameMemory memory_;
   FastRoots fast_{clock_, memory_.stages};
-  bool hopeless_beside_end_ = false;  ///< on this leg
+  bool hopeless_beside_end_ = false;  ///< on this segment
   std::vector<PreciseTime> pool_;
   std::vector<std::int32_t> pool_free_;
 };

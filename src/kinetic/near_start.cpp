@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 
 namespace taut {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::uint64_t work_of_bridged_event = 100;
 /// Of two squares, both ways take microseconds.
 constexpr std::uint64_t least_limit = 256;
 
-bool is_small_turn(const Leg& from, double since, const Leg& to, double until) {
+bool is_small_turn(const MotionSegment& from, double since, const MotionSegment& to, double until) {
   for (const bool of_p : {true, false}) {
     const Pose<double> a = from.pose_of_body(of_p, since), b = to.pose_of_body(of_p, until);
     if (!(a.xx.v.mid * b.xx.v.mid + a.xy.v.mid * b.xy.v.mid > least_cosine)) return false;
@@ -27,10 +27,10 @@ bool is_small_turn(const Leg& from, double since, const Leg& to, double until) {
 
 }  // namespace
 
-std::unique_ptr<Engine> NearStart::engine(const PairGeometry& geometry, const Legs& legs) {
+std::unique_ptr<Engine> NearStart::engine(const PairGeometry& geometry, const MotionSegments& segments) {
   if (!last_ || last_->geometry.p() != geometry.p() || last_->geometry.q() != geometry.q()) return nullptr;
-  const Leg& from = *last_->leg;
-  const Leg& to = legs.front();
+  const MotionSegment& from = *last_->segment;
+  const MotionSegment& to = segments.front();
   if (from.composed || to.composed || !is_small_turn(from, last_->time, to, to.start)) return nullptr;
   if (skip_ > 0) {
     --skip_;
@@ -42,20 +42,21 @@ std::unique_ptr<Engine> NearStart::engine(const PairGeometry& geometry, const Le
     return nullptr;
   }
   failures_ = 0;
-  engine->begin_question(legs);
+  engine->begin_question(segments);
   return engine;
 }
 
-/// The engine of the last placement at the new one, which is where the leg starts.
-std::unique_ptr<Engine> NearStart::moved(const PairGeometry& geometry, const Leg& to) const {
-  const Leg& from = *last_->leg;
+/// The engine of the last placement at the new one, which is where the segment starts.
+std::unique_ptr<Engine> NearStart::moved(const PairGeometry& geometry, const MotionSegment& to) const {
+  const MotionSegment& from = *last_->segment;
   const bool far = from.far() || to.far();
-  Legs way(Leg::bridging_between(from.p, from.q, last_->time, to.p, to.q, to.start, far));
+  MotionSegments way(MotionSegment::bridging_between(from.p, from.q, last_->time, to.p, to.q, to.start, far));
   const std::uint64_t limit = least_limit + work_of_building_ / 2, begun = work_spent();
-  const InterruptionScope turn(limit);
+  const Budget turn(limit);
   try {
-    auto engine = std::make_unique<Engine>(geometry, std::move(way), nullptr,
-                                           KnownTilings{nullptr, nullptr, &last_->map, last_->leg.get(), last_->time});
+    auto engine =
+        std::make_unique<Engine>(geometry, std::move(way), nullptr,
+                                 KnownTilings{nullptr, nullptr, &last_->map, last_->segment.get(), last_->time});
     while (engine->step(to.start)) {
       if (work_spent() - begun + work_of_bridged_event * engine->events() > limit) return nullptr;
     }
@@ -72,7 +73,7 @@ void NearStart::note(const Engine& engine, const PairPlan& plan, std::optional<s
   if (!plan.prepared[0] || !plan.prepared[1] || engine.state() == EngineState::overlap) return;
   if (work_of_building) work_of_building_ = *work_of_building;
   last_.reset();
-  last_.emplace(Last{engine.geometry(), plan.prepared, engine.map(), engine.held_leg(), engine.leg().start});
+  last_.emplace(Last{engine.geometry(), plan.prepared, engine.map(), engine.held_segment(), engine.segment().start});
 }
 
 }  // namespace taut

@@ -16,11 +16,11 @@ namespace taut {
 /// on the way, or more to repair than building is worth, nothing has been gained, and it is built.
 class NearStart {
  public:
-  /// An engine at the start of these legs, with nothing counted, as if it had been built there; null where it has to
-  /// be.
-  std::unique_ptr<Engine> engine(const PairGeometry& geometry, const Legs& legs);
-  /// Keeps the tiling of an engine that is at the start of its legs. The shapes are those of the plan. If it was built,
-  /// that took so much work: more is not spent on the way from here.
+  /// An engine at the start of these segments, with nothing counted, as if it had been built there; null where it has
+  /// to be.
+  std::unique_ptr<Engine> engine(const PairGeometry& geometry, const MotionSegments& segments);
+  /// Keeps the tiling of an engine that is at the start of its segments. The shapes are those of the plan. If it was
+  /// built, that took so much work: more is not spent on the way from here.
   void note(const Engine& engine, const PairPlan& plan, std::optional<std::uint64_t> work_of_building);
 
  private:
@@ -28,10 +28,10 @@ class NearStart {
     PairGeometry geometry;
     std::array<std::shared_ptr<const PreparedShape>, 2> shapes;  ///< the map reads what is kept with them
     PlanarMap map;
-    std::shared_ptr<const Leg> leg;  ///< on which it stands,
-    double time;                     ///< and when
+    std::shared_ptr<const MotionSegment> segment;  ///< on which it stands,
+    double time;                                   ///< and when
   };
-  std::unique_ptr<Engine> moved(const PairGeometry& geometry, const Leg& to) const;
+  std::unique_ptr<Engine> moved(const PairGeometry& geometry, const MotionSegment& to) const;
 
   std::optional<Last> last_;
   std::uint64_t work_of_building_ = 0;

@@ -11,10 +11,10 @@
 
 namespace taut {
 
-RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothLegs legs,
+RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
                          EngineObserver* observer)
-    : plan_(plan), geometry_(geometry), inwards_(inwards), legs_(std::move(legs)) {
-  const Leg& first = legs_[0].front();
+    : plan_(plan), geometry_(geometry), inwards_(inwards), segments_(std::move(segments)) {
+  const MotionSegment& first = segments_[0].front();
   const Placement placement(geometry, first, first.start, Positions::on_demand);
   const RingMeetings meetings = ring_meetings(plan, placement);
   at_start_ = placement.stages();
@@ -63,7 +63,7 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   KnownTilings known;
   if (rings_recur_ && !contained) known = {tiling_of(run, Role::p), tiling_of(run, Role::q)};
   run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, Role::p).polygon, ring_of(run, Role::q).polygon),
-                                        legs_[run.exchanged ? 1 : 0], observer, known);
+                                        segments_[run.exchanged ? 1 : 0], observer, known);
   overlap_ = run.engine->state() == EngineState::overlap;
   runs_.push_back(std::move(run));
 }
@@ -84,7 +84,7 @@ RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
         break;
       }
       // What comes after a contact that is known does not matter.
-      const double limit = contact_ ? std::min(t, legs_[0][contact_->leg].time(contact_->contact.hi)) : t;
+      const double limit = contact_ ? std::min(t, segments_[0][contact_->segment].time(contact_->contact.hi)) : t;
       const std::uint64_t before = engine.events();
       if (!engine.step(limit) && engine.events() == before) break;
       left -= engine.events() - before;
@@ -135,17 +135,17 @@ VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
 }
 
 void RingEngines::note_contact(const Run& run) {
-  Found here{*run.engine->contact(), run.engine->leg_index()};
+  Found here{*run.engine->contact(), run.engine->segment_index()};
   here.contact.vertex = in_pair(run, here.contact.vertex, false);
   here.contact.edge = in_pair(run, here.contact.edge, true);
   if (!contact_ || comes_before(here, *contact_)) contact_ = here;
 }
 
 bool RingEngines::comes_before(const Found& a, const Found& b) const {
-  if (a.leg != b.leg) return a.leg < b.leg;
+  if (a.segment != b.segment) return a.segment < b.segment;
   if (a.contact.vertex == b.contact.vertex && a.contact.edge == b.contact.edge) return a.contact.lo < b.contact.lo;
-  const std::shared_ptr<const Leg> leg = legs_[0].hold(a.leg);
-  const int order = order_of({leg, &geometry_, a.contact}, {leg, &geometry_, b.contact});
+  const std::shared_ptr<const MotionSegment> segment = segments_[0].hold(a.segment);
+  const int order = order_of({segment, &geometry_, a.contact}, {segment, &geometry_, b.contact});
   if (order == 0) throw Undecidable{"the order of two contacts"};
   return order < 0;
 }

@@ -18,15 +18,15 @@ namespace taut {
 /// with an engine of its own. A hole that has the other body's part in it takes part as the container around it.
 class RingEngines {
  public:
-  /// Legs of the pair in its roles, and with the roles exchanged: a pair of rings has P and Q by what is larger.
-  using BothLegs = std::array<Legs, 2>;
+  /// Segments of the pair in its roles, and with the roles exchanged: a pair of rings has P and Q by what is larger.
+  using BothSegments = std::array<MotionSegments, 2>;
 
-  /// Builds the tilings at the start of the legs. The plan and the geometry are those of bodies of rings, and must
+  /// Builds the tilings at the start of the segments. The plan and the geometry are those of bodies of rings, and must
   /// outlive this, as must the observer, who may be null. Throws Undecidable.
-  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothLegs legs,
+  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
               EngineObserver* observer = nullptr);
 
-  /// Do the bodies overlap at the start of the legs? Then no more can be asked.
+  /// Do the bodies overlap at the start of the segments? Then no more can be asked.
   bool overlap() const { return overlap_; }
   /// If they do, and it was seen by a vertex of one in the other, that vertex of the pair's geometry.
   const std::optional<VertexId>& inside() const { return inside_; }
@@ -42,10 +42,10 @@ class RingEngines {
   /// An enclosure of the time of the next event up to t.
   std::optional<std::pair<double, double>> next_event(double t);
 
-  /// In the terms of the pair's geometry and of its legs.
+  /// In the terms of the pair's geometry and of its segments.
   struct Found {
     FoundContact contact;
-    std::size_t leg = 0;
+    std::size_t segment = 0;
   };
   const std::optional<Found>& contact() const { return contact_; }
 
@@ -54,7 +54,7 @@ class RingEngines {
   std::uint64_t initial_certificates() const { return sum_of(&Engine::initial_certificates); }
   std::uint64_t max_certificates() const { return sum_of(&Engine::max_certificates); }
   StageCounts stages() const;
-  const Legs& legs() const { return legs_[0]; }
+  const MotionSegments& segments() const { return segments_[0]; }
 
   std::size_t size() const { return runs_.size(); }
   Engine& engine(std::size_t k) { return *runs_[k].engine; }
@@ -98,7 +98,7 @@ class RingEngines {
   const PairGeometry& geometry_;
   bool inwards_;
   bool rings_recur_ = false;  ///< in several pairs each, so that what is known of one alone is worth knowing
-  BothLegs legs_;
+  BothSegments segments_;
   std::vector<Run> runs_;
   bool overlap_ = false;
   std::optional<VertexId> inside_;

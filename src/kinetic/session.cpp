@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "motion/pieces.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "sign/contact_at_start.hpp"
 #include "taut/error.hpp"
 
@@ -33,17 +33,17 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
   plan_ = plan_pair(scene, validated_facts(scene));
   build(touch == Touch::open, near);
-  if (engine_->state() == EngineState::overlap) settle_overlap();
+  if (engine_->state() == EngineState::overlap) resolve_overlap();
 }
 
-void Session::settle_overlap() {
-  const Leg& leg = engine_->leg();
-  const auto how = [&] { return overlap_of_outlines(engine_->geometry(), leg, start_); };
+void Session::resolve_overlap() {
+  const MotionSegment& segment = engine_->segment();
+  const auto how = [&] { return overlap_of_outlines(engine_->geometry(), segment, start_); };
   const auto overlap_of = [&](const PairGeometry& shapes) {
     FreeTriangulation triangulation;
-    return triangulate_free_space(Placement(shapes, leg, start_), triangulation).has_value();
+    return triangulate_free_space(Placement(shapes, segment, start_), triangulation).has_value();
   };
-  if (const auto touching = contact_at_start(witness(), leg, start_, how, overlap_of)) {
+  if (const auto touching = contact_at_start(witness(), segment, start_, how, overlap_of)) {
     touching_ = touching->how;
     contact_ = touching->contact;
     return;
@@ -55,8 +55,8 @@ void Session::settle_overlap() {
 void Session::build(bool inwards, NearStart* near) {
   inwards_ = inwards;
   const PairGeometry geometry = displaced_pair(plan_, inwards);
-  const Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], start_, end_);
-  if (near) engine_ = near->engine(geometry, legs);
+  const MotionSegments segments = make_segments(plan_.pieces[0], plan_.pieces[1], start_, end_);
+  if (near) engine_ = near->engine(geometry, segments);
   began_near_ = engine_ != nullptr;
   std::optional<std::uint64_t> work;
   if (engine_) {
@@ -64,7 +64,7 @@ void Session::build(bool inwards, NearStart* near) {
   } else {
     const std::uint64_t before = work_spent();
     engine_ =
-        std::make_unique<Engine>(geometry, legs, static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+        std::make_unique<Engine>(geometry, segments, static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
     work = work_spent() - before;
   }
   if (near) near->note(*engine_, plan_, work);
@@ -81,10 +81,10 @@ bool Session::step(double t) {
 
 VertexRef Session::input_vertex(VertexId v) const { return witness().vertex(v); }
 
-Point Session::world(VertexId v) const { return witness().world(v, engine_->leg(), engine_->parameter()); }
+Point Session::world(VertexId v) const { return witness().world(v, engine_->segment(), engine_->parameter()); }
 
 void Session::note_contact() {
-  contact_ = witness().contact(*engine_->contact(), engine_->leg());
+  contact_ = witness().contact(*engine_->contact(), engine_->segment());
   // The start is exact: a contact found there cannot be earlier.
   contact_->time.lo = std::max(contact_->time.lo, start_);
 }
@@ -101,7 +101,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   const std::string& name = plan_.names[k];
   validate_motion(motion, name, plan_.bounds[k], now, end_, plan_.extent);
   const PieceList fresh = PieceList::between(motion, now, end_, plan_.exponent);
-  const MotionPiece before = role == Role::p ? engine_->leg().p : engine_->leg().q;
+  const MotionPiece before = role == Role::p ? engine_->segment().p : engine_->segment().q;
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
   const double gap = joint_gap(from, to, plan_.bounds[k], now);
   if (!(gap <= joint_room(from, to, plan_.bounds[k], now, plan_.extent))) {
@@ -110,12 +110,13 @@ void Session::set_motion(BodyId body, const Motion& motion) {
                      "coefficients are in powers of the absolute time t");
   }
   plan_.pieces[k] = fresh;
-  Legs legs = make_legs(plan_.pieces[0], plan_.pieces[1], now, end_);
+  MotionSegments segments = make_segments(plan_.pieces[0], plan_.pieces[1], now, end_);
   if (!same_motion(before, fresh[0])) {
     const MotionPiece p = plan_.pieces[0].at(now), q = plan_.pieces[1].at(now);
-    legs.put_first(Leg::bridging(engine_->leg().p, engine_->leg().q, p, q, now, engine_->leg().far()));
+    segments.put_first(
+        MotionSegment::bridging(engine_->segment().p, engine_->segment().q, p, q, now, engine_->segment().far()));
   }
-  engine_->replan(std::move(legs));
+  engine_->replan(std::move(segments));
 }
 
 void Session::on_event(const EngineEvent& event) {
@@ -123,9 +124,9 @@ void Session::on_event(const EngineEvent& event) {
   if (!tracer_) return;
   TraceEvent out;
   out.number = engine_ ? engine_->events() : 1;
-  out.lo = event.leg->time(event.lo);
-  out.hi = event.leg->time(event.hi);
-  out.bridging = event.leg->bridge;
+  out.lo = event.segment->time(event.lo);
+  out.hi = event.segment->time(event.hi);
+  out.bridging = event.segment->bridge;
   out.repair = event.report.repair;
   out.u = input_vertex(event.u);
   out.v = input_vertex(event.v);

@@ -6,7 +6,7 @@
 
 #include "kinetic/engine.hpp"
 #include "kinetic/near_start.hpp"
-#include "sign/witness.hpp"
+#include "sign/feature_map.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 
@@ -48,9 +48,9 @@ class Session : private EngineObserver {
  private:
   void on_event(const EngineEvent& event) override;
   void build(bool inwards, NearStart* near);
-  void settle_overlap();
+  void resolve_overlap();
   void note_contact();
-  Witness witness() const { return {plan_, engine_->geometry(), inwards_}; }
+  FeatureMap witness() const { return {plan_, engine_->geometry(), inwards_}; }
 
   double start_, end_;
   PairPlan plan_;

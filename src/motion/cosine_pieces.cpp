@@ -109,8 +109,8 @@ Dyadic excess(const ExactPolynomial& a, double t) {
 bool touches(const ExactPolynomial& a, double t) {
   const Dyadic x = excess(a, t);
   if ((x + Dyadic(1, -90)).sign() > 0) return true;
-  const Dyadic bend = excess(a, before(t)) + excess(a, after(t)) - x - x;
-  return bend.sign() < 0 && (x - bend * Dyadic(4, 0)).sign() >= 0;
+  const Dyadic second = excess(a, before(t)) + excess(a, after(t)) - x - x;
+  return second.sign() < 0 && (x - second * Dyadic(4, 0)).sign() >= 0;
 }
 
 /// The doubles strictly between the ends at which |a| is 1, or next to which it crosses 1, or between which it touches

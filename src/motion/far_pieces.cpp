@@ -22,7 +22,7 @@ int highest_power(const PieceChain& chain) {
 }
 
 bool is_far_for(int power, double start, double end) {
-  const double lengths = power == 1 ? 0x1p18 : power == 2 ? 0x1p9 : power == 3 ? 0x1p6 : far_leg;
+  const double lengths = power == 1 ? 0x1p18 : power == 2 ? 0x1p9 : power == 3 ? 0x1p6 : far_segment;
   return is_far(start, end, lengths);
 }
 

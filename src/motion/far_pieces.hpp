@@ -1,4 +1,4 @@
-// From when on the polynomials of pieces are taken about an instant of a leg.
+// From when on the polynomials of pieces are taken about an instant of a segment.
 #pragma once
 
 #include "motion/pose.hpp"
@@ -11,7 +11,7 @@ int highest_power(const PieceChain& chain);
 
 /// Do the terms of polynomials with this power cancel over [start, end] by so much that it matters? Where an interval
 /// is L of its lengths from time 0, they do by L^power, and of the 53 bits of doubles up to 18 are left to that: to
-/// make polynomials anew costs each leg some microseconds, which keyframes by the hundred thousand need not spend.
+/// make polynomials anew costs each segment some microseconds, which keyframes by the hundred thousand need not spend.
 bool is_far_for(int power, double start, double end);
 
 }  // namespace taut

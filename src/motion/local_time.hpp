@@ -2,10 +2,10 @@
 //
 // Coefficients are in powers of the absolute time. Of 5 - t + 0.3 t^2 moved to t = 1.7e9 the terms are 8.7e17, and
 // their sum is 5: in doubles nothing of it is left, and over an interval of length r the terms vary by 1e9 r each.
-// About an instant T of the leg, p(T + h) = sum c_k h^k has coefficients as small as the motion itself. The c_k are
+// About an instant T of the segment, p(T + h) = sum c_k h^k has coefficients as small as the motion itself. The c_k are
 // sums of products of doubles, hence dyadic numbers, and are computed as these, without any rounding: the meaning of a
 // scene is what its coefficients say. What is computed with is each c_k rounded once, to the precision of whoever asks.
-// The times of a leg that is far from 0 are within a factor of two of T, so that h = t - T is exact for doubles.
+// The times of a segment that is far from 0 are within a factor of two of T, so that h = t - T is exact for doubles.
 #pragma once
 
 #include <forward_list>
@@ -67,12 +67,12 @@ class LocalPolynomials {
   mutable std::forward_list<Entry> entries_;
 };
 
-/// How many times its length an interval has to be from time 0: a leg, for which polynomials are made once; and a
+/// How many times its length an interval has to be from time 0: a segment, for which polynomials are made once; and a
 /// window, for each of which they are.
-inline constexpr double far_leg = 32, far_window = 4096;
+inline constexpr double far_segment = 32, far_window = 4096;
 /// Is [start, end] so far from 0 that terms in powers of the time cancel for no other reason? Then all its instants are
 /// within a factor of two of each other. An instant has no length; of those, late ones are far.
-inline bool is_far(double start, double end, double lengths = far_leg) {
+inline bool is_far(double start, double end, double lengths = far_segment) {
   const double length = end > start ? end - start : 1;
   return std::fabs(start) >= lengths * length && std::fabs(start) <= 0x1p200;
 }

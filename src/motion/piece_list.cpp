@@ -23,7 +23,7 @@ void PieceList::Packed::add(const MotionPiece& piece) {
   };
   place.x = put(piece.x);
   place.y = put(piece.y);
-  place.form = static_cast<Form>(piece.rotation.index());
+  place.form = static_cast<CertificateFunction>(piece.rotation.index());
   std::uint8_t* count = &place.a;
   for_each_polynomial(piece.rotation, [&](const Coefficients& c) {
     *count = put(c);
@@ -88,20 +88,20 @@ MotionPiece PieceList::operator[](std::size_t k) const {
   piece.x = take(place.x);
   piece.y = take(place.y);
   switch (place.form) {
-    case Form::none:
+    case CertificateFunction::none:
       break;
-    case Form::angle:
+    case CertificateFunction::angle:
       piece.rotation = AngleRotation{take(place.a)};
       break;
-    case Form::direction: {
+    case CertificateFunction::direction: {
       Coefficients a = take(place.a), b = take(place.b);
       piece.rotation = DirectionRotation{std::move(a), std::move(b)};
       break;
     }
-    case Form::half_angle:
+    case CertificateFunction::half_angle:
       piece.rotation = HalfAngleRotation{take(place.a)};
       break;
-    case Form::cosine:
+    case CertificateFunction::cosine:
       piece.rotation = CosineRotation{take(place.a)};
       break;
   }

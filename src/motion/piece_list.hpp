@@ -41,14 +41,14 @@ class PieceList {
   bool rests() const;
 
  private:
-  enum class Form : std::uint8_t { none, angle, direction, half_angle, cosine };
+  enum class CertificateFunction : std::uint8_t { none, angle, direction, half_angle, cosine };
   struct Place {
     double until = std::numeric_limits<double>::infinity();
     std::uint64_t first = 0;    ///< of its numbers
     std::uint8_t x = 0, y = 0;  ///< how many coefficients there are
     std::uint8_t a = 0, b = 0;  ///< of the rotation's polynomials
     std::uint8_t orbit = 0;
-    Form form = Form::none;
+    CertificateFunction form = CertificateFunction::none;
     bool pivot = false;  ///< not the origin
   };
   struct Packed {

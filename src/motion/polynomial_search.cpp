@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "numeric/jet.hpp"
 
 namespace taut {
@@ -86,7 +86,7 @@ std::optional<RealMax> search(const RealMax& lo, const RealMax& hi, const Fine& 
   }
   std::vector<std::pair<RealMax, RealMax>> open{{lo, hi}};
   for (int left = most; !open.empty(); --left) {
-    interruption_point();
+    checkpoint();
     if (left == 0) throw SearchExhausted{};
     const auto [from, to] = open.back();
     open.pop_back();

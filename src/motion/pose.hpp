@@ -36,8 +36,8 @@ struct VaryingPart {
   double operator[](std::size_t k) const { return k == 0 ? 0.0 : whole[k]; }
 };
 
-/// A cosine about an end of a leg at which it is 1 or -1, or nearly: it is `extreme` + h^order rest(h), where h is the
-/// time from that end, and the rest is not zero there. The order is 0 where the cosine is not quite so far. Of odd
+/// A cosine about an end of a segment at which it is 1 or -1, or nearly: it is `extreme` + h^order rest(h), where h is
+/// the time from that end, and the rest is not zero there. The order is 0 where the cosine is not quite so far. Of odd
 /// order, the angle starts, or ends, with infinite speed.
 struct SingularCosine {
   double end = 0, extreme = 1;

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "motion/polynomial_search.hpp"
 #include "motion/pose.hpp"
@@ -101,7 +101,7 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
   };
   double from = start;
   for (std::size_t i = 0; i < n; ++i) {
-    interruption_point();
+    checkpoint();
     const MotionPiece& piece = motion.pieces[i];
     if (std::isnan(piece.until)) throw InputError(place(i), "`until` is not a number");
     if (i > 0 && piece.until <= motion.pieces[i - 1].until)

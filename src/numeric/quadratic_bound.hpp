@@ -55,8 +55,8 @@ inline double positive_over(double a, double b, double c, double d, double known
                             int doublings) {
   for (; known < most && doublings > 0; --doublings, step *= 2) {
     const double limit = known + step < most ? known + step : most;
-    const double bend = c - d * limit * one_third;
-    if (!positive_throughout(a, b, bend, limit)) return std::fmax(known, positive_until(a, b, bend, limit));
+    const double second = c - d * limit * one_third;
+    if (!positive_throughout(a, b, second, limit)) return std::fmax(known, positive_until(a, b, second, limit));
     known = limit;
   }
   return known;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "numeric/jet.hpp"
 #include "numeric/root_count.hpp"
 
@@ -21,7 +21,7 @@ struct RootEnclosure {
 
 namespace detail {
 
-/// In units of interruption_point(), beside the function's.
+/// In units of checkpoint(), beside the function's.
 constexpr std::uint64_t work_of_step = 9;
 
 /// The range over a ball; no sharper than telling its sign or its slope's needs, where the function has such a one.
@@ -58,16 +58,16 @@ bool is_expanded(const Function& f, const Ball<Real>& t) {
 
 /// What the signs of derivatives tell of an interval beyond which some signs are known.
 template <class Real>
-struct Outlook {
-  enum : unsigned char { nothing, excluded, one_root, cuts } told = nothing;
+struct ParentBounds {
+  enum : unsigned char { nothing, excluded, one_root, cuts } decided = nothing;
   Real cut[2];  ///< where to cut it, in their order
   int cut_count = 0;
 };
 
 /// Where the function is not zero, nor falls, in a way that ranges show. `sign` holds just after `lo`.
 template <class Function, class Real>
-Outlook<Real> outlook(const Function& f, int sign, const Real& lo, const Real& hi, const Ball<Real>& whole) {
-  Outlook<Real> seen;
+ParentBounds<Real> parent_bounds(const Function& f, int sign, const Real& lo, const Real& hi, const Ball<Real>& whole) {
+  ParentBounds<Real> seen;
   if constexpr (requires { f.expansion(whole); }) {
     const auto polynomial = f.expansion(whole);
     if (!polynomial) return seen;
@@ -76,7 +76,7 @@ Outlook<Real> outlook(const Function& f, int sign, const Real& lo, const Real& h
     const int most = count.most(sign);
     const int at_end = most == 1 ? value_of(f, Ball<Real>(hi, 0.0)).sign() : 0;
     if (most == 0 || at_end == sign) {
-      seen.told = Outlook<Real>::excluded;
+      seen.decided = ParentBounds<Real>::excluded;
       return seen;
     }
     // The only root, too, is enclosed far better by what is around the cluster's place.
@@ -88,9 +88,9 @@ Outlook<Real> outlook(const Function& f, int sign, const Real& lo, const Real& h
       }
     }
     if (seen.cut_count > 0) {
-      seen.told = Outlook<Real>::cuts;
+      seen.decided = ParentBounds<Real>::cuts;
     } else if (at_end == -sign) {
-      seen.told = Outlook<Real>::one_root;
+      seen.decided = ParentBounds<Real>::one_root;
     }
   }
   return seen;
@@ -158,7 +158,7 @@ class Progress {
 };
 
 /// Roots that ranges tell apart take no more than a few halvings: after so many, signs of derivatives are looked at.
-inline constexpr int halvings_without_outlook = 3;
+inline constexpr int halvings_without_parent_bounds = 3;
 
 /// Looks for the first root in (a, b] at which a function's sign changes. What an interruption point ends can be gone
 /// on with.
@@ -185,7 +185,7 @@ class SignChangeSearch {
     // Depth first from the left.
     for (; !ends_.empty() && !root_ && !exhausted_; --budget_) {
       if (budget_ == 0) throw PrecisionExhausted{};
-      interruption_point(detail::work_of_step);
+      checkpoint(detail::work_of_step);
       const bool excluded = look(f, cut);
       if (excluded) leave();
     }
@@ -215,11 +215,11 @@ class SignChangeSearch {
     }
     exhausted_ = exhausted_ || !(RealTraits<Real>::magnitude(Real(hi - lo_)) > tiny_);
     if (exhausted_) return false;
-    if (++narrowed_ > halvings_without_outlook) {
-      const auto seen = detail::outlook(f, sign_, lo_, hi, whole);
-      if (seen.told == seen.one_root) root_ = RootEnclosure<Real>{lo_, hi};
+    if (++narrowed_ > halvings_without_parent_bounds) {
+      const auto seen = detail::parent_bounds(f, sign_, lo_, hi, whole);
+      if (seen.decided == seen.one_root) root_ = RootEnclosure<Real>{lo_, hi};
       for (int i = seen.cut_count; i-- > 0;) ends_.push_back(seen.cut[i]);
-      if (seen.told != seen.nothing) return seen.told == seen.excluded;
+      if (seen.decided != seen.nothing) return seen.decided == seen.excluded;
     }
     ends_.push_back(RealTraits<Real>::near(cut(lo_, hi), RealTraits<Real>::magnitude(Real(hi - lo_))));
     return false;
@@ -265,7 +265,7 @@ template <class Real, class Function>
 void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough = 0) {
   using B = Ball<Real>;
   for (int step = 0; step < 4000; ++step) {
-    interruption_point(detail::work_of_step);
+    checkpoint(detail::work_of_step);
     const B whole = B::about_short_middle(r.lo, r.hi);
     const B slope = detail::range_of(f, whole).d;
     const B value = detail::value_of(f, B(whole.mid, 0.0));

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 
 namespace taut {
 

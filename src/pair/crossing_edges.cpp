@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -47,7 +47,7 @@ std::optional<EdgePair> crossing_edges(const Placement& place) {
     others.erase(std::remove_if(others.begin(), others.end(), [&](const Extent& f) { return f.right < e.left; }),
                  others.end());
     for (const Extent& f : others) {
-      interruption_point();
+      checkpoint();
       if (e.low > f.high || f.low > e.high || !cross(place, e.edge, f.edge)) continue;
       return of_p ? EdgePair{e.edge, f.edge} : EdgePair{f.edge, e.edge};
     }

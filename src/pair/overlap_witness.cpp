@@ -9,7 +9,7 @@
 #include "motion/pose.hpp"
 #include "pair/crossing_edges.hpp"
 #include "pair/placement.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 
 namespace taut {
 namespace {
@@ -199,11 +199,11 @@ std::vector<Point> wedge(const Point& a, const Point& b, const Point& c, const P
 }
 
 /// The wedge at an edge of P and one of Q that cross, if the inward shapes have such edges.
-std::vector<Point> beside_crossing(const PairPlan& plan, const Leg& leg, double t, const PlacedFrame& p,
+std::vector<Point> beside_crossing(const PairPlan& plan, const MotionSegment& segment, double t, const PlacedFrame& p,
                                    const PlacedFrame& q) {
   const std::optional<PairGeometry> inner = displaced_pair_if_possible(plan, true);
   if (!inner) return {};
-  const auto crossing = crossing_edges(Placement(*inner, leg, t));
+  const auto crossing = crossing_edges(Placement(*inner, segment, t));
   if (!crossing) return {};
   const auto world = [&](const PlacedFrame& frame, VertexId v) {
     return frame.world({inner->point(v).x, inner->point(v).y});
@@ -214,7 +214,7 @@ std::vector<Point> beside_crossing(const PairPlan& plan, const Leg& leg, double 
 
 using PlacedParts = std::vector<PlacedPart>;
 
-std::optional<Point> found_point(const PairPlan& plan, const Leg& leg, double t,
+std::optional<Point> found_point(const PairPlan& plan, const MotionSegment& segment, double t,
                                  const std::array<PlacedFrame, 2>& frames, const PlacedParts& p, const PlacedParts& q) {
   const auto in_some = [](const PlacedParts& parts, const Point& point) {
     return std::any_of(parts.begin(), parts.end(), [&](const PlacedPart& part) { return part.contains(point); });
@@ -229,7 +229,7 @@ std::optional<Point> found_point(const PairPlan& plan, const Leg& leg, double t,
       }
     }
   }
-  for (const Point& candidate : beside_crossing(plan, leg, t, frames[0], frames[1])) {
+  for (const Point& candidate : beside_crossing(plan, segment, t, frames[0], frames[1])) {
     if (in_some(p, candidate) && in_some(q, candidate)) return in_input_units(candidate);
   }
   return std::nullopt;
@@ -254,14 +254,15 @@ std::optional<Point> common_point(const PairPlan& plan, double t) {
   const std::array<PlacedFrame, 2> frames{PlacedFrame({plan.pieces[0].at(t)}, t),
                                           PlacedFrame({plan.pieces[1].at(t)}, t)};
   const PlacedParts p{{{plan.polygons[0].get()}, frames[0]}}, q{{{plan.polygons[1].get()}, frames[1]}};
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], t, t);
-  return found_point(plan, legs.front(), t, frames, p, q);
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], t, t);
+  return found_point(plan, segments.front(), t, frames, p, q);
 }
 
-std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains, const Leg& leg,
-                                  double t) {
+std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains,
+                                  const MotionSegment& segment, double t) {
   const std::array<PlacedFrame, 2> frames{PlacedFrame(chains[0], t), PlacedFrame(chains[1], t)};
-  return found_point(plan, leg, t, frames, parts_of(*plan.rings[0], frames[0]), parts_of(*plan.rings[1], frames[1]));
+  return found_point(plan, segment, t, frames, parts_of(*plan.rings[0], frames[0]),
+                     parts_of(*plan.rings[1], frames[1]));
 }
 
 }  // namespace taut

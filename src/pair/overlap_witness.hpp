@@ -13,8 +13,8 @@ namespace taut {
 /// is small beside the bodies.
 std::optional<Point> common_point(const PairPlan& plan, double t);
 /// The same of two bodies of rings, which follow these pieces at that time: of their parents, the outermost first, and
-/// their own. The leg is the pair's, and not a bridge.
-std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains, const Leg& leg,
-                                  double t);
+/// their own. The segment is the pair's, and not a bridge.
+std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains,
+                                  const MotionSegment& segment, double t);
 
 }  // namespace taut

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
 namespace {
 
-/// In units of interruption_point().
+/// In units of checkpoint().
 constexpr std::uint64_t work_of_plan = 55;
 
 BodyMap map_body(const ShapeFacts& facts, BodyId body) { return {body, facts.size, facts.first, facts.reversed}; }

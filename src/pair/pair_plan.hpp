@@ -9,7 +9,7 @@
 #include "geometry/prepared_shape.hpp"
 #include "pair/pair_geometry.hpp"
 #include "pair/ring_set.hpp"
-#include "relative/legs.hpp"
+#include "relative/motion_segments.hpp"
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
@@ -41,8 +41,8 @@ struct PairPlan {
   std::array<std::shared_ptr<const PreparedShape>, 2> prepared;  ///< if they are
   /// In a world: what P and Q are. Then the maps, the polygons and the pieces above are empty.
   std::array<std::shared_ptr<const RingSet>, 2> rings;
-  /// In a world: the parents' motions that both chains begin with, the outermost first; scaled. Legs are seen from the
-  /// last of them, since it decides nothing; what is reported is put back into the world by them (Witness).
+  /// In a world: the parents' motions that both chains begin with, the outermost first; scaled. Segments are seen from
+  /// the last of them, since it decides nothing; what is reported is put back into the world by them (FeatureMap).
   MotionChain common;
   int exponent = 0;   ///< internal coordinates are the input's times 2^exponent
   double extent = 0;  ///< of the scene, in the input's units

@@ -4,24 +4,24 @@
 #include <iterator>
 #include <type_traits>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 
 namespace taut {
 namespace {
 
 /// The sweep runs along (1, tilt).
 constexpr double tilt = 0.4390625173;
-/// In units of interruption_point().
+/// In units of checkpoint().
 constexpr std::uint64_t work_of_precise = 16;
 static_assert(1 + tilt * tilt < Placement::steepest_key * Placement::steepest_key);
 
 }  // namespace
 
-Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t, Positions positions)
-    : geometry_(&geometry), leg_(&leg), t_(t) {
-  const Frame<double> f = frame(leg, Ball<double>::exact(t));
+Placement::Placement(const PairGeometry& geometry, const MotionSegment& segment, double t, Positions positions)
+    : geometry_(&geometry), segment_(&segment), t_(t) {
+  const Frame<double> f = frame(segment, Ball<double>::exact(t));
   set_poses(f);
   set_bounds(f);
   if (positions == Positions::tabulated) tabulate();
@@ -29,8 +29,8 @@ Placement::Placement(const PairGeometry& geometry, const Leg& leg, double t, Pos
 
 void Placement::set_poses(const Frame<double>& f) {
   const double ax = f.for_pp[1].v.mid, ay = f.for_pp[2].v.mid, c = f.for_pp[3].v.mid, s = f.for_pp[4].v.mid;
-  const double qx = leg_->offset_q.x, qy = leg_->offset_q.y;
-  pose_p_ = {1, 0, leg_->offset_p.x, leg_->offset_p.y};
+  const double qx = segment_->offset_q.x, qy = segment_->offset_q.y;
+  pose_p_ = {1, 0, segment_->offset_p.x, segment_->offset_p.y};
   pose_q_ = {c, s, ax + (c * qx - s * qy), ay + (s * qx + c * qy)};
   before_turn_ = {qx, qy};
   after_turn_ = {ax, ay};
@@ -167,7 +167,7 @@ const Placement::PoseIn<N>& Placement::pose_in() const {
     const PoseIn<Ball<Real320>>& from = pose_in<Ball<Real320>>();
     pose = {FixedBall::of(from.x), FixedBall::of(from.y), FixedBall::of(from.c), FixedBall::of(from.s)};
   } else {
-    const auto f = frame_values(*leg_, N::exact(t_)).for_pp;
+    const auto f = frame_values(*segment_, N::exact(t_)).for_pp;
     pose = {f[1], f[2], f[3], f[4]};
   }
   return *pose;
@@ -200,7 +200,7 @@ void Placement::find_position(VertexId v, N& x, N& y) const {
   const DisplacedPoint& p = geometry_->point(v);
   const bool of_p = v.value < geometry_->np;
   N px = N::exact(p.x) + N::exact(p.dx), py = N::exact(p.y) + N::exact(p.dy);
-  add_offset(*leg_, of_p, px, py);
+  add_offset(*segment_, of_p, px, py);
   if (of_p) {
     x = px;
     y = py;
@@ -214,14 +214,14 @@ void Placement::find_position(VertexId v, N& x, N& y) const {
 template <class Quantity>
 int Placement::precise_sign(const char* what, const Quantity& quantity) const {
   count_work(work_of_precise);
-  const auto told_by = [this](Stage stage, int sign) {
+  const auto decided_by = [this](Stage stage, int sign) {
     if (sign != 0) stages_.add(stage);
     return sign;
   };
-  if (const int s = told_by(Stage::fixed, quantity(FixedBall()).sign())) return s;
-  return told(what, [&](Stage stage) {
+  if (const int s = decided_by(Stage::fixed, quantity(FixedBall()).sign())) return s;
+  return decide(what, [&](Stage stage) {
     const auto sign = [&](auto zero) { return quantity(Ball<decltype(zero)>()).sign(); };
-    return told_by(stage, with_stage(stage, sign));
+    return decided_by(stage, with_stage(stage, sign));
   });
 }
 

@@ -10,7 +10,7 @@
 #include "numeric/fixed.hpp"
 #include "numeric/stages.hpp"
 #include "pair/pair_geometry.hpp"
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 
 namespace taut {
 
@@ -22,15 +22,16 @@ struct RoundedPose {
 /// Are the positions of all vertices computed at once, or each whenever it is asked for?
 enum class Positions : unsigned char { tabulated, on_demand };
 
-/// Positions in P's frame at parameter t of a leg (not a bridge), and the predicates that the static construction
+/// Positions in P's frame at parameter t of a segment (not a bridge), and the predicates that the static construction
 /// needs. Four corners of a large box around both bodies are vertices size() .. size()+3, counterclockwise.
 /// Predicates never return 0; they throw Undecidable at the limit of precision.
 class Placement {
  public:
-  Placement(const PairGeometry& geometry, const Leg& leg, double t, Positions positions = Positions::tabulated);
+  Placement(const PairGeometry& geometry, const MotionSegment& segment, double t,
+            Positions positions = Positions::tabulated);
 
   /// The same instant for other shapes.
-  Placement with_geometry(const PairGeometry& geometry) const { return {geometry, *leg_, t_}; }
+  Placement with_geometry(const PairGeometry& geometry) const { return {geometry, *segment_, t_}; }
   /// From now on, positions are looked up: worth it where most are asked for several times.
   void tabulate();
 
@@ -86,7 +87,7 @@ class Placement {
   int precise_sign(const char* what, const Quantity& quantity) const;
 
   const PairGeometry* geometry_;
-  const Leg* leg_;
+  const MotionSegment* segment_;
   double t_;
   std::vector<Point> positions_;  ///< empty: on demand
   std::vector<double> keys_;

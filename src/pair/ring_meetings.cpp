@@ -1,6 +1,6 @@
 #include "pair/ring_meetings.hpp"
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "pair/placement.hpp"
 
 namespace taut {
@@ -35,7 +35,7 @@ class PlacedRings {
  private:
   /// A ray along the sweep's "up" crosses a ring an odd number of times from inside.
   bool encloses(std::size_t ring, VertexId v) const {
-    interruption_point();
+    checkpoint();
     const RingMap& map = rings_[ring];
     bool inside = false;
     VertexId a(first_ + map.offset + map.size - 1);

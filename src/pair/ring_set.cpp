@@ -85,7 +85,7 @@ const SharedPolygon& RingSet::displaced(bool inwards) const {
   const std::lock_guard lock(mutex_);
   SharedPolygon& place = displaced_[inwards ? 0 : 1];
   if (place) return place;
-  const UncountedWork making;
+  const UnmeteredScope making;
   return place = displace_rings(inwards);
 }
 
@@ -126,7 +126,7 @@ const LoneRing& RingSet::lone(std::size_t ring, bool inwards) const {
   const auto [place, fresh] = lone_[inwards ? 0 : 1].try_emplace(ring);
   LoneRing& result = place->second;
   if (!fresh && result.polygon) return result;
-  const UncountedWork making;
+  const UnmeteredScope making;
   const RingMap& map = maps_[ring];
   result.offset = map.offset;
   const std::span<const DisplacedPoint> points(all->points.data() + map.offset, map.size);

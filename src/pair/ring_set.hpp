@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/container.hpp"
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
@@ -97,7 +97,7 @@ class RingSet {
     if (in_world_[side]) return *in_world_[side]->kept<T>(ShapeInRole::hierarchy, make);
     std::shared_ptr<const void>& place = kept_[side];
     if (!place) {
-      const UncountedWork making;
+      const UnmeteredScope making;
       place = make();
     }
     return *static_cast<const T*>(place.get());
@@ -110,7 +110,7 @@ class RingSet {
     const std::pair key(ring, role);
     auto place = kept.find(key);
     if (place == kept.end()) {
-      const UncountedWork making;
+      const UnmeteredScope making;
       place = kept.emplace(key, std::shared_ptr<const T>(make())).first;
     }
     return static_cast<const T*>(place->second.get());

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "proof/kept_margin.hpp"
 #include "taut/error.hpp"
 
@@ -30,37 +30,38 @@ const FrameModel* HalvedWindows::sharp_model_over(const HalvedTime& time) {
     const bool promising = at(time).may_be_sharp();
     if (models_.size() >= most_models) models_.clear();
     known = models_.try_emplace(time.number).first;
-    const FrameModel model = promising ? FrameModel::over(leg_, time.from, time.to) : FrameModel();
+    const FrameModel model = promising ? FrameModel::over(segment_, time.from, time.to) : FrameModel();
     if (promising && model.sharp()) known->second = model;
   }
   return known->second ? &*known->second : nullptr;
 }
 
 MotionWindow HalvedWindows::made(const HalvedTime& time) {
-  if (const FrameModel* sharp = leg_.bridge ? nullptr : sharp_model_above(time))
-    return {leg_, *sharp, time.from, time.to};
-  return {leg_, time.from, time.to};
+  if (const FrameModel* sharp = segment_.bridge ? nullptr : sharp_model_above(time))
+    return {segment_, *sharp, time.from, time.to};
+  return {segment_, time.from, time.to};
 }
 
 namespace {
 
-SeenAside aside_in_halves(const PairGeometry& geometry, const Incidence& incidence, Aside why, HalvedWindows& windows,
-                          const HalvedTime& time, int halvings) {
-  const SeenAside seen = stays_aside_in_window(geometry, incidence, why, windows.at(time));
-  if (seen != SeenAside::open || halvings == 0 || !time.divisible()) return seen;
-  const SeenAside first = aside_in_halves(geometry, incidence, why, windows, time.first(), halvings - 1);
-  if (first == SeenAside::no) return first;
-  const SeenAside second = aside_in_halves(geometry, incidence, why, windows, time.second(), halvings - 1);
-  if (second == SeenAside::no || first == second) return second;
-  return first == SeenAside::yes ? second : first;
+SeparationInWindow separated_in_halves(const PairGeometry& geometry, const Incidence& incidence, SeparationReason why,
+                                       HalvedWindows& windows, const HalvedTime& time, int halvings) {
+  const SeparationInWindow seen = stays_separated_in_window(geometry, incidence, why, windows.at(time));
+  if (seen != SeparationInWindow::open || halvings == 0 || !time.divisible()) return seen;
+  const SeparationInWindow first = separated_in_halves(geometry, incidence, why, windows, time.first(), halvings - 1);
+  if (first == SeparationInWindow::no) return first;
+  const SeparationInWindow second = separated_in_halves(geometry, incidence, why, windows, time.second(), halvings - 1);
+  if (second == SeparationInWindow::no || first == second) return second;
+  return first == SeparationInWindow::yes ? second : first;
 }
 
 }  // namespace
 
-SeenAside stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                 HalvedWindows& windows, const HalvedTime& time, const Instant& end) {
+SeparationInWindow stays_separated_in_windows(const PairGeometry& geometry, const Incidence& incidence,
+                                              SeparationReason why, HalvedWindows& windows, const HalvedTime& time,
+                                              const Instant& end) {
   constexpr int most_halvings = 6;
-  return aside_in_halves(geometry, incidence, why, windows, time, end.event ? 0 : most_halvings);
+  return separated_in_halves(geometry, incidence, why, windows, time, end.event ? 0 : most_halvings);
 }
 
 Instant end_of(const HalvedTime& time, const std::optional<Instant>& until) {
@@ -68,7 +69,7 @@ Instant end_of(const HalvedTime& time, const std::optional<Instant>& until) {
 }
 
 void ApartChecker::visit(const RangePair& ranges, const HalvedTime& time) {
-  interruption_point();
+  checkpoint();
   const EdgeRange &p = pair_.p[ranges.p], &q = pair_.q[ranges.q];
   const std::uint8_t named = in_.u8();
   switch (named) {
@@ -107,9 +108,9 @@ void ApartChecker::check_ends(const RangePair& ranges, const HalvedTime& time) {
 }
 
 void ApartChecker::check_margin(const RangePair& ranges, std::uint8_t why, const HalvedTime& time) {
-  const KeptMargin kept(pair_, lifetimes_.leg(), margin_);
-  if (!kept.aside(lifetimes_, pair_.onto_p(ranges), static_cast<Aside>(why & 15), time.from, time.to) ||
-      !kept.aside(lifetimes_, pair_.onto_q(ranges), static_cast<Aside>(why >> 4), time.from, time.to))
+  const KeptMargin kept(pair_, lifetimes_.segment(), margin_);
+  if (!kept.separated(lifetimes_, pair_.onto_p(ranges), static_cast<SeparationReason>(why & 15), time.from, time.to) ||
+      !kept.separated(lifetimes_, pair_.onto_q(ranges), static_cast<SeparationReason>(why >> 4), time.from, time.to))
     throw ProofError("a vertex does not keep the clearance from an edge");
   if (!kept.vertices(ranges, time.from, time.to)) throw ProofError("two vertices do not keep the clearance");
 }
@@ -117,11 +118,11 @@ void ApartChecker::check_margin(const RangePair& ranges, std::uint8_t why, const
 void ApartChecker::check_incidence(const Incidence& incidence, int why, const HalvedTime& time) {
   if (why >= reasons) throw ProofError("an unknown reason why two edges stay apart");
   const Instant end = end_of(time, until_);
-  const auto as_said = static_cast<Aside>(why);
-  if (as_said <= Aside::behind_second &&
-      stays_aside_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == SeenAside::yes)
+  const auto as_said = static_cast<SeparationReason>(why);
+  if (as_said <= SeparationReason::behind_second &&
+      stays_separated_in_windows(pair_.geometry, incidence, as_said, windows_, time, end) == SeparationInWindow::yes)
     return;
-  if (!stays_aside(pair_.geometry, lifetimes_, incidence, as_said, time.from, end))
+  if (!stays_separated(pair_.geometry, lifetimes_, incidence, as_said, time.from, end))
     throw ProofError("a vertex does not stay aside of an edge");
 }
 

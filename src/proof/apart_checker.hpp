@@ -1,4 +1,4 @@
-// Checks a tree of separations: that two bodies' boundaries do not meet over a stretch of a leg.
+// Checks a tree of separations: that two bodies' boundaries do not meet over a stretch of a segment.
 #pragma once
 
 #include <unordered_map>
@@ -8,7 +8,7 @@
 
 namespace taut::proof {
 
-/// A stretch of a leg's parameter that came of halving a longer one; the number tells all of them apart.
+/// A stretch of a segment's parameter that came of halving a longer one; the number tells all of them apart.
 struct HalvedTime {
   double from, to;
   std::uint64_t number = 1;
@@ -26,7 +26,7 @@ struct HalvedTime {
 /// looks at more windows than who checks it.
 class HalvedWindows {
  public:
-  explicit HalvedWindows(const Leg& leg) : leg_(leg) {}
+  explicit HalvedWindows(const MotionSegment& segment) : segment_(segment) {}
   void begin(double from, double to) { whole_ = {from, to}; }
   /// Valid until the next call.
   const MotionWindow& at(const HalvedTime& time);
@@ -38,7 +38,7 @@ class HalvedWindows {
 
   /// So many are kept.
   static constexpr std::size_t most = 1 << 14, most_models = 1 << 9;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   HalvedTime whole_{0, 0};
   std::unordered_map<std::uint64_t, MotionWindow> windows_;
   std::unordered_map<std::uint64_t, std::optional<FrameModel>> models_;  ///< nothing where it was not sharp
@@ -47,18 +47,19 @@ class HalvedWindows {
 /// Does the vertex stay aside of the edge all over that stretch, for one of the first four reasons? As far as the
 /// motion's second order tells, over the stretch or over parts of it, which are halved a few times at most: not where
 /// a contact is in the stretch, which is between two doubles.
-SeenAside stays_aside_in_windows(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                 HalvedWindows& windows, const HalvedTime& time, const Instant& end);
+SeparationInWindow stays_separated_in_windows(const PairGeometry& geometry, const Incidence& incidence,
+                                              SeparationReason why, HalvedWindows& windows, const HalvedTime& time,
+                                              const Instant& end);
 
-/// One pair on one stretch of one leg. The log has a tree of steps, in preorder: time is halved, or one of the ranges,
-/// until what is left is apart; with a margin that is not 0, farther apart than that, and `until` is none then. Throws
-/// ProofError where it is not as the log says.
+/// One pair on one stretch of one segment. The log has a tree of steps, in preorder: time is halved, or one of the
+/// ranges, until what is left is apart; with a margin that is not 0, farther apart than that, and `until` is none then.
+/// Throws ProofError where it is not as the log says.
 class ApartChecker {
  public:
-  /// `lifetimes` is on that leg. What comes after `until` does not matter.
+  /// `lifetimes` is on that segment. What comes after `until` does not matter.
   ApartChecker(const RangedPair& pair, Lifetimes& lifetimes, const std::optional<Instant>& until, ByteReader& in,
                double margin = 0)
-      : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), margin_(margin), windows_(lifetimes.leg()) {}
+      : pair_(pair), lifetimes_(lifetimes), until_(until), in_(in), margin_(margin), windows_(lifetimes.segment()) {}
 
   void check(double from, double to) {
     windows_.begin(from, to);

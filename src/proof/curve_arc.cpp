@@ -62,7 +62,7 @@ CurvePoint direction_to(const Point& p, const Point& c, double rx, double ry) {
 /// Where centre and half-axes are doubles, the arc is known exactly. Two ellipses with these half-axes pass through
 /// both ends, images of each other about the middle between these: so the centre is the double near to it if that is
 /// the centre of one of them, and that of the other one is farther away than the error, or the same.
-void settle_exactly(const Point& from, const Point& to, const Axes& axes, EllipseArc& arc) {
+void decide_exactly(const Point& from, const Point& to, const Axes& axes, EllipseArc& arc) {
   const auto near = [](const CurveNumber& x) { return x.sign() == 0 ? 0 : x.mid.to_double(); };
   const Point c{near(arc.ellipse.centre.x), near(arc.ellipse.centre.y)};
   if (!std::isfinite(c.x) || !std::isfinite(c.y)) return;
@@ -115,7 +115,7 @@ EllipseArc ellipse_arc(const Point& from, const ArcTo& arc) {
                     middle.y - (ellipse.a.y * in.x + ellipse.b.y * in.y)};
   found.first = {in.x - sine * e.x, in.y - sine * e.y};
   found.last = {in.x + sine * e.x, in.y + sine * e.y};
-  if (axes.straight) settle_exactly(from, arc.to, axes, found);
+  if (axes.straight) decide_exactly(from, arc.to, axes, found);
   return found;
 }
 

@@ -1,4 +1,4 @@
-// Instants of a leg that lie between two doubles.
+// Instants of a segment that lie between two doubles.
 #pragma once
 
 #include <array>

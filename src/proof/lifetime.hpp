@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/errors.hpp"
-#include "relative/leg_clock.hpp"
+#include "relative/taylor_model_cache.hpp"
 #include "sign/fast_function.hpp"
 #include "sign/instant.hpp"
 
@@ -17,21 +17,21 @@ struct Corner {
 
 /// A form with the sign that it has from `birth` on. Where that is a root of the form itself, the sign is the one
 /// after it.
-struct SignedForm {
-  Form form;
+struct SignedFunction {
+  CertificateFunction function;
   int sign = 0;
   Instant birth;
   bool from_root = false;
 };
 
-/// Answers about one leg at a time. Every sign is certified: in doubles with bounds, else at high precision. Where that
-/// does not suffice, it throws Undecidable.
+/// Answers about one segment at a time. Every sign is certified: in doubles with bounds, else at high precision. Where
+/// that does not suffice, it throws Undecidable.
 class Lifetimes {
  public:
   explicit Lifetimes(const PairGeometry& geometry) : geometry_(geometry) {}
 
-  void enter(const Leg& leg) { clock_.reset(leg); }
-  const Leg& leg() const { return clock_.leg(); }
+  void enter(const MotionSegment& segment) { clock_.reset(segment); }
+  const MotionSegment& segment() const { return clock_.segment(); }
 
   /// The instant close to `about` at which the corner fails: for the first time since its birth if holds() says so.
   /// Throws ProofError if there is none.
@@ -40,12 +40,12 @@ class Lifetimes {
   /// of `until`: up to then, not included.
   bool holds(const Corner& corner, const Instant& until);
   /// The same for any form. `own`: `until` is a root of this form.
-  bool holds(const SignedForm& form, const Instant& until, bool own);
+  bool holds(const SignedFunction& function, const Instant& until, bool own);
   /// The same, as far as doubles can tell: nothing is known where they cannot.
-  bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own);
+  bool holds_in_doubles(const SignedFunction& function, const Instant& until, bool own);
   /// Whenever a vertex is on an edge's line, which is what the form says, from `from` on and before `until`, or then if
   /// that is no event: is it behind one of the edge's ends? Throws Undecidable.
-  bool behind_at_roots(const Form& line, double from, const Instant& until) const;
+  bool behind_at_roots(const CertificateFunction& line, double from, const Instant& until) const;
   /// Is a failure as near to the time that a log gives for it as it has to be? An enclosure in doubles can be wide:
   /// where it does not tell, a finer one does.
   bool is_near(const Instant& event, double about) const;
@@ -57,19 +57,21 @@ class Lifetimes {
   VertexId middle(const Instant& now);
 
  private:
-  Form form(VertexId u, VertexId v, VertexId w) const { return Form::of(geometry_, u, v, w); }
-  PreciseTriple precise(const Form& f) const { return {leg(), geometry_, f}; }
+  CertificateFunction function(VertexId u, VertexId v, VertexId w) const {
+    return CertificateFunction::of(geometry_, u, v, w);
+  }
+  PreciseTriple precise(const CertificateFunction& f) const { return {segment(), geometry_, f}; }
   /// The instant at a stage; false if that cannot enclose it.
   bool at_stage(const Instant& i, Stage stage, PreciseTime& t) const;
   bool enclose(const FastFunction& f, int sign, Instant& root);
   bool falls_to_root(const FastFunction& f, int sign, const Instant& root, double& since);
-  bool holds_back(const FastFunction& f, const SignedForm& form, double& t);
-  bool holds_in_doubles(const SignedForm& form, const Instant& until, bool own, Instant& rest);
-  bool holds_precisely(const SignedForm& form, const Instant& until, bool own);
-  int sign_at(const Form& form, const Instant& now);
+  bool holds_back(const FastFunction& f, const SignedFunction& function, double& t);
+  bool holds_in_doubles(const SignedFunction& function, const Instant& until, bool own, Instant& rest);
+  bool holds_precisely(const SignedFunction& function, const Instant& until, bool own);
+  int sign_at(const CertificateFunction& function, const Instant& now);
 
   const PairGeometry& geometry_;
-  LegClock clock_;
+  TaylorModelCache clock_;
 };
 
 }  // namespace taut::proof

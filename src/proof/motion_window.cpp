@@ -10,7 +10,7 @@ namespace {
 
 /// Two functions of a frame that are the parts of one vector: about the window's middle, and what that leaves out.
 struct SecondOrder {
-  Vector value, rate, bend;
+  Vector value, rate, second;
   double error = INFINITY;
 };
 
@@ -26,7 +26,7 @@ SecondOrder from_model(const FrameModel& m, int i, double t, double r) {
   for (int k = i; k < i + 2; ++k) {
     // The model's own bound of how far the second derivative is from that in its middle is the better one there.
     double spread = m.error_dd[k] + r * m.third[k];
-    if (t == m.middle) spread = std::fmin(spread, m.bend_rad[k]);
+    if (t == m.middle) spread = std::fmin(spread, m.second_rad[k]);
     f.error += m.error[k] + r * (m.error_d[k] + r / 2 * spread);
   }
   return f;
@@ -54,19 +54,19 @@ SecondOrder from_range(const Ball<double>& x, const Ball<double>& y) { return {{
 
 double distance_from_one(const Ball<double>& x) { return std::fabs(x.mid - 1) + x.rad; }
 
-/// The leg sees a vertex at v + offset, up to rounding: the offsets become part of the shift.
-Sight sight_of(const SecondOrder& shift, const SecondOrder& turn, double scale_error, const ExactVector& fixed,
-               const ExactVector& moving, double r) {
+/// The segment sees a vertex at v + offset, up to rounding: the offsets become part of the shift.
+WindowModel model_of(const SecondOrder& shift, const SecondOrder& turn, double scale_error, const ExactVector& fixed,
+                     const ExactVector& moving, double r) {
   const Vector from{fixed.x, fixed.y}, own{moving.x, moving.y};
-  Sight s;
+  WindowModel s;
   s.shift = shift.value + turn.value * own - from;
   s.shift_rate = shift.rate + turn.rate * own;
-  s.shift_bend = shift.bend + turn.bend * own;
+  s.shift_second = shift.second + turn.second * own;
   s.turn = turn.value;
   s.turn_rate = turn.rate;
-  s.turn_bend = turn.bend;
+  s.turn_second = turn.second;
   const auto reach = [r](const SecondOrder& f) {
-    return l1_norm(f.value) + r * (l1_norm(f.rate) + r / 2 * l1_norm(f.bend));
+    return l1_norm(f.value) + r * (l1_norm(f.rate) + r / 2 * l1_norm(f.second));
   };
   s.size = reach(shift) + reach(turn) * (1 + l1_norm(own)) + l1_norm(from);
   s.turn_error = known(turn.error);
@@ -83,23 +83,23 @@ struct Motion {
   static Motion of_model(const FrameModel& m, double middle, double r) {
     return {from_model(m, 0, middle, r), from_model(m, 2, middle, r), from_model(m, 4, middle, r)};
   }
-  static Motion of_frame(const Leg& leg, double from, double to, double middle, double r) {
-    const auto [pp, qq] = frame(leg, Ball<double>::exact(middle));
-    const auto [pp_over, qq_over] = frame_to_third_order(leg, Ball<double>::between(from, to));
+  static Motion of_frame(const MotionSegment& segment, double from, double to, double middle, double r) {
+    const auto [pp, qq] = frame(segment, Ball<double>::exact(middle));
+    const auto [pp_over, qq_over] = frame_to_third_order(segment, Ball<double>::between(from, to));
     return {from_jets(pp[1], pp[2], pp_over[1], pp_over[2], r), from_jets(qq[1], qq[2], qq_over[1], qq_over[2], r),
             from_jets(pp[3], pp[4], pp_over[3], pp_over[4], r)};
   }
-  static Motion of_bridge(const Leg& leg, double from, double to, double middle, double r) {
-    const Frame<double> at = frame(leg, Ball<double>::exact(middle)),
-                        over = frame(leg, Ball<double>::between(from, to));
+  static Motion of_bridge(const MotionSegment& segment, double from, double to, double middle, double r) {
+    const Frame<double> at = frame(segment, Ball<double>::exact(middle)),
+                        over = frame(segment, Ball<double>::between(from, to));
     const auto& [pp, qq] = at;
     const auto& [pp_over, qq_over] = over;
     return {from_jets(pp[1], pp[2], pp_over[1], pp_over[2], r), from_jets(qq[1], qq[2], qq_over[1], qq_over[2], r),
             from_jets(pp[3], pp[4], pp_over[3], pp_over[4], r), distance_from_one(pp_over[0].v),
             distance_from_one(qq_over[0].v)};
   }
-  static Motion of_range(const Leg& leg, double from, double to) {
-    const auto [pp, qq] = frame_values(leg, Ball<double>::between(from, to));
+  static Motion of_range(const MotionSegment& segment, double from, double to) {
+    const auto [pp, qq] = frame_values(segment, Ball<double>::between(from, to));
     return {from_range(pp[1], pp[2]), from_range(qq[1], qq[2]), from_range(pp[3], pp[4]), distance_from_one(pp[0]),
             distance_from_one(qq[0])};
   }
@@ -110,14 +110,15 @@ struct Motion {
 };
 
 /// As P sees Q, and as Q sees P.
-std::pair<Sight, Sight> sights(const Leg& leg, const Motion& given, const MotionWindow& window) {
-  const Motion motion = given.bounded() ? given : Motion::of_range(leg, window.from(), window.to());
+std::pair<WindowModel, WindowModel> models(const MotionSegment& segment, const Motion& given,
+                                           const MotionWindow& window) {
+  const Motion motion = given.bounded() ? given : Motion::of_range(segment, window.from(), window.to());
   SecondOrder back = motion.seen_from_q, turn_back = motion.turn;
-  for (Vector* v : {&back.value, &back.rate, &back.bend}) *v = -*v;
-  for (Vector* v : {&turn_back.value, &turn_back.rate, &turn_back.bend}) *v = conj(*v);
+  for (Vector* v : {&back.value, &back.rate, &back.second}) *v = -*v;
+  for (Vector* v : {&turn_back.value, &turn_back.rate, &turn_back.second}) *v = conj(*v);
   const double r = window.half();
-  return {sight_of(motion.seen_from_p, motion.turn, motion.scale_error_p, leg.offset_p, leg.offset_q, r),
-          sight_of(back, turn_back, motion.scale_error_q, leg.offset_q, leg.offset_p, r)};
+  return {model_of(motion.seen_from_p, motion.turn, motion.scale_error_p, segment.offset_p, segment.offset_q, r),
+          model_of(back, turn_back, motion.scale_error_q, segment.offset_q, segment.offset_p, r)};
 }
 
 }  // namespace
@@ -127,14 +128,15 @@ MotionWindow::MotionWindow(double from, double to) : from_(from), to_(to) {
   half_ = std::max(to - middle_, middle_ - from) * (1 + 0x1p-50);
 }
 
-MotionWindow::MotionWindow(const Leg& leg, const FrameModel& model, double from, double to) : MotionWindow(from, to) {
-  std::tie(from_p_, from_q_) = sights(leg, Motion::of_model(model, middle_, half_), *this);
+MotionWindow::MotionWindow(const MotionSegment& segment, const FrameModel& model, double from, double to)
+    : MotionWindow(from, to) {
+  std::tie(from_p_, from_q_) = models(segment, Motion::of_model(model, middle_, half_), *this);
 }
 
-MotionWindow::MotionWindow(const Leg& leg, double from, double to) : MotionWindow(from, to) {
-  const Motion motion =
-      leg.bridge ? Motion::of_bridge(leg, from, to, middle_, half_) : Motion::of_frame(leg, from, to, middle_, half_);
-  std::tie(from_p_, from_q_) = sights(leg, motion, *this);
+MotionWindow::MotionWindow(const MotionSegment& segment, double from, double to) : MotionWindow(from, to) {
+  const Motion motion = segment.bridge ? Motion::of_bridge(segment, from, to, middle_, half_)
+                                       : Motion::of_frame(segment, from, to, middle_, half_);
+  std::tie(from_p_, from_q_) = models(segment, motion, *this);
 }
 
 /// What the second order leaves out is about the third root of what the ninth one does.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut::proof {
 namespace {
@@ -36,7 +36,7 @@ class BegunIntervals {
 
 }  // namespace
 
-WindowBoxes::WindowBoxes(const ProvedScene& scene, double room) : room_(room * (1 + 0x1p-40)) {
+WindowBoxes::WindowBoxes(const VerifierScene& scene, double room) : room_(room * (1 + 0x1p-40)) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int i = 0; i < scene.size(); ++i) {
     const Bounds& b = scene[i].rings->bounds();
@@ -61,7 +61,7 @@ bool WindowBoxes::sweep_along_x() const {
   return !(long_x * (hi_y - lo_y) > long_y * (hi_x - lo_x));
 }
 
-std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::size_t most) const {
+std::optional<BodyPairs> WindowBoxes::meeting(const VerifierScene& scene, std::size_t most) const {
   const bool along_x = sweep_along_x();
   std::vector<Swept> order;
   for (int i = 0; i < scene.size(); ++i) {
@@ -74,9 +74,9 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
   BodyPairs found;
   BegunIntervals moving, resting;
   for (const Swept& next : order) {
-    interruption_point();
+    checkpoint();
     const auto visit = [&](int other) {
-      interruption_point();
+      checkpoint();
       if (meet(next.body, other) && scene.asked(next.body, other)) found.push_back(std::minmax(next.body, other));
     };
     const bool rests = rests_[static_cast<std::size_t>(next.body)];
@@ -90,7 +90,7 @@ std::optional<BodyPairs> WindowBoxes::meeting(const ProvedScene& scene, std::siz
   return found;
 }
 
-std::vector<int> moving_bodies(const ProvedScene& scene, const OpenPairs& open) {
+std::vector<int> moving_bodies(const VerifierScene& scene, const OpenPairs& open) {
   std::vector<int> bodies;
   if (open.all()) {
     bodies.resize(static_cast<std::size_t>(scene.size()));

@@ -25,7 +25,7 @@ struct OpenPairs {
 class WindowBoxes {
  public:
   /// `room` as stays_within() wants it.
-  WindowBoxes(const ProvedScene& scene, double room);
+  WindowBoxes(const VerifierScene& scene, double room);
 
   const BoxedBody& of(int body) const { return boxes_[static_cast<std::size_t>(body)]; }
   void state(int body, const BoxedBody& box) { boxes_[static_cast<std::size_t>(body)] = box; }
@@ -36,7 +36,7 @@ class WindowBoxes {
   }
   /// All pairs that are asked about and whose boxes meet, in order; nothing if they are more than `most`. By sweeping
   /// along the axis along which fewer meet.
-  std::optional<BodyPairs> meeting(const ProvedScene& scene, std::size_t most = SIZE_MAX) const;
+  std::optional<BodyPairs> meeting(const VerifierScene& scene, std::size_t most = SIZE_MAX) const;
 
  private:
   bool sweep_along_x() const;
@@ -53,6 +53,6 @@ class WindowBoxes {
 inline BoxedBody as_doubles(const StatedBox& b) { return {b.lo_x, b.lo_y, b.hi_x, b.hi_y}; }
 
 /// The bodies that move and are in any of the pairs, in order; where all pairs are open, all that move.
-std::vector<int> moving_bodies(const ProvedScene& scene, const OpenPairs& open);
+std::vector<int> moving_bodies(const VerifierScene& scene, const OpenPairs& open);
 
 }  // namespace taut::proof

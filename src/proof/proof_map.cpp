@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut::proof {
 namespace {
@@ -80,13 +80,13 @@ void ProofMap::measure(const Placement& placement) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     const HalfedgeId h(i);
     if (!alive(h)) continue;
-    interruption_point();
+    checkpoint();
     halfedges_[i].sign = static_cast<std::int8_t>(placement.orientation(origin(h), target(h), target(next(h))));
     out[origin(h).value] = h;
     ++degree[origin(h).value];
   }
   for (std::uint32_t v = 0; v < vertices_; ++v) {
-    interruption_point();
+    checkpoint();
     std::uint32_t met = 0;
     HalfedgeId h = out[v];
     do {
@@ -122,7 +122,7 @@ int ProofMap::turns(HalfedgeId start, const Placement& placement, std::vector<bo
   int half_turns = 0;
   HalfedgeId h = start;
   do {
-    interruption_point();
+    checkpoint();
     seen[h.value] = true;
     const bool forwards = placement.before(origin(h), target(h));
     if (sign(h) > 0) ++convex;

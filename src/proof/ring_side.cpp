@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "proof/edge_slabs.hpp"
 #include "taut/proof.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 /// Of halving a piece of a curve.
 constexpr int deepest_piece = 60;
-/// In units of interruption_point(): a piece beside some edges.
+/// In units of checkpoint(): a piece beside some edges.
 constexpr std::uint64_t work_of_piece = 50;
 
 /// Where the signs are those of one side, and not all of them zero: that side. Else 0.
@@ -89,7 +89,7 @@ class SideTest {
   };
 
   void settle(const CurvePiece& piece, int depth) {
-    interruption_point(work_of_piece);
+    checkpoint(work_of_piece);
     if (piece.is_line() ? is_edge(piece) : is_clear(piece)) return take(piece);
     if (piece.is_line() || depth == deepest_piece) fail(piece);
     for (const CurvePiece& half : halves_of(piece)) settle(half, depth + 1);

@@ -14,34 +14,35 @@ double reach(const EdgeRange& r, Vector along, Vector n) {
 
 /// The least that lo + (hi - lo) (1 + h / r) / 2 + bend (h^2 - r^2) / 2 is for |h| <= r: what is at least a chord from
 /// lo to hi, and a parabola that is zero at its ends.
-double least_above_chord(double lo, double hi, double bend, double r) {
+double least_above_chord(double lo, double hi, double second, double r) {
   const double slope = (hi - lo) / (2 * r), least = std::fmin(lo, hi);
-  if (!(bend > 0)) return least;
+  if (!(second > 0)) return least;
   // Else the lowest point is not between the ends.
-  if (!(std::fabs(slope) < bend * r)) return least;
-  return (lo + hi) / 2 - bend * r * r / 2 - slope * slope / (2 * bend);
+  if (!(std::fabs(slope) < second * r)) return least;
+  return (lo + hi) / 2 - second * r * r / 2 - slope * slope / (2 * second);
 }
 
 /// Is the moving range beyond the fixed one, by more than a margin, seen along n in the fixed one's frame? Its centre
 /// goes along a parabola, up to the errors. Of a rectangle, a corner is nearest: to first order that is farther in
 /// between than on the chord between the window's ends, and the second order adds no more than at an end. n is longer
 /// than 1 by rounding only.
-bool beyond(const Sight& sight, double half, Vector n, const EdgeRange& fixed, const EdgeRange& moving, double margin) {
+bool beyond(const WindowModel& model, double half, Vector n, const EdgeRange& fixed, const EdgeRange& moving,
+            double margin) {
   const double edge = dot(n, fixed.centre) + reach(fixed, fixed.along, n), most = half * half / 2;
   const auto gap_at = [&](double h) {
-    const Vector turn{sight.turn.x + h * sight.turn_rate.x, sight.turn.y + h * sight.turn_rate.y};
-    const Vector shift{sight.shift.x + h * sight.shift_rate.x, sight.shift.y + h * sight.shift_rate.y};
+    const Vector turn{model.turn.x + h * model.turn_rate.x, model.turn.y + h * model.turn_rate.y};
+    const Vector shift{model.shift.x + h * model.shift_rate.x, model.shift.y + h * model.shift_rate.y};
     return dot(n, shift + turn * moving.centre) - reach(moving, turn * moving.along, n) - edge;
   };
   // Most directions are none in the middle already.
   if (!(gap_at(0) > margin)) return false;
-  const double bend = dot(n, sight.shift_bend + sight.turn_bend * moving.centre);
-  const double at_ends = most * (bend - reach(moving, sight.turn_bend * moving.along, n));
-  const double gap = least_above_chord(gap_at(-half) + at_ends, gap_at(half) + at_ends, bend, half);
+  const double second = dot(n, model.shift_second + model.turn_second * moving.centre);
+  const double at_ends = most * (second - reach(moving, model.turn_second * moving.along, n));
+  const double gap = least_above_chord(gap_at(-half) + at_ends, gap_at(half) + at_ends, second, half);
   const double far_fixed = l1_norm(fixed.centre) + fixed.radius(),
                far_moving = l1_norm(moving.centre) + moving.radius();
-  const double error = sight.shift_error + sight.turn_error * far_moving + sight.scale_error * far_fixed;
-  const double added = sight.size * (1 + far_moving) + far_fixed;
+  const double error = model.shift_error + model.turn_error * far_moving + model.scale_error * far_fixed;
+  const double added = model.size * (1 + far_moving) + far_fixed;
   return gap > (error + margin) * (1 + 0x1p-40) + 0x1p-44 * added + underflow_slack;
 }
 
@@ -79,114 +80,117 @@ std::uint8_t number_near(Vector v) {
 namespace {
 
 /// The orientation of an edge's two vertices and a vertex of the other body.
-Form orientation_form(const PairGeometry& g, VertexId first, VertexId vertex) {
+CertificateFunction orientation_function(const PairGeometry& g, VertexId first, VertexId vertex) {
   return {first, g.next(first), vertex, g.in_p(first)};
 }
 
 /// The vertex on the other side of a neighbour's line than the edge's far end.
-KeptForms beyond_line(const PairGeometry& g, VertexId line, VertexId far_end, VertexId vertex) {
+KeptFunctions beyond_line(const PairGeometry& g, VertexId line, VertexId far_end, VertexId vertex) {
   const int side = g.rigid_orientation(line, g.next(line), far_end);
-  return {{{{orientation_form(g, line, vertex), -side}, {}}}, side == 0 ? 0 : 1};
+  return {{{{orientation_function(g, line, vertex), -side}, {}}}, side == 0 ? 0 : 1};
 }
 
 /// Both ends of the edge on one side of a line through the vertex.
-KeptForms beside_line(const PairGeometry& g, VertexId line, VertexId edge, int side) {
-  return {{{{orientation_form(g, line, edge), side}, {orientation_form(g, line, g.next(edge)), side}}}, 2};
+KeptFunctions beside_line(const PairGeometry& g, VertexId line, VertexId edge, int side) {
+  return {{{{orientation_function(g, line, edge), side}, {orientation_function(g, line, g.next(edge)), side}}}, 2};
 }
 
 /// Is it the form of the instant?
-bool is_own(const Form& form, const Instant& until) {
-  return form.measure == Measure::orientation && until.concerns(form.a, form.b, form.c);
+bool is_own(const CertificateFunction& function, const Instant& until) {
+  return function.measure == Measure::orientation && until.concerns(function.a, function.b, function.c);
 }
 
 template <class Holds>
-bool all_kept(const KeptForms& kept, double from, const Holds& holds) {
+bool all_kept(const KeptFunctions& kept, double from, const Holds& holds) {
   for (int i = 0; i < kept.count; ++i) {
-    const KeptForm& f = kept.forms[static_cast<std::size_t>(i)];
-    if (!holds(SignedForm{f.form, f.sign, Instant::exactly(from)})) return false;
+    const KeptFunction& f = kept.functions[static_cast<std::size_t>(i)];
+    if (!holds(SignedFunction{f.function, f.sign, Instant::exactly(from)})) return false;
   }
   return kept.count > 0;
 }
 
 }  // namespace
 
-HalfPlane half_plane(Vector a, Vector b, Aside why) {
+HalfPlane half_plane(Vector a, Vector b, SeparationReason why) {
   const Vector edge = b - a;
   switch (why) {
-    case Aside::left:
+    case SeparationReason::left:
       return {turned(edge), a};
-    case Aside::right:
+    case SeparationReason::right:
       return {-turned(edge), a};
-    case Aside::behind_first:
+    case SeparationReason::behind_first:
       return {-edge, a};
     default:
       return {edge, b};
   }
 }
 
-KeptForms kept_forms(const PairGeometry& g, const Incidence& i, Aside why) {
-  const Form line = i.line(g);
+KeptFunctions kept_functions(const PairGeometry& g, const Incidence& i, SeparationReason why) {
+  const CertificateFunction line = i.line(g);
   switch (why) {
-    case Aside::left:
+    case SeparationReason::left:
       return {{{{line, 1}, {}}}, 1};
-    case Aside::right:
+    case SeparationReason::right:
       return {{{{line, -1}, {}}}, 1};
-    case Aside::behind_first:
+    case SeparationReason::behind_first:
       return {{{{line.along(), -1}, {}}}, 1};
-    case Aside::behind_second:
+    case SeparationReason::behind_second:
       return {{{{line.back(), -1}, {}}}, 1};
-    case Aside::beyond_line_before:
+    case SeparationReason::beyond_line_before:
       return beyond_line(g, g.previous(i.edge), g.next(i.edge), i.vertex);
-    case Aside::beyond_line_after:
+    case SeparationReason::beyond_line_after:
       return beyond_line(g, g.next(i.edge), i.edge, i.vertex);
-    case Aside::right_of_arriving:
+    case SeparationReason::right_of_arriving:
       return beside_line(g, g.previous(i.vertex), i.edge, -1);
-    case Aside::right_of_leaving:
+    case SeparationReason::right_of_leaving:
       return beside_line(g, i.vertex, i.edge, -1);
-    case Aside::left_of_arriving:
+    case SeparationReason::left_of_arriving:
       return beside_line(g, g.previous(i.vertex), i.edge, 1);
-    case Aside::left_of_leaving:
+    case SeparationReason::left_of_leaving:
       return beside_line(g, i.vertex, i.edge, 1);
-    case Aside::behind_when_on_line:  // keeps none
+    case SeparationReason::behind_when_on_line:  // keeps none
       break;
   }
   return {};
 }
 
-bool stays_aside(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
-                 const Instant& until) {
-  if (why == Aside::behind_when_on_line) {
+bool stays_separated(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, SeparationReason why, double from,
+                     const Instant& until) {
+  if (why == SeparationReason::behind_when_on_line) {
     return lifetimes.behind_at_roots(i.line(g), from, until);
   }
-  return all_kept(kept_forms(g, i, why), from,
-                  [&](const SignedForm& form) { return lifetimes.holds(form, until, is_own(form.form, until)); });
+  return all_kept(kept_functions(g, i, why), from, [&](const SignedFunction& function) {
+    return lifetimes.holds(function, until, is_own(function.function, until));
+  });
 }
 
-SeenAside stays_aside_in_window(const PairGeometry& g, const Incidence& i, Aside why, const MotionWindow& window) {
-  const Sight& sight = g.in_p(i.edge) ? window.from_p() : window.from_q();
+SeparationInWindow stays_separated_in_window(const PairGeometry& g, const Incidence& i, SeparationReason why,
+                                             const MotionWindow& window) {
+  const WindowModel& model = g.in_p(i.edge) ? window.from_p() : window.from_q();
   const Vector a = place(g, i.edge), b = place(g, g.next(i.edge)), v = place(g, i.vertex);
   const auto [n, from] = half_plane(a, b, why);
   const double half = window.half(), most = half * half / 2;
-  const Vector at = sight.shift + sight.turn * v - from;
-  const double middle = dot(n, at), way = half * dot(n, sight.shift_rate + sight.turn_rate * v);
-  const double bend = dot(n, sight.shift_bend + sight.turn_bend * v);
-  const double least = least_above_chord(middle - way + most * bend, middle + way + most * bend, bend, half);
+  const Vector at = model.shift + model.turn * v - from;
+  const double middle = dot(n, at), way = half * dot(n, model.shift_rate + model.turn_rate * v);
+  const double second = dot(n, model.shift_second + model.turn_second * v);
+  const double least = least_above_chord(middle - way + most * second, middle + way + most * second, second, half);
   // What is added to the vertices' coordinates is less than the room; it turns the edge, and moves all three.
-  const double added = sight.size * (1 + l1_norm(v)) + l1_norm(a) + l1_norm(b);
+  const double added = model.size * (1 + l1_norm(v)) + l1_norm(a) + l1_norm(b);
   const double error =
-      sight.shift_error + sight.turn_error * l1_norm(v) + sight.scale_error * (l1_norm(a) + l1_norm(b));
+      model.shift_error + model.turn_error * l1_norm(v) + model.scale_error * (l1_norm(a) + l1_norm(b));
   const double rounding = l1_norm(n) * (0x1p-44 * added) + 16 * displacement_room * (1 + added) + underflow_slack;
   const double doubt = l1_norm(n) * (error * (1 + 0x1p-40)) + rounding;
-  if (least > doubt) return SeenAside::yes;
-  if (middle < -doubt) return SeenAside::no;
-  return std::fabs(middle) + std::fabs(way) + most * std::fabs(bend) <= rounding ? SeenAside::even : SeenAside::open;
+  if (least > doubt) return SeparationInWindow::yes;
+  if (middle < -doubt) return SeparationInWindow::no;
+  return std::fabs(middle) + std::fabs(way) + most * std::fabs(second) <= rounding ? SeparationInWindow::even
+                                                                                   : SeparationInWindow::open;
 }
 
-bool stays_aside_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, Aside why, double from,
-                            const Instant& until) {
-  if (why == Aside::behind_when_on_line) return false;
-  return all_kept(kept_forms(g, i, why), from, [&](const SignedForm& form) {
-    return lifetimes.holds_in_doubles(form, until, is_own(form.form, until));
+bool stays_separated_in_doubles(const PairGeometry& g, Lifetimes& lifetimes, const Incidence& i, SeparationReason why,
+                                double from, const Instant& until) {
+  if (why == SeparationReason::behind_when_on_line) return false;
+  return all_kept(kept_functions(g, i, why), from, [&](const SignedFunction& function) {
+    return lifetimes.holds_in_doubles(function, until, is_own(function.function, until));
   });
 }
 
@@ -222,12 +226,12 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
 }
 
 double motion_in(const MotionWindow& window, const EdgeRange& q) {
-  const Sight& s = window.from_p();
+  const WindowModel& s = window.from_p();
   const double r = window.half();
   const auto way = [&](Vector shift, Vector turn) {
     return l1_norm(shift + turn * q.centre) + l1_norm(turn) * q.radius();
   };
-  return r * (way(s.shift_rate, s.turn_rate) + r / 2 * way(s.shift_bend, s.turn_bend)) + s.shift_error +
+  return r * (way(s.shift_rate, s.turn_rate) + r / 2 * way(s.shift_second, s.turn_second)) + s.shift_error +
          s.turn_error * (l1_norm(q.centre) + q.radius());
 }
 

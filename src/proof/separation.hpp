@@ -27,7 +27,7 @@ inline constexpr std::uint8_t along_p = 8, along_q = 12, direction = 64, directi
 /// a line next to them tells more: that of the edge before or after, which has the edge on its one side and the vertex
 /// on the other; or that of an edge at the vertex, which has all of the edge on one side. The last one is for corners
 /// that pass each other between two doubles.
-enum class Aside : std::uint8_t {
+enum class SeparationReason : std::uint8_t {
   left,
   right,
   behind_first,
@@ -43,8 +43,8 @@ enum class Aside : std::uint8_t {
 inline constexpr int reasons = 11;
 
 /// A form that keeps its sign.
-struct KeptForm {
-  Form form;
+struct KeptFunction {
+  CertificateFunction function;
   int sign = 0;
 };
 
@@ -52,7 +52,7 @@ struct KeptForm {
 struct Incidence {
   VertexId vertex, edge;
 
-  Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
+  CertificateFunction line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
 };
 
 /// Where a vertex is in its body's frame, without the displacement.
@@ -63,31 +63,31 @@ inline Vector place(const PairGeometry& g, VertexId v) { return {g.point(v).x, g
 struct HalfPlane {
   Vector normal, from;
 };
-HalfPlane half_plane(Vector a, Vector b, Aside why);
+HalfPlane half_plane(Vector a, Vector b, SeparationReason why);
 
 /// The forms that keep their signs, for that reason; none where it is no reason for this edge. One or two.
-struct KeptForms {
-  std::array<KeptForm, 2> forms;
+struct KeptFunctions {
+  std::array<KeptFunction, 2> functions;
   int count = 0;
 };
-KeptForms kept_forms(const PairGeometry& geometry, const Incidence& incidence, Aside why);
+KeptFunctions kept_functions(const PairGeometry& geometry, const Incidence& incidence, SeparationReason why);
 
 /// Does the vertex stay aside, for that reason, over all of [from, until]? Where a form is that of `until`, not at that
 /// very instant: there the vertex has come to the other edge. Throws Undecidable.
-bool stays_aside(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why, double from,
-                 const Instant& until);
+bool stays_separated(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence,
+                     SeparationReason why, double from, const Instant& until);
 /// The same for one of the first four reasons, as far as the motion's second order over the window tells.
-enum class SeenAside : std::uint8_t {
+enum class SeparationInWindow : std::uint8_t {
   yes,
   no,    ///< in the middle of the window it is on the other side
   open,  ///< shorter windows may tell more
   even,  ///< nor they: all over the window, it is on neither side by more than rounding
 };
-SeenAside stays_aside_in_window(const PairGeometry& geometry, const Incidence& incidence, Aside why,
-                                const MotionWindow& window);
+SeparationInWindow stays_separated_in_window(const PairGeometry& geometry, const Incidence& incidence,
+                                             SeparationReason why, const MotionWindow& window);
 /// The same for any of them, as far as doubles tell.
-bool stays_aside_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence, Aside why,
-                            double from, const Instant& until);
+bool stays_separated_in_doubles(const PairGeometry& geometry, Lifetimes& lifetimes, const Incidence& incidence,
+                                SeparationReason why, double from, const Instant& until);
 
 /// Two ranges of edges by their numbers in their bodies' trees.
 struct RangePair {

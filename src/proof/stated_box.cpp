@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 
@@ -46,7 +46,7 @@ class BodyReach {
   }
   /// Does it stay within the box, as far as some halvings tell?
   bool within(const BoxedBody& box, const PieceChain& chain, double from, double to, int halvings) const {
-    interruption_point();
+    checkpoint();
     if (contains(box, over(chain, from, to))) return true;
     const double m = from + (to - from) / 2;
     return halvings > 0 && from < m && m < to && within(box, chain, from, m, halvings - 1) &&
@@ -107,7 +107,7 @@ StatedBox read_box(ByteReader& in) {
   return box;
 }
 
-bool stays_within(const ProvedBody& body, const WorldTime& time, double room, const StatedBox& box) {
+bool stays_within(const VerifierBody& body, const WorldTime& time, double room, const StatedBox& box) {
   const BodyReach reach(body.rings->bounds());
   const BoxedBody inner = shrunk(box, room);
   return all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int halvings) {
@@ -117,7 +117,7 @@ bool stays_within(const ProvedBody& body, const WorldTime& time, double room, co
 
 bool has_room(const StatedBox& box, double room, const BoxedBody& reach) { return contains(shrunk(box, room), reach); }
 
-std::optional<BoxedBody> box_around(const ProvedBody& body, const WorldTime& time) {
+std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& time) {
   const BodyReach reach(body.rings->bounds());
   BoxedBody all{INFINITY, INFINITY, -INFINITY, -INFINITY};
   const bool known = all_stretches(body.motions, time, [&](const PieceChain& chain, double from, double to, int) {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -12,13 +12,13 @@
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
 #include "proof/proof_map.hpp"
-#include "proof/proved_world.hpp"
-#include "proof/stretch_of_legs.hpp"
+#include "proof/stretch_of_segments.hpp"
+#include "proof/verifier_world.hpp"
 #include "proof/verify_curves.hpp"
 #include "proof/verify_separations.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
-#include "sign/witness.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
+#include "sign/feature_map.hpp"
 #include "taut/validate.hpp"
 
 namespace taut {
@@ -39,12 +39,12 @@ class Verifier {
         shapes_(shapes_of(header)),
         plan_(plan_pair(scene)),
         geometry_(displaced_pair(plan_, shapes_ == Shapes::inwards)),
-        legs_(make_legs(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
-        map_(in_, Placement(geometry_, legs_[0], scene.start)),
+        segments_(make_segments(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        map_(in_, Placement(geometry_, segments_[0], scene.start)),
         lifetimes_(geometry_),
         stretch_(geometry_) {
     make_room();
-    for (std::uint32_t i = 0; i < map_.size(); ++i) begin(HalfedgeId(i), Instant::exactly(leg().start));
+    for (std::uint32_t i = 0; i < map_.size(); ++i) begin(HalfedgeId(i), Instant::exactly(segment().start));
     enter(0);
   }
 
@@ -53,7 +53,7 @@ class Verifier {
     result_.touch = header_.touch;
     result_.fingerprint = header_.fingerprint;
     try {
-      while (record()) interruption_point();
+      while (record()) checkpoint();
     } catch (const ProofError& error) {
       throw ProofError("event " + std::to_string(result_.events) + ", before byte " + std::to_string(in_.offset()) +
                        ": " + error.what());
@@ -63,21 +63,21 @@ class Verifier {
   }
 
  private:
-  const Leg& leg() const { return *leg_; }
-  Witness witness() const { return {plan_, geometry_, shapes_ == Shapes::inwards}; }
+  const MotionSegment& segment() const { return *segment_; }
+  FeatureMap witness() const { return {plan_, geometry_, shapes_ == Shapes::inwards}; }
 
   /// One record; false after the last.
   bool record() {
     const std::uint8_t kind = in_.u8();
     if (kind > static_cast<std::uint8_t>(Record::touching)) throw ProofError("unknown record");
     switch (static_cast<Record>(kind)) {
-      case Record::next_leg:
-        end_leg();
+      case Record::next_segment:
+        end_segment();
         return true;
       case Record::free:
         if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
-        while (current_ + 1 < legs_.size()) end_leg();
-        all_hold(Instant::exactly(leg().end));
+        while (current_ + 1 < segments_.size()) end_segment();
+        all_hold(Instant::exactly(segment().end));
         result_.outcome = Outcome::free;
         result_.free_until = scene_.end;
         return false;
@@ -97,28 +97,28 @@ class Verifier {
   /// Polygons displaced outwards must stay apart for `closed`; inwards will do for `open`.
   bool claims_motion() const { return (header_.touch == Touch::closed) == (shapes_ == Shapes::outwards); }
 
-  void enter(std::size_t leg) {
-    current_ = leg;
-    leg_ = legs_.hold(leg);
-    lifetimes_.enter(*leg_);
-    last_ = Instant::exactly(leg_->start);
-    if (stretch_.enter(legs_, leg, active_.size())) {
+  void enter(std::size_t segment) {
+    current_ = segment;
+    segment_ = segments_.hold(segment);
+    lifetimes_.enter(*segment_);
+    last_ = Instant::exactly(segment_->start);
+    if (stretch_.enter(segments_, segment, active_.size())) {
       watched_.clear();
       for (const HalfedgeId h : active_) {
-        if (!is_settled(h)) watched_.add(h);
+        if (!is_dormant(h)) watched_.add(h);
       }
       stretch_.judge(watched_.size(), active_.size());
     }
     for (const HalfedgeId h : watched_) births_[h.value] = last_;
   }
 
-  bool is_settled(HalfedgeId h) const {
+  bool is_dormant(HalfedgeId h) const {
     return stretch_.settles(map_.origin(h), map_.target(h), map_.target(map_.next(h)), map_.sign(h));
   }
 
-  void end_leg() {
-    if (current_ + 1 == legs_.size()) throw ProofError("there is no further leg");
-    all_hold(Instant::exactly(leg().end));
+  void end_segment() {
+    if (current_ + 1 == segments_.size()) throw ProofError("there is no further segment");
+    all_hold(Instant::exactly(segment().end));
     enter(current_ + 1);
   }
 
@@ -128,7 +128,7 @@ class Verifier {
     if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
     ++result_.events;
     if (!map_.alive(h) || !active_.has(h)) throw ProofError("no corner of both bodies is there");
-    if (!watched_.has(h)) throw ProofError("the corner does not fail on this leg");
+    if (!watched_.has(h)) throw ProofError("the corner does not fail on this segment");
     const Corner corner = corner_at(h);
     const Instant now = lifetimes_.failure(corner, about);
     if (!lifetimes_.is_near(now, about)) throw ProofError("the corner fails at another time");
@@ -169,27 +169,28 @@ class Verifier {
     const Instant tight = lifetimes_.tightened(now);
     const VertexId vertex = kind == Record::contact_first ? c.w : c.u;
     result_.contact = witness().contact(
-        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), tight.lo, std::min(tight.hi, leg().end)}, leg());
+        {vertex, map_.origin(HalfedgeId(hit.value & ~1u)), tight.lo, std::min(tight.hi, segment().end)}, segment());
     result_.contact->time.lo = std::max(result_.contact->time.lo, scene_.start);
     const bool at_start = result_.contact->time.hi <= scene_.start;
-    result_.contact_at = leg().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
+    result_.contact_at = segment().bridge ? ContactAt::joint : at_start ? ContactAt::start : ContactAt::motion;
     result_.free_until = result_.contact->time.lo;
     result_.outcome = Outcome::contact;
   }
 
   void free_until(double t) {
     if (!claims_motion()) throw ProofError("the tiling surrounds the wrong polygons");
-    if (!(t >= leg().start && t <= leg().end)) throw ProofError("the end of the proof is not within its leg");
+    if (!(t >= segment().start && t <= segment().end))
+      throw ProofError("the end of the proof is not within its segment");
     if (t > last_.hi) {
       all_hold(Instant::exactly(t));
-      result_.free_until = leg().time(t);
+      result_.free_until = segment().time(t);
       return;
     }
     // The next event may be at the same instant, as far as doubles can tell: the tiling is good up to the last one.
     for (const HalfedgeId h : watched_) {
       if (!births_[h.value].is(last_)) check_holds(h, last_);
     }
-    result_.free_until = leg().time(std::min(t, last_.lo));
+    result_.free_until = segment().time(std::min(t, last_.lo));
   }
 
   /// The inward shapes do not overlap at the start, as the tiling shows; two edges of the outward ones do cross.
@@ -199,9 +200,9 @@ class Verifier {
     if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
       throw ProofError("the edges that cross do not exist");
     const PairGeometry outer = displaced_pair(plan_, false);
-    const Placement place(outer, legs_[0], scene_.start, Positions::on_demand);
+    const Placement place(outer, segments_[0], scene_.start, Positions::on_demand);
     require_crossing(place, e, f);
-    result_.contact = Witness(plan_, outer, false).contact_of_overlap({true, e, f, {}}, legs_[0], scene_.start);
+    result_.contact = FeatureMap(plan_, outer, false).contact_of_overlap({true, e, f, {}}, segments_[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;
@@ -212,7 +213,7 @@ class Verifier {
   }
 
   void check_holds(HalfedgeId h, const Instant& until) {
-    interruption_point();
+    checkpoint();
     if (!lifetimes_.holds(corner_at(h), until)) throw ProofError("a corner does not last until it is changed");
   }
   void all_hold(const Instant& until) {
@@ -234,7 +235,7 @@ class Verifier {
     if (geometry_.same_body(u, v) && geometry_.same_body(v, w)) return;
     active_.add(h);
     births_[h.value] = birth;
-    if (is_settled(h)) {
+    if (is_dormant(h)) {
       watched_.remove(h);
     } else {
       watched_.add(h);
@@ -252,12 +253,12 @@ class Verifier {
   Shapes shapes_;
   PairPlan plan_;
   PairGeometry geometry_;
-  Legs legs_;
-  std::shared_ptr<const Leg> leg_ = legs_.hold(0);  ///< the present one
+  MotionSegments segments_;
+  std::shared_ptr<const MotionSegment> segment_ = segments_.hold(0);  ///< the present one
   std::size_t current_ = 0;
   ProofMap map_;
   Lifetimes lifetimes_;
-  StretchOfLegs stretch_;
+  StretchOfSegments stretch_;
   std::vector<Instant> births_;  ///< by half-edge; of those that are watched
   HalfedgeList active_;          ///< half-edges that enter a corner of both bodies
   HalfedgeList watched_;         ///< the same without those that hold all over the stretch

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "pair/placement.hpp"
 #include "pair/untested.hpp"
 #include "proof/kept_margin.hpp"
 #include "proof/open_pairs.hpp"
-#include "proof/proved_world.hpp"
-#include "sign/witness.hpp"
+#include "proof/verifier_world.hpp"
+#include "sign/feature_map.hpp"
 
 namespace taut::proof {
 namespace {
@@ -101,15 +101,15 @@ class SeparationsVerifier {
     if (open.all() && !meeting)
       throw ProofError("the log is cut off: more pairs have boxes that meet than it has bytes");
     for (const auto& [a, b] : open.all() ? *meeting : *open.listed) {
-      interruption_point();
+      checkpoint();
       if (std::pair(a, b) == contact_pair_ || !boxes_->meet(a, b)) continue;
       const std::uint8_t now = in_.u8();
       if (now > 1) throw ProofError("neither a pair's separations nor shorter windows");
       if (now == 0) {
         left.listed->emplace_back(a, b);
       } else {
-        const ProvedPair& met = world_.pair(a, b);
-        section(met, stretches(met.legs, time), time.first, {});
+        const VerifierPair& met = world_.pair(a, b);
+        section(met, stretches(met.segments, time), time.first, {});
       }
     }
     if (!left.listed->empty()) halves(time, left, depth);
@@ -125,7 +125,7 @@ class SeparationsVerifier {
   std::vector<std::pair<int, BoxedBody>> stated_boxes(const WorldTime& time, const OpenPairs& open) {
     std::vector<std::pair<int, BoxedBody>> before;
     for (const int body : moving_bodies(plan_, open)) {
-      interruption_point();
+      checkpoint();
       const std::uint8_t stated = in_.u8();
       if (stated > 1) throw ProofError("neither a box nor none");
       if (stated == 0) continue;
@@ -138,50 +138,51 @@ class SeparationsVerifier {
     return before;
   }
 
-  /// The pair does not meet on these stretches of its legs, the last one up to `until` only if that is set.
-  void section(const ProvedPair& pair, const std::vector<LegStretch>& stretches, bool from_start,
+  /// The pair does not meet on these stretches of its segments, the last one up to `until` only if that is set.
+  void section(const VerifierPair& pair, const std::vector<SegmentStretch>& stretches, bool from_start,
                const std::optional<Instant>& until) {
     Lifetimes lifetimes(pair.geometry);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const std::shared_ptr<const Leg> leg = pair.legs.hold(stretches[i].leg);
-      lifetimes.enter(*leg);
+      const std::shared_ptr<const MotionSegment> segment = pair.segments.hold(stretches[i].segment);
+      lifetimes.enter(*segment);
       const std::optional<Instant> last = i + 1 == stretches.size() ? until : std::nullopt;
       // In the jump at a joint bodies need not meet, no more: the clearance is one at instants.
-      ApartChecker apart(pair.ranges, lifetimes, last, in_, leg->bridge ? 0 : margin_);
+      ApartChecker apart(pair.ranges, lifetimes, last, in_, segment->bridge ? 0 : margin_);
       apart.check(stretches[i].from, stretches[i].to);
       result_.separations += apart.separations();
     }
-    if (from_start && overlap_at(pair, pair.legs[0], scene_.start)) throw ProofError("the bodies overlap at the start");
+    if (from_start && overlap_at(pair, pair.segments[0], scene_.start))
+      throw ProofError("the bodies overlap at the start");
   }
 
   /// A vertex reaches an edge from outside, and has not met it before; and the two bodies have separations of their
   /// own.
   void contact() {
     contact_pair_ = read_pair();
-    const ProvedPair& pair = world_.pair(contact_pair_.first, contact_pair_.second);
-    const std::uint32_t leg = in_.u32();
+    const VerifierPair& pair = world_.pair(contact_pair_.first, contact_pair_.second);
+    const std::uint32_t segment = in_.u32();
     const Incidence hit{read_vertex(pair), read_vertex(pair)};
     FineInstant since{in_.f64(), 0, 0};
     if (claim_ == Claim::fine_contact) since = {since[0], in_.f64(), in_.f64()};
     const double about = in_.f64(), end = in_.f64();
     result_.free_until = in_.f64();
-    if (leg >= pair.legs.size() || pair.geometry.same_body(hit.vertex, hit.edge))
+    if (segment >= pair.segments.size() || pair.geometry.same_body(hit.vertex, hit.edge))
       throw ProofError("a contact that cannot be");
-    const std::shared_ptr<const Leg> held = pair.legs.hold(leg);
-    const Leg& last = *held;
+    const std::shared_ptr<const MotionSegment> held = pair.segments.hold(segment);
+    const MotionSegment& last = *held;
     Lifetimes lifetimes(pair.geometry);
     lifetimes.enter(last);
     // The material is to the left of its edges.
-    if (!is_within(since, last.start, last.end)) throw ProofError("a contact outside of its leg");
+    if (!is_within(since, last.start, last.end)) throw ProofError("a contact outside of its segment");
     const Corner corner{hit.edge, pair.geometry.next(hit.edge), hit.vertex, -1, instant_at(since)};
     const Instant now = lifetimes.failure(corner, about);
     if (!lifetimes.is_near(now, about) || !lifetimes.in_order(corner.birth, now) || !lifetimes.holds(corner, now))
       throw ProofError("the vertex does not come to the edge's line from outside then");
     if (lifetimes.middle(now) != hit.vertex) throw ProofError("the vertex meets the edge's line, but not the edge");
     if (!(end >= now.hi && end <= last.end)) throw ProofError("the contact is not within its stretch of time");
-    std::vector<LegStretch> way;
-    add_stretches_before(pair.legs, leg, way);
-    way.push_back({leg, last.start, end});
+    std::vector<SegmentStretch> way;
+    add_stretches_before(pair.segments, segment, way);
+    way.push_back({segment, last.start, end});
     section(pair, way, true, now);
     conclude(pair, hit, last, lifetimes.tightened(now));
   }
@@ -193,22 +194,23 @@ class SeparationsVerifier {
   /// Two features that are closer than the clearance at an instant, and all pairs keep it up to some time before.
   void closer() {
     const auto [a, b] = read_pair();
-    const ProvedPair& pair = world_.pair(a, b);
-    const std::uint32_t leg = in_.u32();
+    const VerifierPair& pair = world_.pair(a, b);
+    const std::uint32_t segment = in_.u32();
     const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
     const std::uint8_t is_edge = in_.u8();
     const FineInstant at{in_.f64(), in_.f64(), in_.f64()};
     result_.free_until = in_.f64();
-    if (leg >= pair.legs.size() || pair.legs[leg].bridge || pair.geometry.same_body(vertex, peer) || is_edge > 1 ||
-        !is_within(at, pair.legs[leg].start, pair.legs[leg].end) || !(result_.free_until <= at[0]))
+    if (segment >= pair.segments.size() || pair.segments[segment].bridge || pair.geometry.same_body(vertex, peer) ||
+        is_edge > 1 || !is_within(at, pair.segments[segment].start, pair.segments[segment].end) ||
+        !(result_.free_until <= at[0]))
       throw ProofError("a closeness that cannot be");
-    if (!closer_at(pair.geometry, pair.legs[leg], margin_, {vertex, peer}, is_edge == 1, at))
+    if (!closer_at(pair.geometry, pair.segments[segment], margin_, {vertex, peer}, is_edge == 1, at))
       throw ProofError("the two features are not closer than the clearance then");
     conclude_closer(pair, vertex, peer, is_edge == 1, rounded_up(at));
   }
 
-  void conclude_closer(const ProvedPair& pair, VertexId vertex, VertexId peer, bool is_edge, double until) {
-    const Witness witness(pair.plan, pair.geometry, world_.inwards());
+  void conclude_closer(const VerifierPair& pair, VertexId vertex, VertexId peer, bool is_edge, double until) {
+    const FeatureMap witness(pair.plan, pair.geometry, world_.inwards());
     ProvedCloseness found;
     found.features.vertex = witness.vertex(vertex);
     if (is_edge) found.features.edge = witness.edge(peer);
@@ -222,34 +224,36 @@ class SeparationsVerifier {
   void close_at_start() {
     if (header_.touch != Touch::closed) throw ProofError("bodies may be as close as the clearance here");
     const auto [a, b] = read_pair();
-    const ProvedPair& pair = world_.pair(a, b);
+    const VerifierPair& pair = world_.pair(a, b);
     const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
     const std::uint8_t is_edge = in_.u8();
     if (pair.geometry.same_body(vertex, peer) || is_edge > 1) throw ProofError("a closeness that cannot be");
     const PairGeometry outer = displaced_pair(pair.plan, false);
-    if (!closer_at(outer, pair.legs[0], margin_, {vertex, peer}, is_edge == 1, {scene_.start, 0, 0}))
+    if (!closer_at(outer, pair.segments[0], margin_, {vertex, peer}, is_edge == 1, {scene_.start, 0, 0}))
       throw ProofError("the two features are not as close as the clearance at the start");
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     conclude_closer(pair, vertex, peer, is_edge == 1, scene_.start);
   }
 
-  VertexId read_vertex(const ProvedPair& pair) {
+  VertexId read_vertex(const VerifierPair& pair) {
     const VertexId v(in_.u32());
     if (v.value >= pair.geometry.size()) throw ProofError("there is no such vertex");
     return v;
   }
 
-  void conclude(const ProvedPair& pair, const Incidence& hit, const Leg& leg, const Instant& tight) {
-    result_.contact = Witness(pair.plan, pair.geometry, world_.inwards())
-                          .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, leg.end)}, leg);
+  void conclude(const VerifierPair& pair, const Incidence& hit, const MotionSegment& segment, const Instant& tight) {
+    result_.contact = FeatureMap(pair.plan, pair.geometry, world_.inwards())
+                          .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, segment.end)}, segment);
     TimeInterval& time = result_.contact->time;
     time.lo = std::max(time.lo, scene_.start);
-    result_.contact_at = leg.bridge ? ContactAt::joint : time.hi <= scene_.start ? ContactAt::start : ContactAt::motion;
+    result_.contact_at = segment.bridge            ? ContactAt::joint
+                         : time.hi <= scene_.start ? ContactAt::start
+                                                   : ContactAt::motion;
     // All pairs are shown to be free up to this one instant.
-    if (!(result_.free_until <= leg.time(tight.hi))) throw ProofError("free beyond the contact");
+    if (!(result_.free_until <= segment.time(tight.hi))) throw ProofError("free beyond the contact");
     // A jump has its instant. Elsewhere other pairs may meet before, as far as is known, once nothing is said of them.
-    if (!leg.bridge) time.lo = std::min(time.lo, result_.free_until);
+    if (!segment.bridge) time.lo = std::min(time.lo, result_.free_until);
     result_.free_until = std::min(time.lo, result_.free_until);
   }
 
@@ -257,18 +261,18 @@ class SeparationsVerifier {
   void touching() {
     if (header_.touch != Touch::closed) throw ProofError("a contact at the start without a motion");
     const auto [a, b] = read_pair();
-    const ProvedPair& pair = world_.pair(a, b);
+    const VerifierPair& pair = world_.pair(a, b);
     const std::uint8_t how = in_.u8();
     const VertexId e = read_vertex(pair), f = read_vertex(pair);
     const PairGeometry outer = displaced_pair(pair.plan, false);
-    const Placement place(outer, pair.legs[0], scene_.start, Positions::on_demand);
+    const Placement place(outer, pair.segments[0], scene_.start, Positions::on_demand);
     const StartOverlap overlap{how == 0, outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, e};
     if (overlap.crossing) {
       require_crossing(place, e, f);
     } else if (!inside_the_other(place, e)) {
       throw ProofError("the vertex is not inside the other body");
     }
-    result_.contact = Witness(pair.plan, outer, false).contact_of_overlap(overlap, pair.legs[0], scene_.start);
+    result_.contact = FeatureMap(pair.plan, outer, false).contact_of_overlap(overlap, pair.segments[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
   }
@@ -278,9 +282,9 @@ class SeparationsVerifier {
   const Header& header_;
   Verified result_;
   Claim claim_;
-  ProvedScene plan_;
+  VerifierScene plan_;
   double margin_;  ///< of a claim about a clearance, else 0
-  ProvedWorld world_;
+  VerifierWorld world_;
   std::optional<WindowBoxes> boxes_;
   std::pair<int, int> contact_pair_{-1, -1};  ///< whose separations are not in the windows
 };

@@ -35,7 +35,8 @@ class Echelon {
 
 }  // namespace
 
-FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 5>& functions, const SymbolicLeg& leg) {
+FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 5>& functions,
+                                                     const SymbolicSegment& segment) {
   Side side;
   side.known = std::all_of(functions.begin(), functions.end(), [](const Symbolic& f) { return f.known(); });
   if (!side.known) return side;
@@ -51,7 +52,7 @@ FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 
   };
   std::vector<Terms> all;
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    const Symbolic function = functions[i].over(denominator, leg);
+    const Symbolic function = functions[i].over(denominator, segment);
     for (const Symbolic::Term& t : function.terms()) {
       auto found = std::find_if(all.begin(), all.end(), [&](const Terms& x) { return x.key == t.key; });
       if (found == all.end()) found = all.insert(all.end(), {t.key, {}});
@@ -68,9 +69,9 @@ FrameIdentities::Side FrameIdentities::conditions_of(const std::array<Symbolic, 
   return side;
 }
 
-FrameIdentities::FrameIdentities(const Leg& leg) {
-  SymbolicLeg symbols(leg.start, leg.end);
-  const FrameOf<Symbolic> f = symbolic_frame(leg, symbols);
+FrameIdentities::FrameIdentities(const MotionSegment& segment) {
+  SymbolicSegment symbols(segment.start, segment.end);
+  const FrameOf<Symbolic> f = symbolic_frame(segment, symbols);
   pp_ = conditions_of(f.for_pp, symbols);
   qq_ = conditions_of(f.for_qq, symbols);
 }

@@ -1,11 +1,11 @@
-// Which combinations of a leg's frame functions are zero at all times: exactly, however the bodies turn.
+// Which combinations of a segment's frame functions are zero at all times: exactly, however the bodies turn.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "numeric/dyadic.hpp"
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 
 namespace taut {
 
@@ -15,12 +15,12 @@ namespace taut {
 ///
 /// The frame functions are written as expressions (Symbolic) over one denominator. A combination of them is zero if and
 /// only if it is term by term and power by power: these are linear conditions on its coefficients, of which at most
-/// five are independent. To find them takes long: where FrameLooks tells that a combination is not zero, they are not
-/// asked for.
+/// five are independent. To find them takes long: where FrameEvaluator tells that a combination is not zero, they are
+/// not asked for.
 class FrameIdentities {
  public:
-  explicit FrameIdentities(const Leg& leg);
-  /// Is the sum of these coefficients times the frame functions for `pp` zero at all times of the leg? If so, it
+  explicit FrameIdentities(const MotionSegment& segment);
+  /// Is the sum of these coefficients times the frame functions for `pp` zero at all times of the segment? If so, it
   /// certainly is.
   bool vanishes(bool pp, const std::array<Dyadic, 5>& coefficients) const;
 
@@ -30,7 +30,7 @@ class FrameIdentities {
     bool known = false;
     std::vector<Condition> conditions;
   };
-  static Side conditions_of(const std::array<Symbolic, 5>& functions, const SymbolicLeg& leg);
+  static Side conditions_of(const std::array<Symbolic, 5>& functions, const SymbolicSegment& segment);
 
   Side pp_, qq_;
 };

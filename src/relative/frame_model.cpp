@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "base/overloaded.hpp"
-#include "relative/even_turn.hpp"
+#include "relative/uniform_rotation.hpp"
 
 namespace taut {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 /// for underflow adds up to something, times powers of the radius: much in some units of time.
 constexpr double negligible = 0x1p-400;
 
-/// In units of interruption_point().
-constexpr std::uint64_t work_of_even_turn = 6;
+/// In units of checkpoint().
+constexpr std::uint64_t work_of_uniform_rotation = 6;
 
 std::uint64_t work_of_turn(const MotionPiece& piece) {
   const int work =
@@ -26,12 +26,12 @@ std::uint64_t work_of_turn(const MotionPiece& piece) {
   return static_cast<std::uint64_t>(work);
 }
 /// Fitted to the times of many thousand questions.
-std::uint64_t work_of_model(const Leg& leg) {
-  if (leg.translation) return 9;
-  if (leg.composed) return 150;
-  const std::uint64_t turns = work_of_turn(leg.p) + work_of_turn(leg.q);
-  if (!taut::turns(leg.p) || !taut::turns(leg.q)) return turns;
-  return turns + (leg.p.rotation.index() == leg.q.rotation.index() ? 25 : 50);
+std::uint64_t work_of_model(const MotionSegment& segment) {
+  if (segment.translation) return 9;
+  if (segment.composed) return 150;
+  const std::uint64_t turns = work_of_turn(segment.p) + work_of_turn(segment.q);
+  if (!taut::turns(segment.p) || !taut::turns(segment.q)) return turns;
+  return turns + (segment.p.rotation.index() == segment.q.rotation.index() ? 25 : 50);
 }
 
 double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
@@ -66,54 +66,54 @@ void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, con
   }
   m.size[i] = size;
   m.noise[i] = known_or_infinite(noise);
-  m.bend[i] = std::isfinite(m.c[2][i]) ? 2 * m.c[2][i] : 0;
+  m.second[i] = std::isfinite(m.c[2][i]) ? 2 * m.c[2][i] : 0;
   // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
   const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
-  const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.bend[i])));
-  const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.bend[i]) + m.radius * size_ddd);
+  const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.second[i])));
+  const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.second[i]) + m.radius * size_ddd);
   m.error[i] = known_or_infinite(error + underflow_slack);
   m.error_d[i] = known_or_infinite(error_d * (1 + 0x1p-40) + underflow_slack);
   m.error_dd[i] = known_or_infinite(error_dd * (1 + 0x1p-40) + underflow_slack);
-  m.vague_bend[i] = known_or_infinite(vague_dd);
+  m.vague_second[i] = known_or_infinite(vague_dd);
   m.vague_third[i] = known_or_infinite(vague_ddd);
-  m.bend_rad[i] = INFINITY;
+  m.second_rad[i] = INFINITY;
   // The one from the series over the interval is far better than the coefficients' where that is long.
   m.third[i] = known_or_infinite((over.terms > 3 ? 6 * over.c[3].magnitude() : 0) * (1 + 0x1p-40));
   m.bound_by_coefficients(i);
-  if (!std::isfinite(m.c[2][i])) m.bend_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
+  if (!std::isfinite(m.c[2][i])) m.second_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
 }
 
 void FrameModel::bound_by_coefficients(int i) {
-  double bend_moves = 0, third_is = 0, power = 1;
+  double second_moves = 0, third_is = 0, power = 1;
   for (int k = 3; k < model_degree; ++k) {
     const double falling = k * (k - 1) * std::fabs(c[k][i]) * power;  // times r^(k - 3)
     third_is += falling * (k - 2);
-    bend_moves += falling * radius;
+    second_moves += falling * radius;
     power *= radius;
   }
   const auto least = [](double kept, double vague, double known) {
     const double bound = (vague + known) * (1 + 0x1p-40) + underflow_slack;
     return bound < kept ? bound : kept;
   };
-  bend_rad[i] = least(bend_rad[i], vague_bend[i], bend_moves);
+  second_rad[i] = least(second_rad[i], vague_second[i], second_moves);
   third[i] = least(third[i], vague_third[i], third_is);
 }
 
-FrameModel FrameModel::over(const Leg& leg, double start, double end) {
-  if (const auto& even = leg.even_turn()) {
-    count_work(work_of_even_turn);
-    if (const auto m = even->model(leg, start, end)) return *m;
+FrameModel FrameModel::over(const MotionSegment& segment, double start, double end) {
+  if (const auto& even = segment.uniform_rotation()) {
+    count_work(work_of_uniform_rotation);
+    if (const auto m = even->model(segment, start, end)) return *m;
   }
   FrameModel m;
-  count_work(work_of_model(leg));
+  count_work(work_of_model(segment));
   const Ball<double> whole = Ball<double>::between(start, end);
   m.start = start;
   m.end = end;
   m.middle = whole.mid;
   m.radius = whole.rad;
   m.terms = 1;
-  const FrameOf<ModelSeries<double>> point = frame_series(leg, Ball<double>::exact(m.middle));
-  const FrameOf<ModelSeries<double>> range = frame_series(leg, whole);
+  const FrameOf<ModelSeries<double>> point = frame_series(segment, Ball<double>::exact(m.middle));
+  const FrameOf<ModelSeries<double>> range = frame_series(segment, whole);
   take_series(m, 0, point.for_pp[1], range.for_pp[1]);
   take_series(m, 1, point.for_pp[2], range.for_pp[2]);
   take_series(m, 2, point.for_qq[1], range.for_qq[1]);
@@ -125,7 +125,8 @@ FrameModel FrameModel::over(const Leg& leg, double start, double end) {
 
 bool FrameModel::finite() const {
   for (int i = 0; i < functions; ++i) {
-    if (!(error[i] < INFINITY && error_d[i] < INFINITY && bend_rad[i] < INFINITY && third[i] < INFINITY)) return false;
+    if (!(error[i] < INFINITY && error_d[i] < INFINITY && second_rad[i] < INFINITY && third[i] < INFINITY))
+      return false;
   }
   return true;
 }
@@ -163,7 +164,7 @@ double FrameModel::straightness(int i, double slack) const {
 
 bool FrameModel::straight(double slack) const {
   for (int i = 0; i < functions; ++i) {
-    if (!(bend_rad[i] * radius * radius <= straightness(i, slack))) return false;
+    if (!(second_rad[i] * radius * radius <= straightness(i, slack))) return false;
   }
   return true;
 }
@@ -175,7 +176,7 @@ double FrameModel::fitting_share(double slack) const {
   double rest = nothing, turn = nothing;
   for (int i = 0; i < functions; ++i) {
     rest = std::max(rest, remainder[i] / leave(i));
-    turn = std::max(turn, bend_rad[i] * radius * radius / straightness(i, slack));
+    turn = std::max(turn, second_rad[i] * radius * radius / straightness(i, slack));
   }
   if (!(rest < INFINITY && turn < INFINITY)) return 0.5;
   const double eighth = std::sqrt(std::sqrt(std::sqrt(rest))), of_64 = std::sqrt(std::sqrt(std::sqrt(eighth)));

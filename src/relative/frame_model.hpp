@@ -1,22 +1,23 @@
-// Taylor models of a leg's frame: polynomials that are cheap to evaluate, with certified bounds of what they leave out.
+// Taylor models of a segment's frame: polynomials that are cheap to evaluate, with certified bounds of what they leave
+// out.
 #pragma once
 
 #include "numeric/lanes.hpp"
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 
 namespace taut {
 
-/// The six functions of the frame that vary on a motion leg, about the middle of an interval [start, end] of its
+/// The six functions of the frame that vary on a motion segment, about the middle of an interval [start, end] of its
 /// parameter: conj(x_P) D (two parts), conj(x_Q) D (two parts), c and s (see FrameOf; not for bridges).
 ///
 /// For every t in [start, end] and h = t - middle in doubles:
 ///   |sum_k c[k][i] h^k - f_i(t)| <= error[i], and the same for the first two derivatives with error_d[i] and
 ///   error_dd[i], by Horner's rule in doubles;
-///   |bend[i] - f_i''(t)| <= bend_rad[i] and |f_i'''(t)| <= third[i].
+///   |bend[i] - f_i''(t)| <= second_rad[i] and |f_i'''(t)| <= third[i].
 /// Bounds may be infinite where the motion is singular; they are never NaN.
 struct FrameModel {
   static constexpr int functions = 6;
-  static FrameModel over(const Leg& leg, double start, double end);
+  static FrameModel over(const MotionSegment& segment, double start, double end);
 
   /// f and f' at t of all functions, in pairs side by side: chains of dependent operations take little longer than one.
   void evaluate(double t, double (&value)[functions], double (&slope)[functions]) const {
@@ -34,7 +35,7 @@ struct FrameModel {
     angle.store(value + 4, slope + 4);
   }
   /// f, f' and f'' of the pairs that begin with numbers `first` and 4 only.
-  void evaluate(double t, int first, double (&value)[4], double (&slope)[4], double (&second)[4]) const {
+  void evaluate(double t, int first, double (&value)[4], double (&slope)[4], double (&second_at_t)[4]) const {
     const Lanes h = both(t - middle);
     const double* at = c[terms - 1];
     Horner2 way(at + first), angle(at + 4);
@@ -45,8 +46,8 @@ struct FrameModel {
     }
     way.store(value, slope);
     angle.store(value + 2, slope + 2);
-    store_lanes(second, way.half + way.half);
-    store_lanes(second + 2, angle.half + angle.half);
+    store_lanes(second_at_t, way.half + way.half);
+    store_lanes(second_at_t + 2, angle.half + angle.half);
   }
   /// All bounds are finite.
   bool finite() const;
@@ -67,11 +68,11 @@ struct FrameModel {
   int terms;                          ///< coefficients in use, the same for all functions
   double c[model_degree][functions];  ///< by power, then function
   double error[functions], error_d[functions], error_dd[functions];
-  double bend[functions], bend_rad[functions], third[functions];
-  double vague_bend[functions], vague_third[functions];  ///< what of these bounds is not the coefficients'
-  double remainder[functions];                           ///< the part of the error that shrinks with the interval
-  double noise[functions];                               ///< the part that does not: the middle's own uncertainty
-  double size[functions];                                ///< bounds of |f_i|
+  double second[functions], second_rad[functions], third[functions];
+  double vague_second[functions], vague_third[functions];  ///< what of these bounds is not the coefficients'
+  double remainder[functions];                             ///< the part of the error that shrinks with the interval
+  double noise[functions];                                 ///< the part that does not: the middle's own uncertainty
+  double size[functions];                                  ///< bounds of |f_i|
 
   /// Of function i, how far its second derivative goes from the middle's, and how large the third one is, by the
   /// coefficients as they are, if that is less than what is known.

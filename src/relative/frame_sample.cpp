@@ -71,8 +71,8 @@ FrameCurvature curvature_of(const FrameModel& m, int first) {
   const int source[4] = {first, first + 1, 4, 5};
   double error[4];
   for (int k = 0; k < 4; ++k) {
-    c.mid[k + 1] = m.bend[source[k]];
-    error[k] = m.bend_rad[source[k]] + sample_rounding * std::fabs(c.mid[k + 1]);
+    c.mid[k + 1] = m.second[source[k]];
+    error[k] = m.second_rad[source[k]] + sample_rounding * std::fabs(c.mid[k + 1]);
   }
   c.error_a = error[0] + error[1];
   c.error_b = error[2] + error[3];

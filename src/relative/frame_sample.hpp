@@ -7,13 +7,13 @@
 
 namespace taut {
 
-/// The five functions of Leg::Frame for one kind of triple, at one instant.
+/// The five functions of MotionSegment::Frame for one kind of triple, at one instant.
 struct FrameSample {
   double f[5], d[5];
   /// Bounds of the errors of f0, of f1 and f2 together, and of f3 and f4, with what a sum of products of them rounds.
   double error_0, error_a, error_b;
   double error_0d, error_ad, error_bd;  ///< the same for d
-  /// Second derivatives where a model has them (ClockPlace::sharp), with bounds of the same kind; that of f0 is zero.
+  /// Second derivatives where a model has them (ModelPlace::sharp), with bounds of the same kind; that of f0 is zero.
   double dd[4];
   double error_add, error_bdd;
 };

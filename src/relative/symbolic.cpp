@@ -21,26 +21,26 @@ const DyadicPolynomial& zero() {
 
 }  // namespace
 
-int SymbolicLeg::root_of(const DyadicPolynomial& square, bool clamped) {
+int SymbolicSegment::root_of(const DyadicPolynomial& square, bool clamped) {
   const std::size_t i = place_of(roots_, [&](const Root& r) { return r.square == square; });
   if (i == roots_.size()) roots_.push_back({square, clamped});
   return static_cast<int>(i);
 }
 
-int SymbolicLeg::angle_of(const DyadicPolynomial& angle) {
+int SymbolicSegment::angle_of(const DyadicPolynomial& angle) {
   const std::size_t i = place_of(angles_, [&](const DyadicPolynomial& a) { return a == angle; });
   if (i == angles_.size()) angles_.push_back(angle);
   return static_cast<int>(i);
 }
 
-std::size_t SymbolicLeg::factor_of(const DyadicPolynomial& factor) {
+std::size_t SymbolicSegment::factor_of(const DyadicPolynomial& factor) {
   const std::size_t i = place_of(factors_, [&](const DyadicPolynomial& f) { return f == factor; });
   if (i == factors_.size() && i < most_factors) factors_.push_back(factor);
   return i;
 }
 
 /// What is 1 - c^2 where a cosine c begins or ends at 1 is zero there: such zeros are divided out.
-int SymbolicLeg::sign_over(const DyadicPolynomial& p) const {
+int SymbolicSegment::sign_over(const DyadicPolynomial& p) const {
   DyadicPolynomial within = p;
   int sign = 1;
   while (auto rest = without_root(within, Dyadic::exact(start_))) within = std::move(*rest);
@@ -51,7 +51,7 @@ int SymbolicLeg::sign_over(const DyadicPolynomial& p) const {
   return sign * sign_with_ends(within);
 }
 
-int SymbolicLeg::sign_with_ends(const DyadicPolynomial& p) const {
+int SymbolicSegment::sign_with_ends(const DyadicPolynomial& p) const {
   BallPolynomial<Real320> balls;
   if (p.size() > balls.capacity) return 0;
   for (const Dyadic& c : p) balls.push_back(ball_of<Real320>(c));
@@ -68,16 +68,16 @@ int SymbolicLeg::sign_with_ends(const DyadicPolynomial& p) const {
 
 Symbolic Symbolic::constant(double c) { return of(nullptr, {}, {Dyadic::exact(c)}); }
 
-Symbolic Symbolic::of(SymbolicLeg* leg, const Key& key, DyadicPolynomial p) {
+Symbolic Symbolic::of(SymbolicSegment* segment, const Key& key, DyadicPolynomial p) {
   Symbolic s;
-  s.leg_ = leg;
+  s.segment_ = segment;
   s.add(key, std::move(p));
   return s;
 }
 
-Symbolic Symbolic::unknown(SymbolicLeg* leg) {
+Symbolic Symbolic::unknown(SymbolicSegment* segment) {
   Symbolic s;
-  s.leg_ = leg;
+  s.segment_ = segment;
   s.known_ = false;
   return s;
 }
@@ -100,11 +100,11 @@ const DyadicPolynomial* Symbolic::as_polynomial() const {
   return terms_.size() == 1 && terms_[0].key == Key{} ? &terms_[0].polynomial : nullptr;
 }
 
-Symbolic Symbolic::over(const Exponents& denominator, const SymbolicLeg& leg) const {
+Symbolic Symbolic::over(const Exponents& denominator, const SymbolicSegment& segment) const {
   Symbolic s = *this;
   for (std::size_t i = 0; i < denominator.size(); ++i) {
     for (; s.denominator_[i] < denominator[i]; ++s.denominator_[i]) {
-      for (Term& t : s.terms_) t.polynomial = t.polynomial * leg.factor(i);
+      for (Term& t : s.terms_) t.polynomial = t.polynomial * segment.factor(i);
     }
   }
   return s;
@@ -117,18 +117,18 @@ Symbolic operator-(const Symbolic& a) {
 }
 
 Symbolic operator+(const Symbolic& a, const Symbolic& b) {
-  SymbolicLeg* const leg = a.leg_ ? a.leg_ : b.leg_;
-  if (!a.known_ || !b.known_) return Symbolic::unknown(leg);
+  SymbolicSegment* const segment = a.segment_ ? a.segment_ : b.segment_;
+  if (!a.known_ || !b.known_) return Symbolic::unknown(segment);
   Symbolic::Exponents most{};
   for (std::size_t i = 0; i < most.size(); ++i) most[i] = std::max(a.denominator_[i], b.denominator_[i]);
-  if (!leg) {
+  if (!segment) {
     Symbolic sum = a;
     for (const Symbolic::Term& t : b.terms_) sum.add(t.key, t.polynomial);
     return sum;
   }
-  Symbolic sum = a.over(most, *leg);
-  sum.leg_ = leg;
-  const Symbolic other = b.over(most, *leg);
+  Symbolic sum = a.over(most, *segment);
+  sum.segment_ = segment;
+  const Symbolic other = b.over(most, *segment);
   for (const Symbolic::Term& t : other.terms_) sum.add(t.key, t.polynomial);
   return sum;
 }
@@ -139,19 +139,19 @@ void Symbolic::add_product(const Term& a, const Term& b) {
   const std::uint8_t both = a.key.roots & b.key.roots;
   for (int i = 0; i < 8; ++i) {
     if ((both >> i & 1) == 0) continue;
-    const SymbolicLeg::Root& root = leg_->root(i);
+    const SymbolicSegment::Root& root = segment_->root(i);
     if (root.clamped) known_ = false;
     p = p * root.square;
   }
   Key key{a.key.angle ? a.key.angle : b.key.angle, a.key.angle ? a.key.sine : b.key.sine,
           static_cast<std::uint8_t>(a.key.roots ^ b.key.roots)};
   if (a.key.angle == 0 || b.key.angle == 0) return add(key, std::move(p));
-  // Copies: a new angle moves those that the leg has.
-  const DyadicPolynomial x = leg_->angle(a.key.angle), y = leg_->angle(b.key.angle);
+  // Copies: a new angle moves those that the segment has.
+  const DyadicPolynomial x = segment_->angle(a.key.angle), y = segment_->angle(b.key.angle);
   p = halved(p);
   const auto add_of = [&](const DyadicPolynomial& angle, double sign) {
     Symbolic sine, cosine;
-    sin_cos(of(leg_, {}, angle), sine, cosine);
+    sin_cos(of(segment_, {}, angle), sine, cosine);
     const bool sine_wanted = a.key.sine != b.key.sine;
     for (const Term& t : (sine_wanted ? sine : cosine).terms_) {
       const DyadicPolynomial q = p * t.polynomial;
@@ -165,7 +165,7 @@ void Symbolic::add_product(const Term& a, const Term& b) {
 
 Symbolic operator*(const Symbolic& a, const Symbolic& b) {
   Symbolic product;
-  product.leg_ = a.leg_ ? a.leg_ : b.leg_;
+  product.segment_ = a.segment_ ? a.segment_ : b.segment_;
   product.known_ = a.known_ && b.known_;
   if (!product.known_) return product;
   for (std::size_t i = 0; i < product.denominator_.size(); ++i) {
@@ -178,65 +178,65 @@ Symbolic operator*(const Symbolic& a, const Symbolic& b) {
 }
 
 Symbolic operator/(const Symbolic& a, const Symbolic& b) {
-  SymbolicLeg* const leg = a.leg_ ? a.leg_ : b.leg_;
-  if (!leg || !b.known_ || b.terms_.size() != 1) return Symbolic::unknown(leg);
+  SymbolicSegment* const segment = a.segment_ ? a.segment_ : b.segment_;
+  if (!segment || !b.known_ || b.terms_.size() != 1) return Symbolic::unknown(segment);
   const Symbolic::Term& by = b.terms_[0];
-  if (by.key.angle != 0) return Symbolic::unknown(leg);
+  if (by.key.angle != 0) return Symbolic::unknown(segment);
   // 1 / (p r), where r is a product of roots, is r / (p r^2).
   DyadicPolynomial factor = by.polynomial;
   for (int i = 0; i < 8; ++i) {
-    if (by.key.roots >> i & 1) factor = factor * leg->root(i).square;
+    if (by.key.roots >> i & 1) factor = factor * segment->root(i).square;
   }
-  Symbolic quotient = a * Symbolic::of(leg, {0, false, by.key.roots}, {Dyadic::exact(1)});
-  const std::size_t place = leg->factor_of(factor);
-  if (place >= SymbolicLeg::most_factors) return Symbolic::unknown(leg);
+  Symbolic quotient = a * Symbolic::of(segment, {0, false, by.key.roots}, {Dyadic::exact(1)});
+  const std::size_t place = segment->factor_of(factor);
+  if (place >= SymbolicSegment::most_factors) return Symbolic::unknown(segment);
   ++quotient.denominator_[place];
   for (std::size_t i = 0; i < b.denominator_.size(); ++i) {
-    for (int k = 0; k < b.denominator_[i]; ++k) quotient = quotient * Symbolic::of(leg, {}, leg->factor(i));
+    for (int k = 0; k < b.denominator_[i]; ++k) quotient = quotient * Symbolic::of(segment, {}, segment->factor(i));
   }
   return quotient;
 }
 
 Symbolic sqrt(const Symbolic& a) {
   const DyadicPolynomial* const p = a.as_polynomial();
-  if (!p) return Symbolic::unknown(a.leg_);
+  if (!p) return Symbolic::unknown(a.segment_);
   const auto absolute = [&](const DyadicPolynomial& s) -> std::optional<DyadicPolynomial> {
-    const int sign = s.empty() ? 1 : a.leg_->sign_over(s);
+    const int sign = s.empty() ? 1 : a.segment_->sign_over(s);
     if (sign == 0) return std::nullopt;
     return sign > 0 ? s : -s;
   };
   if (const auto s = square_root(*p)) {
-    if (const auto root = absolute(*s)) return Symbolic::of(a.leg_, {}, *root);
+    if (const auto root = absolute(*s)) return Symbolic::of(a.segment_, {}, *root);
   }
   // A square of the product with a root that is known: sqrt(p) = |s| / sqrt(q) = |s| sqrt(q) / q.
-  for (int i = 0; i < a.leg_->roots(); ++i) {
-    const DyadicPolynomial q = a.leg_->root(i).square;
-    if (q == *p || a.leg_->root(i).clamped) continue;
+  for (int i = 0; i < a.segment_->roots(); ++i) {
+    const DyadicPolynomial q = a.segment_->root(i).square;
+    if (q == *p || a.segment_->root(i).clamped) continue;
     const auto s = square_root(*p * q);
     const auto root = s ? absolute(*s) : std::nullopt;
     if (root) {
-      return Symbolic::of(a.leg_, {}, *root) /
-             Symbolic::of(a.leg_, {0, false, static_cast<std::uint8_t>(1u << i)}, {Dyadic::exact(1)});
+      return Symbolic::of(a.segment_, {}, *root) /
+             Symbolic::of(a.segment_, {0, false, static_cast<std::uint8_t>(1u << i)}, {Dyadic::exact(1)});
     }
   }
-  const int i = a.leg_->root_of(*p, a.leg_->sign_over(*p) <= 0);
-  if (i >= 8) return Symbolic::unknown(a.leg_);
-  return Symbolic::of(a.leg_, {0, false, static_cast<std::uint8_t>(1u << i)}, {Dyadic::exact(1)});
+  const int i = a.segment_->root_of(*p, a.segment_->sign_over(*p) <= 0);
+  if (i >= 8) return Symbolic::unknown(a.segment_);
+  return Symbolic::of(a.segment_, {0, false, static_cast<std::uint8_t>(1u << i)}, {Dyadic::exact(1)});
 }
 
 void sin_cos(const Symbolic& a, Symbolic& sine, Symbolic& cosine) {
   const DyadicPolynomial* const p = a.as_polynomial();
   if (!p) {
-    sine = cosine = Symbolic::unknown(a.leg_);
+    sine = cosine = Symbolic::unknown(a.segment_);
   } else if (p->empty()) {
     sine = Symbolic();
     cosine = Symbolic::constant(1);
-    sine.leg_ = cosine.leg_ = a.leg_;
+    sine.segment_ = cosine.segment_ = a.segment_;
   } else {
     const bool flipped = p->back().sign() < 0;
-    const int angle = a.leg_->angle_of(flipped ? -*p : *p);
-    sine = Symbolic::of(a.leg_, {angle, true, 0}, {Dyadic::exact(flipped ? -1 : 1)});
-    cosine = Symbolic::of(a.leg_, {angle, false, 0}, {Dyadic::exact(1)});
+    const int angle = a.segment_->angle_of(flipped ? -*p : *p);
+    sine = Symbolic::of(a.segment_, {angle, true, 0}, {Dyadic::exact(flipped ? -1 : 1)});
+    cosine = Symbolic::of(a.segment_, {angle, false, 0}, {Dyadic::exact(1)});
   }
 }
 

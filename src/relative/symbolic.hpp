@@ -1,4 +1,4 @@
-// Functions of time as exact expressions: a number type for the derivation of a leg's frame functions.
+// Functions of time as exact expressions: a number type for the derivation of a segment's frame functions.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// What the expressions of one leg share: the square roots, angles and denominators that have come up.
+/// What the expressions of one segment share: the square roots, angles and denominators that have come up.
 ///
 /// An expression is a sum of polynomials, each times a product of square roots of polynomials and the sine or cosine of
 /// one polynomial, divided by a product of polynomials. All coefficients are rational. Where two expressions are equal
@@ -18,9 +18,9 @@ namespace taut {
 /// and hardly ever is another one zero: exponentials of different polynomials are linearly independent over algebraic
 /// functions (Lindemann and Weierstrass, for the constants), and so are roots of polynomials no product of which is a
 /// square.
-class SymbolicLeg {
+class SymbolicSegment {
  public:
-  SymbolicLeg(double start, double end) : start_(start), end_(end) {}
+  SymbolicSegment(double start, double end) : start_(start), end_(end) {}
 
   struct Root {
     DyadicPolynomial square;
@@ -37,8 +37,8 @@ class SymbolicLeg {
   int root_of(const DyadicPolynomial& square, bool clamped);
   int angle_of(const DyadicPolynomial& angle);
   std::size_t factor_of(const DyadicPolynomial& factor);
-  /// The sign that the polynomial certainly has all over the leg, but for the ends, where it may be zero; 0 if that is
-  /// not shown easily.
+  /// The sign that the polynomial certainly has all over the segment, but for the ends, where it may be zero; 0 if that
+  /// is not shown easily.
   int sign_over(const DyadicPolynomial& p) const;
 
  private:
@@ -51,9 +51,9 @@ class SymbolicLeg {
   std::vector<DyadicPolynomial> factors_;
 };
 
-/// Stands for the time in SymbolicLeg.
+/// Stands for the time in SymbolicSegment.
 struct SymbolicTime {
-  SymbolicLeg* leg;
+  SymbolicSegment* segment;
 };
 
 class Symbolic {
@@ -71,13 +71,13 @@ class Symbolic {
     Key key;
     DyadicPolynomial polynomial;
   };
-  using Exponents = std::array<std::uint8_t, SymbolicLeg::most_factors>;
+  using Exponents = std::array<std::uint8_t, SymbolicSegment::most_factors>;
 
   static Symbolic constant(double c);
   template <class Coefficients>
   static Symbolic polynomial(const Coefficients& c, const SymbolicTime& t) {
     Symbolic s;
-    s.leg_ = t.leg;
+    s.segment_ = t.segment;
     DyadicPolynomial p;
     for (std::size_t k = 0; k < c.size(); ++k) p.push_back(Dyadic::exact(c[k]));
     s.add({}, std::move(p));
@@ -89,7 +89,7 @@ class Symbolic {
   const std::vector<Term>& terms() const { return terms_; }
   const Exponents& denominator() const { return denominator_; }
   /// The same with a larger denominator.
-  Symbolic over(const Exponents& denominator, const SymbolicLeg& leg) const;
+  Symbolic over(const Exponents& denominator, const SymbolicSegment& segment) const;
 
   friend Symbolic operator-(const Symbolic& a);
   friend Symbolic operator+(const Symbolic& a, const Symbolic& b);
@@ -103,14 +103,14 @@ class Symbolic {
   friend void sin_cos(const Symbolic& a, Symbolic& sine, Symbolic& cosine);
 
  private:
-  static Symbolic unknown(SymbolicLeg* leg);
-  static Symbolic of(SymbolicLeg* leg, const Key& key, DyadicPolynomial p);
+  static Symbolic unknown(SymbolicSegment* segment);
+  static Symbolic of(SymbolicSegment* segment, const Key& key, DyadicPolynomial p);
   void add(const Key& key, DyadicPolynomial p);
   void add_product(const Term& a, const Term& b);
   /// The polynomial that it is, if it is one.
   const DyadicPolynomial* as_polynomial() const;
 
-  SymbolicLeg* leg_ = nullptr;
+  SymbolicSegment* segment_ = nullptr;
   bool known_ = true;
   std::vector<Term> terms_;
   Exponents denominator_{};

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "spacetime/distance_bound.hpp"
-#include "spacetime/settle_nearest.hpp"
+#include "spacetime/resolve_nearest.hpp"
 
 namespace taut {
 
@@ -26,10 +26,10 @@ std::size_t DistanceFunction::search(double from, double to, spacetime::Nearest&
   best.distance = INFINITY;
   std::size_t which = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    interruption_point();
-    const PairSearch& s = pairs_[i]->search;
+    checkpoint();
+    const PairInstance& s = pairs_[i]->search;
     const double before = best.distance;
-    spacetime::find_nearest_within(s.geometry, s.trees(), s.legs(), from, to, tolerance_, best);
+    spacetime::find_nearest_within(s.geometry, s.trees(), s.segments(), from, to, tolerance_, best);
     if (best.distance < before) which = i;
   }
   return which;
@@ -40,9 +40,9 @@ void DistanceFunction::settle(double from, double to, spacetime::Nearest& best) 
   double unresolved = INFINITY;
   for (const PairDistance* pair : pairs_) {
     if (!(best.unresolved < tolerance_.least(best.distance))) return;
-    const PairSearch& s = pair->search;
+    const PairInstance& s = pair->search;
     spacetime::Nearest own = best;
-    spacetime::settle_nearest(s.geometry, s.trees(), s.legs(), {from, to}, tolerance_, own);
+    spacetime::resolve_nearest(s.geometry, s.trees(), s.segments(), {from, to}, tolerance_, own);
     unresolved = std::min(unresolved, own.unresolved);
     best.distance = std::min(best.distance, own.distance);
   }
@@ -75,8 +75,8 @@ double DistanceFunction::most(double from, double to) const {
   if (overlap_throughout(from, to)) return 0;
   spacetime::Nearest best;
   const double middle = from + (to - from) / 2;
-  const PairSearch& s = pairs_[search(middle, middle, best)]->search;
-  return std::ldexp(spacetime::distance_bound(s.geometry, s.trees(), s.legs(), from, to, tolerance_), -exponent_);
+  const PairInstance& s = pairs_[search(middle, middle, best)]->search;
+  return std::ldexp(spacetime::distance_bound(s.geometry, s.trees(), s.segments(), from, to, tolerance_), -exponent_);
 }
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "search/pair_search.hpp"
+#include "search/pair_instance.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
@@ -14,7 +14,7 @@ namespace taut {
 /// A pair of bodies, and when they touch.
 struct PairDistance {
   std::array<BodyId, 2> pair;
-  PairSearch search;
+  PairInstance search;
   std::vector<OverlapInterval> touching;  ///< closed
 };
 

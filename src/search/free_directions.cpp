@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut {
@@ -87,7 +87,7 @@ std::array<Ball<Real>, 2> FreeDirections::exact_difference(const VertexDirection
 template <class Quantity>
 int FreeDirections::decided(const Quantity& quantity, const char* what) const {
   if (const int sign = quantity(double{}).sign()) return sign;
-  if (const int sign = told_sign(quantity)) return sign;
+  if (const int sign = decided_sign(quantity)) return sign;
   throw Undecidable{what};
 }
 
@@ -145,7 +145,7 @@ int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) co
   const double error =
       l1_norm(u) * f + l1_norm(v) * e + 2 * e * f + 0x1p-50 * l1_norm(u) * l1_norm(v) + underflow_slack;
   if (std::fabs(value) > error) return value > 0 ? 1 : -1;
-  const int sign = told_sign([&](auto real) {
+  const int sign = decided_sign([&](auto real) {
     using Real = decltype(real);
     const auto p = exact_difference<Real>(a), q = exact_difference<Real>(b);
     return p[0] * q[1] - p[1] * q[0];
@@ -158,7 +158,7 @@ int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) co
 int FreeDirections::upper(const VertexDirection& d) const {
   const double y = difference(d).y;
   if (std::fabs(y) > difference_error(d)) return y > 0 ? 1 : -1;
-  if (const int sign = told_sign([&](auto real) { return exact_difference<decltype(real)>(d)[1]; })) return sign;
+  if (const int sign = decided_sign([&](auto real) { return exact_difference<decltype(real)>(d)[1]; })) return sign;
   throw Undecidable{"whether a direction is above the x axis"};
 }
 
@@ -271,7 +271,7 @@ void FreeDirections::sample(int other) {
   const auto m = static_cast<std::uint32_t>(others_[static_cast<std::size_t>(other)]->vertices.polygon().points.size());
   const std::uint32_t count = 2 * std::max(n, m);
   for (std::uint32_t k = 0; k < count; ++k) {
-    interruption_point();
+    checkpoint();
     block(static_cast<std::uint32_t>(std::uint64_t{k} * 7919 % n), other,
           static_cast<std::uint32_t>((std::uint64_t{k} * 104729 + k / n) % m));
   }
@@ -281,7 +281,7 @@ void FreeDirections::descend(int other) {
   const spacetime::Hierarchy &own = moving_.tree, &theirs = others_[static_cast<std::size_t>(other)]->tree;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
-    interruption_point();
+    checkpoint();
     const auto [i, j] = stack.back();
     stack.pop_back();
     const spacetime::BoxNode &a = own.node(i), &b = theirs.node(j);
@@ -314,7 +314,7 @@ std::vector<VertexArc> FreeDirections::free() {
   const bool free_at_first = count == 0;
   // Arcs are open. Of ends at one and the same direction, those of arcs that go on do not open it.
   for (std::size_t i = 0; i < ends.size();) {
-    interruption_point();
+    checkpoint();
     int ending = 0, beginning = 0;
     std::size_t k = i;
     for (; k < ends.size() && ends[k].at == ends[i].at; ++k) (ends[k].change < 0 ? ending : beginning) += 1;

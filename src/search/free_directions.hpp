@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "search/posed_vertices.hpp"
+#include "search/vertices_at_pose.hpp"
 #include "spacetime/hierarchy.hpp"
 
 namespace taut {
 
 /// A body where it stands, with its tree of boxes.
 struct StandingBody {
-  PosedVertices vertices;
+  VerticesAtPose vertices;
   const spacetime::Hierarchy& tree;
 };
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "pair/overlap_witness.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 
 namespace taut {
 namespace {
@@ -26,24 +26,24 @@ MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, dou
       stop_(end),
       proved_(start) {}
 
-const SharedLegs& MapSearch::legs(const PairPlan& plan) {
+const SharedSegments& MapSearch::segments(const PairPlan& plan) {
   const bool mover_is_q = plan.rings[1] == mover_.rings;
-  SharedLegs& known = legs_[mover_is_q ? 1 : 0];
+  SharedSegments& known = segments_[mover_is_q ? 1 : 0];
   if (!known) {
     const MotionChain rests{PieceList({MotionPiece{}})};
     const MotionChain& moves = mover_.motions.empty() ? rests : mover_.motions;
-    known = std::make_shared<const Legs>(mover_is_q ? make_legs(rests, moves, start_, end_)
-                                                    : make_legs(moves, rests, start_, end_));
+    known = std::make_shared<const MotionSegments>(mover_is_q ? make_segments(rests, moves, start_, end_)
+                                                              : make_segments(moves, rests, start_, end_));
   }
   return known;
 }
 
-PairQuestion& MapSearch::pair(int body) {
-  std::unique_ptr<PairQuestion>& place = pairs_[body];
+SpacetimeSolver& MapSearch::pair(int body) {
+  std::unique_ptr<SpacetimeSolver>& place = pairs_[body];
   if (!place) {
     PairPlan roles = plan(body);
-    const SharedLegs& all = legs(roles);
-    place = std::make_unique<PairQuestion>(PairSearch(std::move(roles), all, inwards_), inwards_, start_, end_);
+    const SharedSegments& all = segments(roles);
+    place = std::make_unique<SpacetimeSolver>(PairInstance(std::move(roles), all, inwards_), inwards_, start_, end_);
   }
   return *place;
 }
@@ -56,7 +56,7 @@ std::optional<Point> MapSearch::common_point(int body) {
   const PairPlan pair = plan(body);
   const PieceChain moves = pieces_at(mover_.motions, start_), rests = pieces_at({}, start_);
   const bool mover_is_q = pair.rings[1] == mover_.rings;
-  return taut::common_point(pair, {mover_is_q ? rests : moves, mover_is_q ? moves : rests}, legs(pair)->front(),
+  return taut::common_point(pair, {mover_is_q ? rests : moves, mover_is_q ? moves : rests}, segments(pair)->front(),
                             start_);
 }
 
@@ -64,7 +64,7 @@ bool MapSearch::start() {
   std::vector<int> near;
   bodies_.boxes.find(swept_box(mover_, start_, start_), near);
   for (const int body : near) {
-    PairQuestion& met = pair(body);
+    SpacetimeSolver& met = pair(body);
     met.ask_start();
     if (!met.open()) stop_ = start_;
   }
@@ -72,7 +72,7 @@ bool MapSearch::start() {
 }
 
 void MapSearch::cover(double from, double to, int depth) {
-  interruption_point();
+  checkpoint();
   if (from > stop_) return;
   proved_ = std::max(proved_, from);
   const SweptBox box = swept_box(mover_, from, to);
@@ -87,7 +87,7 @@ void MapSearch::cover(double from, double to, int depth) {
   bodies_.boxes.find(box, near);
   for (const int body : near) {
     if (from > stop_) return;
-    PairQuestion& met = pair(body);
+    SpacetimeSolver& met = pair(body);
     met.ask(from, std::min(to, stop_));
     if (met.result().contact) stop_ = std::min(stop_, met.result().contact->time.hi);
   }

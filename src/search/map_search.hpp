@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "search/pair_question.hpp"
+#include "search/pair_solver.hpp"
 #include "world/box_tree.hpp"
 #include "world/free_cells.hpp"
 
@@ -21,8 +21,8 @@ struct MapBodies {
 };
 
 /// Time is halved while the mover's box grows by its way; each window asks the tree which bodies its box meets, and
-/// these are settled for it. Windows come in order of time and a contact ends the search. The legs of the motion are
-/// the same for all bodies of the map, but for the two roles that the mover can have.
+/// these are settled for it. Windows come in order of time and a contact ends the search. The segments of the motion
+/// are the same for all bodies of the map, but for the two roles that the mover can have.
 class MapSearch {
  public:
   /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
@@ -46,9 +46,9 @@ class MapSearch {
   StageCounts stages() const { return stages_of(pairs_); }
 
  private:
-  PairQuestion& pair(int body);
+  SpacetimeSolver& pair(int body);
   PairPlan plan(int body) const;
-  const SharedLegs& legs(const PairPlan& plan);
+  const SharedSegments& segments(const PairPlan& plan);
   void cover(double from, double to, int depth);
 
   const MapBodies& bodies_;
@@ -57,8 +57,8 @@ class MapSearch {
   bool inwards_;
   double size_;  ///< of the mover's box while it rests
   double stop_, proved_;
-  std::array<SharedLegs, 2> legs_;  ///< with the mover as P, as Q
-  std::map<int, std::unique_ptr<PairQuestion>> pairs_;
+  std::array<SharedSegments, 2> segments_;  ///< with the mover as P, as Q
+  std::map<int, std::unique_ptr<SpacetimeSolver>> pairs_;
 };
 
 }  // namespace taut

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -80,7 +80,7 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
 void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
   const SweptBox box = window.boxes.box(body);
   for (const int other : window.boxes.find(box)) {
-    interruption_point();
+    checkpoint();
     if (other == body || !plan_.asked(body, other) || has(body, other)) continue;
     if (!window.divisible || !is_long(plan_, body, box, other, window.boxes.box(other))) {
       add(window, body, other);

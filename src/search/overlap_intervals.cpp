@@ -4,15 +4,15 @@
 #include <cmath>
 #include <span>
 
-#include "base/interruption.hpp"
-#include "search/pair_search.hpp"
-#include "sign/witness.hpp"
+#include "base/budget.hpp"
+#include "search/pair_instance.hpp"
+#include "sign/feature_map.hpp"
 #include "spacetime/first_contact.hpp"
 
 namespace taut {
 namespace {
 
-using spacetime::LegCrossing;
+using spacetime::SegmentCrossing;
 
 /// Enclosures as wide as this share of an instant say as much as doubles can.
 constexpr double rounding_of_doubles = 0x1p-55;
@@ -20,7 +20,7 @@ constexpr double rounding_of_doubles = 0x1p-55;
 /// Crossings that enclosures do not tell apart.
 struct Cluster {
   double lo, hi;  ///< in the world's time
-  LegCrossing first, last;
+  SegmentCrossing first, last;
   bool alone = true;  ///< first and last are one crossing, which may be enclosed roughly
 };
 
@@ -35,7 +35,7 @@ class IntervalSearch {
     bool inside = near_.front().lo == plan_.start() && overlapping_at(plan_.start());
     if (inside) begin_at(plan_.start());
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
-      interruption_point();
+      checkpoint();
       Cluster& c = clusters_[i];
       const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : plan_.end();
       // Of crossings up to the very end no other instant is left after them. They need not be counted: a corner that
@@ -57,18 +57,18 @@ class IntervalSearch {
     for (const TimeInterval& s : near_) windows.push_back({s.lo, s.hi, s.lo == plan_.start()});
     return windows;
   }
-  double time(const LegCrossing& c, double parameter) const {
-    return std::clamp(pair_.legs()[c.leg].time(parameter), plan_.start(), plan_.end());
+  double time(const SegmentCrossing& c, double parameter) const {
+    return std::clamp(pair_.segments()[c.segment].time(parameter), plan_.start(), plan_.end());
   }
   /// Some double must lie strictly between, at which the overlap can be asked for.
   bool apart(double before, double after) const { return std::nextafter(before, plan_.end()) < after; }
-  static void sort(std::span<LegCrossing> some) {
-    std::stable_sort(some.begin(), some.end(), [](const LegCrossing& a, const LegCrossing& b) {
-      return std::pair(a.leg, a.lo) < std::pair(b.leg, b.lo);
+  static void sort(std::span<SegmentCrossing> some) {
+    std::stable_sort(some.begin(), some.end(), [](const SegmentCrossing& a, const SegmentCrossing& b) {
+      return std::pair(a.segment, a.lo) < std::pair(b.segment, b.lo);
     });
   }
   void find_clusters() {
-    std::vector<LegCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.legs(), windows());
+    std::vector<SegmentCrossing> all = all_crossings(pair_.geometry, pair_.trees(), pair_.segments(), windows());
     if (precisely_) {
       tighten_all(all);
     } else {
@@ -83,17 +83,17 @@ class IntervalSearch {
       add({all.data() + i, k - i});
     }
   }
-  void tighten_all(std::span<LegCrossing> some) const {
-    for (LegCrossing& c : some) {
-      interruption_point();
-      tighten(pair_.geometry, pair_.legs(), c, precisely_ ? 0 : rounding_of_doubles);
+  void tighten_all(std::span<SegmentCrossing> some) const {
+    for (SegmentCrossing& c : some) {
+      checkpoint();
+      tighten(pair_.geometry, pair_.segments(), c, precisely_ ? 0 : rounding_of_doubles);
     }
     sort(some);
   }
   /// Crossings in order, as clusters.
-  void add(std::span<const LegCrossing> some) {
+  void add(std::span<const SegmentCrossing> some) {
     bool first = true;
-    for (const LegCrossing& c : some) {
+    for (const SegmentCrossing& c : some) {
       const double lo = time(c, c.lo), hi = time(c, c.hi);
       if (!first && !apart(clusters_.back().hi, lo)) {
         clusters_.back().hi = std::max(clusters_.back().hi, hi);
@@ -108,20 +108,20 @@ class IntervalSearch {
   /// As an interval's end says it.
   void tighten_ends(Cluster& c) const {
     if (!c.alone) return;
-    tighten(pair_.geometry, pair_.legs(), c.first, precisely_ ? 0 : rounding_of_doubles);
+    tighten(pair_.geometry, pair_.segments(), c.first, precisely_ ? 0 : rounding_of_doubles);
     c.last = c.first;
     c.lo = time(c.first, c.first.lo);
     c.hi = time(c.first, c.first.hi);
   }
   bool overlapping_at(double t) const {
-    const Legs& legs = pair_.legs();
-    std::size_t k = legs.first_until(t);
-    while (legs.place(k).bridge) ++k;
-    return spacetime::overlapping(pair_.geometry, pair_.trees(), *legs.hold(k), t).has_value();
+    const MotionSegments& segments = pair_.segments();
+    std::size_t k = segments.first_until(t);
+    while (segments.place(k).bridge) ++k;
+    return spacetime::overlapping(pair_.geometry, pair_.trees(), *segments.hold(k), t).has_value();
   }
-  Contact contact_of(const LegCrossing& c, Passage passage) const {
-    Contact contact = Witness(pair_.plan, pair_.geometry, inwards_)
-                          .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.legs()[c.leg], passage);
+  Contact contact_of(const SegmentCrossing& c, Passage passage) const {
+    Contact contact = FeatureMap(pair_.plan, pair_.geometry, inwards_)
+                          .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.segments()[c.segment], passage);
     contact.time = {std::max(contact.time.lo, plan_.start()), std::min(contact.time.hi, plan_.end())};
     return contact;
   }
@@ -153,7 +153,7 @@ class IntervalSearch {
   const WorldPlan& plan_;
   const std::vector<TimeInterval>& near_;
   bool precisely_;
-  PairSearch pair_;
+  PairInstance pair_;
   bool inwards_;
   std::array<BodyId, 2> bodies_;
   std::vector<Cluster> clusters_;

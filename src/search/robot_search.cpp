@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "spacetime/box_separation.hpp"
 
 namespace taut {
 
-using spacetime::EvenLeg;
 using spacetime::Stretch;
+using spacetime::UniformSegment;
 
 namespace {
 
@@ -134,11 +134,11 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
 
 /// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? No more than that:
 /// cheap, to be asked first.
-bool RobotSearch::crosses(std::size_t link, const EvenLeg& leg, double t) {
-  spacetime::EvenStretch even = leg.stretch(t, t);
+bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, double t) {
+  spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
   if (!find_near(link, instant)) return false;
-  const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
+  const spacetime::QAtPose posed = spacetime::QAtPose::of(instant);
   crossed_ = 0;
   if (others_.size() == 1 && around(states_[link], posed) == FreeCells::Cell::covered) return true;
   for (const spacetime::Other& other : others_) {
@@ -155,13 +155,13 @@ RobotFinding RobotSearch::sampled(double from, double to) {
   RobotFinding free;
   free.lo = free.hi = to;
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    const EvenLeg leg(world_chain, states_[k].chain, *states_[k].tree, from, to);
-    if (!find_near(k, leg.stretch(from, to).everywhere())) continue;
+    const UniformSegment segment(world_chain, states_[k].chain, *states_[k].tree, from, to);
+    if (!find_near(k, segment.stretch(from, to).everywhere())) continue;
     const double steps = std::min(box_.longest() / states_[k].size, most_samples);
     for (double share = 1; share <= steps; share *= 2) {
       for (double i = 1; i <= share; i += 2) {
         const double t = from + (to - from) * (i / share);
-        if (crosses(k, leg, t)) return found(Outcome::contact, from, t, {static_cast<int>(k), -1}, crossed_);
+        if (crosses(k, segment, t)) return found(Outcome::contact, from, t, {static_cast<int>(k), -1}, crossed_);
       }
     }
   }
@@ -170,9 +170,9 @@ RobotFinding RobotSearch::sampled(double from, double to) {
 
 /// What is around the link, given that its edges cross none of the map's: something, if a vertex is certainly inside of
 /// it; nothing, if each outline has a vertex that is where nothing is.
-FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::PosedQ& posed) const {
-  constexpr double told_by_cells = 0x1p-32;
-  if (!(posed.error < told_by_cells)) return FreeCells::Cell::mixed;
+FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtPose& posed) const {
+  constexpr double decided_by_cells = 0x1p-32;
+  if (!(posed.error < decided_by_cells)) return FreeCells::Cell::mixed;
   bool all_free = true;
   for (const std::vector<Vector>& outline : link.outlines) {
     bool one_free = false;
@@ -190,11 +190,11 @@ FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::Pose
 
 /// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
 /// is; exactly where these do not tell. `with_map`: the link, where it is asked about with bodies of the map.
-std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hierarchy& mover, double t,
+std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment, const Hierarchy& mover, double t,
                                                    const LinkState* with_map) {
-  spacetime::EvenStretch even = leg.stretch(t, t);
+  spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
-  const spacetime::PosedQ posed = spacetime::PosedQ::of(instant);
+  const spacetime::QAtPose posed = spacetime::QAtPose::of(instant);
   const FreeCells::Cell cell = with_map ? around(*with_map, posed) : FreeCells::Cell::mixed;
   // A vertex inside of something is an overlap, whatever edges do. Of what, is known where there is only one.
   if (cell == FreeCells::Cell::covered && others_.size() == 1) return 0;
@@ -207,7 +207,7 @@ std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hie
     if (cross == spacetime::EdgesCross::yes) return i;
     const bool holds = with_map && std::binary_search(inside_.begin(), inside_.end(), near_[i]);
     if (cross == spacetime::EdgesCross::no && !within && !holds) continue;
-    if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, leg.leg(), t, instant)) return i;
+    if (spacetime::overlapping(*other.geometry, {*other.tree, mover}, segment.segment(), t, instant)) return i;
   }
   return std::nullopt;
 }
@@ -215,48 +215,49 @@ std::optional<std::size_t> RobotSearch::overlapped(const EvenLeg& leg, const Hie
 RobotFinding RobotSearch::at(double t) {
   for (std::size_t k = 0; k < links_.size(); ++k) {
     const LinkState& state = states_[k];
-    const EvenLeg leg(world_chain, state.chain, *state.tree, t, t + 1);
-    if (!find_near(k, leg.stretch(t, t).everywhere())) continue;
-    if (const auto other = overlapped(leg, *state.tree, t, &state))
+    const UniformSegment segment(world_chain, state.chain, *state.tree, t, t + 1);
+    if (!find_near(k, segment.stretch(t, t).everywhere())) continue;
+    if (const auto other = overlapped(segment, *state.tree, t, &state))
       return found(Outcome::overlap_at_start, t, t, {static_cast<int>(k), -1}, *other);
   }
   for (const LinkPair& pair : pairs_) {
     const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
-    const EvenLeg leg(pair.chain_p, pair.chain_q, mover, t, t + 1);
+    const UniformSegment segment(pair.chain_p, pair.chain_q, mover, t, t + 1);
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
-    if (overlapped(leg, mover, t, nullptr)) return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
+    if (overlapped(segment, mover, t, nullptr)) return found(Outcome::overlap_at_start, t, t, {pair.p, pair.q}, 0);
   }
   return {};
 }
 
 /// The others are in `others_`. What is found counts if it is earlier than what is known.
-void RobotSearch::search(const EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
+void RobotSearch::search(const UniformSegment& segment, const Hierarchy& mover, Names names, double from, double to,
                          RobotFinding& best) {
   try {
     if (best.outcome == Outcome::contact) to = std::max(std::nextafter(from, to), std::min(to, best.hi));
-    const auto contact = among_.run(leg, others_, mover, from, to, any_);
+    const auto contact = uniform_pairs_.run(segment, others_, mover, from, to, any_);
     if (contact && (best.outcome == Outcome::free || contact->lo < best.lo))
       best = found(Outcome::contact, contact->lo, contact->hi, names, contact->other);
   } catch (const Undecidable&) {
     // The one that is undecided first: nothing is claimed beyond.
-    if (best.outcome != Outcome::free && best.lo <= among_.proved()) return;
-    best = {Outcome::undecided, among_.proved(), among_.proved(), names.link, -1, names.other_link};
+    if (best.outcome != Outcome::free && best.lo <= uniform_pairs_.proved()) return;
+    best = {Outcome::undecided, uniform_pairs_.proved(), uniform_pairs_.proved(), names.link, -1, names.other_link};
   }
 }
 
 /// The way in windows, in order of time, as long as the box of the link over them tells little.
-void RobotSearch::cover(std::size_t link, const EvenLeg& leg, double from, double to, int depth, RobotFinding& best) {
-  interruption_point();
+void RobotSearch::cover(std::size_t link, const UniformSegment& segment, double from, double to, int depth,
+                        RobotFinding& best) {
+  checkpoint();
   if (best.outcome != Outcome::free && (any_ || from > best.hi)) return;
-  if (!find_near(link, leg.stretch(from, to).everywhere())) return;
+  if (!find_near(link, segment.stretch(from, to).everywhere())) return;
   const double middle = from + (to - from) / 2;
   if (near_.size() > crowd && box_.longest() > long_window * states_[link].size && depth < deepest_window &&
       from < middle && middle < to) {
-    cover(link, leg, from, middle, depth + 1, best);
-    cover(link, leg, middle, to, depth + 1, best);
+    cover(link, segment, from, middle, depth + 1, best);
+    cover(link, segment, middle, to, depth + 1, best);
     return;
   }
-  search(leg, *states_[link].tree, {static_cast<int>(link), -1}, from, to, best);
+  search(segment, *states_[link].tree, {static_cast<int>(link), -1}, from, to, best);
 }
 
 RobotFinding RobotSearch::along(double from, double to, bool any) {
@@ -269,26 +270,26 @@ RobotFinding RobotSearch::along(double from, double to, bool any) {
   best.lo = best.hi = to;
   const auto over = [&] { return best.outcome != Outcome::free && any_; };
   for (std::size_t k = 0; k < links_.size() && !over(); ++k) {
-    const EvenLeg leg(world_chain, states_[k].chain, *states_[k].tree, from, to);
-    cover(k, leg, from, to, 0, best);
+    const UniformSegment segment(world_chain, states_[k].chain, *states_[k].tree, from, to);
+    cover(k, segment, from, to, 0, best);
   }
   for (const LinkPair& pair : pairs_) {
     if (over()) break;
     const Hierarchy& mover = *states_[static_cast<std::size_t>(pair.q)].tree;
-    const EvenLeg leg(pair.chain_p, pair.chain_q, mover, from, to);
+    const UniformSegment segment(pair.chain_p, pair.chain_q, mover, from, to);
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
-    search(leg, mover, {pair.p, pair.q}, from, to, best);
+    search(segment, mover, {pair.p, pair.q}, from, to, best);
   }
   return best;
 }
 
 /// On the bridge, against all of `others_`.
-void RobotSearch::cross(Leg bridge, const Hierarchy& mover, Names names, RobotFinding& best) {
+void RobotSearch::cross(MotionSegment bridge, const Hierarchy& mover, Names names, RobotFinding& best) {
   const double t = bridge.joint;
-  const Legs legs(std::move(bridge));
+  const MotionSegments segments(std::move(bridge));
   for (std::size_t i = 0; i < others_.size() && best.outcome == Outcome::free; ++i) {
     const spacetime::SpacetimeResult r =
-        spacetime::first_contact(*others_[i].geometry, {*others_[i].tree, mover}, legs);
+        spacetime::first_contact(*others_[i].geometry, {*others_[i].tree, mover}, segments);
     if (r.outcome == spacetime::SpacetimeResult::free) continue;
     const bool contact = r.outcome == spacetime::SpacetimeResult::contact;
     best = found(contact ? Outcome::contact : Outcome::undecided, t, t, names, i);
@@ -299,8 +300,8 @@ void RobotSearch::cross(Leg bridge, const Hierarchy& mover, Names names, RobotFi
 /// rounding, which the stretch is widened by.
 void RobotSearch::find_crossed(std::size_t link, double t) {
   const Hierarchy& mover = *states_[link].tree;
-  const EvenLeg before(world_chain, states_[link].before, mover, t, t + 1);
-  const EvenLeg after(world_chain, states_[link].chain, mover, t, t + 1);
+  const UniformSegment before(world_chain, states_[link].before, mover, t, t + 1);
+  const UniformSegment after(world_chain, states_[link].chain, mover, t, t + 1);
   Stretch s = before.stretch(t, t).everywhere();
   const Stretch to = after.stretch(t, t).everywhere();
   const auto gap = [](const spacetime::Path& a, const spacetime::Path& b) {
@@ -333,12 +334,12 @@ RobotFinding RobotSearch::join(std::span<const MotionPiece> next, double t) {
     find_crossed(k, t);
     if (others_.empty()) continue;
     const PieceChain rests{MotionPiece{}};
-    cross(Leg::bridging_chains(rests, states_[k].before, rests, states_[k].chain, t), *states_[k].tree,
+    cross(MotionSegment::bridging_chains(rests, states_[k].before, rests, states_[k].chain, t), *states_[k].tree,
           {static_cast<int>(k), -1}, best);
   }
   for (const LinkPair& pair : pairs_) {
     others_.assign(1, {&pair.geometry, states_[static_cast<std::size_t>(pair.p)].tree});
-    cross(Leg::bridging_chains(pair.before_p, pair.before_q, pair.chain_p, pair.chain_q, t),
+    cross(MotionSegment::bridging_chains(pair.before_p, pair.before_q, pair.chain_p, pair.chain_q, t),
           *states_[static_cast<std::size_t>(pair.q)].tree, {pair.p, pair.q}, best);
   }
   return best;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "search/map_search.hpp"
-#include "spacetime/among.hpp"
+#include "spacetime/uniform_pairs.hpp"
 
 namespace taut {
 
@@ -69,17 +69,18 @@ class RobotSearch {
   std::size_t common_parents(int p, int q) const;
   /// Finds what meets the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
   bool find_near(std::size_t link, const spacetime::Stretch& s);
-  std::optional<std::size_t> overlapped(const spacetime::EvenLeg& leg, const Hierarchy& mover, double t,
+  std::optional<std::size_t> overlapped(const spacetime::UniformSegment& segment, const Hierarchy& mover, double t,
                                         const LinkState* with_map);
-  bool crosses(std::size_t link, const spacetime::EvenLeg& leg, double t);
+  bool crosses(std::size_t link, const spacetime::UniformSegment& segment, double t);
   RobotFinding sampled(double from, double to);
-  FreeCells::Cell around(const LinkState& link, const spacetime::PosedQ& posed) const;
-  void cover(std::size_t link, const spacetime::EvenLeg& leg, double from, double to, int depth, RobotFinding& best);
-  void search(const spacetime::EvenLeg& leg, const Hierarchy& mover, Names names, double from, double to,
+  FreeCells::Cell around(const LinkState& link, const spacetime::QAtPose& posed) const;
+  void cover(std::size_t link, const spacetime::UniformSegment& segment, double from, double to, int depth,
+             RobotFinding& best);
+  void search(const spacetime::UniformSegment& segment, const Hierarchy& mover, Names names, double from, double to,
               RobotFinding& best);
   RobotFinding found(Outcome outcome, double lo, double hi, Names names, std::size_t other) const;
   void find_crossed(std::size_t link, double t);
-  void cross(Leg bridge, const Hierarchy& mover, Names names, RobotFinding& best);
+  void cross(MotionSegment bridge, const Hierarchy& mover, Names names, RobotFinding& best);
 
   const MapBodies& bodies_;
   const FreeCells& cells_;
@@ -88,11 +89,11 @@ class RobotSearch {
   std::vector<const Hierarchy*> body_trees_;
   std::vector<LinkState> states_;
   std::vector<LinkPair> pairs_;
-  spacetime::AmongSearch among_;
+  spacetime::UniformPairsSearch uniform_pairs_;
   SweptBox box_;  ///< of the last find_near()
   std::vector<int> near_;
   std::vector<int> inside_;  ///< bodies of which an outline may be inside the link
-  spacetime::PosedSearch posed_;
+  spacetime::PoseSearch posed_;
   std::size_t crossed_ = 0;  ///< which of `others_` crosses() found
   std::vector<spacetime::Other> others_;
 };

@@ -9,8 +9,8 @@
 namespace taut {
 
 /// The pairs that windows around this one have settled.
-struct WorldSearch::Settled {
-  const Settled* above;
+struct WorldSearch::DormantCertificates {
+  const DormantCertificates* above;
   std::unordered_set<std::uint64_t> pairs;
 
   static std::uint64_t key(int a, int b) {
@@ -31,7 +31,7 @@ WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineCho
 
 WorldSearch::~WorldSearch() = default;
 
-WindowedPair& WorldSearch::pair(int a, int b) {
+PairSolver& WorldSearch::pair(int a, int b) {
   const std::pair<int, int> key(std::min(a, b), std::max(a, b));
   auto known = pairs_.find(key);
   // Made first: a limit may end that.
@@ -43,7 +43,7 @@ bool WorldSearch::start() {
   std::vector<int> bodies(plan_.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
   MeetingBoxes(plan_, bodies, plan_.start(), plan_.start()).each([&](int a, int b, bool) {
-    WindowedPair& met = pair(a, b);
+    PairSolver& met = pair(a, b);
     met.ask_start();
     if (!met.open()) stop_ = plan_.start();
   });
@@ -57,17 +57,18 @@ void WorldSearch::run() {
   proved_ = plan_.end();
 }
 
-void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth) {
+void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const DormantCertificates* above,
+                        int depth) {
   if (over(from)) return;
   // Pairs that windows around this one have settled come after it.
   if (!above || !above->any()) proved_ = std::max(proved_, from);
   const double middle = from + (to - from) / 2;
   const bool divisible = from < middle && middle < to && depth < most_halvings;
-  Settled here{above, {}};
+  DormantCertificates here{above, {}};
   std::vector<std::pair<int, int>> now;
   std::unordered_set<int> again;
   MeetingBoxes(plan_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
-    const std::uint64_t key = Settled::key(a, b);
+    const std::uint64_t key = DormantCertificates::key(a, b);
     if (above && above->has(key)) return;
     if (divisible && longer) {
       again.insert({a, b});
@@ -87,7 +88,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
 }
 
 /// The pair's first contact within the window, if there is one that matters.
-void WorldSearch::settle(WindowedPair& pair, double from, double to) {
+void WorldSearch::settle(PairSolver& pair, double from, double to) {
   const double end = all_ ? to : std::min(to, stop_);
   if (end < from) return;
   pair.ask(from, end);

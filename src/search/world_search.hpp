@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "search/pair_engines.hpp"
+#include "search/portfolio_solver.hpp"
 #include "world/swept_box.hpp"
 
 namespace taut {
@@ -41,17 +41,17 @@ class WorldSearch {
   }
 
  private:
-  struct Settled;
-  WindowedPair& pair(int a, int b);
-  void cover(double from, double to, const std::vector<int>& bodies, const Settled* above, int depth);
-  void settle(WindowedPair& pair, double from, double to);
+  struct DormantCertificates;
+  PairSolver& pair(int a, int b);
+  void cover(double from, double to, const std::vector<int>& bodies, const DormantCertificates* above, int depth);
+  void settle(PairSolver& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
   const WorldPlan& plan_;
   bool inwards_, all_;
   EngineChoice engine_;
   EventBudget budget_;
-  std::map<std::pair<int, int>, std::unique_ptr<WindowedPair>> pairs_;
+  std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;
 };
 

@@ -2,8 +2,8 @@
 
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "tiling/geodesic_faces.hpp"
 
 namespace taut {
@@ -26,8 +26,8 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, true);
   if (!geometry) return std::nullopt;
   arena->geometry = std::move(*geometry);
-  const Legs legs = make_legs(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
-  const Placement placement(arena->geometry, legs.front(), 0);
+  const MotionSegments segments = make_segments(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
+  const Placement placement(arena->geometry, segments.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
   const PairGeometry& g = arena->geometry;
   for (const SharedPolygon& polygon : {g.p(), g.q()}) {

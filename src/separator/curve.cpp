@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "geometry/hull.hpp"
 #include "geometry/predicates.hpp"
 #include "numeric/real.hpp"
@@ -14,7 +14,7 @@ namespace {
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// The intersection of two lines, rounded once.
-Point meet(const Sight& a, const Sight& b) {
+Point meet(const DirectedLine& a, const DirectedLine& b) {
   using R = Real320;
   const R ax = R(a.to.x) - R(a.from.x), ay = R(a.to.y) - R(a.from.y);
   const R bx = R(b.to.x) - R(b.from.x), by = R(b.to.y) - R(b.from.y);
@@ -26,7 +26,7 @@ Point meet(const Sight& a, const Sight& b) {
 }
 
 /// A point on the line from `start` on that lies well outside the bounds, in direction `sign`.
-Point far_along(const Sight& line, const Point& start, double sign, const Bounds& b) {
+Point far_along(const DirectedLine& line, const Point& start, double sign, const Bounds& b) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, length = std::sqrt(dx * dx + dy * dy);
   const double size = b.hi.x - b.lo.x + b.hi.y - b.lo.y;
   const Point middle{b.lo.x + (b.hi.x - b.lo.x) / 2, b.lo.y + (b.hi.y - b.lo.y) / 2};
@@ -105,7 +105,7 @@ std::optional<Point> point_inside(const Polygon& polygon) {
   for (double share = 0.5; share > 0x1p-40; share /= 4) {
     for (std::size_t i = 0; i < n; ++i) {
       const Point &u = polygon[i], &v = polygon[(i + 1) % n], &w = polygon[(i + 2) % n];
-      interruption_point();
+      checkpoint();
       if (orientation(u, v, w) <= 0) continue;
       const Point middle{u.x + (w.x - u.x) / 2, u.y + (w.y - u.y) / 2};
       const Point p{v.x + share * (middle.x - v.x), v.y + share * (middle.y - v.y)};
@@ -133,7 +133,7 @@ Curve curve_of(const LinkPath& path, const std::vector<Point>& around) {
     curve.vertices.push_back(meet(path.lines.back(), path.lines.front()));
     return curve;
   }
-  const Sight &first = path.lines.front(), &last = path.lines.back();
+  const DirectedLine &first = path.lines.front(), &last = path.lines.back();
   const Point start = curve.vertices.empty() ? first.from : curve.vertices.front();
   const Point end = curve.vertices.empty() ? last.to : curve.vertices.back();
   curve.vertices.insert(curve.vertices.begin(), far_along(first, start, -1, bounds));
@@ -152,7 +152,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   bool odd = false;
   for (std::size_t i = 0; i < edges; ++i) {
     const Point &a = curve.vertices[i], &b = curve.vertices[(i + 1) % n];
-    interruption_point();
+    checkpoint();
     if (a == b) continue;
     if (meets_inside(a, b, p, at_p) || meets_inside(a, b, q, at_q)) return false;
     // The curve avoids both points, so of two sides that differ at most one is zero.

@@ -98,7 +98,7 @@ Hourglass::Blocked Hourglass::add_right(const Point& p) {
 }
 
 bool Hourglass::open() const {
-  const Sight line = clockwise();
+  const DirectedLine line = clockwise();
   for (std::size_t i = 0; i < left_string_.size(); ++i) {
     if (line.side(left_point(i)) < 0) return false;
   }
@@ -118,8 +118,8 @@ bool Hourglass::finish(const std::vector<Point>& left, const std::vector<Point>&
   return true;
 }
 
-Sight Hourglass::middle() const {
-  const Sight a = clockwise(), b = counterclockwise();
+DirectedLine Hourglass::middle() const {
+  const DirectedLine a = clockwise(), b = counterclockwise();
   const double ax = a.to.x - a.from.x, ay = a.to.y - a.from.y, bx = b.to.x - b.from.x, by = b.to.y - b.from.y;
   const double la = std::sqrt(ax * ax + ay * ay), lb = std::sqrt(bx * bx + by * by), cross = ax * by - ay * bx;
   // Nearly one line, or opposite ones (a base that sees its gate from very near): either will do.

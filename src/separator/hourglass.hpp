@@ -9,7 +9,7 @@
 namespace taut {
 
 /// A directed line through two points.
-struct Sight {
+struct DirectedLine {
   Point from, to;
   /// +1 if p is on the left.
   int side(const Point& p) const { return orientation(from, to, p); }
@@ -32,8 +32,8 @@ class Hourglass {
   Blocked add_left(const Point& p);
   Blocked add_right(const Point& p);
 
-  Sight clockwise() const { return {left_point(clockwise_left_), right_point(clockwise_right_)}; }
-  Sight counterclockwise() const { return {right_point(counter_right_), left_point(counter_left_)}; }
+  DirectedLine clockwise() const { return {left_point(clockwise_left_), right_point(clockwise_right_)}; }
+  DirectedLine counterclockwise() const { return {right_point(counter_right_), left_point(counter_left_)}; }
   /// Everything that was added from where clockwise() touches the right side on; likewise on the left.
   std::vector<Point> right_from_clockwise() const { return tail(right_, right_string_[clockwise_right_]); }
   std::vector<Point> left_from_counterclockwise() const { return tail(left_, left_string_[counter_left_]); }
@@ -41,7 +41,7 @@ class Hourglass {
   /// Would there be a line of sight through a last gate behind these points? If so, they are added.
   bool finish(const std::vector<Point>& left, const std::vector<Point>& right);
   /// A line of sight between the extreme ones.
-  Sight middle() const;
+  DirectedLine middle() const;
 
  private:
   const Point& left_point(std::size_t i) const { return left_[left_string_[i]]; }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "separator/window.hpp"
 #include "tiling/root_faces.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 /// Follows one sleeve; each time the line of sight ends, its last window starts the next link.
 class Follower {
  public:
-  Follower(const Arena& arena, Hourglass start, std::vector<Sight> lines)
+  Follower(const Arena& arena, Hourglass start, std::vector<DirectedLine> lines)
       : arena_(arena), view_(std::move(start)), lines_(std::move(lines)) {}
 
   /// The step from gate `a` to gate `b`.
@@ -23,7 +23,7 @@ class Follower {
     const Point& end = arena_.at(arena_.apex(a));
     const Hourglass::Blocked blocked = left ? view_.add_left(end) : view_.add_right(end);
     if (blocked == Hourglass::Blocked::no) return;
-    const Sight line = left ? view_.clockwise() : view_.counterclockwise();
+    const DirectedLine line = left ? view_.clockwise() : view_.counterclockwise();
     std::vector<Point> foot = left ? view_.right_from_clockwise() : view_.left_from_counterclockwise();
     Window window = open_window(arena_, line, std::move(foot), a, left);
     lines_.push_back(line);
@@ -35,23 +35,23 @@ class Follower {
     return left ? side <= 0 : side >= 0;
   }
   /// Ends through that edge.
-  std::vector<Sight> leave_by_side(Gate a, bool left) {
+  std::vector<DirectedLine> leave_by_side(Gate a, bool left) {
     const Point& end = arena_.at(arena_.apex(a));
     left ? view_.add_right(end) : view_.add_left(end);
     lines_.push_back(view_.middle());
     return std::move(lines_);
   }
   Hourglass& view() { return view_; }
-  std::vector<Sight>& lines() { return lines_; }
+  std::vector<DirectedLine>& lines() { return lines_; }
 
  private:
   const Arena& arena_;
   Hourglass view_;
-  std::vector<Sight> lines_;
+  std::vector<DirectedLine> lines_;
 };
 
-std::vector<Sight> follow_open(const Arena& arena, const std::vector<Gate>& head, const std::vector<Gate>& core,
-                               const OpenSleeve::Tail& tail, bool left, std::size_t give_up) {
+std::vector<DirectedLine> follow_open(const Arena& arena, const std::vector<Gate>& head, const std::vector<Gate>& core,
+                                      const OpenSleeve::Tail& tail, bool left, std::size_t give_up) {
   Follower f(arena, Hourglass({arena.at(arena.origin(head[0]))}, {arena.at(arena.target(head[0]))}), {});
   Gate at = head[0];
   const auto pass = [&](Gate next) {
@@ -63,7 +63,7 @@ std::vector<Sight> follow_open(const Arena& arena, const std::vector<Gate>& head
     if (!pass(head[i])) return {};
   }
   for (const Gate g : core) {
-    interruption_point();
+    checkpoint();
     if (!pass(g)) return {};
   }
   for (std::size_t k = 0; k < tail.gates.size(); ++k) {
@@ -75,7 +75,7 @@ std::vector<Sight> follow_open(const Arena& arena, const std::vector<Gate>& head
 
 /// The line through an edge u -> v of the closed geodesic of a loop, drawn out to windows on both its ends.
 struct StartLine {
-  Sight line;
+  DirectedLine line;
   std::size_t anchor = 0;  ///< a gate that it crosses
   Window forward;          ///< beyond v
   Window backward;         ///< before u, seen from there, along the reversed gates
@@ -90,7 +90,7 @@ class Loop {
 
   std::optional<StartLine> draw_out(VertexId u, VertexId v) const {
     const VertexId own = arena_.owner(u) == owner_ ? u : v;
-    const Sight line{arena_.at(u), arena_.at(v)};
+    const DirectedLine line{arena_.at(u), arena_.at(v)};
     // An edge that leaves the polygon at `own`, to the other side of the line than the polygon.
     std::size_t anchor = 0;
     while (anchor < gates_.size() && !(arena_.origin(gates_[anchor]) == own && line.side(right_end(anchor)) <= 0))
@@ -105,7 +105,7 @@ class Loop {
   }
 
   /// From the forward window around to the backward one: the lines of all links, the start line first.
-  std::vector<Sight> go_round(const StartLine& start, std::size_t give_up) const {
+  std::vector<DirectedLine> go_round(const StartLine& start, std::size_t give_up) const {
     const std::size_t m = gates_.size();
     // The first gate that the line crosses, counted from the anchor backwards, and one turn later; the gate before it
     // is the last one that a link has to pass.
@@ -113,7 +113,7 @@ class Loop {
     const std::size_t target = crossed - 1;
     Follower f(arena_, Hourglass(start.forward.left, start.forward.right), {start.line});
     for (std::size_t k = start.forward.last + 1; k < target; ++k) {
-      interruption_point();
+      checkpoint();
       f.pass(gates_[k % m], gates_[(k + 1) % m]);
       if (f.lines().size() > give_up) return {};
     }
@@ -126,7 +126,7 @@ class Loop {
       return std::move(f.lines());
     }
     // One link ends in front of the start line's gate, and from there all of it can be seen.
-    const Sight into = before.middle();
+    const DirectedLine into = before.middle();
     f.lines().push_back(into);
     f.lines().push_back(last_link(into, start, gates_[target % m]));
     return std::move(f.lines());
@@ -135,7 +135,7 @@ class Loop {
  private:
   const Point& right_end(std::size_t i) const { return arena_.at(arena_.target(gates_[i])); }
 
-  static Point meet(const Sight& line, const Point& a, const Point& b) {
+  static Point meet(const DirectedLine& line, const Point& a, const Point& b) {
     const double ux = line.to.x - line.from.x, uy = line.to.y - line.from.y;
     const double sa = ux * (a.y - line.from.y) - uy * (a.x - line.from.x);
     const double sb = ux * (b.y - line.from.y) - uy * (b.x - line.from.x);
@@ -144,7 +144,7 @@ class Loop {
   }
 
   /// From where `into` passes gate g to the part of the start line in the triangle behind it.
-  Sight last_link(const Sight& into, const StartLine& start, Gate g) const {
+  DirectedLine last_link(const DirectedLine& into, const StartLine& start, Gate g) const {
     const Point l = arena_.at(arena_.origin(g)), r = arena_.at(arena_.target(g)), x = arena_.at(arena_.apex(g));
     const Point from = meet(into, l, r);
     const bool crosses_left = (start.line.side(l) > 0) != (start.line.side(x) > 0);
@@ -154,10 +154,10 @@ class Loop {
   }
 
   /// The window of `line` beyond `foot`, along the gates from `anchor` on.
-  Window extend(const std::vector<Gate>& gates, std::size_t anchor, const Sight& line, VertexId foot) const {
+  Window extend(const std::vector<Gate>& gates, std::size_t anchor, const DirectedLine& line, VertexId foot) const {
     std::vector<VertexId> left{arena_.origin(gates[anchor])}, right{arena_.target(gates[anchor])};
     for (std::size_t k = anchor;; ++k) {
-      interruption_point();
+      checkpoint();
       if (k > anchor + 2 * gates.size()) throw StructureError("a common tangent never leaves the loop");
       const Gate g = gates[k % gates.size()];
       const bool new_left = new_left_end(arena_, g, gates[(k + 1) % gates.size()]);
@@ -199,7 +199,7 @@ LinkBound open_link_bound(const Arena& arena) {
   std::size_t fewest = never_give_up;
   for (const std::vector<Gate>& head : sleeve.heads) {
     for (std::size_t k = 0; k < sleeve.tails.size(); ++k) {
-      std::vector<Sight> lines = follow_open(arena, head, sleeve.core, sleeve.tails[k], k == 0, fewest);
+      std::vector<DirectedLine> lines = follow_open(arena, head, sleeve.core, sleeve.tails[k], k == 0, fewest);
       if (lines.empty() || lines.size() >= fewest) continue;
       fewest = lines.size();
       best.path.lines = std::move(lines);
@@ -219,7 +219,7 @@ LinkBound closed_link_bound(const Arena& arena, int owner) {
   const auto take = [&](std::size_t i, bool certain) {
     const std::optional<StartLine> start = loop.draw_out(hull[i], hull[(i + 1) % n]);
     if (!start) return false;
-    std::vector<Sight> lines = loop.go_round(*start, never_give_up);
+    std::vector<DirectedLine> lines = loop.go_round(*start, never_give_up);
     const int count = static_cast<int>(lines.size());
     bound.lower = std::max({bound.lower, certain ? count : count - 1, 3});
     if (bound.path.lines.empty() || lines.size() < bound.path.lines.size()) bound.path = {std::move(lines), true};

@@ -11,7 +11,7 @@ namespace taut {
 /// A separator as the lines of its links, in order; where two neighbours meet is a vertex. Of a closed one, the last
 /// meets the first; of an open one, the first and the last run to infinity.
 struct LinkPath {
-  std::vector<Sight> lines;
+  std::vector<DirectedLine> lines;
   bool closed = false;
 };
 

@@ -16,7 +16,7 @@ struct Exit {
   std::vector<Point> ahead;
 };
 
-Exit follow(const Arena& arena, const Sight& line, std::uint32_t edge, bool ahead_is_right) {
+Exit follow(const Arena& arena, const DirectedLine& line, std::uint32_t edge, bool ahead_is_right) {
   Exit exit;
   for (std::size_t steps = 0; steps <= arena.triangulation.origin.size(); ++steps) {
     // Crossed from inside, an edge has its right end as origin.
@@ -36,7 +36,7 @@ Exit follow(const Arena& arena, const Sight& line, std::uint32_t edge, bool ahea
 
 /// A point on the line or ahead of it, and on the edge left-right or beyond it, such that the segment from the foot
 /// passes through the edge.
-Point head_of(const Sight& line, const Point& foot, const Point& left, const Point& right, bool ahead_is_right) {
+Point head_of(const DirectedLine& line, const Point& foot, const Point& left, const Point& right, bool ahead_is_right) {
   const auto offset = [&](const Point& p) {
     return (line.to.x - line.from.x) * (p.y - line.from.y) - (line.to.y - line.from.y) * (p.x - line.from.x);
   };
@@ -61,7 +61,8 @@ Point head_of(const Sight& line, const Point& foot, const Point& left, const Poi
 
 }  // namespace
 
-Window open_window(const Arena& arena, const Sight& line, std::vector<Point> foot_side, Gate g, bool blocked_by_left) {
+Window open_window(const Arena& arena, const DirectedLine& line, std::vector<Point> foot_side, Gate g,
+                   bool blocked_by_left) {
   Window window;
   window.line = line;
   const Exit exit = follow(arena, line, side_edge(g, blocked_by_left), blocked_by_left);

@@ -12,7 +12,7 @@ namespace taut {
 /// A line of sight that touches the free space's left and right side as far as it can see ends at the other side. From
 /// its last touching point (the foot) to that end (the head) it is a window: beyond it, the next link begins.
 struct Window {
-  Sight line;
+  DirectedLine line;
   /// What the window sees up to the first gate behind it, both included: on the side of the foot from the foot on, on
   /// that of the head from the head on.
   std::vector<Point> left, right;
@@ -24,6 +24,7 @@ struct Window {
 ///
 /// The head is rounded to doubles away from the foot and forward, so that no curve gets by in front of the window:
 /// counts of links from there on are lower bounds. It lies outside the free space, by rounding errors.
-Window open_window(const Arena& arena, const Sight& line, std::vector<Point> foot_side, Gate g, bool blocked_by_left);
+Window open_window(const Arena& arena, const DirectedLine& line, std::vector<Point> foot_side, Gate g,
+                   bool blocked_by_left);
 
 }  // namespace taut

@@ -12,7 +12,7 @@
 
 #include "base/errors.hpp"
 #include "pair/crossing_edges.hpp"
-#include "sign/witness.hpp"
+#include "sign/feature_map.hpp"
 
 namespace taut {
 
@@ -22,9 +22,10 @@ struct StartContact {
 };
 
 /// How the outlines overlap at t: where none of their edges cross, by a vertex that is known to be inside.
-inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Leg& leg, double t,
+inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const MotionSegment& segment, double t,
                                         const std::optional<VertexId>& inside = {}) {
-  if (const auto crossing = crossing_edges(Placement(geometry, leg, t))) return {true, crossing->p, crossing->q, {}};
+  if (const auto crossing = crossing_edges(Placement(geometry, segment, t)))
+    return {true, crossing->p, crossing->q, {}};
   if (!inside) throw StructureError("bodies that touch without a crossing of their outlines");
   return {false, {}, {}, *inside};
 }
@@ -32,11 +33,11 @@ inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Leg&
 /// Of displaced shapes that overlap at t, `how()` tells how: the contact of their bodies, or nothing if these overlap,
 /// too. `overlap(geometry)` tells whether shapes that are displaced otherwise do.
 template <class How, class Overlap>
-std::optional<StartContact> contact_at_start(const Witness& witness, const Leg& leg, double t, const How& how,
-                                             const Overlap& overlap) {
+std::optional<StartContact> contact_at_start(const FeatureMap& witness, const MotionSegment& segment, double t,
+                                             const How& how, const Overlap& overlap) {
   if (witness.inwards() || overlap(displaced_pair(witness.plan(), true))) return std::nullopt;
   const StartOverlap found = how();
-  return StartContact{found, witness.contact_of_overlap(found, leg, t)};
+  return StartContact{found, witness.contact_of_overlap(found, segment, t)};
 }
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "sign/fast_function.hpp"
 #include "sign/precise_triple.hpp"
 
@@ -12,15 +12,15 @@ namespace taut {
 namespace {
 
 /// The edge from its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
-Form form_of(const PairGeometry& g, const FoundContact& found) {
+CertificateFunction function_of(const PairGeometry& g, const FoundContact& found) {
   return {found.edge, g.next(found.edge), found.vertex, g.in_p(found.edge)};
 }
 
 /// The slope of the vertex's side of the edge, all over the ball; the displacement is too small to matter.
-Ball<double> slope_over(const Leg& leg, const FastFunction& f, const Ball<double>& t) {
+Ball<double> slope_over(const MotionSegment& segment, const FastFunction& f, const Ball<double>& t) {
   // Coefficients are rounded by less than this share of their magnitudes' bounds.
   constexpr double rounding = 0x1p-45;
-  const Frame<double> frame = taut::frame(leg, t);
+  const Frame<double> frame = taut::frame(segment, t);
   const std::array<Jet<double>, 5>& side = f.pp ? frame.for_pp : frame.for_qq;
   const double bounds[5] = {f.m0, f.w, f.w, f.m34, f.m34};
   Ball<double> sum = Ball<double>::exact(0);
@@ -34,10 +34,10 @@ struct Neighbourhood {
   double least_slope;  ///< not positive if the slope may be 0
   double displaced;    ///< what the displacement adds to the function
 
-  Neighbourhood(const PairGeometry& geometry, const Leg& leg, const FoundContact& found)
+  Neighbourhood(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found)
       : unit(std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53) {
-    const FastFunction f = FastFunction::level_zero(leg, geometry, form_of(geometry, found));
-    const Ball<double> slope = slope_over(leg, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
+    const FastFunction f = FastFunction::undisplaced(segment, geometry, function_of(geometry, found));
+    const Ball<double> slope = slope_over(segment, f, Ball<double>::between(found.lo - 4 * unit, found.hi + 4 * unit));
     least_slope = std::fabs(slope.mid) - slope.rad;
     displaced = f.floor_error;
   }
@@ -46,19 +46,19 @@ struct Neighbourhood {
   bool is_steep() const { return least_slope * unit > 0x1p12 * displaced; }
 };
 
-bool is_steep(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
-  return leg.bridge || Neighbourhood(geometry, leg, found).is_steep();
+bool is_steep(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found) {
+  return segment.bridge || Neighbourhood(geometry, segment, found).is_steep();
 }
 
 /// The side of the vertex at one instant: negative outside, 0 if even the highest precision does not tell.
 class Side {
  public:
-  Side(const Leg& leg, const PairGeometry& geometry, const FoundContact& found)
-      : function_(leg, geometry, form_of(geometry, found)) {}
+  Side(const MotionSegment& segment, const PairGeometry& geometry, const FoundContact& found)
+      : function_(segment, geometry, function_of(geometry, found)) {}
 
   int operator()(double t) const {
     const PreciseTime now = PreciseTime::between(t, t);
-    return first_told([&](Stage stage) { return function_.sign_at(now, stage); });
+    return first_decisive([&](Stage stage) { return function_.sign_at(now, stage); });
   }
 
  private:
@@ -91,38 +91,38 @@ double first_place(double from, double end, const Reached& reached) {
 
 }  // namespace
 
-double displacement_sway(const PairGeometry& geometry, const Leg& leg, const FoundContact& found) {
-  if (leg.bridge) return 0;
-  const Neighbourhood around(geometry, leg, found);
+double displacement_sway(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found) {
+  if (segment.bridge) return 0;
+  const Neighbourhood around(geometry, segment, found);
   if (!around.is_steep()) return std::numeric_limits<double>::infinity();
   return around.displaced / around.least_slope * (1 + 0x1p-40);
 }
 
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
-                               const FoundContact& found, Passage passage) {
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards,
+                               const MotionSegment& segment, const FoundContact& found, Passage passage) {
   ContactBracket bracket{found.lo, found.hi, false};
-  if (is_steep(geometry, leg, found)) return bracket;
+  if (is_steep(geometry, segment, found)) return bracket;
   const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, !inwards);
   if (!other) {
     const bool earlier = inwards == (passage == Passage::enters);
-    return {earlier ? leg.start : found.lo, earlier ? found.hi : leg.end, true};
+    return {earlier ? segment.start : found.lo, earlier ? found.hi : segment.end, true};
   }
-  return bracket_of_sides(found.lo, found.hi, inwards, leg, Side(leg, geometry, found), Side(leg, *other, found),
-                          passage);
+  return bracket_of_sides(found.lo, found.hi, inwards, segment, Side(segment, geometry, found),
+                          Side(segment, *other, found), passage);
 }
 
-ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
+ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const MotionSegment& segment,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage) {
   ContactBracket bracket{lo, hi, false};
   // Smaller bodies enter later, and leave earlier.
   const auto reached = [&](double t) { return inwards ? there(t) < 0 || here(t) > 0 : there(t) > 0 || here(t) < 0; };
   if (inwards == (passage == Passage::enters)) {
-    bracket.lo = first_place(lo, leg.start, reached);
+    bracket.lo = first_place(lo, segment.start, reached);
   } else {
-    bracket.hi = first_place(hi, leg.end, reached);
+    bracket.hi = first_place(hi, segment.end, reached);
   }
-  const double scale = std::max({std::fabs(leg.start), std::fabs(leg.end), leg.end - leg.start});
+  const double scale = std::max({std::fabs(segment.start), std::fabs(segment.end), segment.end - segment.start});
   bracket.grazing = (bracket.hi - bracket.lo) - (hi - lo) > 0x1p-50 * scale;
   return bracket;
 }

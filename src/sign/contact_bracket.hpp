@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// An enclosure of the leg's parameter, for displaced bodies or for those given.
+/// An enclosure of the segment's parameter, for displaced bodies or for those given.
 /// Does the vertex come to the edge from outside, or leave it to there?
 enum class Passage : unsigned char { enters, leaves };
 
@@ -29,18 +29,19 @@ struct ContactBracket {
 ///
 /// Where the vertex leaves, the same holds with time reversed. The given vertex is on its side of the given edge's line
 /// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. Ends are
-/// sought on the leg of the contact alone. `geometry` is displaced as `inwards` says.
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards, const Leg& leg,
-                               const FoundContact& found, Passage passage = Passage::enters);
+/// sought on the segment of the contact alone. `geometry` is displaced as `inwards` says.
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards,
+                               const MotionSegment& segment, const FoundContact& found,
+                               Passage passage = Passage::enters);
 
 /// How far the contact of the bodies as given may be from the one found, in time: a bound, or infinity where the
 /// displacement moves it by more than a small part of a unit in the last place.
-double displacement_sway(const PairGeometry& geometry, const Leg& leg, const FoundContact& found);
+double displacement_sway(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found);
 
 /// The bracket of anything that is outside before and inside after, or the other way round: given its side (negative
-/// outside, 0 if unknown) at any instant of the leg, for bodies displaced as those that [lo, hi] was found for, and for
-/// the others.
-ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Leg& leg,
+/// outside, 0 if unknown) at any instant of the segment, for bodies displaced as those that [lo, hi] was found for, and
+/// for the others.
+ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const MotionSegment& segment,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage = Passage::enters);
 

@@ -3,29 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
 
-/// In units of interruption_point(), as measured.
+/// In units of checkpoint(), as measured.
 constexpr std::uint64_t work_of_line = 5, work_of_sign_on_line = 6, work_of_root_on_line = 7;
 
 }  // namespace
 
-ExactLine::ExactLine(const Leg& leg, const PairGeometry& g, const Form& form) {
+ExactLine::ExactLine(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function) {
   count_work(work_of_line);
-  // The leg shifts P, so that the motion is zero at time 0.
+  // The segment shifts P, so that the motion is zero at time 0.
   const auto zero = ExactNumber();
-  const auto points = points_of<ExactNumber>(leg, g, form, Shape::displaced, Origin::powers);
-  const auto c = translation_coefficients(form.pp, points, zero);
+  const auto points = points_of<ExactNumber>(segment, g, function, Shape::displaced, Origin::powers);
+  const auto c = translation_coefficients(function.pp, points, zero);
   const auto speed = [](const Coefficients& q, const Coefficients& p) {
     return ExactNumber::exact(coefficient(q, 1)) - ExactNumber::exact(coefficient(p, 1));
   };
-  const ExactNumber slope = dot(c[1], c[2], speed(leg.q.x, leg.p.x), speed(leg.q.y, leg.p.y));
+  const ExactNumber slope = dot(c[1], c[2], speed(segment.q.x, segment.p.x), speed(segment.q.y, segment.p.y));
   exact_ = c[0].is_exact() && slope.is_exact();
   start_.assign(c[0].sum(), 1);
-  farthest_ = std::max(std::fabs(leg.start), std::fabs(leg.end));
+  farthest_ = std::max(std::fabs(segment.start), std::fabs(segment.end));
   if (exact_) slope_.take(slope.sum());
 }
 

@@ -7,17 +7,17 @@
 #include <optional>
 
 #include "numeric/exact_number.hpp"
-#include "sign/form.hpp"
+#include "sign/certificate_function.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut {
 
 class ExactLine {
  public:
-  /// Is the leg one on which these functions are lines?
-  static bool fits(const Leg& leg) { return leg.translation && leg.degree <= 1; }
-  /// The displacement is included. Requires fits(leg).
-  ExactLine(const Leg& leg, const PairGeometry& g, const Form& form);
+  /// Is the segment one on which these functions are lines?
+  static bool fits(const MotionSegment& segment) { return segment.translation && segment.degree <= 1; }
+  /// The displacement is included. Requires fits(segment).
+  ExactLine(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function);
   /// Was every product exact? Numbers of extremely different sizes underflow; then nothing else may be asked.
   bool exact() const { return exact_; }
 
@@ -46,7 +46,7 @@ class ExactLine {
   bool exact_ = true;
   ExactSum<start_terms> start_;  ///< the value at time 0
   ExactSum<slope_terms> slope_;
-  double farthest_ = 0;  ///< from time 0 on the leg
+  double farthest_ = 0;  ///< from time 0 on the segment
 };
 
 }  // namespace taut

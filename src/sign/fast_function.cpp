@@ -12,9 +12,9 @@ namespace {
 /// the displacement.
 constexpr double displacement_as_rounding = 0x1p54 * displacement_room;
 
-/// A vertex as the leg sees it.
-Point seen(const Leg& leg, const DisplacedPoint& v, bool of_p) {
-  const ExactVector& offset = leg.offset(of_p);
+/// A vertex as the segment sees it.
+Point seen(const MotionSegment& segment, const DisplacedPoint& v, bool of_p) {
+  const ExactVector& offset = segment.offset(of_p);
   return {v.x + offset.x, v.y + offset.y};
 }
 
@@ -22,56 +22,59 @@ double size_of(const DisplacedPoint& v) { return std::fabs(v.x) + std::fabs(v.y)
 
 }  // namespace
 
-FastFunction FastFunction::level_zero(const Leg& leg, const PairGeometry& g, const Form& form) {
-  const DisplacedPoint &pa = g.point(form.a), &pb = g.point(form.b), &pc = g.point(form.c);
-  const Point a = seen(leg, pa, form.pp), c = seen(leg, pc, !form.pp);
-  FormPoints<double> points{pb.x - pa.x, pb.y - pa.y, a.x, a.y, c.x, c.y};
-  points.measure(form.measure);
+FastFunction FastFunction::undisplaced(const MotionSegment& segment, const PairGeometry& g,
+                                       const CertificateFunction& function) {
+  const DisplacedPoint &pa = g.point(function.a), &pb = g.point(function.b), &pc = g.point(function.c);
+  const Point a = seen(segment, pa, function.pp), c = seen(segment, pc, !function.pp);
+  FunctionPoints<double> points{pb.x - pa.x, pb.y - pa.y, a.x, a.y, c.x, c.y};
+  points.measure(function.measure);
   FastFunction f;
-  f.pp = form.pp;
-  f.take(coefficients_on(leg, form.pp, points, 0.0));
+  f.pp = function.pp;
+  f.take(coefficients_on(segment, function.pp, points, 0.0));
   // The displacement of a short edge, or of a point near the origin, may be more than what it rounds.
   f.w = std::fabs(points.ex) + std::fabs(points.ey) + displacement_as_rounding;
-  const double shift = leg.offset_size() + displacement_as_rounding;
+  const double shift = segment.offset_size() + displacement_as_rounding;
   const double size_a = size_of(pa) + shift, size_c = size_of(pc) + shift;
-  f.m0 = f.w * (leg.translation ? size_a + size_c : size_a);
-  f.m34 = leg.translation ? 0 : f.w * size_c;
+  f.m0 = f.w * (segment.translation ? size_a + size_c : size_a);
+  f.m34 = segment.translation ? 0 : f.w * size_c;
   f.floor_error = displacement_room * (size_a + size_c + f.w);
   return f;
 }
 
-bool FastFunction::level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& f) {
-  if (leg.bridge || !vanishes_before_displacement(leg, g, form)) return false;
-  f = displacement_part(leg, g, form);
+bool FastFunction::displacement_gradient(const MotionSegment& segment, const PairGeometry& g,
+                                         const CertificateFunction& function, FastFunction& f) {
+  if (segment.bridge || !vanishes_before_displacement(segment, g, function)) return false;
+  f = displacement_part(segment, g, function);
   return true;
 }
 
-FastFunction FastFunction::displacement_part(const Leg& leg, const PairGeometry& g, const Form& form) {
-  const DisplacedPoint &pa = g.point(form.a), &pb = g.point(form.b), &pc = g.point(form.c);
+FastFunction FastFunction::displacement_part(const MotionSegment& segment, const PairGeometry& g,
+                                             const CertificateFunction& function) {
+  const DisplacedPoint &pa = g.point(function.a), &pb = g.point(function.b), &pc = g.point(function.c);
   constexpr double up = 0x1p200;
-  const Point a = seen(leg, pa, form.pp), c = seen(leg, pc, !form.pp);
+  const Point a = seen(segment, pa, function.pp), c = seen(segment, pc, !function.pp);
   // What the displacement changes in the edge and in the points, each times the rest. The motion's terms have the edge
   // alone in them.
-  FormPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
-  FormPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
-  edge.measure(form.measure);
-  points.measure(form.measure);
-  if (form.measure == Measure::offset_x || form.measure == Measure::offset_y) edge.ex = edge.ey = 0;
-  std::array<double, 5> sum = coefficients_on(leg, form.pp, edge, 0.0);
-  const std::array<double, 5> more = coefficients_on(leg, form.pp, points, 0.0);
+  FunctionPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
+  FunctionPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
+  edge.measure(function.measure);
+  points.measure(function.measure);
+  if (function.measure == Measure::offset_x || function.measure == Measure::offset_y) edge.ex = edge.ey = 0;
+  std::array<double, 5> sum = coefficients_on(segment, function.pp, edge, 0.0);
+  const std::array<double, 5> more = coefficients_on(segment, function.pp, points, 0.0);
   for (const std::size_t i : {0, 3, 4}) sum[i] += more[i];
-  const double w = std::fabs(points.ex) + std::fabs(points.ey), shift = leg.offset_size();
+  const double w = std::fabs(points.ex) + std::fabs(points.ey), shift = segment.offset_size();
   const double size_a = size_of(pa) + shift, size_c = size_of(pc) + shift;
   const double way_a = std::fabs(points.ax) + std::fabs(points.ay), way_c = std::fabs(points.cx) + std::fabs(points.cy);
   FastFunction f;
-  f.pp = form.pp;
+  f.pp = function.pp;
   f.level1 = true;
   f.take(sum);
   f.w = std::fabs(edge.ex) + std::fabs(edge.ey);
   f.m0 = f.w * size_a + w * way_a;
   // And the square of it in the angle's coefficients, where points lie near the origin and edges are short.
   f.m34 = f.w * size_c + w * way_c + displacement_as_rounding * (1 + f.w) * (1 + way_c);
-  if (leg.translation) {
+  if (segment.translation) {
     f.m0 += f.m34;
     f.m34 = 0;
   }
@@ -92,13 +95,13 @@ double FastFunction::root_of(const FrameModel& model, double t) const {
   double h = t - model.middle;
   // By the root of the second order about h, whose distance from the polynomial's is of the third order.
   for (int step = 0; step < 6; ++step) {
-    double value = 0, slope = 0, half_bend = 0;
+    double value = 0, slope = 0, half_second = 0;
     for (int k = model.terms; k-- > 0;) {
-      half_bend = half_bend * h + slope;
+      half_second = half_second * h + slope;
       slope = slope * h + value;
       value = value * h + c[k];
     }
-    const double discriminant = slope * slope - 4 * half_bend * value;
+    const double discriminant = slope * slope - 4 * half_second * value;
     const double change =
         discriminant > 0 ? 2 * value / (slope + std::copysign(std::sqrt(discriminant), slope)) : value / slope;
     h -= change;

@@ -6,7 +6,7 @@
 
 #include "relative/frame_model.hpp"
 #include "relative/frame_sample.hpp"
-#include "sign/form.hpp"
+#include "sign/certificate_function.hpp"
 
 namespace taut {
 
@@ -19,11 +19,14 @@ struct FastFunction {
   bool pp = false;
   bool level1 = false;
 
-  static FastFunction level_zero(const Leg& leg, const PairGeometry& g, const Form& form);
+  static FastFunction undisplaced(const MotionSegment& segment, const PairGeometry& g,
+                                  const CertificateFunction& function);
   /// The part that is linear in the displacement, scaled as at level 1, whatever level 0 is.
-  static FastFunction displacement_part(const Leg& leg, const PairGeometry& g, const Form& form);
-  /// The next level if level 0 is exactly zero at all times of the leg; false otherwise.
-  static bool level_one(const Leg& leg, const PairGeometry& g, const Form& form, FastFunction& result);
+  static FastFunction displacement_part(const MotionSegment& segment, const PairGeometry& g,
+                                        const CertificateFunction& function);
+  /// The next level if level 0 is exactly zero at all times of the segment; false otherwise.
+  static bool displacement_gradient(const MotionSegment& segment, const PairGeometry& g,
+                                    const CertificateFunction& function, FastFunction& result);
 
   Bounded value(const FrameSample& s) const {
     const Bounded v = combine(s.f, s.error_0, s.error_a, s.error_b);
@@ -32,7 +35,7 @@ struct FastFunction {
   Bounded slope(const FrameSample& s) const { return combine(s.d, s.error_0d, s.error_ad, s.error_bd); }
   Bounded curvature(const FrameCurvature& c) const { return combine(c.mid, c.error_0, c.error_a, c.error_b); }
   /// The second derivative at one instant.
-  Bounded bend(const FrameSample& s) const {
+  Bounded second(const FrameSample& s) const {
     const double v = a[1] * s.dd[0] + a[2] * s.dd[1] + a[3] * s.dd[2] + a[4] * s.dd[3];
     return {v, (w * s.error_add + m34 * s.error_bdd) * (1 + 0x1p-40) + underflow_slack};
   }

@@ -13,7 +13,7 @@ struct FastLine {
   double middle;
   Bounded value, slope;
 
-  /// On a leg whose frame functions at its middle are `side`.
+  /// On a segment whose frame functions at its middle are `side`.
   FastLine(const FastFunction& f, const FrameSample& side, double at)
       : middle(at), value(f.value(side)), slope(f.slope(side)) {}
 

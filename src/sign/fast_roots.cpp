@@ -21,64 +21,69 @@ int sign_of(const Bounded& v, double drift) {
 
 }  // namespace
 
-Course FastRoots::course(const FastFunction& f, double t) { return course_with(f, clock_.at(t, f.pp), t); }
-
-Course FastRoots::course_near(const FastFunction& f, double t) {
-  double at;
-  const FrameSample& side = clock_.shortly_before(t, f.pp, at);
-  return course_with(f, side, at);
+LocalExpansion FastRoots::expansion(const FastFunction& f, double t) {
+  return expansion_with(f, clock_.at(t, f.pp), t);
 }
 
-Course FastRoots::course_with(const FastFunction& f, const FrameSample& side, double t) {
-  Course now;
+LocalExpansion FastRoots::expansion_near(const FastFunction& f, double t) {
+  double at;
+  const FrameSample& side = clock_.shortly_before(t, f.pp, at);
+  return expansion_with(f, side, at);
+}
+
+LocalExpansion FastRoots::expansion_with(const FastFunction& f, const FrameSample& side, double t) {
+  LocalExpansion now;
   now.t = t;
   now.value = f.value(side);
   now.slope = f.slope(side);
-  const ClockCell& cell = clock_.cell(t);
+  const ModelCell& cell = clock_.cell(t);
   now.local = cell.sharp;
-  if (now.local) now.bend = f.bend(side);
+  if (now.local) now.second = f.second(side);
   take_bounds(f, now, cell);
   return now;
 }
 
 /// Those that hold all over the cell.
-void FastRoots::take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const {
-  course.cell = cell;
-  if (course.local) {
-    course.third = f.third(cell.third(f.pp));
+void FastRoots::take_bounds(const FastFunction& f, LocalExpansion& expansion, const ModelCell& cell) const {
+  expansion.cell = cell;
+  if (expansion.local) {
+    expansion.third = f.third(cell.third(f.pp));
   } else {
-    course.third = 0;
-    course.bend = f.curvature(cell.curvature(f.pp));
+    expansion.third = 0;
+    expansion.second = f.curvature(cell.curvature(f.pp));
   }
 }
 
 /// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around, so
 /// many of them at most.
-double FastRoots::positive_beyond(const Root& r, const Course& now, double value, int cells) {
+double FastRoots::positive_beyond(const Root& r, const LocalExpansion& now, double value, int cells) {
   const FastFunction& f = r.function;
-  const double slope = r.sign * now.slope.value - now.slope.error, bend = r.sign * now.bend.value - now.bend.error;
+  const double slope = r.sign * now.slope.value - now.slope.error,
+               second = r.sign * now.second.value - now.second.error;
   if (now.local) {
     if (const FrameThird* all = clock_.third_throughout(f.pp)) {
-      const double most = above(leg().end - now.t);
+      const double most = above(segment().end - now.t);
       const double length = now.cell.end - now.cell.start, inside = now.cell.end - now.t;
-      const double h = positive_over(value, slope, bend, f.third(*all), inside, length, most, cells);
-      return h < most ? std::max(now.cell.end, below(now.t + h)) : leg().end;
+      const double h = positive_over(value, slope, second, f.third(*all), inside, length, most, cells);
+      return h < most ? std::max(now.cell.end, below(now.t + h)) : segment().end;
     }
   }
   double reached = now.cell.end;
-  const auto wider = [&](const ClockPlace& cell) { return now.local ? clock_.outlook(cell) : clock_.wider(cell); };
-  for (const ClockCell* wide = wider(now.cell); wide; wide = wider(*wide)) {
+  const auto wider = [&](const ModelPlace& cell) {
+    return now.local ? clock_.parent_bounds(cell) : clock_.wider(cell);
+  };
+  for (const ModelCell* wide = wider(now.cell); wide; wide = wider(*wide)) {
     if (wide->end <= reached) continue;
     const double limit = wide->end - now.t;
-    double least_bend;
+    double least_second;
     if (now.local) {
-      least_bend = bend - f.third(wide->third(f.pp)) * limit * one_third;
+      least_second = second - f.third(wide->third(f.pp)) * limit * one_third;
     } else {
       const Bounded k = f.curvature(wide->curvature(f.pp));
-      least_bend = r.sign * k.value - k.error;
+      least_second = r.sign * k.value - k.error;
     }
-    if (!positive_throughout(value, slope, least_bend, limit)) {
-      return std::max(reached, below(now.t + positive_until(value, slope, least_bend, limit)));
+    if (!positive_throughout(value, slope, least_second, limit)) {
+      return std::max(reached, below(now.t + positive_until(value, slope, least_second, limit)));
     }
     reached = wide->end;
     if (--cells == 0) break;
@@ -86,48 +91,49 @@ double FastRoots::positive_beyond(const Root& r, const Course& now, double value
   return reached;
 }
 
-double FastRoots::lasts(const Root& r, const Course& now, double least) const {
-  const double slope = r.sign * now.slope.value - now.slope.error, bend = r.sign * now.bend.value - now.bend.error;
-  return positive_until(least, slope, bend, now.third, now.cell.end - now.t);
+double FastRoots::lasts(const Root& r, const LocalExpansion& now, double least) const {
+  const double slope = r.sign * now.slope.value - now.slope.error,
+               second = r.sign * now.second.value - now.second.error;
+  return positive_until(least, slope, second, now.third, now.cell.end - now.t);
 }
 
 /// The root's sign holds for `lasting` from now.t on, where its value is `least` at least, and perhaps longer.
 /// False if that is not much longer than until t, by which doubles cannot tell more, or not those about now.t.
-bool FastRoots::holds_on(Root& r, const Course& now, double t, double least, double lasting, int cells) {
+bool FastRoots::holds_on(Root& r, const LocalExpansion& now, double t, double least, double lasting, int cells) {
   const double limit = now.cell.end - now.t;
   if (lasting >= limit) {  // never true of a NaN
-    r.come_after(positive_beyond(r, now, least, cells), leg().end);
+    r.come_after(positive_beyond(r, now, least, cells), segment().end);
     return true;
   }
   const double next = below(now.t + lasting);
   // Where the function falls like a high power, or the motion is singular and bounds are loose, steps become short, and
   // are thousands: one search at high precision is quicker.
-  const bool good = now.cell.sharp || leg().bridge;
+  const bool good = now.cell.sharp || segment().bridge;
   if (!(next > t + (good ? 0x1p-10 : 0x1p-8) * limit + (t - now.t))) return false;
-  r.come_after(next, leg().end);
+  r.come_after(next, segment().end);
   return true;
 }
 
 /// Brackets the root, which is known to come after `from`, if the function certainly falls to it from now.t or
 /// `from`, whichever is later.
-bool FastRoots::isolate(Root& r, const Course& now, double from) {
+bool FastRoots::isolate(Root& r, const LocalExpansion& now, double from) {
   const double sign = r.sign, t = now.t;
   const double limit = now.cell.end - t;
   const double most = sign * now.value.value + now.value.error;
   const double slope = sign * now.slope.value + now.slope.error;
-  const double bend = sign * now.bend.value + now.bend.error + now.third * limit * (1 + 0x1p-40);
+  const double second = sign * now.second.value + now.second.error + now.third * limit * (1 + 0x1p-40);
   if (!(slope < 0)) return false;
-  const double h = most > 0 ? negative_from(most, slope, bend) : 0;
-  const double falls = bend > 0 ? std::min(limit, -slope / bend * (1 - 0x1p-48)) : limit;
+  const double h = most > 0 ? negative_from(most, slope, second) : 0;
+  const double falls = second > 0 ? std::min(limit, -slope / second * (1 - 0x1p-48)) : limit;
   if (!(h < falls)) return false;
   r.kind = RootKind::bracketed;
   r.lo = from;
-  r.hi = std::min(above(t + h), leg().end);
+  r.hi = std::min(above(t + h), segment().end);
   r.monotone_until = falls == limit ? now.cell.end : below(t + falls);
   return true;
 }
 
-bool FastRoots::follow(Root& r, const Course& now, double t, int cells) {
+bool FastRoots::follow(Root& r, const LocalExpansion& now, double t, int cells) {
   counts_.add(Stage::doubles);
   const double least = r.sign * now.value.value - now.value.error;
   const double h = lasts(r, now, least);
@@ -136,16 +142,16 @@ bool FastRoots::follow(Root& r, const Course& now, double t, int cells) {
 }
 
 /// A root at the end of a cell, where those of symmetric motions like to be, is within a wider one.
-bool FastRoots::isolate_across(Root& r, const Course& now, double t) {
+bool FastRoots::isolate_across(Root& r, const LocalExpansion& now, double t) {
   const double end = now.cell.end;
-  if (!now.local || end >= leg().end || !(end - t < 0x1p-20 * (end - now.cell.start))) return false;
-  Course wide = now;
+  if (!now.local || end >= segment().end || !(end - t < 0x1p-20 * (end - now.cell.start))) return false;
+  LocalExpansion wide = now;
   return widen(r.function, wide, now.t, above(end)) && isolate(r, wide, t);
 }
 
 bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
-  if (instant.hi >= leg().end) return false;
-  Course now = course(r.function, instant.hi);
+  if (instant.hi >= segment().end) return false;
+  LocalExpansion now = expansion(r.function, instant.hi);
   const double width = instant.hi - instant.lo;
   if (!widen(r.function, now, instant.lo, instant.hi)) return false;
   // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
@@ -169,17 +175,17 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
 }
 
 std::optional<PlaceOfTurn> FastRoots::turn_near(const FastFunction& f, double t) {
-  Course now = course(f, t);
+  LocalExpansion now = expansion(f, t);
   const double start = now.cell.start, end = now.cell.end;
-  if (!now.local || !(std::fabs(now.bend.value) > 2 * now.bend.error)) return std::nullopt;
+  if (!now.local || !(std::fabs(now.second.value) > 2 * now.second.error)) return std::nullopt;
   // The second step starts where slopes are small.
   for (int step = 0; step < 2; ++step) {
-    const double at = now.t - now.slope.value / now.bend.value;
+    const double at = now.t - now.slope.value / now.second.value;
     if (!(at >= start && at < end && std::fabs(at - t) < 0x1p-8 * (end - start))) return std::nullopt;
-    now = course(f, at);
+    now = expansion(f, at);
   }
   // The bend keeps its sign for so long, and did so from t on.
-  const double steady = 0.5 * (std::fabs(now.bend.value) - now.bend.error), least = 0x1p-6 * (end - start);
+  const double steady = 0.5 * (std::fabs(now.second.value) - now.second.error), least = 0x1p-6 * (end - start);
   const double lasting = steady > now.third * (end - start) ? end - start : steady / now.third;
   if (!(lasting > least)) return std::nullopt;
   return PlaceOfTurn{now.t, std::min(end, now.t + lasting * (1 - 0x1p-40))};
@@ -196,13 +202,13 @@ void FastRoots::enclose(Root& r) {
 /// Then one step of Newton's. False if the enclosure may still be far wider than doubles allow.
 bool FastRoots::narrow(Root& r) {
   const double middle = r.lo + (r.hi - r.lo) / 2;
-  const ClockCell& cell = clock_.cell(middle);
+  const ModelCell& cell = clock_.cell(middle);
   if (!cell.sharp || cell.start > r.lo || cell.end < r.hi) return false;
   const double m = r.function.root_of(cell.model, middle);
   // The interval's ends round; far from time 0 that is not little beside the radius.
   const double radius = 0x1p-34 * (cell.end - cell.start), rounding = 0x1p-52 * std::fabs(m);
   if (!(m - radius > r.lo && m + radius < r.hi && radius > rounding)) return false;
-  const Course here = course(r.function, m);
+  const LocalExpansion here = expansion(r.function, m);
   const double flat = -r.sign * here.slope.value - here.slope.error - here.slope_change(radius + rounding);
   if (!(std::fabs(here.value.value) + here.value.error < flat * (radius - rounding) * (1 - 0x1p-40))) return false;
   r.lo = m - radius;
@@ -216,13 +222,13 @@ void FastRoots::newton(Root& r) {
   for (int step = 0; step < 30; ++step) {
     const double width = r.hi - r.lo, m = r.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
-    if (newton_step(r, course(r.function, m)) || !(r.hi - r.lo < 0.75 * width)) return;
+    if (newton_step(r, expansion(r.function, m)) || !(r.hi - r.lo < 0.75 * width)) return;
   }
 }
 
 /// With the function's course at an instant in the enclosure, about its middle. Where the slope's bounds include zero,
 /// the sign there cuts the enclosure in two. True if what is left is about what the value's error makes of it.
-bool FastRoots::newton_step(Root& r, const Course& here) {
+bool FastRoots::newton_step(Root& r, const LocalExpansion& here) {
   enclosed_about_ = here.t;
   const double sign = r.sign, m = here.t, reach = std::max(m - r.lo, r.hi - m);
   const double spread = here.slope.error + here.slope_change(reach);
@@ -246,24 +252,24 @@ bool FastRoots::newton_step(Root& r, const Course& here) {
 }
 
 /// Takes the bend over a cell that reaches back to `start` and on to `end`; false if there is none.
-bool FastRoots::widen(const FastFunction& f, Course& course, double start, double end) {
-  while (course.cell.start > start || course.cell.end < end) {
-    const ClockCell* cell = clock_.wider(course.cell);
+bool FastRoots::widen(const FastFunction& f, LocalExpansion& expansion, double start, double end) {
+  while (expansion.cell.start > start || expansion.cell.end < end) {
+    const ModelCell* cell = clock_.wider(expansion.cell);
     if (!cell) return false;
-    take_bounds(f, course, *cell);
+    take_bounds(f, expansion, *cell);
   }
   return true;
 }
 
-int FastRoots::sign_during(const FastFunction& f, const Course& course, double lo, double hi, double at) {
+int FastRoots::sign_during(const FastFunction& f, const LocalExpansion& expansion, double lo, double hi, double at) {
   const double reach = std::max(hi - at, at - lo);
-  if (!(reach > 0)) return sign_of(course.value, 0);
-  if (course.cell.start > lo || course.cell.end < hi) {
-    Course wide = course;
+  if (!(reach > 0)) return sign_of(expansion.value, 0);
+  if (expansion.cell.start > lo || expansion.cell.end < hi) {
+    LocalExpansion wide = expansion;
     return widen(f, wide, lo, hi) ? sign_during(f, wide, lo, hi, at) : 0;
   }
-  const double steepest = std::fabs(course.slope.value) + course.slope.error + course.slope_change(reach);
-  return sign_of(course.value, reach * steepest * (1 + 0x1p-40));
+  const double steepest = std::fabs(expansion.slope.value) + expansion.slope.error + expansion.slope_change(reach);
+  return sign_of(expansion.value, reach * steepest * (1 + 0x1p-40));
 }
 
 FastLine FastRoots::line_of(const FastFunction& f) const {
@@ -272,16 +278,16 @@ FastLine FastRoots::line_of(const FastFunction& f) const {
 
 bool FastRoots::follow_line(Root& r, const FastLine& line, double t) {
   counts_.add(Stage::doubles);
-  if (line.holds(r.sign, t, leg().end)) {
-    r.come_after(leg().end, leg().end);
+  if (line.holds(r.sign, t, segment().end)) {
+    r.come_after(segment().end, segment().end);
     return true;
   }
   double lo, hi;
-  if (!line.root(r.sign, lo, hi) || !(hi < leg().end)) return false;
+  if (!line.root(r.sign, lo, hi) || !(hi < segment().end)) return false;
   r.kind = RootKind::isolated;
   r.lo = std::max(lo, t);
   r.hi = hi;
-  r.monotone_until = leg().end;
+  r.monotone_until = segment().end;
   return true;
 }
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "numeric/stages.hpp"
-#include "relative/leg_clock.hpp"
+#include "relative/taylor_model_cache.hpp"
 #include "sign/root.hpp"
 
 namespace taut {
@@ -18,17 +18,17 @@ struct FastLine;
 struct Instant;
 
 /// A function at one instant, and how it may bend within the cell around it.
-struct Course {
+struct LocalExpansion {
   double t;
   Bounded value, slope;
-  Bounded bend;  ///< the second derivative: at t if `local`, otherwise all over the cell
-  double third;  ///< a bound of the third one's magnitude if `local`, otherwise 0
-  ClockPlace cell;
+  Bounded second;  ///< the second derivative: at t if `local`, otherwise all over the cell
+  double third;    ///< a bound of the third one's magnitude if `local`, otherwise 0
+  ModelPlace cell;
   bool local;
 
   /// The most that the slope changes within the cell in so short a time.
   double slope_change(double time) const {
-    return (std::fabs(bend.value) + bend.error + third * time) * time * (1 + 0x1p-40);
+    return (std::fabs(second.value) + second.error + third * time) * time * (1 + 0x1p-40);
   }
 };
 
@@ -40,21 +40,21 @@ struct PlaceOfTurn {
 class FastRoots {
  public:
   /// Answers are counted in `counts`. Both must outlive it.
-  FastRoots(LegClock& clock, StageCounts& counts) : clock_(clock), counts_(counts) {}
+  FastRoots(TaylorModelCache& clock, StageCounts& counts) : clock_(clock), counts_(counts) {}
 
-  Course course(const FastFunction& f, double t);
+  LocalExpansion expansion(const FastFunction& f, double t);
   /// At an instant shortly before t, or at t, that costs less.
-  Course course_near(const FastFunction& f, double t);
+  LocalExpansion expansion_near(const FastFunction& f, double t);
   /// The sign over [lo, hi], where `course` is taken at `at`; 0 if that is not certain.
-  int sign_during(const FastFunction& f, const Course& course, double lo, double hi, double at);
-  /// The function as a line, on a straight leg.
+  int sign_during(const FastFunction& f, const LocalExpansion& expansion, double lo, double hi, double at);
+  /// The function as a line, on a straight segment.
   FastLine line_of(const FastFunction& f) const;
 
   static constexpr int all_cells = 1000;  ///< more than there are around one
   /// The root's sign is known to hold at now.t, and up to t, which is not before that. Looks at so many cells beyond
   /// its own. False if that is about all that can be said with `now`.
-  bool follow(Root& r, const Course& now, double t, int cells = all_cells);
-  /// The same on a straight leg. False if it is not certain whether the root comes on the leg.
+  bool follow(Root& r, const LocalExpansion& now, double t, int cells = all_cells);
+  /// The same on a straight segment. False if it is not certain whether the root comes on the segment.
   bool follow_line(Root& r, const FastLine& line, double t);
   /// The root's sign was found in high precision at `instant`, where in doubles the function may be zero: it was just
   /// born, and another one is zero at the same instant, or it was so itself (`own`). If it certainly rises or falls
@@ -68,21 +68,21 @@ class FastRoots {
   double enclosed_about() const { return enclosed_about_; }
 
  private:
-  const Leg& leg() const { return clock_.leg(); }
-  Course course_with(const FastFunction& f, const FrameSample& side, double t);
-  void take_bounds(const FastFunction& f, Course& course, const ClockCell& cell) const;
-  bool widen(const FastFunction& f, Course& course, double start, double end);
+  const MotionSegment& segment() const { return clock_.segment(); }
+  LocalExpansion expansion_with(const FastFunction& f, const FrameSample& side, double t);
+  void take_bounds(const FastFunction& f, LocalExpansion& expansion, const ModelCell& cell) const;
+  bool widen(const FastFunction& f, LocalExpansion& expansion, double start, double end);
   /// How long the root's sign certainly lasts from now.t on within the cell, if its value is `least` at least.
-  double lasts(const Root& r, const Course& now, double least) const;
-  double positive_beyond(const Root& r, const Course& now, double value, int cells);
-  bool holds_on(Root& r, const Course& now, double t, double least, double lasting, int cells = all_cells);
-  bool isolate(Root& r, const Course& now, double from);
-  bool isolate_across(Root& r, const Course& now, double t);
+  double lasts(const Root& r, const LocalExpansion& now, double least) const;
+  double positive_beyond(const Root& r, const LocalExpansion& now, double value, int cells);
+  bool holds_on(Root& r, const LocalExpansion& now, double t, double least, double lasting, int cells = all_cells);
+  bool isolate(Root& r, const LocalExpansion& now, double from);
+  bool isolate_across(Root& r, const LocalExpansion& now, double t);
   bool narrow(Root& r);
   void newton(Root& r);
-  bool newton_step(Root& r, const Course& here);
+  bool newton_step(Root& r, const LocalExpansion& here);
 
-  LegClock& clock_;
+  TaylorModelCache& clock_;
   StageCounts& counts_;
   double enclosed_about_ = 0;
 };

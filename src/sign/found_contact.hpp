@@ -9,7 +9,7 @@
 namespace taut {
 
 /// Where and when a vertex is on an edge of the other polygon: the edge by its first vertex, counterclockwise, and an
-/// enclosure of the leg's parameter.
+/// enclosure of the segment's parameter.
 struct FoundContact {
   VertexId vertex, edge;
   double lo = 0, hi = 0;

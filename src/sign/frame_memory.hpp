@@ -1,29 +1,30 @@
-// What signs and roots of one leg have in common.
+// What signs and roots of one segment have in common.
 #pragma once
 
 #include "numeric/stages.hpp"
+#include "sign/expansion_cache.hpp"
 #include "sign/kept_searches.hpp"
 #include "sign/taylor_frames.hpp"
-#include "sign/tie_forms.hpp"
 
 namespace taut {
 
-/// What is remembered of one leg's frame functions, and of which stages told what was asked, on earlier legs, too.
+/// What is remembered of one segment's frame functions, and of which stages told what was asked, on earlier segments,
+/// too.
 struct FrameMemory {
-  TieFrames ties;
-  TieForms forms;
+  FrameExpansionCache expansions;
+  ExpansionCache functions;
   TaylorFrames models;
   KeptSearches searches;
   StageCounts stages;
 
   /// Makes room for what events at one instant need.
-  void reserve_ties() {
-    ties.reserve();
-    forms.reserve();
+  void reserve_expansions() {
+    expansions.reserve();
+    functions.reserve();
   }
-  void reset(const Leg& leg) {
-    ties.reset(leg);
-    forms.clear();
+  void reset(const MotionSegment& segment) {
+    expansions.reset(segment);
+    functions.clear();
     models.clear();
     searches.clear();
   }

@@ -1,9 +1,9 @@
-// Instants of a leg, and what is between what then.
+// Instants of a segment, and what is between what then.
 #pragma once
 
 #include <memory>
 
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "sign/precise_triple.hpp"
 
 namespace taut {
@@ -12,7 +12,7 @@ namespace taut {
 /// doubles; where these do not tell what is asked, it is enclosed again, from stage to stage, by what it is the root
 /// of.
 struct Instant {
-  double lo = 0, hi = 0;  ///< of the leg's parameter
+  double lo = 0, hi = 0;  ///< of the segment's parameter
   bool event = false;     ///< it is a root: of the orientation of
   VertexId u, v, w;
   int sign = 0;                              ///< which has this sign before
@@ -31,7 +31,7 @@ struct Instant {
     i.known = std::make_shared<const PreciseTime>(t);
     return i;
   }
-  /// The same instant of the same leg?
+  /// The same instant of the same segment?
   bool is(const Instant& o) const {
     return lo == o.lo && hi == o.hi && event == o.event && u == o.u && v == o.v && w == o.w;
   }
@@ -43,23 +43,24 @@ struct Instant {
   /// What is known of it so far.
   PreciseTime enclosure() const { return known ? *known : PreciseTime::between(lo, hi); }
   /// Encloses it, t, as well as a stage can; false if that does not do.
-  bool refine(const Leg& leg, const PairGeometry& g, Stage stage, PreciseTime& t, FrameMemory* memory = nullptr) const {
-    return !event || PreciseTriple(leg, g, Form::of(g, u, v, w), memory).refine(sign, t, stage);
+  bool refine(const MotionSegment& segment, const PairGeometry& g, Stage stage, PreciseTime& t,
+              FrameMemory* memory = nullptr) const {
+    return !event || PreciseTriple(segment, g, CertificateFunction::of(g, u, v, w), memory).refine(sign, t, stage);
   }
 };
 
 /// The sign of a form at an instant, enclosed by t, by the first stage that can tell; 0 if none can.
-inline int sign_at(const Leg& leg, const PairGeometry& g, const Form& form, const Instant& instant, PreciseTime& t,
-                   FrameMemory* memory = nullptr) {
-  const PreciseTriple f(leg, g, form, memory);
-  const auto sign = [&](Stage stage) { return instant.refine(leg, g, stage, t, memory) ? f.sign_at(t, stage) : 0; };
-  return first_told(sign, Stage::beside);
+inline int sign_at(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
+                   const Instant& instant, PreciseTime& t, FrameMemory* memory = nullptr) {
+  const PreciseTriple f(segment, g, function, memory);
+  const auto sign = [&](Stage stage) { return instant.refine(segment, g, stage, t, memory) ? f.sign_at(t, stage) : 0; };
+  return first_decisive(sign, Stage::beside);
 }
 
 /// Of three vertices that are on one line, the middle one: sign(form) tells the sign of a form at that instant.
 template <class Sign>
 VertexId middle_of(const PairGeometry& g, VertexId u, VertexId v, VertexId w, const Sign& sign) {
-  const Form f = Form::of(g, u, v, w);
+  const CertificateFunction f = CertificateFunction::of(g, u, v, w);
   // c beyond a, or beyond b, or between.
   if (sign(f.along()) < 0) return f.a;
   if (sign(f.back()) < 0) return f.b;

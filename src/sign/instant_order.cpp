@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "sign/precise_triple.hpp"
 
 namespace taut {
@@ -15,8 +15,8 @@ namespace {
 class ClosingInstant {
  public:
   explicit ClosingInstant(const ContactInstant& instant)
-      : leg_(*instant.leg),
-        root_(leg_, *instant.geometry,
+      : segment_(*instant.segment),
+        root_(segment_, *instant.geometry,
               {instant.contact.edge, instant.geometry->next(instant.contact.edge), instant.contact.vertex,
                instant.geometry->in_p(instant.contact.edge)}),
         parameter_(instant.contact.at.value_or(PreciseTime::between(instant.contact.lo, instant.contact.hi))) {}
@@ -25,10 +25,12 @@ class ClosingInstant {
   void refine(Stage stage, double enough) { root_.refine(-1, parameter_, stage, enough); }
   const PreciseTime& parameter() const { return parameter_; }
   /// Of the world.
-  PreciseTime time() const { return leg_.bridge ? PreciseTime::between(leg_.joint, leg_.joint) : parameter_; }
+  PreciseTime time() const {
+    return segment_.bridge ? PreciseTime::between(segment_.joint, segment_.joint) : parameter_;
+  }
 
  private:
-  const Leg& leg_;
+  const MotionSegment& segment_;
   PreciseTriple root_;
   PreciseTime parameter_;
 };
@@ -36,12 +38,12 @@ class ClosingInstant {
 }  // namespace
 
 int order_of(const ContactInstant& a, const ContactInstant& b) {
-  const bool one_bridge = a.leg == b.leg && a.leg->bridge;
+  const bool one_bridge = a.segment == b.segment && a.segment->bridge;
   ClosingInstant x(a), y(b);
   const auto order = [&] { return one_bridge ? x.parameter().is_first(y.parameter()) : x.time().is_first(y.time()); };
   std::optional<bool> a_first = order();
   if (!a_first) {
-    a_first = first_told([&](Stage stage) {
+    a_first = first_decisive([&](Stage stage) {
       x.refine(stage, 0);
       y.refine(stage, 0);
       return order();
@@ -59,7 +61,7 @@ class Rival {
       : index_(index), lo_(candidate.time.lo), hi_(candidate.time.hi) {
     if (!candidate.instant) return;
     const ContactInstant& at = *candidate.instant;
-    sway_ = displacement_sway(*at.geometry, *at.leg, at.contact);
+    sway_ = displacement_sway(*at.geometry, *at.segment, at.contact);
     if (std::isfinite(sway_)) root_ = std::make_unique<ClosingInstant>(at);
   }
 

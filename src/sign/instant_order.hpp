@@ -11,14 +11,14 @@ namespace taut {
 
 /// A contact that an engine found, of bodies displaced as the geometry is.
 struct ContactInstant {
-  std::shared_ptr<const Leg> leg;
+  std::shared_ptr<const MotionSegment> segment;
   const PairGeometry* geometry;
   FoundContact contact;
 };
 
 /// In the world's time: -1 if a is certainly before b, 1 if it is after, 0 if even the highest precision does not tell.
-/// Legs may be those of different pairs; on one bridge its parameter decides, on different ones at one joint nothing
-/// does.
+/// Segments may be those of different pairs; on one bridge its parameter decides, on different ones at one joint
+/// nothing does.
 int order_of(const ContactInstant& a, const ContactInstant& b);
 
 /// One of many contacts of bodies as they were given: enclosed by doubles, and more precisely by what it is the root

@@ -9,26 +9,26 @@
 #include <optional>
 #include <tuple>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "numeric/root_isolation.hpp"
-#include "sign/form.hpp"
+#include "sign/certificate_function.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut {
 
 /// A search at high precision may take longer than the turn in which it is begun, and nobody knows by how much. It is
 /// gone on with where it was: begun anew in each turn it would take several times as long in all, or never end. The
-/// last ones of a leg are kept at each precision, with what came of them, since what comes after one may be stopped,
-/// too. All of them are of forms of the same bodies, until they are cleared.
+/// last ones of a segment are kept at each precision, with what came of them, since what comes after one may be
+/// stopped, too. All of them are of forms of the same bodies, until they are cleared.
 class KeptSearches {
  public:
   /// What is searched.
   struct Key {
-    Form form;
+    CertificateFunction function;
     int sign = 0;  ///< just after `from`
     RealMax from{};
     double to = 0;
-    int from_end = 0;  ///< 1 or -1 where the function is one of the distance's root from that end of the leg
+    int from_end = 0;  ///< 1 or -1 where the function is one of the distance's root from that end of the segment
 
     bool operator==(const Key&) const = default;
   };
@@ -53,7 +53,7 @@ class KeptSearches {
       refine(*root);
       return place.sharp = root;
     } catch (const Interrupted&) {
-      keep_work(std::min(work_spent(), refining) - before);
+      count_kept_work(std::min(work_spent(), refining) - before);
       throw;
     }
   }

@@ -1,24 +1,24 @@
-// A form as a function of the leg's parameter, at high precision.
+// A form as a function of the segment's parameter, at high precision.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "base/interruption.hpp"
-#include "sign/form.hpp"
+#include "base/budget.hpp"
+#include "sign/certificate_function.hpp"
 #include "sign/taylor_frames.hpp"
 #include "sign/vanishing.hpp"
 
 namespace taut {
 
-/// The function as five coefficients of the leg's frame functions; multi-precision, displacement included.
+/// The function as five coefficients of the segment's frame functions; multi-precision, displacement included.
 template <class Real>
 class PreciseFunction {
-  /// What it costs in units of interruption_point(), fitted to instructions counted: a product of numbers three times
+  /// What it costs in units of checkpoint(), fitted to instructions counted: a product of numbers three times
   /// as long is less than three times as much, sines are nine times. A turn needs a sine and a cosine, or a root and a
   /// quotient; of polynomials a range needs them about another place.
   static constexpr std::uint64_t bits = RealTraits<Real>::bits, square = bits * bits / 1024;
-  static constexpr std::uint64_t work_of_form = 25, work_of_range = 5 + bits / 4,
+  static constexpr std::uint64_t work_of_function = 25, work_of_range = 5 + bits / 4,
                                  work_of_combination = 30 + square / 10;
   static constexpr std::uint64_t work_of_series = 230 + square * 4 / 5, work_of_doubles = 10;
   std::uint64_t work_of_value() const {
@@ -30,35 +30,36 @@ class PreciseFunction {
     if (std::is_same_v<Real, double>) return is_polynomial() ? 10 : 45;
     return work_of_value() + (is_polynomial() ? degree() * degree() * (11 + square / 64) / 16 : 55 + square / 9);
   }
-  std::uint64_t degree() const { return static_cast<std::uint64_t>(leg_.degree); }
+  std::uint64_t degree() const { return static_cast<std::uint64_t>(segment_.degree); }
   bool turns_by_angle() const {
-    return std::holds_alternative<AngleRotation>(leg_.p.rotation) ||
-           std::holds_alternative<AngleRotation>(leg_.q.rotation);
+    return std::holds_alternative<AngleRotation>(segment_.p.rotation) ||
+           std::holds_alternative<AngleRotation>(segment_.q.rotation);
   }
 
  public:
-  /// `models` are those of the leg, and must outlive it; without, the function has its own.
-  PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, TaylorFrames* models = nullptr)
-      : PreciseFunction(leg, g, form, Ball<Real>::exact(0), models) {}
+  /// `models` are those of the segment, and must outlive it; without, the function has its own.
+  PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
+                  TaylorFrames* models = nullptr)
+      : PreciseFunction(segment, g, function, Ball<Real>::exact(0), models) {}
   /// The form and a constant.
-  PreciseFunction(const Leg& leg, const PairGeometry& g, const Form& form, const Ball<Real>& constant,
-                  TaylorFrames* models)
-      : leg_(leg), pp_(form.pp), shared_(models) {
-    if (!std::is_same_v<Real, double>) count_work(work_of_form);
-    const Origin origin = leg.translation ? Origin::powers : Origin::frame;
-    const FormPoints<Ball<Real>> p = points_of<Ball<Real>>(leg, g, form, Shape::displaced, origin);
-    if (portion_of(leg, g, form) == Portion::displacement) {
-      coefficients_ = displacement_part(g, form, p);
+  PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
+                  const Ball<Real>& constant, TaylorFrames* models)
+      : segment_(segment), pp_(function.pp), shared_(models) {
+    if (!std::is_same_v<Real, double>) count_work(work_of_function);
+    const Origin origin = segment.translation ? Origin::powers : Origin::frame;
+    const FunctionPoints<Ball<Real>> p = points_of<Ball<Real>>(segment, g, function, Shape::displaced, origin);
+    if (portion_of(segment, g, function) == Portion::displacement) {
+      coefficients_ = displacement_part(g, function, p);
     } else {
-      coefficients_ = coefficients_on(leg, form.pp, p, Ball<Real>::exact(0));
+      coefficients_ = coefficients_on(segment, function.pp, p, Ball<Real>::exact(0));
     }
     // The first of the frame's functions is 1. A sum is rounded, one with nothing too.
     if (constant.magnitude() > 0) coefficients_[0] = coefficients_[0] + constant;
-    if (leg.translation) expand();
-    if (leg.bridge) expand_bridge();
+    if (segment.translation) expand();
+    if (segment.bridge) expand_bridge();
   }
 
-  /// Value and derivatives over the ball t of the leg's parameter.
+  /// Value and derivatives over the ball t of the segment's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const { return range<Sharpness::best>(t); }
   /// The same, or a wider one that tells the sign of the value or, over an interval, that of the slope.
   Jet<Real> telling_range(const Ball<Real>& t) const { return range<Sharpness::telling>(t); }
@@ -82,12 +83,12 @@ class PreciseFunction {
   /// The same as a function of the distance's root from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
     count_work(work_of_jet());
-    const Frame<Real> f = frame(leg_, t);
+    const Frame<Real> f = frame(segment_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
   /// Taylor's formula in s about a singular end: the terms, but for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
-    const auto& f = models().template from_end<Real>().terms(leg_, end, direction);
+    const auto& f = models().template from_end<Real>().terms(segment_, end, direction);
     count_work(work_of_combination);
     BallPolynomial<Real> sum;
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
@@ -95,13 +96,13 @@ class PreciseFunction {
   }
   /// and the last one, which makes it right for all s from the end to `farthest`.
   Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
-    return combined(models().template from_end<Real>().last(leg_, end, direction, farthest));
+    return combined(models().template from_end<Real>().last(segment_, end, direction, farthest));
   }
   /// The value alone, at less than half the price.
   Ball<Real> value(const Ball<Real>& t) const {
     count_work(work_of_value());
     if (is_polynomial()) return polynomial_value(polynomial_, t);
-    const FrameValues<Real> f = frame_values(leg_, t);
+    const FrameValues<Real> f = frame_values(segment_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
     return sum_of(v);
   }
@@ -148,7 +149,7 @@ class PreciseFunction {
       }
     }
     count_work(work_of_jet());
-    const Frame<Real> f = frame(leg_, t);
+    const Frame<Real> f = frame(segment_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if constexpr (!std::is_same_v<Real, double>) {
       // By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
@@ -184,7 +185,7 @@ class PreciseFunction {
   /// Null if there is no good one.
   const TaylorFrame<Real>* new_model(const Ball<Real>& t,
                                      TaylorFrames::Reach reach = TaylorFrames::Reach::several_times) const {
-    const TaylorFrame<Real>* const made = models().make(leg_, t, reach);
+    const TaylorFrame<Real>* const made = models().make(segment_, t, reach);
     if (made) count_work(work_of_series);
     return made;
   }
@@ -215,37 +216,37 @@ class PreciseFunction {
     const auto at = [](const Coefficients& c, int k) {
       return B::exact(static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0);
     };
-    for (int k = 1; k <= leg_.degree; ++k) {
-      const B dx = at(leg_.q.x, k) - at(leg_.p.x, k), dy = at(leg_.q.y, k) - at(leg_.p.y, k);
+    for (int k = 1; k <= segment_.degree; ++k) {
+      const B dx = at(segment_.q.x, k) - at(segment_.p.x, k), dy = at(segment_.q.y, k) - at(segment_.p.y, k);
       polynomial_.push_back(coefficients_[1] * dx + coefficients_[2] * dy);
     }
   }
   void expand_bridge() {
-    const FrameOf<ModelSeries<Real>> f = frame_series(leg_, Ball<Real>::exact(0));
+    const FrameOf<ModelSeries<Real>> f = frame_series(segment_, Ball<Real>::exact(0));
     for (std::size_t k = 0; k <= 2; ++k) polynomial_.push_back(coefficient_of(f, k));
   }
   /// The share of a value that its error is where Newton's steps still gain several bits.
   static constexpr double few_digits = 0x1p-16;
-  bool is_polynomial() const { return leg_.translation || leg_.bridge; }
+  bool is_polynomial() const { return segment_.translation || segment_.bridge; }
   /// Of a function that is zero at all times before the displacement: the rest, with nothing to cancel. What is linear
   /// in the edge e0 + e1 and in the points r0 + r1, without e0 r0, is e0 r1 + e1 (r0 + r1).
-  std::array<Ball<Real>, 5> displacement_part(const PairGeometry& g, const Form& form,
-                                              const FormPoints<Ball<Real>>& whole) const {
+  std::array<Ball<Real>, 5> displacement_part(const PairGeometry& g, const CertificateFunction& function,
+                                              const FunctionPoints<Ball<Real>>& whole) const {
     using B = Ball<Real>;
-    const DisplacedPoint &a = g.point(form.a), &b = g.point(form.b), &c = g.point(form.c);
-    FormPoints<B> edge = whole;
+    const DisplacedPoint &a = g.point(function.a), &b = g.point(function.b), &c = g.point(function.c);
+    FunctionPoints<B> edge = whole;
     edge.ex = B::exact(b.dx) - B::exact(a.dx);
     edge.ey = B::exact(b.dy) - B::exact(a.dy);
-    edge.measure(form.measure);
-    FormPoints<B> points{B::exact(b.x) - B::exact(a.x),
-                         B::exact(b.y) - B::exact(a.y),
-                         B::exact(a.dx),
-                         B::exact(a.dy),
-                         B::exact(c.dx),
-                         B::exact(c.dy)};
-    points.measure(form.measure);
-    std::array<B, 5> sum = form_coefficients(form.pp, edge);
-    const std::array<B, 5> more = form_coefficients(form.pp, points);
+    edge.measure(function.measure);
+    FunctionPoints<B> points{B::exact(b.x) - B::exact(a.x),
+                             B::exact(b.y) - B::exact(a.y),
+                             B::exact(a.dx),
+                             B::exact(a.dy),
+                             B::exact(c.dx),
+                             B::exact(c.dy)};
+    points.measure(function.measure);
+    std::array<B, 5> sum = function_coefficients(function.pp, edge);
+    const std::array<B, 5> more = function_coefficients(function.pp, points);
     // The motion's terms have the edge alone in them: they are in the first sum.
     for (const std::size_t i : {0, 3, 4}) sum[i] = sum[i] + more[i];
     return sum;
@@ -256,7 +257,7 @@ class PreciseFunction {
     return sum;
   }
 
-  const Leg& leg_;
+  const MotionSegment& segment_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
   BallPolynomial<Real> polynomial_;  ///< of a translation, or a bridge

@@ -34,14 +34,14 @@ RootEnclosure<Real> enclosure(const PreciseTime& t) {
 
 /// The first change of sign in (from.hi, to], where `sign` holds just after `from`. Throws PrecisionExhausted.
 template <class Real, class Function>
-std::optional<PreciseTime> first_change(const Leg& leg, const Function& f, int sign, const PreciseTime& from, double to,
-                                        Stage stage) {
-  if (const auto cut = division(leg, from, to)) {
-    if (auto first = first_change<Real>(leg, f, sign, from, *cut, stage)) return first;
-    return first_change<Real>(leg, f, sign, PreciseTime::between(*cut, *cut), to, stage);
+std::optional<PreciseTime> first_change(const MotionSegment& segment, const Function& f, int sign,
+                                        const PreciseTime& from, double to, Stage stage) {
+  if (const auto cut = division(segment, from, to)) {
+    if (auto first = first_change<Real>(segment, f, sign, from, *cut, stage)) return first;
+    return first_change<Real>(segment, f, sign, PreciseTime::between(*cut, *cut), to, stage);
   }
-  if (const int end = singular_end(leg, from, to)) {
-    if (const auto told = search_from_end<Real>(leg, f, end, sign, from, to, stage)) return *told;
+  if (const int end = singular_end(segment, from, to)) {
+    if (const auto decided = search_from_end<Real>(segment, f, end, sign, from, to, stage)) return *decided;
   }
   auto root = first_sign_change<Real>(f, sign, exactly<Real>(from.hi()), Real(to), Halves{}, search_budget<Real>);
   if (!root) return std::nullopt;
@@ -51,9 +51,10 @@ std::optional<PreciseTime> first_change(const Leg& leg, const Function& f, int s
 
 /// Shrinks an isolating enclosure; `sign` is that before the root. Throws PrecisionExhausted.
 template <class Real, class Function>
-PreciseTime refined_change(const Leg& leg, const Function& f, int sign, const PreciseTime& t, Stage stage) {
-  if (const int end = singular_end(leg, t, t.ceiling())) {
-    return SearchFromEnd<Real, Function>(f, end > 0 ? leg.start : leg.end, end).refined(sign, t, stage, 0);
+PreciseTime refined_change(const MotionSegment& segment, const Function& f, int sign, const PreciseTime& t,
+                           Stage stage) {
+  if (const int end = singular_end(segment, t, t.ceiling())) {
+    return SearchFromEnd<Real, Function>(f, end > 0 ? segment.start : segment.end, end).refined(sign, t, stage, 0);
   }
   RootEnclosure<Real> root = enclosure<Real>(t);
   refine(f, sign, root);

@@ -5,7 +5,7 @@
 
 #include "base/errors.hpp"
 #include "geometry/displacement.hpp"
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "numeric/root_isolation.hpp"
 #include "pair/placement.hpp"
 #include "sign/precise_root.hpp"
@@ -27,49 +27,49 @@ std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const
 
 /// The function as a line, if it is one and nothing underflows.
 const ExactLine* PreciseTriple::line() const {
-  if (!ExactLine::fits(leg_)) return nullptr;
-  if (!line_) line_.emplace(leg_, geometry_, form_);
+  if (!ExactLine::fits(segment_)) return nullptr;
+  if (!line_) line_.emplace(segment_, geometry_, function_);
   return line_->exact() ? &*line_ : nullptr;
 }
 
 /// The frame about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs less
 /// than polynomials about it.
-const TieFrame* PreciseTriple::frame_near(const PreciseTime& t) const {
+const FrameExpansion* PreciseTriple::frame_near(const PreciseTime& t) const {
   if (!memory_ || !t.has_sums()) return nullptr;
   const double lo = t.floor(), hi = t.ceiling();
-  return lo < hi ? memory_->ties.around(lo, hi) : memory_->ties.known(lo, hi);
+  return lo < hi ? memory_->expansions.around(lo, hi) : memory_->expansions.known(lo, hi);
 }
 
 /// The function's root within reach of such an instant, if one of those known so far tells it; before more is tried, as
 /// well as that.
-const RootOfTie* PreciseTriple::root_beside(const PreciseTime& t, Stage stage) const {
+const RootOfExpansion* PreciseTriple::root_beside(const PreciseTime& t, Stage stage) const {
   if (!memory_ || !t.has_sums()) return nullptr;
-  const TieFrame* const frame = memory_->ties.known(t.floor(), t.ceiling());
+  const FrameExpansion* const frame = memory_->expansions.known(t.floor(), t.ceiling());
   const double enough = stage == Stage::beside ? INFINITY : all_but_displacement;
-  return frame ? memory_->forms.root_beside(*frame, leg_, geometry_, form_, enough) : nullptr;
+  return frame ? memory_->functions.root_beside(*frame, segment_, geometry_, function_, enough) : nullptr;
 }
 
 /// It is monotone all over the reach.
 int PreciseTriple::sign_beside_root(const PreciseTime& t, Stage stage) const {
-  const RootOfTie* const root = root_beside(t, stage);
+  const RootOfExpansion* const root = root_beside(t, stage);
   if (!root) return 0;
   const std::optional<bool> is_first = t.is_first(root->at);
   return !is_first ? 0 : *is_first ? -root->slope_sign : root->slope_sign;
 }
 
 /// By numbers of a fixed length; others may be told from it afterwards.
-std::optional<PreciseTime> PreciseTriple::root_of_tie(int sign, const PreciseTime& t, Stage stage,
-                                                      double enough) const {
-  const TieFrame* const frame = frame_near(t);
+std::optional<PreciseTime> PreciseTriple::root_of_expansion(int sign, const PreciseTime& t, Stage stage,
+                                                            double enough) const {
+  const FrameExpansion* const frame = frame_near(t);
   if (!frame) return std::nullopt;
-  const auto root = memory_->forms.of(*frame, leg_, geometry_, form_).root(sign, stage, enough);
-  if (root && enough == 0) memory_->forms.note_root(*frame, leg_, geometry_, form_, *root);
+  const auto root = memory_->functions.of(*frame, segment_, geometry_, function_).root(sign, stage, enough);
+  if (root && enough == 0) memory_->functions.note_root(*frame, segment_, geometry_, function_, *root);
   return root;
 }
 
 /// A root that is known beside a turn, as well as numbers of a fixed length have it.
 PreciseTime PreciseTriple::sharpened(int sign, PreciseTime t) const {
-  if (const auto sharp = root_of_tie(sign, t, Stage::precise, 0)) return *sharp;
+  if (const auto sharp = root_of_expansion(sign, t, Stage::precise, 0)) return *sharp;
   t.stage = Stage::precise;
   return t;
 }
@@ -77,7 +77,7 @@ PreciseTime PreciseTriple::sharpened(int sign, PreciseTime t) const {
 template <class Real>
 void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root,
                                 double enough) const {
-  const PreciseFunction<double> rough(leg_, geometry_, form_);
+  const PreciseFunction<double> rough(segment_, geometry_, function_);
   if (const auto slope = steady_slope(rough, RealMax(root.lo), RealMax(root.hi))) {
     refine_with_slope(f, *slope, sign, root, enough);
   } else {
@@ -91,27 +91,27 @@ std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunct
   const Real a = exactly<Real>(from.hi());
   const auto refined = [&](RootEnclosure<Real>& root) { refine_root(f, sign, root, 0); };
   KeptSearches* const kept = memory_ ? &memory_->searches : nullptr;
-  return sharp_root(kept, {form_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
+  return sharp_root(kept, {function_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
 }
 
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
   if (stage <= Stage::precise) {
     const int sign = sign_beside_root(t, stage);
-    if (sign != 0 || stage == Stage::beside) return told_by(Stage::beside, sign);
+    if (sign != 0 || stage == Stage::beside) return decided_by(Stage::beside, sign);
   }
   if (t.has_sums()) {
     const ExactLine* const exact = line();
-    if (const int sign = exact ? exact->sign_over(t) : 0) return told_by(Stage::exact, sign);
+    if (const int sign = exact ? exact->sign_over(t) : 0) return decided_by(Stage::exact, sign);
     if (stage == Stage::precise) {
-      const TieFrame* const frame = frame_near(t);
-      const int sign = frame ? memory_->forms.of(*frame, leg_, geometry_, form_).sign_over(t) : 0;
-      if (sign != 0) return told_by(Stage::fixed, sign);
+      const FrameExpansion* const frame = frame_near(t);
+      const int sign = frame ? memory_->functions.of(*frame, segment_, geometry_, function_).sign_over(t) : 0;
+      if (sign != 0) return decided_by(Stage::fixed, sign);
     }
   }
-  return told_by(stage, with_stage(stage, [&](auto zero) {
-                   using Real = decltype(zero);
-                   return function<Real>().telling_value(ball_of<Real>(t)).sign();
-                 }));
+  return decided_by(stage, with_stage(stage, [&](auto zero) {
+                      using Real = decltype(zero);
+                      return function<Real>().telling_value(ball_of<Real>(t)).sign();
+                    }));
 }
 
 /// Of a function that is a line: when it changes its sign.
@@ -131,14 +131,15 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
 /// `sign` holds just after `from`.
 std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, const PreciseTime& from,
                                                                     double about) const {
-  const TieFrame* const frame = memory_ ? memory_->ties.around(about, about) : nullptr;
+  const FrameExpansion* const frame = memory_ ? memory_->expansions.around(about, about) : nullptr;
   if (!frame) return std::nullopt;
-  const TieForm& tie = memory_->forms.of(*frame, leg_, geometry_, form_);
-  const auto turn = tie.turn();
+  const FixedPointExpansion& expansion = memory_->functions.of(*frame, segment_, geometry_, function_);
+  const auto turn = expansion.turn();
   if (!turn) return std::nullopt;
-  const bool valley = turn->bend_sign == sign;
-  if (turn->value_sign == turn->bend_sign) return valley ? std::optional(BesideTurn{}) : std::nullopt;
-  const auto before = tie.root_beside(*turn, -1, Stage::beside), after = tie.root_beside(*turn, 1, Stage::beside);
+  const bool valley = turn->second_sign == sign;
+  if (turn->value_sign == turn->second_sign) return valley ? std::optional(BesideTurn{}) : std::nullopt;
+  const auto before = expansion.root_beside(*turn, -1, Stage::beside),
+             after = expansion.root_beside(*turn, 1, Stage::beside);
   if (!before || !after) return std::nullopt;
   // It holds before the first root and after the second one of a valley, and between those of a hill. As it holds just
   // after `from`, that is not before a hill's first root, and either of a valley's ends tells on which side it is.
@@ -151,8 +152,8 @@ std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, co
 /// lasts.
 std::optional<PreciseTriple::BesideTurn> PreciseTriple::turn_ahead(int sign, const PreciseTime& from, double to) const {
   const double start = from.floor();
-  if (from.stage > Stage::precise || start < leg_.start || !(start < to)) return std::nullopt;
-  const PreciseFunction<double> rough(leg_, geometry_, form_);
+  if (from.stage > Stage::precise || start < segment_.start || !(start < to)) return std::nullopt;
+  const PreciseFunction<double> rough(segment_, geometry_, function_);
   const Jet<double> here = rough(Ball<double>::exact(start));
   if (here.v.sign() != 0 || here.d.sign() != 0 || here.dd.sign() == 0) return std::nullopt;
   if (rough(Ball<double>::between(start, to)).dd.sign() == 0) return std::nullopt;
@@ -160,34 +161,34 @@ std::optional<PreciseTriple::BesideTurn> PreciseTriple::turn_ahead(int sign, con
 }
 
 std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseTime& from, double to) const {
-  if (const LineFailure line = line_failure(sign, from, to); told_by(Stage::exact, line.known)) return line.time;
+  if (const LineFailure line = line_failure(sign, from, to); decided_by(Stage::exact, line.known)) return line.time;
   if (const auto beside = turn_ahead(sign, from, to)) {
     const PreciseTime end = PreciseTime::between(to, to);
     const bool none = !beside->failure || end.certainly_before(*beside->failure);
-    if (told_by(Stage::fixed, none)) return std::nullopt;
-    if (told_by(Stage::fixed, beside->failure->not_after(end))) return sharpened(sign, *beside->failure);
+    if (decided_by(Stage::fixed, none)) return std::nullopt;
+    if (decided_by(Stage::fixed, beside->failure->not_after(end))) return sharpened(sign, *beside->failure);
   }
-  if (const auto cut = division(leg_, from, to)) {
+  if (const auto cut = division(segment_, from, to)) {
     if (auto first = first_failure(sign, from, *cut)) return first;
     PreciseTime rest = PreciseTime::between(*cut, *cut);
     rest.stage = from.stage;
     return first_failure(sign, rest, to);
   }
-  const int end = singular_end(leg_, from, to);
+  const int end = singular_end(segment_, from, to);
   if (end != 0 && from.stage <= Stage::precise) {
     // In the distance's root the motion is so smooth that doubles nearly always do. The displacement is in them: at the
     // end itself, where much is exact, they may tell what only that tells.
-    const PreciseFunction<double> f(leg_, geometry_, form_);
-    if (const auto answer = search_from_end<double>(leg_, f, end, sign, from, to, Stage::doubles)) {
-      return *told_by(Stage::first_order, answer);
+    const PreciseFunction<double> f(segment_, geometry_, function_);
+    if (const auto answer = search_from_end<double>(segment_, f, end, sign, from, to, Stage::doubles)) {
+      return *decided_by(Stage::first_order, answer);
     }
   }
-  const KeptSearch kept{memory_ ? &memory_->searches : nullptr, form_};
+  const KeptSearch kept{memory_ ? &memory_->searches : nullptr, function_};
   const auto search = [&](auto zero, Stage stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
-      if (const auto answer = search_from_end<Real>(leg_, f, end, sign, from, to, stage, kept)) return *answer;
+      if (const auto answer = search_from_end<Real>(segment_, f, end, sign, from, to, stage, kept)) return *answer;
     }
     const auto root = sign_change(f, sign, from, to);
     if (!root) return std::nullopt;
@@ -195,7 +196,7 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   };
   const auto counted = [&](auto zero, Stage stage) {
     auto answer = search(zero, stage);
-    told_by(stage, true);
+    decided_by(stage, true);
     return answer;
   };
   const auto found = at_some_stage(counted, from.stage);
@@ -206,22 +207,22 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
 bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough) const {
   if (t.stage >= stage) return true;
   if (stage <= Stage::precise) {
-    const RootOfTie* const root = root_beside(t, stage);
+    const RootOfExpansion* const root = root_beside(t, stage);
     if (root && root->slope_sign == -sign) {
       t = root->at;
       t.stage = stage;
-      return told_by(Stage::beside, true);
+      return decided_by(Stage::beside, true);
     }
     if (stage == Stage::beside) return false;
   }
   if (stage == Stage::precise) {
     const ExactLine* const exact = line();
     if (const auto root = exact && exact->slope_sign() != 0 ? exact->root(stage, enough) : std::nullopt) {
-      t = *told_by(Stage::exact, root);
+      t = *decided_by(Stage::exact, root);
       return true;
     }
-    if (const auto root = root_of_tie(sign, t, stage, enough)) {
-      t = *told_by(Stage::fixed, root);
+    if (const auto root = root_of_expansion(sign, t, stage, enough)) {
+      t = *decided_by(Stage::fixed, root);
       return true;
     }
   }
@@ -229,8 +230,8 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough)
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     try {
-      if (const int end = singular_end(leg_, t, t.ceiling())) {
-        t = SearchFromEnd<Real>(f, end > 0 ? leg_.start : leg_.end, end).refined(sign, t, stage, enough);
+      if (const int end = singular_end(segment_, t, t.ceiling())) {
+        t = SearchFromEnd<Real>(f, end > 0 ? segment_.start : segment_.end, end).refined(sign, t, stage, enough);
       } else {
         RootEnclosure<Real> root = enclosure<Real>(t);
         refine_root(f, sign, root, enough);
@@ -239,7 +240,7 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough)
     } catch (const PrecisionExhausted&) {
       return false;
     }
-    return told_by(stage, true);
+    return decided_by(stage, true);
   });
 }
 

@@ -12,12 +12,13 @@
 
 namespace taut {
 
-/// A form on a leg, at any precision.
+/// A form on a segment, at any precision.
 class PreciseTriple {
  public:
-  /// `memory` is of the same leg, if there is one, and must outlive it.
-  PreciseTriple(const Leg& leg, const PairGeometry& geometry, const Form& form, FrameMemory* memory = nullptr)
-      : leg_(leg), geometry_(geometry), form_(form), memory_(memory) {}
+  /// `memory` is of the same segment, if there is one, and must outlive it.
+  PreciseTriple(const MotionSegment& segment, const PairGeometry& geometry, const CertificateFunction& function,
+                FrameMemory* memory = nullptr)
+      : segment_(segment), geometry_(geometry), function_(function), memory_(memory) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
   int sign_at(const PreciseTime& t, Stage stage) const;
@@ -45,19 +46,19 @@ class PreciseTriple {
   std::optional<BesideTurn> turn_ahead(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
   /// The answer, which is counted if there is one.
-  template <class Told>
-  Told told_by(Stage stage, Told answer) const {
+  template <class Decided>
+  Decided decided_by(Stage stage, Decided answer) const {
     if (answer && memory_) memory_->stages.add(stage);
     return answer;
   }
-  const TieFrame* frame_near(const PreciseTime& t) const;
-  const RootOfTie* root_beside(const PreciseTime& t, Stage stage) const;
-  std::optional<PreciseTime> root_of_tie(int sign, const PreciseTime& t, Stage stage, double enough) const;
+  const FrameExpansion* frame_near(const PreciseTime& t) const;
+  const RootOfExpansion* root_beside(const PreciseTime& t, Stage stage) const;
+  std::optional<PreciseTime> root_of_expansion(int sign, const PreciseTime& t, Stage stage, double enough) const;
   PreciseTime sharpened(int sign, PreciseTime t) const;
   int sign_beside_root(const PreciseTime& t, Stage stage) const;
   template <class Real>
   PreciseFunction<Real> function() const {
-    return {leg_, geometry_, form_, memory_ ? &memory_->models : nullptr};
+    return {segment_, geometry_, function_, memory_ ? &memory_->models : nullptr};
   }
   /// In (from.hi, to], as a function of time, as sharp as this precision has it; kept where there is memory.
   template <class Real>
@@ -66,9 +67,9 @@ class PreciseTriple {
   template <class Real>
   void refine_root(const PreciseFunction<Real>& f, int sign, RootEnclosure<Real>& root, double enough) const;
 
-  const Leg& leg_;
+  const MotionSegment& segment_;
   const PairGeometry& geometry_;
-  Form form_;
+  CertificateFunction function_;
   FrameMemory* memory_;
   mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };

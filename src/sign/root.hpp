@@ -27,7 +27,7 @@ struct Root {
   std::int8_t sign = 0;       ///< now
   RootKind kind = RootKind::not_before;
 
-  /// It comes no earlier than t, and not at all on a leg that ends by then.
+  /// It comes no earlier than t, and not at all on a segment that ends by then.
   void come_after(double t, double end) {
     kind = RootKind::not_before;
     lo = t >= end ? never : t;

@@ -1,8 +1,8 @@
-// The search for a root near a singular end of a leg.
+// The search for a root near a singular end of a segment.
 //
-// Where a cosine reaches 1 or -1 a leg ends, and terms like sqrt(t) cancel there, which ranges in time do not show. In
-// s, the root of the distance from that end (see TimeFromEnd), the motion is smooth: so doubles nearly always do, and
-// where only the displacement tells, Taylor polynomials about the end.
+// Where a cosine reaches 1 or -1 a segment ends, and terms like sqrt(t) cancel there, which ranges in time do not show.
+// In s, the root of the distance from that end (see TimeFromEnd), the motion is smooth: so doubles nearly always do,
+// and where only the displacement tells, Taylor polynomials about the end.
 #pragma once
 
 #include <algorithm>
@@ -20,14 +20,14 @@ namespace taut {
 /// Where a search of a form is kept, if it is.
 struct KeptSearch {
   KeptSearches* searches = nullptr;
-  Form form{};
+  CertificateFunction function{};
 };
 
 /// How many intervals a search may look at. In doubles it succeeds soon, or terms that cancel are all that it sees.
 template <class Real>
 inline constexpr int search_budget = std::is_same_v<Real, double> ? 100 : 200000;
 
-/// Of a form, or of what is made of forms (see LineCloseness and VertexCloseness).
+/// Of a form, or of what is made of forms (see LineMargin and VertexMargin).
 template <class Real, class Function = PreciseFunction<Real>>
 class SearchFromEnd {
  public:
@@ -39,7 +39,7 @@ class SearchFromEnd {
   /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
-    const auto root = search({kept_.form, sign, from, to, direction_ > 0 ? 1 : -1}, first.lower(), last.upper());
+    const auto root = search({kept_.function, sign, from, to, direction_ > 0 ? 1 : -1}, first.lower(), last.upper());
     if (!root) return std::nullopt;
     // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
     // interval with `from` in it, the root comes after; an interval before it says nothing.
@@ -169,30 +169,30 @@ class SearchFromEnd {
   KeptSearch kept_;
 };
 
-/// How near to a singular end of the leg a search is made from there.
-inline double reach_of_end(const Leg& leg) { return (leg.end - leg.start) / 16; }
+/// How near to a singular end of the segment a search is made from there.
+inline double reach_of_end(const MotionSegment& segment) { return (segment.end - segment.start) / 16; }
 
 /// Up to when a search from that instant on is made from a singular end; the instant itself if it is not.
-inline double end_of_neighbourhood(const Leg& leg, double from) {
-  const double reach = reach_of_end(leg);
-  if (from >= leg.end - reach && leg.singular_at(leg.end)) return leg.end;
-  if (from < leg.start + reach && leg.singular_at(leg.start)) return leg.start + reach;
+inline double end_of_neighbourhood(const MotionSegment& segment, double from) {
+  const double reach = reach_of_end(segment);
+  if (from >= segment.end - reach && segment.singular_at(segment.end)) return segment.end;
+  if (from < segment.start + reach && segment.singular_at(segment.start)) return segment.start + reach;
   return from;
 }
 
-/// From which end of the leg, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if the
-/// motion is smooth enough over [from, to].
-inline int singular_end(const Leg& leg, const PreciseTime& from, double to) {
-  if (to <= leg.start + reach_of_end(leg) && leg.singular_at(leg.start)) return 1;
-  if (from.floor() >= leg.end - reach_of_end(leg) && leg.singular_at(leg.end)) return -1;
+/// From which end of the segment, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if
+/// the motion is smooth enough over [from, to].
+inline int singular_end(const MotionSegment& segment, const PreciseTime& from, double to) {
+  if (to <= segment.start + reach_of_end(segment) && segment.singular_at(segment.start)) return 1;
+  if (from.floor() >= segment.end - reach_of_end(segment) && segment.singular_at(segment.end)) return -1;
   return 0;
 }
 
 /// Where a search from `from` to `to` comes near a singular end, or leaves it: there it is made in two parts.
-inline std::optional<double> division(const Leg& leg, const PreciseTime& from, double to) {
+inline std::optional<double> division(const MotionSegment& segment, const PreciseTime& from, double to) {
   for (const bool at_start : {true, false}) {
-    if (!leg.singular_at(at_start ? leg.start : leg.end)) continue;
-    const double cut = at_start ? leg.start + reach_of_end(leg) : leg.end - reach_of_end(leg);
+    if (!segment.singular_at(at_start ? segment.start : segment.end)) continue;
+    const double cut = at_start ? segment.start + reach_of_end(segment) : segment.end - reach_of_end(segment);
     if (from.ceiling() < cut && cut < to) return cut;
   }
   return std::nullopt;
@@ -200,11 +200,11 @@ inline std::optional<double> division(const Leg& leg, const PreciseTime& from, d
 
 /// Nothing if this precision does not tell.
 template <class Real, class Function>
-std::optional<std::optional<PreciseTime>> search_from_end(const Leg& leg, const Function& f, int end, int sign,
-                                                          const PreciseTime& from, double to, Stage stage,
+std::optional<std::optional<PreciseTime>> search_from_end(const MotionSegment& segment, const Function& f, int end,
+                                                          int sign, const PreciseTime& from, double to, Stage stage,
                                                           const KeptSearch& kept = {}) {
   try {
-    const SearchFromEnd<Real, Function> search(f, end > 0 ? leg.start : leg.end, end, kept);
+    const SearchFromEnd<Real, Function> search(f, end > 0 ? segment.start : segment.end, end, kept);
     return search.first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {
     return std::nullopt;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -96,18 +96,18 @@ void take_last_terms(FrameOf<ModelSeries<Real>>& model, const FrameOf<ModelSerie
   }
 }
 
-/// The model about the place as far as 2^e around it, as far as the leg goes, and all over the ball. Of its last terms,
-/// which are ranges, a few digits are enough.
+/// The model about the place as far as 2^e around it, as far as the segment goes, and all over the ball. Of its last
+/// terms, which are ranges, a few digits are enough.
 template <class Real>
-void complete(TaylorFrame<Real>& model, const Leg& leg, int e, const Ball<Real>& t) {
+void complete(TaylorFrame<Real>& model, const MotionSegment& segment, int e, const Ball<Real>& t) {
   const Real reach = ldexp(Real(1), e);
   model.reach = std::ldexp(1.0, e);
-  model.lo = std::min<Real>(t.lower(), std::max<Real>(Real(leg.start), model.middle - reach));
-  model.hi = std::max<Real>(t.upper(), std::min<Real>(Real(leg.end), model.middle + reach));
+  model.lo = std::min<Real>(t.lower(), std::max<Real>(Real(segment.start), model.middle - reach));
+  model.hi = std::max<Real>(t.upper(), std::min<Real>(Real(segment.end), model.middle + reach));
   const FrameOf<ModelSeries<double>> rough =
-      frame_series(leg, Ball<double>::between(double_floor(model.lo), double_above(model.hi)));
+      frame_series(segment, Ball<double>::between(double_floor(model.lo), double_above(model.hi)));
   if (are_sharp(rough, model.about_middle)) return take_last_terms(model.about_middle, rough);
-  take_last_terms(model.about_middle, frame_series(leg, Ball<Real>::between(model.lo, model.hi)));
+  take_last_terms(model.about_middle, frame_series(segment, Ball<Real>::between(model.lo, model.hi)));
 }
 
 /// It reaches several times as far as the ball, but no farther than a share of the way to where the motion is singular:
@@ -119,15 +119,16 @@ int finest_level(double half) { return std::ilogb(half) + 1; }
 /// About a place on the grid near the ball. `note` is told of each place that was tried, and its radius. False if all
 /// are too close, for a ball as long as that, to where the motion is singular.
 template <class Real, class Note>
-bool make_around(TaylorFrame<Real>& model, const Leg& leg, const Ball<Real>& t, int levels, const Note& note) {
+bool make_around(TaylorFrame<Real>& model, const MotionSegment& segment, const Ball<Real>& t, int levels,
+                 const Note& note) {
   const int finest = finest_level(t.rad);
   for (int e = finest + levels; e >= finest;) {
-    model.middle = std::clamp<Real>(on_grid(t.mid, e - 1), Real(leg.start), Real(leg.end));
-    model.about_middle = frame_series(leg, Ball<Real>(model.middle, 0.0));
+    model.middle = std::clamp<Real>(on_grid(t.mid, e - 1), Real(segment.start), Real(segment.end));
+    model.about_middle = frame_series(segment, Ball<Real>(model.middle, 0.0));
     const double radius = from_quarters(radius_in_quarters(model.about_middle));
     const int most = std::ilogb(radius) + level_of_share;
     if (e <= most) {
-      complete(model, leg, e, t);
+      complete(model, segment, e, t);
       return true;
     }
     note(RealTraits<Real>::to_double(model.middle), radius);
@@ -139,10 +140,11 @@ bool make_around(TaylorFrame<Real>& model, const Leg& leg, const Ball<Real>& t, 
 }  // namespace
 
 template <class Real>
-const FrameOf<SeriesFromEnd<Real>>& FramesFromEnd<Real>::terms(const Leg& leg, double end, double direction) {
+const FrameOf<SeriesFromEnd<Real>>& FramesFromEnd<Real>::terms(const MotionSegment& segment, double end,
+                                                               double direction) {
   if (end_ != end || direction_ != direction) {
     count_work(work_of_frames);
-    terms_ = frame_series(leg, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
+    terms_ = frame_series(segment, TimeFromEnd<Real>{end, direction, Ball<Real>::exact(0)});
     end_ = end;
     direction_ = direction;
   }
@@ -150,13 +152,14 @@ const FrameOf<SeriesFromEnd<Real>>& FramesFromEnd<Real>::terms(const Leg& leg, d
 }
 
 template <class Real>
-const FrameValues<Real>& FramesFromEnd<Real>::last(const Leg& leg, double end, double direction, double farthest) {
+const FrameValues<Real>& FramesFromEnd<Real>::last(const MotionSegment& segment, double end, double direction,
+                                                   double farthest) {
   for (const Last& known : last_) {
     if (known.farthest == farthest && known.end == end && known.direction == direction) return known.frame;
   }
   count_work(work_of_frames);
   const Ball<Real> over = Ball<Real>::between(std::min(farthest, 0.0), std::max(farthest, 0.0));
-  const auto series = frame_series(leg, TimeFromEnd<Real>{end, direction, over});
+  const auto series = frame_series(segment, TimeFromEnd<Real>{end, direction, over});
   Last made{end, direction, farthest, {}};
   for (std::size_t i = 0; i < 5; ++i) {
     made.frame.for_pp[i] = series.for_pp[i].c[last_from_end];
@@ -181,17 +184,17 @@ bool TaylorFrames::is_too_long(double middle, double half) const {
 }
 
 template <class Real>
-const TaylorFrame<Real>* TaylorFrames::make(const Leg& leg, const Ball<Real>& t, Reach reach) {
+const TaylorFrame<Real>* TaylorFrames::make(const MotionSegment& segment, const Ball<Real>& t, Reach reach) {
   if (is_too_long(RealTraits<Real>::to_double(t.mid), t.rad)) return nullptr;
   TaylorFrame<Real> made;
   made.number = ++made_;
   const auto note = [this](double at, double radius) { keep(limits_, next_limit_, Limit{at, radius}); };
-  if (!make_around(made, leg, t, reach == Reach::once ? 0 : levels_beyond_ball, note)) return nullptr;
+  if (!make_around(made, segment, t, reach == Reach::once ? 0 : levels_beyond_ball, note)) return nullptr;
   auto& [models, next, from_end] = std::get<Kept<Real>>(kept_);
   return &keep(models, next, std::move(made));
 }
-#define TAUT_INSTANTIATE(Real)                                                                \
-  template const TaylorFrame<Real>* TaylorFrames::make(const Leg&, const Ball<Real>&, Reach); \
+#define TAUT_INSTANTIATE(Real)                                                                          \
+  template const TaylorFrame<Real>* TaylorFrames::make(const MotionSegment&, const Ball<Real>&, Reach); \
   template class FramesFromEnd<Real>;
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE

@@ -1,4 +1,4 @@
-// A leg's frame functions as Taylor polynomials over ranges of its parameter, at high precision.
+// A segment's frame functions as Taylor polynomials over ranges of its parameter, at high precision.
 //
 // Near a root of order m the range of a form has to shrink like h^m, but those of its five terms, which cancel there,
 // shrink like h. So a search there goes by a polynomial, whose coefficients have cancelled already. To make one costs
@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 
 namespace taut {
 
@@ -32,15 +32,15 @@ struct TaylorFrame {
   bool is_loose_for(const Ball<Real>& t) const { return t.rad > 0 && t.rad < 0x1p-1 * reach; }
 };
 
-/// The frame functions by Taylor's formula in s, the root of the distance from an end at which the leg is singular (see
-/// TimeFromEnd), where they are smooth.
+/// The frame functions by Taylor's formula in s, the root of the distance from an end at which the segment is singular
+/// (see TimeFromEnd), where they are smooth.
 template <class Real>
 class FramesFromEnd {
  public:
   /// The terms but for the last one.
-  const FrameOf<SeriesFromEnd<Real>>& terms(const Leg& leg, double end, double direction);
+  const FrameOf<SeriesFromEnd<Real>>& terms(const MotionSegment& segment, double end, double direction);
   /// The last one, which makes the formula right for all s from the end to `farthest`.
-  const FrameValues<Real>& last(const Leg& leg, double end, double direction, double farthest);
+  const FrameValues<Real>& last(const MotionSegment& segment, double end, double direction, double farthest);
 
  private:
   struct Last {
@@ -54,10 +54,10 @@ class FramesFromEnd {
   std::size_t next_ = 0;  ///< which is replaced next
 };
 
-/// Those of one leg that were asked for last, at each precision.
+/// Those of one segment that were asked for last, at each precision.
 class TaylorFrames {
  public:
-  /// For another leg, which is no bridge.
+  /// For another segment, which is no bridge.
   void clear();
   /// The one that reaches least far of those that cover the ball, or null; valid until the next call of make().
   template <class Real>
@@ -73,7 +73,7 @@ class TaylorFrames {
   /// A new one that covers and suits it, t.rad > 0, and reaches several times as far or not; null where the motion is
   /// nearly singular so close by that none so long is of use.
   template <class Real>
-  const TaylorFrame<Real>* make(const Leg& leg, const Ball<Real>& t, Reach reach = Reach::several_times);
+  const TaylorFrame<Real>* make(const MotionSegment& segment, const Ball<Real>& t, Reach reach = Reach::several_times);
   template <class Real>
   FramesFromEnd<Real>& from_end() {
     std::unique_ptr<FramesFromEnd<Real>>& frames = std::get<Kept<Real>>(kept_).from_end;

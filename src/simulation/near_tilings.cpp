@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pair/validate_world.hpp"
-#include "search/kinetic_pair.hpp"
+#include "search/kinetic_solver.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
 #include "world/meeting_boxes.hpp"
@@ -35,7 +35,7 @@ std::vector<std::pair<int, int>> near_pairs(const WorldPlan& plan) {
 /// None where they overlap, or it was not decided.
 std::vector<NearTiling> tilings_at_start(const WorldPlan& plan, const std::pair<int, int>& pair, bool inwards) {
   EventBudget budget(UINT64_MAX);
-  KineticPair near(plan, pair.first, pair.second, inwards, budget);
+  KineticSolver near(plan, pair.first, pair.second, inwards, budget);
   near.ask_start();
   return near.tilings();
 }

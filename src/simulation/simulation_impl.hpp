@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "kinetic/session.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -48,7 +48,7 @@ struct Simulation::Impl : private EngineObserver, private Tracer {
   template <class Work>
   void changing(const Work& work) {
     try {
-      const InterruptionScope scope(options.stop, options.max_seconds);
+      const Budget scope(options.stop, options.max_seconds);
       scope.check();
       work();
     } catch (const Undecidable& limit) {

@@ -113,7 +113,7 @@ std::vector<ActiveCertificate> Simulation::active_set() const {
   std::vector<ActiveCertificate> out;
   session.engine().for_each_certificate([&](const Certificate& c) {
     out.push_back({session.input_vertex(c.u), session.input_vertex(c.v), session.input_vertex(c.w), c.sign > 0,
-                   session.engine().leg().time(std::min(c.lo, session.engine().leg().end))});
+                   session.engine().segment().time(std::min(c.lo, session.engine().segment().end))});
   });
   return out;
 }
@@ -143,13 +143,13 @@ GeodesicCycle Simulation::geodesic_cycle(BodyId body, int level) const {
   const std::size_t side = side_of(session, body);
   const Engine& engine = session.engine();
   const PairGeometry& g = engine.geometry();
-  if (engine.leg().bridge)
+  if (engine.segment().bridge)
     throw InputError("", "a jump between two pieces of a motion is being bridged", "advance a little");
   const ChainTree tree = tree_of(g, side);
   const int last = node::depth(tree.leaf(0));
   const auto paths = [&] {
     try {
-      const Placement placement(g, engine.leg(), engine.parameter());
+      const Placement placement(g, engine.segment(), engine.parameter());
       FreeTriangulation triangulation;
       if (triangulate_free_space(placement, triangulation))
         throw InputError("", "the bodies overlap", "there is no free space to look for geodesics in");

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "check/headline.hpp"
+#include "check/earliest.hpp"
 #include "motion/pieces.hpp"
 #include "pair/validate_world.hpp"
 #include "taut/error.hpp"
-#include "world/world_witness.hpp"
+#include "world/world_feature_map.hpp"
 
 namespace taut {
 namespace {
@@ -52,11 +52,11 @@ void WorldSimulation::open_window() {
   std::erase_if(pairs_, [&](const auto& entry) { return !near_.has(entry.first.first, entry.first.second); });
 }
 
-KineticPair& WorldSimulation::pair(const Key& key) {
+KineticSolver& WorldSimulation::pair(const Key& key) {
   auto known = pairs_.find(key);
   if (known == pairs_.end()) {
     // Made first: a limit may end that.
-    auto fresh = std::make_unique<KineticPair>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
+    auto fresh = std::make_unique<KineticSolver>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
     known = pairs_.emplace(key, std::move(fresh)).first;
   }
   return *known->second;
@@ -87,7 +87,7 @@ void WorldSimulation::ask_starts_of(const std::vector<int>& changed, const std::
       const bool parted = !plan_.tests_groups() && group_before(body) == group_before(other);
       if (!parted && now_ > plan_.start()) return;
       if (pairs_.count(key(body, other)) > 0 || !box(body).meets(box(other))) return;
-      KineticPair& asked = pair(key(body, other));
+      KineticSolver& asked = pair(key(body, other));
       asked.ask_start();
       met = met || !asked.open();
     });
@@ -110,7 +110,7 @@ void WorldSimulation::advance(double t) {
 void WorldSimulation::advance_pairs(double to) {
   double stop = to;
   near_.each([&](int a, int b) {
-    KineticPair& near = pair({a, b});
+    KineticSolver& near = pair({a, b});
     near.work(near.engines() ? near.at() : near_.from(), stop, std::numeric_limits<std::uint64_t>::max());
     if (near.result().contact) stop = std::min(stop, near.result().contact->time.hi);
   });
@@ -122,7 +122,7 @@ std::optional<TimeInterval> WorldSimulation::next_event() {
   while (!over()) {
     std::optional<std::pair<double, double>> first;
     near_.each([&](int a, int b) {
-      KineticPair& near = pair({a, b});
+      KineticSolver& near = pair({a, b});
       if (!near.engines()) near.work(near_.from(), now_, std::numeric_limits<std::uint64_t>::max());
       if (!near.engines()) return;
       const auto next = near.engines()->next_event(first ? std::min(near_.until(), first->second) : near_.until());
@@ -149,7 +149,7 @@ void WorldSimulation::conclude() {
     TimeInterval& time = event.pair.contact->time;
     time = {std::max(time.lo, now_), std::max(time.hi, now_)};
   }
-  take_headline(events, answer_);
+  take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
   if (answer_.outcome != Outcome::overlap_at_start) return;
   answer_.overlap_point = common_point(plan_, (*answer_.pair)[0], (*answer_.pair)[1]);

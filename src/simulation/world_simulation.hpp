@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "search/kinetic_pair.hpp"
+#include "search/kinetic_solver.hpp"
 #include "search/near_pairs.hpp"
 #include "taut/check.hpp"
 #include "world/world_plan.hpp"
@@ -52,7 +52,7 @@ class WorldSimulation {
  private:
   using Key = std::pair<int, int>;
   static Key key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-  KineticPair& pair(const Key& key);
+  KineticSolver& pair(const Key& key);
   void open_window();
   void ask_starts();
   void ask_starts_of(const std::vector<int>& changed, const std::vector<int>& groups_before);
@@ -67,7 +67,7 @@ class WorldSimulation {
   std::vector<std::string> names_;
   double extent_ = 0;
   NearPairs near_;
-  std::map<Key, std::unique_ptr<KineticPair>> pairs_;
+  std::map<Key, std::unique_ptr<KineticSolver>> pairs_;
   EventBudget budget_;
   double now_;
   std::uint64_t certificates_max_ = 0;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "sign/closeness.hpp"
+#include "sign/margin_function.hpp"
 #include "sign/precise_root.hpp"
 
 namespace taut::spacetime {
@@ -13,8 +13,8 @@ namespace {
 template <class Real>
 class BesideEdge {
  public:
-  BesideEdge(const Leg& leg, const PairGeometry& g, const VertexEdge& pair, TaylorFrames* models)
-      : from_start_(leg, g, pair.from_start(g), models), from_end_(leg, g, pair.from_end(g), models) {}
+  BesideEdge(const MotionSegment& segment, const PairGeometry& g, const VertexEdge& pair, TaylorFrames* models)
+      : from_start_(segment, g, pair.from_start(g), models), from_end_(segment, g, pair.from_end(g), models) {}
 
   bool operator()(const Ball<Real>& t) const {
     const int a = from_start_.telling_value(t).sign(), b = from_end_.telling_value(t).sign();
@@ -29,11 +29,11 @@ class BesideEdge {
 
 /// Goes from root to root until one is an approach.
 template <class Real, class Function, class Test>
-std::optional<PreciseTime> first_root(const Leg& leg, const Function& f, const Test& counts, double from, double to,
-                                      Stage stage) {
+std::optional<PreciseTime> first_root(const MotionSegment& segment, const Function& f, const Test& counts, double from,
+                                      double to, Stage stage) {
   PreciseTime at = PreciseTime::between(from, from);
   for (int sign = f.value(Ball<Real>::exact(from)).sign(); sign != 0; sign = -sign) {
-    const auto root = first_change<Real>(leg, f, sign, at, to, stage);
+    const auto root = first_change<Real>(segment, f, sign, at, to, stage);
     if (!root || (sign < 0 && counts(ball_of<Real>(*root)))) return root;
     at = *root;
   }
@@ -41,13 +41,13 @@ std::optional<PreciseTime> first_root(const Leg& leg, const Function& f, const T
 }
 
 template <class Real>
-bool is_close(const VertexCloseness<Real>& f, const Ball<Real>& t) {
+bool is_close(const VertexMargin<Real>& f, const Ball<Real>& t) {
   const int sign = f.value(t).sign();
   if (sign == 0) throw PrecisionExhausted{};
   return sign > 0;
 }
 template <class Real>
-bool is_close(const LineCloseness<Real>& f, const Ball<Real>& t) {
+bool is_close(const LineMargin<Real>& f, const Ball<Real>& t) {
   const int sign = f.value(t).sign();
   if (sign == 0) throw PrecisionExhausted{};
   // Behind the line by more than the margin, it is some other edge that is near.
@@ -75,19 +75,19 @@ template <class Real, class Use>
 auto PreciseApproaches::with_functions(const VertexPeer& pair, const Use& use) const {
   TaylorFrames* const models = &models_;
   if (!pair.is_edge) {
-    return use(VertexCloseness<Real>(leg_, geometry_, pair.vertex, pair.peer, margin_, models),
+    return use(VertexMargin<Real>(segment_, geometry_, pair.vertex, pair.peer, margin_, models),
                [](const Ball<Real>&) { return true; });
   }
   const VertexEdge edge{pair.vertex, pair.peer};
-  return use(LineCloseness<Real>(leg_, geometry_, edge.line(geometry_), margin_, models),
-             BesideEdge<Real>(leg_, geometry_, edge, models));
+  return use(LineMargin<Real>(segment_, geometry_, edge.line(geometry_), margin_, models),
+             BesideEdge<Real>(segment_, geometry_, edge, models));
 }
 
 template <class Real>
 std::optional<PreciseTime> PreciseApproaches::first_root(const VertexPeer& pair, double from, double to,
                                                          Stage stage) const {
   return with_functions<Real>(pair, [&](const auto& f, const auto& counts) {
-    return spacetime::first_root<Real>(leg_, f, counts, from, to, stage);
+    return spacetime::first_root<Real>(segment_, f, counts, from, to, stage);
   });
 }
 
@@ -122,7 +122,7 @@ bool PreciseApproaches::close_at(const VertexPeer& pair, double t) const {
 }
 
 int PreciseApproaches::side(const VertexPeer& pair, double t) const {
-  return told_sign([&](auto zero) {
+  return decided_sign([&](auto zero) {
     using Real = decltype(zero);
     const auto value = [&](const auto& f, const auto&) { return f.value(Ball<Real>::exact(t)); };
     return with_functions<Real>(pair, value);
@@ -136,7 +136,7 @@ void PreciseApproaches::refine(Approach& a, Stage stage) const {
     using Real = decltype(zero);
     with_functions<Real>(a.pair, [&](const auto& f, const auto&) {
       try {
-        store_approach(refined_change<Real>(leg_, f, -1, a.precise, stage), a);
+        store_approach(refined_change<Real>(segment_, f, -1, a.precise, stage), a);
       } catch (const PrecisionExhausted&) {
       }
     });
@@ -144,7 +144,7 @@ void PreciseApproaches::refine(Approach& a, Stage stage) const {
 }
 
 bool PreciseApproaches::before(Approach& a, Approach& b) const {
-  const auto order = first_told([&](Stage stage) {
+  const auto order = first_decisive([&](Stage stage) {
     refine(a, stage);
     refine(b, stage);
     return a.precise.is_first(b.precise);

@@ -23,15 +23,15 @@ struct Approach {
   PreciseTime precise;  ///< within [lo, hi]; with doubles that of the search's beginning
 };
 
-/// For one leg that is no bridge. All members throw Undecidable where the last stage does not suffice.
+/// For one segment that is no bridge. All members throw Undecidable where the last stage does not suffice.
 ///
 /// Two bodies that are apart, and come closer to each other than the margin, do so between a vertex and an edge beside
 /// which it is, or between two vertices. So these are all that has to be looked at.
 class PreciseApproaches {
  public:
   /// The margin is in internal units, and positive.
-  PreciseApproaches(const PairGeometry& geometry, const Leg& leg, double margin)
-      : geometry_(geometry), leg_(leg), margin_(margin) {}
+  PreciseApproaches(const PairGeometry& geometry, const MotionSegment& segment, double margin)
+      : geometry_(geometry), segment_(segment), margin_(margin) {}
 
   /// The first one in (from, to].
   std::optional<Approach> first(const VertexPeer& pair, double from, double to) const;
@@ -51,9 +51,9 @@ class PreciseApproaches {
   void refine(Approach& a, Stage stage) const;
 
   const PairGeometry& geometry_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   double margin_;
-  mutable TaylorFrames models_;  ///< of the leg, which many pairs are asked about
+  mutable TaylorFrames models_;  ///< of the segment, which many pairs are asked about
 };
 
 }  // namespace taut::spacetime

@@ -20,22 +20,22 @@ Parabola without_half(const Parabola& gap, const Parabola& side, double half, do
 }
 
 /// Does the direction n of the fixed box, which reaches `extent` from its centre, separate the two?
-bool separates(const Carriage& carriage, double r, Vector n, double extent, const Box& moving, const Path& way,
+bool separates(const RelativePose& relative_pose, double r, Vector n, double extent, const Box& moving, const Path& way,
                const Path& side) {
   Parabola gap = along(n, way);
   if (gap.a < 0) gap = -gap;
-  gap.a -= extent + carriage.error;
+  gap.a -= extent + relative_pose.error;
   if (!(gap.a > 0)) return false;
-  gap = without_half(gap, along(n, side), moving.half_length, carriage.swing);
+  gap = without_half(gap, along(n, side), moving.half_length, relative_pose.swing);
   // n . turned(side) is turned back(n) . side.
-  gap = without_half(gap, along(-turned(n), side), moving.half_width, carriage.swing);
+  gap = without_half(gap, along(-turned(n), side), moving.half_width, relative_pose.swing);
   return gap.a > 0 && gap.least(r) > 0;
 }
 
-bool separated(const Carriage& carriage, double r, const Box& fixed, const Box& moving, const Path& way) {
-  const Path side = carriage.turn * moving.along;
-  return separates(carriage, r, turned(fixed.along), fixed.half_width, moving, way, side) ||
-         separates(carriage, r, fixed.along, fixed.half_length, moving, way, side);
+bool separated(const RelativePose& relative_pose, double r, const Box& fixed, const Box& moving, const Path& way) {
+  const Path side = relative_pose.turn * moving.along;
+  return separates(relative_pose, r, turned(fixed.along), fixed.half_width, moving, way, side) ||
+         separates(relative_pose, r, fixed.along, fixed.half_length, moving, way, side);
 }
 
 }  // namespace
@@ -60,10 +60,11 @@ bool farther(const Stretch& s, const Box& p, const Box& q, Vector towards, doubl
         (1 + 0x1p-45);
     if (separates(s.in_p, s.r, n, extent + room, q, way, s.in_p.turn * q.along)) return true;
   }
-  const auto along_sides = [&](const Carriage& carriage, const Box& fixed, const Box& moving, const Path& path) {
-    const Path side = carriage.turn * moving.along;
-    return separates(carriage, s.r, turned(fixed.along), fixed.half_width + room, moving, path, side) ||
-           separates(carriage, s.r, fixed.along, fixed.half_length + room, moving, path, side);
+  const auto along_sides = [&](const RelativePose& relative_pose, const Box& fixed, const Box& moving,
+                               const Path& path) {
+    const Path side = relative_pose.turn * moving.along;
+    return separates(relative_pose, s.r, turned(fixed.along), fixed.half_width + room, moving, path, side) ||
+           separates(relative_pose, s.r, fixed.along, fixed.half_length + room, moving, path, side);
   };
   return along_sides(s.in_p, p, q, way) || along_sides(s.in_q, q, p, s.in_q.place(p.centre, q.centre));
 }
@@ -94,12 +95,12 @@ double motion(const Stretch& s, const Box& p, const Box& q) {
   return way.x.swing(s.r) + way.y.swing(s.r) + s.in_p.swing * q.radius + s.rest;
 }
 
-bool misses(const Stretch& s, const Carriage& carriage, Vector vertex, Vector from, Vector to, double margin) {
+bool misses(const Stretch& s, const RelativePose& relative_pose, Vector vertex, Vector from, Vector to, double margin) {
   const Vector edge = to - from;
-  const Path way = carriage.place(vertex, from);
+  const Path way = relative_pose.place(vertex, from);
   // The displacement counts in the edge's direction, times the way, and in both points, along the edge, whose
   // coordinates are at most 1.
-  const double error = carriage.error * l1_norm(edge) + displacement_room * (1 + carriage.reach);
+  const double error = relative_pose.error * l1_norm(edge) + displacement_room * (1 + relative_pose.reach);
   const double room = margin > 0 ? margin * l1_norm(edge) * (1 + 0x1p-45) : 0;
   const Parabola line = along(turned(edge), way), ahead = along(edge, way);
   const Parabola beyond{ahead.a - dot(edge, edge), ahead.b, ahead.c};

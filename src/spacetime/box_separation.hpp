@@ -7,8 +7,8 @@
 namespace taut::spacetime {
 
 /// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
-constexpr double hopeful = 0x1p-5;
-/// Stretches as short as this share of the leg are not divided any more.
+constexpr double worth_trying = 0x1p-5;
+/// Stretches as short as this share of the segment are not divided any more.
 constexpr double shortest_stretch = 0x1p-40;
 
 /// Certainly apart at all times of the stretch.
@@ -31,7 +31,8 @@ bool farther_around_middle(const Stretch& stretch, double share, const Box& p, c
 
 /// A vertex and an edge, both as input: is it certain that the displaced vertex is not beside the displaced edge in the
 /// stretch, or not on its line, nor in front of it within the margin? `carriage` is the one into the edge's frame.
-bool misses(const Stretch& stretch, const Carriage& carriage, Vector vertex, Vector from, Vector to, double margin = 0);
+bool misses(const Stretch& stretch, const RelativePose& relative_pose, Vector vertex, Vector from, Vector to,
+            double margin = 0);
 /// Two vertices, as input: is it certain that they, displaced, are farther apart than the margin all over the stretch?
 bool vertices_farther(const Stretch& stretch, Vector of_p, Vector of_q, double margin);
 

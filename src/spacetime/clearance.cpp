@@ -10,7 +10,7 @@
 namespace taut::spacetime {
 namespace {
 
-/// In stretches shorter than this share of the leg, errors have become as small as they get.
+/// In stretches shorter than this share of the segment, errors have become as small as they get.
 constexpr double shortest_of_clearance = 0x1p-30;
 /// Stretches are not divided any more when they are this short.
 constexpr double shortest_of_all = 0x1p-60;
@@ -27,17 +27,17 @@ std::uint64_t most_leaf_looks(const PairGeometry& g) {
   return at_least + std::min(of_pair * g.np * g.nq, at_most);
 }
 
-/// Where are the bodies nearest on one leg: what the walk asks. Where two edges keep nearly the least distance for
+/// Where are the bodies nearest on one segment: what the walk asks. Where two edges keep nearly the least distance for
 /// long, steps are as short as the root of the tolerance, and there may be millions of them. Then it gives up: nothing
-/// is certain from below, until a margin is asked for (settle_nearest()), by functions that are followed to their
+/// is certain from below, until a margin is asked for (resolve_nearest()), by functions that are followed to their
 /// roots.
-class LegClearance {
+class ClearanceOnSegment {
  public:
-  LegClearance(const PairGeometry& geometry, const Leg& leg, std::size_t index, const ClearanceTolerance& tolerance,
-               Nearest& best)
-      : shortest(shortest_of_all * (leg.end - leg.start)),
+  ClearanceOnSegment(const PairGeometry& geometry, const MotionSegment& segment, std::size_t index,
+                     const ClearanceTolerance& tolerance, Nearest& best)
+      : shortest(shortest_of_all * (segment.end - segment.start)),
         geometry_(geometry),
-        leg_(leg),
+        segment_(segment),
         index_(index),
         tolerance_(tolerance),
         best_(best),
@@ -46,20 +46,21 @@ class LegClearance {
   static constexpr bool nearer_first = true;  ///< it may spare the other
   const double shortest;
   bool begins(double) const { return true; }
-  Fate look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
-    if (looks_left_ == 0) return Fate::done;
+  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+    if (looks_left_ == 0) return BoxDecision::done;
     const Stretch& s = time.bounds;
     const bool leaf = p.count == 1 && q.count == 1;
     const Path way = s.in_p.place(q.box.centre, p.box.centre);
     Vector towards{way.x.a, way.y.a};
     if (leaf) towards = measure(s, VertexId(p.first), VertexId(geometry_.np + q.first));
-    if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return Fate::done;
-    if (!leaf && motion(s, p.box, q.box) <= patience * (p.box.radius + q.box.radius)) return Fate::divided;
-    if (leaf && is_resolved(s, p.box, q.box, towards)) return Fate::done;
-    if (time.divisible && !(leaf && --looks_left_ == 0)) return Fate::deferred;
-    if (!leaf && looks_left_ > 0 && best_.unresolved > 0) return Fate::divided;
+    if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return BoxDecision::done;
+    if (!leaf && motion(s, p.box, q.box) <= subdivision_threshold * (p.box.radius + q.box.radius))
+      return BoxDecision::divided;
+    if (leaf && is_resolved(s, p.box, q.box, towards)) return BoxDecision::done;
+    if (time.divisible && !(leaf && --looks_left_ == 0)) return BoxDecision::deferred;
+    if (!leaf && looks_left_ > 0 && best_.unresolved > 0) return BoxDecision::divided;
     best_.unresolved = 0;
-    return Fate::done;
+    return BoxDecision::done;
   }
 
  private:
@@ -69,7 +70,7 @@ class LegClearance {
   /// that slide on each other, a little apart, would be followed by steps as short as that.
   bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
     const double error = s.in_p.error;
-    const bool is_short = s.r <= shortest_of_clearance * (leg_.end - leg_.start);
+    const bool is_short = s.r <= shortest_of_clearance * (segment_.end - segment_.start);
     const bool is_rounding = error <= error_of_rounding * s.in_p.reach;
     const bool beyond_doubles =
         s.rest <= share_that_shrinks * error && best_.distance - tolerance_.least(best_.distance) <= error;
@@ -98,7 +99,7 @@ class LegClearance {
   }
 
   const PairGeometry& geometry_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   std::size_t index_;
   ClearanceTolerance tolerance_;
   Nearest& best_;
@@ -106,41 +107,41 @@ class LegClearance {
 };
 
 /// An instant, if the window is one.
-void search_leg(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, std::size_t index,
-                const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
-  const std::shared_ptr<const Leg> held = legs.hold(index);
-  const Leg& leg = *held;
-  LegClearance question(geometry, leg, index, tolerance, best);
-  Walk<LegClearance> walk(trees, leg, question);
+void search_segment(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                    std::size_t index, const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best) {
+  const std::shared_ptr<const MotionSegment> held = segments.hold(index);
+  const MotionSegment& segment = *held;
+  ClearanceOnSegment question(geometry, segment, index, tolerance, best);
+  Walk<ClearanceOnSegment> walk(trees, segment, question);
   if (window.lo < window.hi) return walk.through(window.lo, window.hi);
   walk.at(window.lo);
 }
 
 }  // namespace
 
-void find_nearest(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
+void find_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                   const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const LegPlace at = legs.place(i);
-    search_leg(geometry, trees, legs, i, at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end}, tolerance,
-               best);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const SegmentPlace at = segments.place(i);
+    search_segment(geometry, trees, segments, i, at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end},
+                   tolerance, best);
   }
 }
 
-void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
-                         const ClearanceTolerance& tolerance, Nearest& best) {
-  for (std::size_t i = legs.first_until(from); i < legs.size(); ++i) {
-    const LegPlace at = legs.place(i);
+void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                         double from, double to, const ClearanceTolerance& tolerance, Nearest& best) {
+  for (std::size_t i = segments.first_until(from); i < segments.size(); ++i) {
+    const SegmentPlace at = segments.place(i);
     if (at.start > to) break;
     const TimeInterval window{std::max(from, at.start), std::min(to, at.end)};
-    if (!at.bridge && window.lo <= window.hi) search_leg(geometry, trees, legs, i, window, tolerance, best);
+    if (!at.bridge && window.lo <= window.hi) search_segment(geometry, trees, segments, i, window, tolerance, best);
   }
 }
 
-void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, const Stretch& stretch,
-                            const ClearanceTolerance& tolerance, Nearest& best) {
-  LegClearance question(geometry, leg, 0, tolerance, best);
-  Walk<LegClearance>(trees, leg, question).in_middle_of(stretch);
+void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment,
+                            const Stretch& stretch, const ClearanceTolerance& tolerance, Nearest& best) {
+  ClearanceOnSegment question(geometry, segment, 0, tolerance, best);
+  Walk<ClearanceOnSegment>(trees, segment, question).in_middle_of(stretch);
 }
 
 }  // namespace taut::spacetime

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "numeric/first_told.hpp"
+#include "numeric/first_decisive.hpp"
 #include "pair/placement.hpp"
 
 namespace taut::spacetime {
 namespace {
 
 int sign_at(const PreciseTriple& f, const PreciseTime& t) {
-  return told("whether a vertex crosses an edge", [&](Stage stage) { return f.sign_at(t, stage); });
+  return decide("whether a vertex crosses an edge", [&](Stage stage) { return f.sign_at(t, stage); });
 }
 
 void store(const PreciseTime& t, Crossing& c) {
@@ -61,7 +61,7 @@ Beside PreciseCrossings::beside(Crossing& root, int sign) {
     if (a > 0 && b > 0) return Beside::yes;
     return std::nullopt;
   };
-  return *told("whether a vertex meets an edge or passes its end", ask);
+  return *decide("whether a vertex meets an edge or passes its end", ask);
 }
 
 bool PreciseCrossings::before(Crossing& a, Crossing& b) {
@@ -72,7 +72,7 @@ bool PreciseCrossings::before(Crossing& a, Crossing& b) {
     refine(b, -1, stage);
     return a.precise->is_first(*b.precise);
   };
-  return *told("the order of two contacts", order);
+  return *decide("the order of two contacts", order);
 }
 
 void PreciseCrossings::tighten(Crossing& c) {

@@ -14,9 +14,9 @@ struct VertexEdge {
   VertexId vertex, edge;
 
   /// On which side of the edge's line the vertex is; along it, from the first end and from the second.
-  Form line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
-  Form from_start(const PairGeometry& g) const { return line(g).along(); }
-  Form from_end(const PairGeometry& g) const { return line(g).back(); }
+  CertificateFunction line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
+  CertificateFunction from_start(const PairGeometry& g) const { return line(g).along(); }
+  CertificateFunction from_end(const PairGeometry& g) const { return line(g).back(); }
 
   std::uint64_t number() const { return std::uint64_t{vertex.value} << 32 | edge.value; }
 };
@@ -37,12 +37,12 @@ enum class Ways : unsigned char { into, both };
 /// Is the vertex beside the edge, or beyond one of its ends?
 enum class Beside : unsigned char { yes, no, unknown };
 
-/// The precise stages for one leg. All members throw Undecidable where the last stage does not suffice.
+/// The precise stages for one segment. All members throw Undecidable where the last stage does not suffice.
 class PreciseCrossings {
  public:
-  PreciseCrossings(const PairGeometry& geometry, const Leg& leg, Ways ways)
-      : geometry_(geometry), leg_(leg), ways_(ways) {
-    memory_.reset(leg);
+  PreciseCrossings(const PairGeometry& geometry, const MotionSegment& segment, Ways ways)
+      : geometry_(geometry), segment_(segment), ways_(ways) {
+    memory_.reset(segment);
   }
 
   /// On which side of the edge's line the vertex is.
@@ -60,10 +60,10 @@ class PreciseCrossings {
 
  private:
   void refine(Crossing& c, int sign, Stage stage);
-  PreciseTriple triple(const Form& form) { return {leg_, geometry_, form, &memory_}; }
+  PreciseTriple triple(const CertificateFunction& function) { return {segment_, geometry_, function, &memory_}; }
 
   const PairGeometry& geometry_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   Ways ways_;
   FrameMemory memory_;
 };

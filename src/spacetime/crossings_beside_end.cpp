@@ -7,7 +7,7 @@
 
 namespace taut::spacetime {
 
-bool CrossingsBesideEnd::is_near(double t) const { return end_of_neighbourhood(leg_, t) > t; }
+bool CrossingsBesideEnd::is_near(double t) const { return end_of_neighbourhood(segment_, t) > t; }
 
 const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdge& pair, double from, double until) {
   Foreseen& known = known_[pair.number()];
@@ -26,7 +26,7 @@ const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdg
 }
 
 std::optional<Crossing> CrossingsBesideEnd::first(const VertexEdge& pair, double from, double to) {
-  const double until = end_of_neighbourhood(leg_, from);
+  const double until = end_of_neighbourhood(segment_, from);
   const Foreseen* known = until > from ? foreseen(pair, from, until) : nullptr;
   if (!known) return precise_.first(pair, from, to);
   if (known->crossing && within(*known->crossing, to)) return known->crossing;

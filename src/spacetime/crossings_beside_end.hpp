@@ -1,4 +1,4 @@
-// Crossings beside a singular end of a leg, where windows of time are short.
+// Crossings beside a singular end of a segment, where windows of time are short.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace taut::spacetime {
 /// come.
 class CrossingsBesideEnd {
  public:
-  CrossingsBesideEnd(const Leg& leg, Ways ways, PreciseCrossings& precise)
-      : leg_(leg), ways_(ways), precise_(precise) {}
+  CrossingsBesideEnd(const MotionSegment& segment, Ways ways, PreciseCrossings& precise)
+      : segment_(segment), ways_(ways), precise_(precise) {}
 
   bool is_near(double t) const;
   /// Has the pair been asked about from there, or before?
@@ -43,7 +43,7 @@ class CrossingsBesideEnd {
   /// lie in this stretch or in the next one is told of in both.
   bool within(const Crossing& c, double to) const { return ways_ == Ways::both ? c.hi <= to : c.lo <= to; }
 
-  const Leg& leg_;
+  const MotionSegment& segment_;
   Ways ways_;
   PreciseCrossings& precise_;
   std::unordered_map<std::uint64_t, Foreseen> known_;

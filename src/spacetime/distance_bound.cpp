@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "spacetime/stretch.hpp"
 
 namespace taut::spacetime {
@@ -16,15 +16,15 @@ constexpr double rounded_up = 1 + 0x1p-40;
 constexpr double longest_share = 0.125;
 
 /// Of a moving vertex from an edge that rests, in the edge's frame.
-double vertex_bound(const Carriage& carriage, double r, Vector vertex, Vector from, Vector to) {
+double vertex_bound(const RelativePose& relative_pose, double r, Vector vertex, Vector from, Vector to) {
   const Vector way = to - from;
   const double length = std::sqrt(dot(way, way));
   const Vector e{way.x / length, way.y / length};
-  const Path path = carriage.place(vertex, from);
+  const Path path = relative_pose.place(vertex, from);
   const Parabola along_edge = along(e, path), across = along(turned(e), path);
   const double before = -along_edge.least(r), behind = -(-along_edge).least(r) - length;
   const double beside = std::max(-across.least(r), -(-across).least(r));
-  const double past = std::max({0.0, before, behind}) + carriage.error, off = beside + carriage.error;
+  const double past = std::max({0.0, before, behind}) + relative_pose.error, off = beside + relative_pose.error;
   return std::sqrt(past * past + off * off) * rounded_up + length * 0x1p-45;
 }
 
@@ -34,10 +34,10 @@ class PieceBound {
       : geometry_(geometry), trees_(trees), tolerance_(tolerance) {}
 
   /// Of the edges that are nearest in the middle of the stretch.
-  double of(const Leg& leg, const Stretch& s) const {
+  double of(const MotionSegment& segment, const Stretch& s) const {
     Nearest nearest;
     nearest.distance = INFINITY;
-    find_nearest_in_middle(geometry_, trees_, leg, s, tolerance_, nearest);
+    find_nearest_in_middle(geometry_, trees_, segment, s, tolerance_, nearest);
     if (!(nearest.distance < INFINITY)) return INFINITY;
     const Vector a = point(nearest.edge_p), b = point(geometry_.next(nearest.edge_p));
     const Vector c = point(nearest.edge_q), d = point(geometry_.next(nearest.edge_q));
@@ -53,16 +53,18 @@ class PieceBound {
   const ClearanceTolerance& tolerance_;
 };
 
-double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double to) {
-  if (leg.translation) return piece.of(leg, Stretch::of_translation(leg, TranslationPolynomial(leg), from, to));
+double bound_on_segment(const PieceBound& piece, const MotionSegment& segment, double from, double to) {
+  if (segment.translation)
+    return piece.of(segment, Stretch::of_translation(segment, TranslationPolynomial(segment), from, to));
   const double longest = (to - from) * longest_share;
   double most = 0, length = longest;
   for (double t = from; t < to;) {
-    interruption_point();
-    FrameWindow window(leg, t, to, length);
+    checkpoint();
+    FrameWindow window(segment, t, to, length);
     const double end = window.end();
-    const Stretch s = window.smooth() ? Stretch::of_window(leg, window, t, end) : Stretch::of_range(leg, window);
-    most = std::max(most, piece.of(leg, s));
+    const Stretch s =
+        window.smooth() ? Stretch::of_window(segment, window, t, end) : Stretch::of_range(segment, window);
+    most = std::max(most, piece.of(segment, s));
     length = std::min(longest, window.fitting_length());
     t = end;
   }
@@ -71,15 +73,15 @@ double bound_on_leg(const PieceBound& piece, const Leg& leg, double from, double
 
 }  // namespace
 
-double distance_bound(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double from, double to,
-                      const ClearanceTolerance& tolerance) {
+double distance_bound(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double from,
+                      double to, const ClearanceTolerance& tolerance) {
   const PieceBound piece(geometry, trees, tolerance);
   double most = 0;
-  for (std::size_t i = legs.first_until(from); i < legs.size(); ++i) {
-    const LegPlace at = legs.place(i);
+  for (std::size_t i = segments.first_until(from); i < segments.size(); ++i) {
+    const SegmentPlace at = segments.place(i);
     if (at.start > to) break;
     const double start = std::max(from, at.start), end = std::min(to, at.end);
-    if (!at.bridge && start < end) most = std::max(most, bound_on_leg(piece, *legs.hold(i), start, end));
+    if (!at.bridge && start < end) most = std::max(most, bound_on_segment(piece, *segments.hold(i), start, end));
   }
   return most;
 }

@@ -8,29 +8,29 @@
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
 #include "spacetime/flat_sides.hpp"
-#include "spacetime/glance.hpp"
 #include "spacetime/leaf_test.hpp"
+#include "spacetime/quick_separation.hpp"
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
 
 namespace taut::spacetime {
 
-/// Which vertex crosses which edge first on one leg: what the walk asks.
-class LegSearch {
+/// Which vertex crosses which edge first on one segment: what the walk asks.
+class ContactOnSegment {
  public:
-  LegSearch(const PairGeometry& geometry, const TreePair& trees, std::shared_ptr<const Leg> leg, double from,
-            Ways ways = Ways::into)
-      : shortest(shortest_stretch * (leg->end - leg->start)),
+  ContactOnSegment(const PairGeometry& geometry, const TreePair& trees, std::shared_ptr<const MotionSegment> segment,
+                   double from, Ways ways = Ways::into)
+      : shortest(shortest_stretch * (segment->end - segment->start)),
         geometry_(geometry),
-        held_(std::move(leg)),
-        leg_(*held_),
-        leaves_(geometry, leg_, ways),
+        held_(std::move(segment)),
+        segment_(*held_),
+        leaves_(geometry, segment_, ways),
         ways_(ways),
-        walk_(trees, leg_, *this),
-        flat_sides_(geometry, trees, leg_),
+        walk_(trees, segment_, *this),
+        flat_sides_(geometry, trees, segment_),
         proved_(from) {}
 
-  /// The first contact on [from, to] of the leg's parameter.
+  /// The first contact on [from, to] of the segment's parameter.
   std::optional<Crossing> run(double from, double to) {
     walk_.through(from, to);
     return finished();
@@ -60,20 +60,20 @@ class LegSearch {
     proved_ = start;
     return true;
   }
-  Fate look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     ++looks_;
     const Stretch& s = time.bounds;
-    if (apart(s, p.box, q.box) || flat_sides_.apart(p, q)) return Fate::done;
+    if (apart(s, p.box, q.box) || flat_sides_.apart(p, q)) return BoxDecision::done;
     const bool leaf = p.count == 1 && q.count == 1;
-    if (time.divisible && (motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius) ||
-                           (leaf && apart_around_middle(s, hopeful, p.box, q.box))))
-      return Fate::deferred;
-    if (!leaf) return Fate::divided;
+    if (time.divisible && (motion(s, p.box, q.box) > subdivision_threshold * (p.box.radius + q.box.radius) ||
+                           (leaf && apart_around_middle(s, worth_trying, p.box, q.box))))
+      return BoxDecision::deferred;
+    if (!leaf) return BoxDecision::divided;
     // Each edge stands for its first vertex.
     const VertexId of_p(p.first), of_q(geometry_.np + q.first);
     settle(time, s.in_q, {of_p, of_q});
     settle(time, s.in_p, {of_q, of_p});
-    return Fate::done;
+    return BoxDecision::done;
   }
 
  private:
@@ -83,21 +83,21 @@ class LegSearch {
   }
   /// The window around t for the leaves of the stretch that ends at `end`.
   FrameWindow& window_at(double t, double end) {
-    if (!leg_.translation) return walk_.window();
+    if (!segment_.translation) return walk_.window();
     for (FrameWindow& w : leaf_windows_) {
       if (w.start() <= t && t < w.end()) return w;
     }
-    return leaf_windows_.emplace_back(leg_, t, end, end - t);
+    return leaf_windows_.emplace_back(segment_, t, end, end - t);
   }
   /// What happens after this does not matter.
   double limit(double end) const {
     return best_ ? std::min(end, std::nextafter(best_->hi, std::numeric_limits<double>::infinity())) : end;
   }
   /// The pair's first contact within the stretch becomes the best if it is.
-  void settle(const StretchOfTime& time, const Carriage& carriage, const VertexEdge& pair) {
+  void settle(const StretchOfTime& time, const RelativePose& relative_pose, const VertexEdge& pair) {
     const DisplacedPoint &v = geometry_.point(pair.vertex), &a = geometry_.point(pair.edge),
                          &b = geometry_.point(geometry_.next(pair.edge));
-    if (misses(time.bounds, carriage, {v.x, v.y}, {a.x, a.y}, {b.x, b.y})) return;
+    if (misses(time.bounds, relative_pose, {v.x, v.y}, {a.x, a.y}, {b.x, b.y})) return;
     const double end = time.end;
     for (double t = time.start, next = end; t < limit(end); t = next) {
       FrameWindow& window = window_at(t, end);
@@ -118,11 +118,11 @@ class LegSearch {
   }
 
   const PairGeometry& geometry_;
-  std::shared_ptr<const Leg> held_;
-  const Leg& leg_;
+  std::shared_ptr<const MotionSegment> held_;
+  const MotionSegment& segment_;
   LeafTest leaves_;
   Ways ways_;
-  Walk<LegSearch> walk_;
+  Walk<ContactOnSegment> walk_;
   FlatSides flat_sides_;
   std::vector<Crossing> found_;
   std::vector<FrameWindow> leaf_windows_;  ///< of a translation: the leaves of a stretch make their own
@@ -133,46 +133,46 @@ class LegSearch {
 
 namespace {
 
-void note(const Crossing& found, std::size_t leg, double end, SpacetimeResult& result) {
+void note(const Crossing& found, std::size_t segment, double end, SpacetimeResult& result) {
   result.outcome = SpacetimeResult::contact;
   result.found = {found.pair.vertex, found.pair.edge, found.lo, std::min(found.hi, end)};
   if (found.precise && found.precise->stage >= Stage::precise) result.found.at = *found.precise;
   result.lo = found.lo;
-  result.leg = leg;
+  result.segment = segment;
 }
 
-/// What of a leg lies in the window, as an interval of its parameter.
-std::optional<TimeInterval> clipped(const LegPlace& leg, const TimeWindow& window) {
-  if (leg.bridge) {
-    if (leg.start > window.from && leg.start <= window.to) return TimeInterval{0, 1};
+/// What of a segment lies in the window, as an interval of its parameter.
+std::optional<TimeInterval> clipped(const SegmentPlace& segment, const TimeWindow& window) {
+  if (segment.bridge) {
+    if (segment.start > window.from && segment.start <= window.to) return TimeInterval{0, 1};
     return std::nullopt;
   }
-  const double from = std::max(leg.start, window.from), to = std::min(leg.end, window.to);
+  const double from = std::max(segment.start, window.from), to = std::min(segment.end, window.to);
   if (from < to || (from == to && window.first)) return TimeInterval{from, to};
   return std::nullopt;
 }
 
 }  // namespace
 
-/// The leg at hand, and what the ones before it have come to.
+/// The segment at hand, and what the ones before it have come to.
 struct ContactSearch::State {
   const PairGeometry& geometry;
   TreePair trees;
-  const Legs& legs;
+  const MotionSegments& segments;
   std::optional<TimeWindow> window;
-  std::size_t leg = 0;
-  std::optional<LegSearch> search;  ///< on it, once it has begun
-  SpacetimeResult counts;           ///< of those before
+  std::size_t segment = 0;
+  std::optional<ContactOnSegment> search;  ///< on it, once it has begun
+  SpacetimeResult counts;                  ///< of those before
 
   std::optional<TimeInterval> part() const {
-    const LegPlace at = legs.place(leg);
+    const SegmentPlace at = segments.place(segment);
     if (window) return clipped(at, *window);
     return at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end};
   }
-  std::optional<Crossing> search_leg(const TimeInterval& interval) {
+  std::optional<Crossing> search_segment(const TimeInterval& interval) {
     if (search) return search->go_on();
-    if (window && apart_at_a_glance(trees, legs[leg], interval.lo, interval.hi)) return std::nullopt;
-    search.emplace(geometry, trees, legs.hold(leg), interval.lo);
+    if (window && quickly_apart(trees, segments[segment], interval.lo, interval.hi)) return std::nullopt;
+    search.emplace(geometry, trees, segments.hold(segment), interval.lo);
     return search->run(interval.lo, interval.hi);
   }
   SpacetimeResult result() {
@@ -183,23 +183,23 @@ struct ContactSearch::State {
   SpacetimeResult stopped(const std::string& reason) {
     SpacetimeResult all = result();
     all.reason = reason;
-    all.leg = leg;
+    all.segment = segment;
     all.lo = search->proved();
     return all;
   }
-  void leave_leg(const TimeInterval& interval) {
+  void leave_segment(const TimeInterval& interval) {
     counts = result();
     search.reset();
-    if (interval.hi >= legs[leg].end) legs[leg].forget();
+    if (interval.hi >= segments[segment].end) segments[segment].forget();
   }
   SpacetimeResult go_on() {
-    for (; leg < legs.size() && !(window && legs.place(leg).start > window->to); ++leg) {
+    for (; segment < segments.size() && !(window && segments.place(segment).start > window->to); ++segment) {
       const std::optional<TimeInterval> interval = part();
       if (!interval) continue;
       try {
-        if (const std::optional<Crossing> found = search_leg(*interval)) {
+        if (const std::optional<Crossing> found = search_segment(*interval)) {
           SpacetimeResult all = result();
-          note(*found, leg, legs[leg].end, all);
+          note(*found, segment, segments[segment].end, all);
           return all;
         }
       } catch (const Undecidable& limit) {
@@ -207,7 +207,7 @@ struct ContactSearch::State {
       } catch (const Interrupted& limit) {
         return stopped(limit.reason);
       }
-      leave_leg(*interval);
+      leave_segment(*interval);
     }
     SpacetimeResult all = result();
     all.outcome = SpacetimeResult::free;
@@ -215,29 +215,29 @@ struct ContactSearch::State {
   }
 };
 
-ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
+ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                              const std::optional<TimeWindow>& window)
-    : state_(std::make_unique<State>(
-          State{geometry, trees, legs, window, window ? legs.first_until(window->from) : 0, std::nullopt, {}})) {}
+    : state_(std::make_unique<State>(State{
+          geometry, trees, segments, window, window ? segments.first_until(window->from) : 0, std::nullopt, {}})) {}
 ContactSearch::~ContactSearch() = default;
 ContactSearch::ContactSearch(ContactSearch&&) noexcept = default;
 
 SpacetimeResult ContactSearch::go_on() { return state_->go_on(); }
 
-SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const Legs& legs) {
-  return ContactSearch(geometry, trees, legs).go_on();
+SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments) {
+  return ContactSearch(geometry, trees, segments).go_on();
 }
 
-std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees, const Legs& legs,
-                                       const std::vector<TimeWindow>& windows) {
-  std::vector<LegCrossing> all;
+std::vector<SegmentCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,
+                                           const MotionSegments& segments, const std::vector<TimeWindow>& windows) {
+  std::vector<SegmentCrossing> all;
   for (const TimeWindow& window : windows) {
-    for (std::size_t i = legs.first_until(window.from); i < legs.size(); ++i) {
-      const LegPlace at = legs.place(i);
+    for (std::size_t i = segments.first_until(window.from); i < segments.size(); ++i) {
+      const SegmentPlace at = segments.place(i);
       if (at.start > window.to) break;
       const std::optional<TimeInterval> part = clipped(at, window);
       if (!part) continue;
-      LegSearch search(geometry, trees, legs.hold(i), part->lo, Ways::both);
+      ContactOnSegment search(geometry, trees, segments.hold(i), part->lo, Ways::both);
       for (const Crossing& c : search.run_through(part->lo, part->hi))
         all.push_back({c.pair.vertex, c.pair.edge, c.out, i, c.lo, c.hi, c.precise});
     }
@@ -245,12 +245,12 @@ std::vector<LegCrossing> all_crossings(const PairGeometry& geometry, const TreeP
   return all;
 }
 
-void tighten(const PairGeometry& geometry, const Legs& legs, LegCrossing& crossing, double share) {
+void tighten(const PairGeometry& geometry, const MotionSegments& segments, SegmentCrossing& crossing, double share) {
   if (crossing.hi - crossing.lo <= 0x1p-51 * std::fabs(crossing.hi)) return;
   PreciseTime t = crossing.precise.value_or(PreciseTime::between(crossing.lo, crossing.hi));
   if (t.stage >= Stage::precise) return;
   const VertexEdge pair{crossing.vertex, crossing.edge};
-  const PreciseTriple line(legs[crossing.leg], geometry, pair.line(geometry));
+  const PreciseTriple line(segments[crossing.segment], geometry, pair.line(geometry));
   if (!line.refine(crossing.out ? 1 : -1, t, Stage::precise, share * std::fabs(crossing.hi))) return;
   crossing.precise = t;
   crossing.lo = t.floor();

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "numeric/exact_number.hpp"
 
 namespace taut::spacetime {
@@ -19,17 +19,17 @@ double reach_along(Vector n, const Box& box) {
 
 }  // namespace
 
-FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg)
-    : geometry_(geometry), trees_(trees), leg_(leg) {
-  if (!leg.translation || leg.degree != 1 || geometry.size() < worth_it) return;
-  const TwoDoubles x = two_sum(coefficient(leg.q.x, 1), -coefficient(leg.p.x, 1));
-  const TwoDoubles y = two_sum(coefficient(leg.q.y, 1), -coefficient(leg.p.y, 1));
+FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment)
+    : geometry_(geometry), trees_(trees), segment_(segment) {
+  if (!segment.translation || segment.degree != 1 || geometry.size() < worth_it) return;
+  const TwoDoubles x = two_sum(coefficient(segment.q.x, 1), -coefficient(segment.p.x, 1));
+  const TwoDoubles y = two_sum(coefficient(segment.q.y, 1), -coefficient(segment.p.y, 1));
   const double length = std::sqrt(x.hi * x.hi + y.hi * y.hi);
   if (x.lo != 0 || y.lo != 0 || !(length > 0x1p-300 && length < 0x1p300)) return;
   usable_ = true;
   n_ = {-y.hi, x.hi};
   unit_ = {n_.x / length, n_.y / length};
-  const ExactVector &p = leg.offset_of_powers(true), &q = leg.offset_of_powers(false);
+  const ExactVector &p = segment.offset_of_powers(true), &q = segment.offset_of_powers(false);
   offset_ = {q.x - p.x, q.y - p.y};
 }
 
@@ -71,7 +71,7 @@ FlatSides::Extremes FlatSides::extremes(bool of_p, std::uint32_t node) {
   const Hierarchy& tree = of_p ? trees_.p : trees_.q;
   Extremes& known = (of_p ? of_p_ : of_q_).of(node, tree.size());
   if (known.known) return known;
-  interruption_point();
+  checkpoint();
   const BoxNode& box = tree.node(node);
   Extremes a, b;
   if (box.count == 1) {
@@ -92,7 +92,7 @@ bool FlatSides::clear(VertexId low, VertexId high) {
     x = N::exact(point.x) + N::exact(point.dx);
     y = N::exact(point.y) + N::exact(point.dy);
     const bool of_p = geometry_.in_p(v);
-    add_offset(leg_, of_p, leg_.offset_of_powers(of_p), x, y);
+    add_offset(segment_, of_p, segment_.offset_of_powers(of_p), x, y);
   };
   N ax, ay, bx, by;
   seen(low, ax, ay);

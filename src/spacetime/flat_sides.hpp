@@ -2,10 +2,10 @@
 //
 // Faces that slide on faces, or so near to them that doubles cannot tell, are apart by less than a box's padding: every
 // edge of one body comes before every edge of the other, and each such pair would be settled by an exact line. But on a
-// leg on which one body moves straight along v, nothing moves across v: how far two vertices are from each other along
-// n, v turned by 90 degrees, stays what it is. So if the highest vertex of one box is below the lowest one of the other
-// in that direction, all that is in them is apart throughout the leg. As displaced: the displacement decides, as
-// always.
+// segment on which one body moves straight along v, nothing moves across v: how far two vertices are from each other
+// along n, v turned by 90 degrees, stays what it is. So if the highest vertex of one box is below the lowest one of the
+// other in that direction, all that is in them is apart throughout the segment. As displaced: the displacement decides,
+// as always.
 #pragma once
 
 #include <array>
@@ -19,8 +19,9 @@ namespace taut::spacetime {
 
 class FlatSides {
  public:
-  FlatSides(const PairGeometry& geometry, const TreePair& trees, const Leg& leg);
-  /// Are the contents of the two boxes certainly apart, at all times of the leg? Asked of boxes that other tests leave.
+  FlatSides(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment);
+  /// Are the contents of the two boxes certainly apart, at all times of the segment? Asked of boxes that other tests
+  /// leave.
   bool apart(const BoxNode& p, const BoxNode& q);
   /// Counts where only the displacement told: such bodies touch, or are nearer than it.
   const StageCounts& stages() const { return stages_; }
@@ -43,7 +44,7 @@ class FlatSides {
 
   const PairGeometry& geometry_;
   TreePair trees_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   bool usable_ = false;
   bool exact_ = true;  ///< has every order of vertices been, so far?
   Vector n_{}, unit_{}, offset_{};

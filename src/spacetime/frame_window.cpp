@@ -19,9 +19,9 @@ constexpr double shortened_most = 0x1p-12, shortened_least = 0.75, grown_most = 
 
 }  // namespace
 
-FrameWindow::FrameWindow(const Leg& leg, double start, double limit, double length)
-    : leg_(&leg), start_(start), end_(limit), cached_(unknown) {
-  if (leg.bridge) {
+FrameWindow::FrameWindow(const MotionSegment& segment, double start, double limit, double length)
+    : segment_(&segment), start_(start), end_(limit), cached_(unknown) {
+  if (segment.bridge) {
     make_bridge();
     return;
   }
@@ -44,13 +44,13 @@ double FrameWindow::fitting_length() const {
 
 /// Value and slope at t, from the frame itself: a bridge is short, and rare.
 void FrameWindow::make_bridge() {
-  const Frame<double> f = frame(*leg_, Ball<double>::between(start_, end_));
-  bend_pp_ = curvature_of(f.for_pp);
-  bend_qq_ = curvature_of(f.for_qq);
+  const Frame<double> f = frame(*segment_, Ball<double>::between(start_, end_));
+  second_pp_ = curvature_of(f.for_pp);
+  second_qq_ = curvature_of(f.for_qq);
 }
 
 bool FrameWindow::make_range() {
-  const Frame<double> f = frame(*leg_, Ball<double>::between(start_, end_));
+  const Frame<double> f = frame(*segment_, Ball<double>::between(start_, end_));
   pp_ = sample_of(f.for_pp);
   qq_ = sample_of(f.for_qq);
   for (const FrameSample* s : {&pp_, &qq_}) {
@@ -63,17 +63,17 @@ bool FrameWindow::make_range() {
 }
 
 bool FrameWindow::make_smooth() {
-  model_ = FrameModel::over(*leg_, start_, end_);
+  model_ = FrameModel::over(*segment_, start_, end_);
   if (!model_.sharp() || !model_.straight()) return false;
-  bend_pp_ = curvature_of(model_, 0);
-  bend_qq_ = curvature_of(model_, 2);
+  second_pp_ = curvature_of(model_, 0);
+  second_qq_ = curvature_of(model_, 2);
   return true;
 }
 
 void FrameWindow::evaluate(double t) {
   cached_ = t;
-  if (leg_->bridge) {
-    const Frame<double> f = frame(*leg_, Ball<double>::exact(t));
+  if (segment_->bridge) {
+    const Frame<double> f = frame(*segment_, Ball<double>::exact(t));
     pp_ = sample_of(f.for_pp);
     qq_ = sample_of(f.for_qq);
     return;

@@ -1,11 +1,11 @@
-// A short stretch of a leg, with bounds of everything that moves in it.
+// A short stretch of a segment, with bounds of everything that moves in it.
 #pragma once
 
 #include "relative/frame_sample.hpp"
 
 namespace taut::spacetime {
 
-/// A window of the leg's parameter. The laws:
+/// A window of the segment's parameter. The laws:
 ///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; bend() encloses the second derivatives
 ///      over the whole window; all bounds are finite.
 ///   2. not smooth() (the motion is singular near by): only range() may be used; it encloses the values over the
@@ -14,7 +14,7 @@ class FrameWindow {
  public:
   /// The window from `start`, as long as its bounds are good, and not beyond `limit` (> start). It tries `length`
   /// first.
-  FrameWindow(const Leg& leg, double start, double limit, double length);
+  FrameWindow(const MotionSegment& segment, double start, double limit, double length);
 
   double start() const { return start_; }
   double end() const { return end_; }
@@ -26,7 +26,7 @@ class FrameWindow {
     if (!(t == cached_)) evaluate(t);
     return pp ? pp_ : qq_;
   }
-  const FrameCurvature& bend(bool pp) const { return pp ? bend_pp_ : bend_qq_; }
+  const FrameCurvature& second(bool pp) const { return pp ? second_pp_ : second_qq_; }
   /// What a smooth window's bounds come from (not of a bridge).
   const FrameModel& model() const { return model_; }
   const FrameSample& range(bool pp) const { return pp ? pp_ : qq_; }
@@ -37,13 +37,13 @@ class FrameWindow {
   bool make_range();
   void evaluate(double t);
 
-  const Leg* leg_;
+  const MotionSegment* segment_;
   double start_, end_;
   bool smooth_ = true;
   double cached_;
   FrameModel model_;
   FrameSample pp_{}, qq_{};
-  FrameCurvature bend_pp_{}, bend_qq_{};
+  FrameCurvature second_pp_{}, second_qq_{};
 };
 
 }  // namespace taut::spacetime

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "numeric/quadratic_bound.hpp"
 
 namespace taut::spacetime {
@@ -12,7 +12,7 @@ namespace {
 double below(double x) { return std::nextafter(x, -INFINITY); }
 double above(double x) { return std::nextafter(x, INFINITY); }
 
-/// In units of interruption_point().
+/// In units of checkpoint().
 constexpr std::uint64_t work_of_step = 2;
 
 /// Steps shorter than this share of the window do not get on.
@@ -27,10 +27,10 @@ constexpr double first_stride = 0x1p-16, stride_growth = 32;
 /// The sign over all of [lo, hi], if certain: first order about the middle, second order beyond.
 int sign_between(const FastFunction& f, FrameWindow& window, double lo, double hi) {
   const double middle = lo + (hi - lo) / 2;
-  const Course c(f, window, middle, 1);
+  const LocalExpansion c(f, window, middle, 1);
   const double reach = std::max(hi - middle, middle - lo) * (1 + 0x1p-40) + 0x1p-1000;
   const double steep = std::fabs(c.slope.value) + c.slope.error;
-  const double bent = std::fabs(c.bend.value) + c.bend.error;
+  const double bent = std::fabs(c.second.value) + c.second.error;
   const Bounded wide{c.value.value, (c.value.error + reach * (steep + reach * bent)) * (1 + 0x1p-40)};
   return wide.sign();
 }
@@ -38,7 +38,9 @@ int sign_between(const FastFunction& f, FrameWindow& window, double lo, double h
 }  // namespace
 
 LeafTest::Functions LeafTest::functions(const VertexEdge& pair) const {
-  const auto of = [this](const Form& form) { return FastFunction::level_zero(leg_, geometry_, form); };
+  const auto of = [this](const CertificateFunction& function) {
+    return FastFunction::undisplaced(segment_, geometry_, function);
+  };
   const auto sliding = first_orders_.find(pair.number());
   const bool slides = sliding != first_orders_.end() && sliding->second;
   return {slides ? *sliding->second : of(pair.line(geometry_)), of(pair.from_start(geometry_)),
@@ -48,7 +50,8 @@ LeafTest::Functions LeafTest::functions(const VertexEdge& pair) const {
 const FastFunction* LeafTest::first_order(const VertexEdge& pair) {
   const auto [at, is_new] = first_orders_.try_emplace(pair.number());
   std::optional<FastFunction>& function = at->second;
-  if (is_new && !FastFunction::level_one(leg_, geometry_, pair.line(geometry_), function.emplace())) function.reset();
+  if (is_new && !FastFunction::displacement_gradient(segment_, geometry_, pair.line(geometry_), function.emplace()))
+    function.reset();
   if (is_new && function) stages_.add(Stage::first_order);
   return function ? &*function : nullptr;
 }
@@ -62,7 +65,7 @@ bool LeafTest::excluded_in_range(const FrameWindow& window, const VertexEdge& pa
 /// Encloses the next root of the line's function, which has `sign` at t, if it is certain that there is one.
 bool LeafTest::isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
                        double& falls_until) {
-  const Course c(f.line, window, t, sign);
+  const LocalExpansion c(f.line, window, t, sign);
   const double after = c.negative_from(limit - t, falls_until);
   if (!(after < limit - t)) return false;
   root.lo = std::max(t, below(t + c.positive_until(limit - t)));
@@ -78,9 +81,9 @@ void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, C
   for (int step = 0; step < 6; ++step) {
     const double width = root.hi - root.lo, m = root.lo + width / 2;
     if (!(width > 0x1p-50 * std::fabs(m))) return;
-    const Course c(line, window, m, sign);
-    const double spread =
-        c.slope.error + (std::fabs(c.bend.value) + c.bend.error) * std::max(root.hi - m, m - root.lo) * (1 + 0x1p-40);
+    const LocalExpansion c(line, window, m, sign);
+    const double spread = c.slope.error + (std::fabs(c.second.value) + c.second.error) *
+                                              std::max(root.hi - m, m - root.lo) * (1 + 0x1p-40);
     const double steep = -c.slope.value + spread, flat = -c.slope.value - spread;
     if (!(flat > 0)) return;
     const double least = c.value.lower(), most = c.value.upper();
@@ -116,18 +119,18 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
 
 /// How long the vertex is certainly beyond one of the edge's ends from t on.
 double LeafTest::beyond_ends(FrameWindow& window, const Functions& f, double t, double limit) const {
-  return std::max(Course(f.from_start, window, t, -1).positive_until(limit),
-                  Course(f.from_end, window, t, -1).positive_until(limit));
+  return std::max(LocalExpansion(f.from_start, window, t, -1).positive_until(limit),
+                  LocalExpansion(f.from_end, window, t, -1).positive_until(limit));
 }
 
 /// Where doubles see no value at t, but a slope, one sign at high precision tells which way the function leaves zero,
 /// and doubles do the rest. `unknown` if they see no slope either, or would soon be at a loss again.
 LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root) {
-  if (Course(f.line, window, t, 1).slope.sign() == 0) return Ahead::unknown;
+  if (LocalExpansion(f.line, window, t, 1).slope.sign() == 0) return Ahead::unknown;
   const int sign = precise_.side(root.pair, t);
-  const Course c(f.line, window, t, sign);
+  const LocalExpansion c(f.line, window, t, sign);
   if (c.slope.value < 0) return look_ahead(window, f, limit, sign, t, root);
-  const double step = taut::positive_until(0, c.slope.lower(), c.bend.lower(), limit - t);
+  const double step = taut::positive_until(0, c.slope.lower(), c.second.lower(), limit - t);
   if (step >= limit - t) {
     t = limit;
     return Ahead::passed;
@@ -167,14 +170,14 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
   int& steps = trail.steps;
   double& stride = trail.stride;
   for (; t < limit; trail.t = t) {
-    interruption_point(work_of_step);
+    checkpoint(work_of_step);
     if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;
     // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
     double step = beyond_ends(window, f, t, left);
     if (step >= left) return std::nullopt;
     const int sign = f.line.value(window.at(t, f.line.pp)).sign();
-    const double on_side = sign ? Course(f.line, window, t, sign).positive_until(left) : 0;
+    const double on_side = sign ? LocalExpansion(f.line, window, t, sign).positive_until(left) : 0;
     if (on_side >= left) return std::nullopt;
     Crossing root;
     root.pair = pair;

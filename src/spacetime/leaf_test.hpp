@@ -6,17 +6,21 @@
 #include <optional>
 #include <unordered_map>
 
-#include "spacetime/course.hpp"
 #include "spacetime/crossing.hpp"
 #include "spacetime/crossings_beside_end.hpp"
+#include "spacetime/local_expansion.hpp"
 
 namespace taut::spacetime {
 
-/// The tests on one window of a leg.
+/// The tests on one window of a segment.
 class LeafTest {
  public:
-  LeafTest(const PairGeometry& geometry, const Leg& leg, Ways ways = Ways::into)
-      : geometry_(geometry), leg_(leg), ways_(ways), precise_(geometry, leg, ways), beside_end_(leg, ways, precise_) {}
+  LeafTest(const PairGeometry& geometry, const MotionSegment& segment, Ways ways = Ways::into)
+      : geometry_(geometry),
+        segment_(segment),
+        ways_(ways),
+        precise_(geometry, segment, ways),
+        beside_end_(segment, ways, precise_) {}
 
   /// The pair's first crossing in (t, limit], which lies within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
@@ -58,7 +62,7 @@ class LeafTest {
   Beside beside(FrameWindow& window, const Functions& f, const Crossing& root) const;
 
   const PairGeometry& geometry_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   Ways ways_;
   PreciseCrossings precise_;
   CrossingsBesideEnd beside_end_;

@@ -12,18 +12,18 @@
 namespace taut::spacetime {
 namespace {
 
-/// Which features come as close as the margin first on one leg: what the walk asks.
-class LegMargin {
+/// Which features come as close as the margin first on one segment: what the walk asks.
+class MarginOnSegment {
  public:
-  LegMargin(const PairGeometry& geometry, const TreePair& trees, const Leg& leg, double margin)
-      : shortest(shortest_stretch * (leg.end - leg.start)),
+  MarginOnSegment(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment, double margin)
+      : shortest(shortest_stretch * (segment.end - segment.start)),
         geometry_(geometry),
         margin_(margin),
-        approaches_(geometry, leg, margin),
-        walk_(trees, leg, *this),
-        proved_(leg.start) {}
+        approaches_(geometry, segment, margin),
+        walk_(trees, segment, *this),
+        proved_(segment.start) {}
 
-  /// On [from, to] of the leg's parameter.
+  /// On [from, to] of the segment's parameter.
   std::optional<Approach> run(double from, double to) {
     at_instant_ = true;
     walk_.at(from);
@@ -40,28 +40,29 @@ class LegMargin {
     proved_ = start;
     return true;
   }
-  Fate look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
+  BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     const Stretch& s = time.bounds;
     const Path way = s.in_p.place(q.box.centre, p.box.centre);
     const Vector towards{way.x.a, way.y.a};
-    if (farther(s, p.box, q.box, towards, margin_)) return Fate::done;
+    if (farther(s, p.box, q.box, towards, margin_)) return BoxDecision::done;
     const bool leaf = p.count == 1 && q.count == 1;
-    if (time.divisible && (motion(s, p.box, q.box) > patience * (p.box.radius + q.box.radius + (leaf ? margin_ : 0)) ||
-                           (leaf && farther_around_middle(s, hopeful, p.box, q.box, towards, margin_))))
-      return Fate::deferred;
-    if (!leaf) return Fate::divided;
+    if (time.divisible &&
+        (motion(s, p.box, q.box) > subdivision_threshold * (p.box.radius + q.box.radius + (leaf ? margin_ : 0)) ||
+         (leaf && farther_around_middle(s, worth_trying, p.box, q.box, towards, margin_))))
+      return BoxDecision::deferred;
+    if (!leaf) return BoxDecision::divided;
     // Each edge stands for its first vertex.
     const VertexId of_p(p.first), of_q(geometry_.np + q.first);
     if (!vertices_farther(s, point(of_p), point(of_q), margin_)) settle(time, {of_p, of_q, false});
     if (!misses_edge(s.in_q, s, of_p, of_q)) settle(time, {of_p, of_q, true});
     if (!misses_edge(s.in_p, s, of_q, of_p)) settle(time, {of_q, of_p, true});
-    return Fate::done;
+    return BoxDecision::done;
   }
 
  private:
   Vector point(VertexId v) const { return {geometry_.point(v).x, geometry_.point(v).y}; }
-  bool misses_edge(const Carriage& carriage, const Stretch& s, VertexId vertex, VertexId edge) const {
-    return misses(s, carriage, point(vertex), point(edge), point(geometry_.next(edge)), margin_);
+  bool misses_edge(const RelativePose& relative_pose, const Stretch& s, VertexId vertex, VertexId edge) const {
+    return misses(s, relative_pose, point(vertex), point(edge), point(geometry_.next(edge)), margin_);
   }
   /// The pair's first approach within the stretch becomes the best if it is.
   void settle(const StretchOfTime& time, const VertexPeer& pair) {
@@ -83,7 +84,7 @@ class LegMargin {
   const PairGeometry& geometry_;
   double margin_;
   PreciseApproaches approaches_;
-  Walk<LegMargin> walk_;
+  Walk<MarginOnSegment> walk_;
   std::optional<Approach> best_;
   bool at_instant_ = false;
   double proved_;
@@ -99,19 +100,19 @@ void note_approach(const Approach& found, MarginResult& result) {
 
 }  // namespace
 
-MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double margin,
-                          const TimeInterval& window) {
+MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                          double margin, const TimeInterval& window) {
   MarginResult result;
-  for (std::size_t i = legs.first_until(window.lo); i < legs.size(); ++i) {
-    const LegPlace at = legs.place(i);
+  for (std::size_t i = segments.first_until(window.lo); i < segments.size(); ++i) {
+    const SegmentPlace at = segments.place(i);
     if (at.start > window.hi) break;
     if (at.bridge) continue;
-    const std::shared_ptr<const Leg> held = legs.hold(i);
-    const Leg& leg = *held;
-    LegMargin search(geometry, trees, leg, margin);
-    result.leg = i;
+    const std::shared_ptr<const MotionSegment> held = segments.hold(i);
+    const MotionSegment& segment = *held;
+    MarginOnSegment search(geometry, trees, segment, margin);
+    result.segment = i;
     try {
-      if (const auto found = search.run(std::max(leg.start, window.lo), std::min(leg.end, window.hi))) {
+      if (const auto found = search.run(std::max(segment.start, window.lo), std::min(segment.end, window.hi))) {
         note_approach(*found, result);
         return result;
       }

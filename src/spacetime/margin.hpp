@@ -9,7 +9,7 @@
 
 namespace taut::spacetime {
 
-/// What is known about two bodies' distance and a margin, along the legs.
+/// What is known about two bodies' distance and a margin, along the segments.
 struct MarginResult {
   enum Outcome : unsigned char {
     free,       ///< proved: never closer than the margin
@@ -17,18 +17,18 @@ struct MarginResult {
     undecided,  ///< the precision of the last stage did not suffice, or the run was interrupted; not closer before `lo`
   };
   Outcome outcome = free;
-  std::size_t leg = 0;
-  double lo = 0, hi = 0;  ///< of that leg's parameter
+  std::size_t segment = 0;
+  double lo = 0, hi = 0;  ///< of that segment's parameter
   VertexPeer pair;        ///< if `close`: which features are
-  bool at_once = false;   ///< if `close`: closer from the beginning of the leg on
+  bool at_once = false;   ///< if `close`: closer from the beginning of the segment on
   std::string reason;     ///< if undecided: why
 };
 
-/// Within a window, of the displaced bodies, at the times of legs: jumps at joints are left out, which are rounding.
-/// The bodies must not overlap at its start: those that come to, come closer than any margin before. The margin is in
-/// internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly closer than it,
-/// bodies displaced outwards where they are as close as it.
-MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const Legs& legs, double margin,
-                          const TimeInterval& window);
+/// Within a window, of the displaced bodies, at the times of segments: jumps at joints are left out, which are
+/// rounding. The bodies must not overlap at its start: those that come to, come closer than any margin before. The
+/// margin is in internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly
+/// closer than it, bodies displaced outwards where they are as close as it.
+MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
+                          double margin, const TimeInterval& window);
 
 }  // namespace taut::spacetime

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "pair/placement.hpp"
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
@@ -75,18 +75,18 @@ std::vector<std::uint32_t> outlines(const DisplacedPolygon& body) {
   return first;
 }
 
-Stretch at_instant(const Leg& leg, double t) {
-  if (leg.translation) return Stretch::of_translation(leg, TranslationPolynomial(leg), t, t);
+Stretch at_instant(const MotionSegment& segment, double t) {
+  if (segment.translation) return Stretch::of_translation(segment, TranslationPolynomial(segment), t, t);
   // As short a window as there is: about a singular start, longer ones would be halved down to it.
-  FrameWindow window(leg, t, leg.end, std::nextafter(t, std::numeric_limits<double>::infinity()) - t);
-  return window.smooth() ? Stretch::of_window(leg, window, t, t) : Stretch::of_range(leg, window);
+  FrameWindow window(segment, t, segment.end, std::nextafter(t, std::numeric_limits<double>::infinity()) - t);
+  return window.smooth() ? Stretch::of_window(segment, window, t, t) : Stretch::of_range(segment, window);
 }
 
 }  // namespace
 
-std::optional<StartOverlap> overlapping(const PairGeometry& g, const Leg& leg, double t) {
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const MotionSegment& segment, double t) {
   const Hierarchy p = hierarchy_of_p(g), q = hierarchy_of_q(g);
-  return overlapping(g, {p, q}, leg, t);
+  return overlapping(g, {p, q}, segment, t);
 }
 
 namespace {
@@ -97,7 +97,7 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
   if (apart(instant, p.node(0).box, q.node(0).box)) return std::nullopt;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   while (!stack.empty()) {
-    interruption_point();
+    checkpoint();
     const auto [i, j] = stack.back();
     stack.pop_back();
     const BoxNode &a = p.node(i), &b = q.node(j);
@@ -113,11 +113,11 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
   }
   // Boundaries that do not cross: then one part has another one's outline inside, or they are apart.
   for (const std::uint32_t v : outlines(*g.p())) {
-    interruption_point();
+    checkpoint();
     if (Winding(place, VertexId(v), q, place.pose_q(), g.np).inside()) return StartOverlap{false, {}, {}, VertexId(v)};
   }
   for (const std::uint32_t v : outlines(*g.q())) {
-    interruption_point();
+    checkpoint();
     const VertexId of_q(g.np + v);
     if (Winding(place, of_q, p, place.pose_p(), 0).inside()) return StartOverlap{false, {}, {}, of_q};
   }
@@ -126,17 +126,17 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
 
 }  // namespace
 
-std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
-                                        StageCounts* stages) {
-  const Placement place(g, leg, t, Positions::on_demand);
-  const auto found = overlap_in(place, trees, at_instant(leg, t));
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const MotionSegment& segment,
+                                        double t, StageCounts* stages) {
+  const Placement place(g, segment, t, Positions::on_demand);
+  const auto found = overlap_in(place, trees, at_instant(segment, t));
   if (stages) *stages += place.stages();
   return found;
 }
 
-std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const Leg& leg, double t,
-                                        const Stretch& instant) {
-  return overlap_in(Placement(g, leg, t, Positions::on_demand), trees, instant);
+std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& trees, const MotionSegment& segment,
+                                        double t, const Stretch& instant) {
+  return overlap_in(Placement(g, segment, t, Positions::on_demand), trees, instant);
 }
 
 }  // namespace taut::spacetime

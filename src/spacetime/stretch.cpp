@@ -55,21 +55,22 @@ Expanded expanded(const double* cx, const double* cy, int stride, int n, double 
 double reach_of(const Path& p, double r) { return p.x.reach(r) + p.y.reach(r); }
 
 /// The relative motion in one frame before the shift of a body that does not turn is taken in.
-struct RawCarriage {
+struct RawRelativePose {
   Path shift, turn;
   double shift_error = 0, turn_error = 0, scale_error = 0;
 };
 
-/// The leg sees a vertex at v + offset, up to rounding.
-Carriage finish(const Leg& leg, RawCarriage raw, bool in_p, double r) {
-  const Vector fixed{leg.offset(in_p).x, leg.offset(in_p).y}, moving{leg.offset(!in_p).x, leg.offset(!in_p).y};
+/// The segment sees a vertex at v + offset, up to rounding.
+RelativePose finish(const MotionSegment& segment, RawRelativePose raw, bool in_p, double r) {
+  const Vector fixed{segment.offset(in_p).x, segment.offset(in_p).y},
+      moving{segment.offset(!in_p).x, segment.offset(!in_p).y};
   raw.shift.x.a -= fixed.x;
   raw.shift.y.a -= fixed.y;
   if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.turn * moving;
   const double shift = l1_norm(fixed) + l1_norm(moving);
   // Bounds of lengths: of points as they are, and of the shift.
   constexpr double points = 5;
-  Carriage out;
+  RelativePose out;
   out.shift = raw.shift;
   out.turn = raw.turn;
   out.swing = (raw.turn.x.swing(r) + raw.turn.y.swing(r) + raw.turn_error) * (1 + 0x1p-40);
@@ -81,8 +82,8 @@ Carriage finish(const Leg& leg, RawCarriage raw, bool in_p, double r) {
 }
 
 /// In Q's frame, with `moving` the functions conj(x_Q) D, and `turn` conj(x_P) x_Q.
-RawCarriage seen_from_q(const Path& moving, double error, const Path& turn, double turn_error) {
-  RawCarriage raw;
+RawRelativePose seen_from_q(const Path& moving, double error, const Path& turn, double turn_error) {
+  RawRelativePose raw;
   raw.shift = {-moving.x, -moving.y};
   raw.turn = conj(turn);
   raw.shift_error = error;
@@ -112,39 +113,40 @@ double scale_error(const FrameSample& s, const FrameCurvature& b, double r) {
 }
 
 /// From samples in both frames, which vary as the bends tell.
-void assemble(Stretch& out, const Leg& leg, const FrameSample& pp, const FrameCurvature& bend_pp, const FrameSample& qq,
-              const FrameCurvature& bend_qq) {
-  const Expanded p = from_sample(pp, bend_pp, 1, out.r), q = from_sample(qq, bend_qq, 1, out.r);
-  const Expanded turn = from_sample(pp, bend_pp, 3, out.r);
-  RawCarriage in_q = seen_from_q(q.path, q.error, turn.path, turn.error);
-  in_q.scale_error = scale_error(qq, bend_qq, out.r);
-  out.in_p = finish(leg, {p.path, turn.path, p.error, turn.error, scale_error(pp, bend_pp, out.r)}, true, out.r);
-  out.in_q = finish(leg, in_q, false, out.r);
+void assemble(Stretch& out, const MotionSegment& segment, const FrameSample& pp, const FrameCurvature& second_pp,
+              const FrameSample& qq, const FrameCurvature& second_qq) {
+  const Expanded p = from_sample(pp, second_pp, 1, out.r), q = from_sample(qq, second_qq, 1, out.r);
+  const Expanded turn = from_sample(pp, second_pp, 3, out.r);
+  RawRelativePose in_q = seen_from_q(q.path, q.error, turn.path, turn.error);
+  in_q.scale_error = scale_error(qq, second_qq, out.r);
+  out.in_p = finish(segment, {p.path, turn.path, p.error, turn.error, scale_error(pp, second_pp, out.r)}, true, out.r);
+  out.in_q = finish(segment, in_q, false, out.r);
 }
 
 }  // namespace
 
-TranslationPolynomial::TranslationPolynomial(const Leg& leg) {
+TranslationPolynomial::TranslationPolynomial(const MotionSegment& segment) {
   x[0] = y[0] = magnitude[0] = 0;
-  if (!leg.translation) return;
-  size = leg.degree + 1;
-  if (leg.far()) {
-    about = leg.local()->about();
-    const auto way_x = leg.way(true).rounded<double>(), way_y = leg.way(false).rounded<double>();
+  if (!segment.translation) return;
+  size = segment.degree + 1;
+  if (segment.far()) {
+    about = segment.local()->about();
+    const auto way_x = segment.way(true).rounded<double>(), way_y = segment.way(false).rounded<double>();
     for (int k = 0; k < size; ++k) {
       x[k] = middle_of(way_x, k);
       y[k] = middle_of(way_y, k);
     }
   } else {
     for (int k = 1; k < size; ++k) {
-      x[k] = coefficient(leg.q.x, k) - coefficient(leg.p.x, k);
-      y[k] = coefficient(leg.q.y, k) - coefficient(leg.p.y, k);
+      x[k] = coefficient(segment.q.x, k) - coefficient(segment.p.x, k);
+      y[k] = coefficient(segment.q.y, k) - coefficient(segment.p.y, k);
     }
   }
   for (int k = 0; k < size; ++k) magnitude[k] = std::fabs(x[k]) + std::fabs(y[k]);
 }
 
-Stretch Stretch::of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end) {
+Stretch Stretch::of_translation(const MotionSegment& segment, const TranslationPolynomial& polynomial, double start,
+                                double end) {
   Stretch out;
   set_interval(out, start, end);
   const double h = out.middle - polynomial.about;
@@ -155,32 +157,32 @@ Stretch Stretch::of_translation(const Leg& leg, const TranslationPolynomial& pol
   const double error = e.error + expansion_rounding * terms;
   out.rest = e.rest;
   const Path rests{{1, 0, 0}, {}};
-  out.in_p = finish(leg, {e.path, rests, error, 0, 0}, true, out.r);
-  out.in_q = finish(leg, seen_from_q(e.path, error, rests, 0), false, out.r);
+  out.in_p = finish(segment, {e.path, rests, error, 0, 0}, true, out.r);
+  out.in_q = finish(segment, seen_from_q(e.path, error, rests, 0), false, out.r);
   return out;
 }
 
-Stretch Stretch::of_window(const Leg& leg, FrameWindow& window, double start, double end) {
+Stretch Stretch::of_window(const MotionSegment& segment, FrameWindow& window, double start, double end) {
   Stretch out;
   set_interval(out, start, end);
-  if (leg.bridge) {
+  if (segment.bridge) {
     const FrameSample pp = window.at(out.middle, true), qq = window.at(out.middle, false);
-    assemble(out, leg, pp, window.bend(true), qq, window.bend(false));
+    assemble(out, segment, pp, window.second(true), qq, window.second(false));
     return out;
   }
   const FrameModel& m = window.model();
   const double h = out.middle - m.middle;
   const Expanded p = from_model(m, 0, h, out.r), q = from_model(m, 2, h, out.r), turn = from_model(m, 4, h, out.r);
   out.rest = std::max(p.rest, q.rest) + turn.rest;
-  out.in_p = finish(leg, {p.path, turn.path, p.error, turn.error, 0}, true, out.r);
-  out.in_q = finish(leg, seen_from_q(q.path, q.error, turn.path, turn.error), false, out.r);
+  out.in_p = finish(segment, {p.path, turn.path, p.error, turn.error, 0}, true, out.r);
+  out.in_q = finish(segment, seen_from_q(q.path, q.error, turn.path, turn.error), false, out.r);
   return out;
 }
 
-Stretch Stretch::at_instant(const Leg& leg, double t) {
+Stretch Stretch::at_instant(const MotionSegment& segment, double t) {
   Stretch out;
   out.middle = t;
-  const FrameValues<Real320> there = frame_values(leg, Ball<Real320>::exact(t));
+  const FrameValues<Real320> there = frame_values(segment, Ball<Real320>::exact(t));
   const auto sample = [](const std::array<Ball<Real320>, 5>& values) {
     std::array<Jet<double>, 5> rests;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -188,10 +190,10 @@ Stretch Stretch::at_instant(const Leg& leg, double t) {
     }
     return sample_of(rests);
   };
-  assemble(out, leg, sample(there.for_pp), FrameCurvature{}, sample(there.for_qq), FrameCurvature{});
+  assemble(out, segment, sample(there.for_pp), FrameCurvature{}, sample(there.for_qq), FrameCurvature{});
   return out;
 }
-Stretch Stretch::of_range(const Leg& leg, const FrameWindow& window) {
+Stretch Stretch::of_range(const MotionSegment& segment, const FrameWindow& window) {
   Stretch out;
   out.middle = window.start();
   FrameSample pp = window.range(true), qq = window.range(false);
@@ -199,7 +201,7 @@ Stretch Stretch::of_range(const Leg& leg, const FrameWindow& window) {
     for (double& slope : s->d) slope = 0;
     s->error_0d = s->error_ad = s->error_bd = 0;
   }
-  assemble(out, leg, pp, FrameCurvature{}, qq, FrameCurvature{});
+  assemble(out, segment, pp, FrameCurvature{}, qq, FrameCurvature{});
   return out;
 }
 

@@ -1,4 +1,4 @@
-// A stretch of a leg on which every point moves along a parabola, up to a certified error that is the same for all.
+// A stretch of a segment on which every point moves along a parabola, up to a certified error that is the same for all.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ inline Path conj(const Path& p) { return {p.x, -p.y}; }
 inline Parabola along(Vector n, const Path& p) { return n.x * p.x + n.y * p.y; }
 
 /// How one body moves in the other's frame: its point v is at shift + turn v.
-struct Carriage {
+struct RelativePose {
   Path shift, turn;
   double swing = 0;  ///< bounds how far `turn` gets from its middle
   double error = 0;  ///< see Stretch
@@ -49,9 +49,9 @@ struct Carriage {
   }
 };
 
-/// What a translation's relative motion is, apart from the leg's shift, in doubles: one for each leg.
+/// What a translation's relative motion is, apart from the segment's shift, in doubles: one for each segment.
 struct TranslationPolynomial {
-  explicit TranslationPolynomial(const Leg& leg);
+  explicit TranslationPolynomial(const MotionSegment& segment);
   double about = 0;  ///< it is in powers of the time since then
   int size = 0;      ///< number of coefficients
   double x[max_degree + 1], y[max_degree + 1];
@@ -65,17 +65,18 @@ struct TranslationPolynomial {
 /// reach.
 struct Stretch {
   double middle = 0, r = 0;
-  double rest = 0;      ///< the part of the errors that shrinks with the stretch
-  Carriage in_p, in_q;  ///< Q's points in P's frame, and P's points in Q's frame
+  double rest = 0;          ///< the part of the errors that shrinks with the stretch
+  RelativePose in_p, in_q;  ///< Q's points in P's frame, and P's points in Q's frame
 
-  static Stretch of_translation(const Leg& leg, const TranslationPolynomial& polynomial, double start, double end);
+  static Stretch of_translation(const MotionSegment& segment, const TranslationPolynomial& polynomial, double start,
+                                double end);
   /// Part of a smooth window.
-  static Stretch of_window(const Leg& leg, FrameWindow& window, double start, double end);
-  /// An instant of a leg that is no bridge, at high precision: there errors are those of rounding to doubles, also
+  static Stretch of_window(const MotionSegment& segment, FrameWindow& window, double start, double end);
+  /// An instant of a segment that is no bridge, at high precision: there errors are those of rounding to doubles, also
   /// where the motion is singular.
-  static Stretch at_instant(const Leg& leg, double t);
+  static Stretch at_instant(const MotionSegment& segment, double t);
   /// All of a window that is not smooth: everything rests, up to the error.
-  static Stretch of_range(const Leg& leg, const FrameWindow& window);
+  static Stretch of_range(const MotionSegment& segment, const FrameWindow& window);
 };
 
 }  // namespace taut::spacetime

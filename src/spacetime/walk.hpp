@@ -1,4 +1,4 @@
-// The walk that all searches of the spacetime engine take: through stretches of a leg, and pairs of boxes.
+// The walk that all searches of the spacetime engine take: through stretches of a segment, and pairs of boxes.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "spacetime/box_separation.hpp"
 
 namespace taut::spacetime {
@@ -24,20 +24,20 @@ struct StretchOfTime {
 };
 
 /// What becomes of two boxes in a stretch.
-enum class Fate : unsigned char {
+enum class BoxDecision : unsigned char {
   done,      ///< nothing more is to be known of them there
   divided,   ///< into the boxes below the larger one
   deferred,  ///< to the halves of the stretch
 };
 
 /// Boxes that move farther than this share of their size are left to shorter stretches of time; others are divided.
-constexpr double patience = 0.75;
+constexpr double subdivision_threshold = 0.75;
 
 /// Stretches of time are halved, each with the pairs of boxes about which something is still to be known in it, and
 /// worked on in their order: the motion is evaluated once for all pairs of a stretch. What is to be known is the
 /// question's to say; it has
 ///   bool begins(double start)                            a stretch begins; false if nothing in it matters any more
-///   Fate look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
+///   BoxDecision look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
 ///   double shortest                                      of the stretches' lengths, that are halved
 /// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
 ///
@@ -46,10 +46,10 @@ constexpr double patience = 0.75;
 template <class Question>
 class Walk {
  public:
-  Walk(const TreePair& trees, const Leg& leg, Question& question)
-      : trees_(trees), leg_(leg), question_(question), polynomial_(leg) {}
+  Walk(const TreePair& trees, const MotionSegment& segment, Question& question)
+      : trees_(trees), segment_(segment), question_(question), polynomial_(segment) {}
 
-  /// From the root of both trees, throughout [from, to] of the leg's parameter.
+  /// From the root of both trees, throughout [from, to] of the segment's parameter.
   void through(double from, double to) {
     from_ = reached_ = from;
     to_ = to;
@@ -63,14 +63,15 @@ class Walk {
       work_off();
     } while (begin_next());
   }
-  /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the leg. Where the
+  /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the segment. Where the
   /// motion is singular, it moves the less the shorter the window is.
   void at(double t) {
-    if (leg_.translation) return through(t, t);
-    const double whole = leg_.end - leg_.start;
+    if (segment_.translation) return through(t, t);
+    const double whole = segment_.end - segment_.start;
     for (double some = whole * length_of_instant;; some *= 0x1p-10) {
-      window_.emplace(leg_, t < leg_.end ? t : std::max(leg_.start, leg_.end - some), leg_.end, some);
-      while (window_->end() < t) window_.emplace(leg_, window_->end(), leg_.end, window_->fitting_length());
+      window_.emplace(segment_, t < segment_.end ? t : std::max(segment_.start, segment_.end - some), segment_.end,
+                      some);
+      while (window_->end() < t) window_.emplace(segment_, window_->end(), segment_.end, window_->fitting_length());
       if (window_->smooth() || some < whole * shortest_instant) break;
     }
     begin_at_root(t, t);
@@ -84,7 +85,7 @@ class Walk {
     stretch_->r = 0;
     work_off();
   }
-  /// The window around the stretch at hand, unless the leg is a translation.
+  /// The window around the stretch at hand, unless the segment is a translation.
   FrameWindow& window() { return *window_; }
 
  private:
@@ -93,11 +94,11 @@ class Walk {
   /// Motions seldom change their character: what fitted the last one will do.
   void next_window(double start, double from, double to) {
     const double wanted = window_ ? std::min(to - from, window_->fitting_length()) : to - from;
-    window_.emplace(leg_, start, to, wanted);
+    window_.emplace(segment_, start, to, wanted);
   }
   /// The next part of the whole that is looked at with one window, of a translation all of it; false if there is none.
   bool begin_next() {
-    if (leg_.translation) {
+    if (segment_.translation) {
       if (begun_) return false;
       begun_ = true;
       begin_at_root(from_, to_);
@@ -115,8 +116,8 @@ class Walk {
     stretch_.reset();
   }
   Stretch stretch(double from, double to) {
-    if (leg_.translation) return Stretch::of_translation(leg_, polynomial_, from, to);
-    return window_->smooth() ? Stretch::of_window(leg_, *window_, from, to) : Stretch::of_range(leg_, *window_);
+    if (segment_.translation) return Stretch::of_translation(segment_, polynomial_, from, to);
+    return window_->smooth() ? Stretch::of_window(segment_, *window_, from, to) : Stretch::of_range(segment_, *window_);
   }
   /// A stretch that is to be looked at, and its pairs. Those before them belong to longer stretches, those after them
   /// to shorter ones, which are done by then.
@@ -163,13 +164,13 @@ class Walk {
         if (next_ == level.last) return;
         todo_.push_back(pairs_[next_++]);
       }
-      interruption_point();
+      checkpoint();
       const BoxPair pair = todo_.back();
       const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
-      const Fate fate = question_.look(time, p, q);
+      const BoxDecision decision = question_.look(time, p, q);
       todo_.pop_back();
-      if (fate == Fate::deferred) pairs_.push_back(pair);
-      if (fate == Fate::divided) divide(pair, p, q, *stretch_);
+      if (decision == BoxDecision::deferred) pairs_.push_back(pair);
+      if (decision == BoxDecision::divided) divide(pair, p, q, *stretch_);
     }
   }
   /// The larger one, with what comes first on top.
@@ -190,11 +191,11 @@ class Walk {
   }
 
   TreePair trees_;
-  const Leg& leg_;
+  const MotionSegment& segment_;
   Question& question_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
-  double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a leg that turns, windows begin there
+  double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a segment that turns, windows begin there
   bool begun_ = false;                      ///< the only part of a translation
   std::vector<Level> levels_;
   std::optional<Stretch> stretch_;  ///< of the last level, if it has begun

@@ -4,8 +4,8 @@
 #include <deque>
 #include <utility>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "pair/placement.hpp"
 
 namespace taut {
@@ -54,7 +54,7 @@ class BridgeFinder {
   Bridge roll_from_corner() const {
     std::size_t i = 1, j = 1;
     for (;;) {
-      interruption_point();
+      checkpoint();
       const bool a_goes_on = i + 1 < last_a_ && turn(a_[i], b_[j], a_[i + 1]) > 0;
       const bool b_goes_on = j < last_b_ && turn(a_[i], b_[j], b_[j + 1]) > 0;
       if (a_goes_on && (!b_goes_on || turn(a_[i + 1], b_[j], b_[j + 1]) > 0)) {
@@ -75,7 +75,7 @@ class BridgeFinder {
   Bridge roll_from_mouth() const {
     auto [i, l] = ends_of_hull();
     while (l < last_a_ && i > 0 && turn(a_[i], a_[l], a_[l + 1]) < 0) {
-      interruption_point();
+      checkpoint();
       if (turn(a_[i], a_[l + 1], a_[i - 1]) > 0) {
         --i;
       } else {
@@ -92,7 +92,7 @@ class BridgeFinder {
     std::deque<std::size_t> hull{2, 0, 1, 2};
     const auto right_of = [this](std::size_t u, std::size_t v, std::size_t w) { return turn(a_[u], a_[v], a_[w]) < 0; };
     for (std::size_t k = 3; k <= last_a_; ++k) {
-      interruption_point();
+      checkpoint();
       if (!right_of(hull[0], hull[1], k) && !right_of(hull.end()[-2], hull.end()[-1], k)) continue;
       while (right_of(hull[0], hull[1], k)) hull.pop_front();
       while (right_of(hull.end()[-2], hull.end()[-1], k)) hull.pop_back();
@@ -138,7 +138,7 @@ class BridgeFinder {
     VertexId v = chain.front();
     int side_v = turn(y, x, v);
     for (const VertexId w : chain) {
-      interruption_point();
+      checkpoint();
       const int side_w = turn(y, x, w);
       if (side_v * side_w < 0 && turn(v, w, y) * turn(v, w, x) < 0) return true;
       v = w;

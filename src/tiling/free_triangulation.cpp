@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "tiling/sweep_status.hpp"
 
 namespace taut {
@@ -37,7 +37,7 @@ class TriangulationSweep {
     out_.origin.reserve(3 * triangles);
     out_.twin.reserve(3 * triangles);
     for (const VertexId v : order) {
-      interruption_point(2);
+      checkpoint(2);
       visit(v);
       if (overlap_) return overlap_;
     }
@@ -59,7 +59,7 @@ class TriangulationSweep {
     std::sort(keyed.begin(), keyed.end(), [this, error](const Keyed& a, const Keyed& b) {
       const double d = a.key - b.key;
       if (std::fabs(d) > error) return d < 0;
-      interruption_point();
+      checkpoint();
       return place_.before(a.vertex, b.vertex);
     });
     std::vector<VertexId> order(total);

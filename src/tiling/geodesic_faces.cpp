@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -18,7 +18,7 @@ class Funnel {
     left_.start(a);
     right_.start(a);
     for (const std::uint32_t* d = first; d != last; ++d) {
-      if ((d - first) % 2 == 0) interruption_point();  // half a unit each
+      if ((d - first) % 2 == 0) checkpoint();  // half a unit each
       add(left_, right_, triangulation_.origin[*d], 1, path);
       add(right_, left_, triangulation_.target(*d), -1, path);
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 namespace {
@@ -42,7 +42,7 @@ class NearSearch {
   /// Pushes the descendants of `other` that are no larger than the node and may be near it.
   void refine(std::uint32_t node, std::uint32_t other) {
     const NodeBox &box = tree_.boxes[node], &far = other_.boxes[other];
-    interruption_point();
+    checkpoint();
     if (!near(box, tree_.pose, far, other_.pose, margin_)) return;
     if (other < other_.tree.leaves() && far.along + far.across > box.along + box.across) {
       refine(node, 2 * other);

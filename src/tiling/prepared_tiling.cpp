@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/hulls_apart.hpp"
 
 namespace taut {
 namespace {
 
-/// In units of interruption_point(), about: to triangulate outlines and to pull strings through them.
+/// In units of checkpoint(), about: to triangulate outlines and to pull strings through them.
 constexpr std::uint64_t work_of_outline_edge = 12;
 
 /// Finds which nodes must be done anew, and the outline that remains, with the joined map's numbers.
@@ -260,7 +260,7 @@ class Joiner {
   /// Returns false if the outlines are not disjoint.
   bool add_faces(const ShapeOutline& outline_p, const ShapeOutline& outline_q, std::vector<HalfedgeId>& hull_p,
                  std::vector<HalfedgeId>& hull_q) {
-    interruption_point_before(work_of_outline_edge * (outline_p.edges.size() + outline_q.edges.size()));
+    checkpoint_before(work_of_outline_edge * (outline_p.edges.size() + outline_q.edges.size()));
     std::vector<VertexId> vertices;
     vertices.reserve(outline_p.edges.size() + outline_q.edges.size());
     const auto corners = [&](const ShapeOutline& outline) {

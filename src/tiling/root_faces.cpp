@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/budget.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "pair/placement.hpp"
 #include "tiling/bridge.hpp"
 
@@ -78,7 +78,7 @@ class RootBuilder {
   /// Moves i to the vertex where the line through `from` touches the cycle; false if it is there already.
   bool walk_to_tangent(const View& view, VertexId from, std::size_t& i) const {
     for (std::size_t steps = 0; steps < 4 * view.cycle.size(); ++steps) {
-      interruption_point();
+      checkpoint();
       if (!on_side(view, from, i, after(view, i))) {
         i = after(view, i);
       } else if (!on_side(view, from, i, before(view, i))) {

@@ -11,7 +11,7 @@ class ShapeTiler {
       : out_(out), geometry_(polygon, std::make_shared<const DisplacedPolygon>(std::vector<DisplacedPoint>())) {}
 
   bool run() {
-    const Leg rest = Leg::motion({}, {}, 0, 0);
+    const MotionSegment rest = MotionSegment::motion({}, {}, 0, 0);
     const Placement placement(geometry_, rest, 0);
     FreeTriangulation triangulation;
     if (triangulate_free_space(placement, triangulation, true)) return false;

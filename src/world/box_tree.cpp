@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 
 namespace taut {
 
@@ -91,7 +91,7 @@ void BoxTree::each_within(const Run& run, const std::function<void(int, int)>& v
 }
 
 void BoxTree::each_between(const Run& a, const Run& b, const std::function<void(int, int)>& visit) const {
-  interruption_point();
+  checkpoint();
   const Node &left = nodes_[a.node], &right = nodes_[b.node];
   if (left.group != several && left.group == right.group) return;
   if (!left.around.meets(right.around)) return;
@@ -108,7 +108,7 @@ void BoxTree::each_between(const Run& a, const Run& b, const std::function<void(
 void BoxTree::each_of(const Entry& entry, std::uint32_t first, std::uint32_t last,
                       const std::function<void(int, int)>& visit) const {
   for (std::uint32_t i = first; i < last; ++i) {
-    interruption_point();
+    checkpoint();
     const Entry& other = entries_[i];
     if (entry.group != several && entry.group == other.group) continue;
     if (entry.box.meets(other.box)) visit(entry.index, other.index);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "world/box_tree.hpp"
 
 namespace taut {
@@ -16,7 +16,7 @@ MeetingBoxes::MeetingBoxes(const WorldPlan& plan, const std::vector<int>& bodies
     : plan_(plan), bodies_(bodies) {
   boxes_.reserve(bodies.size());
   for (const int b : bodies) {
-    interruption_point();
+    checkpoint();
     boxes_.push_back(swept_box(plan.bodies()[static_cast<std::size_t>(b)], from, to));
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "world/box_tree.hpp"
 
 namespace taut {
@@ -27,7 +27,7 @@ CoarseBoxes::CoarseBoxes(const WorldPlan& plan) : plan_(plan), windows_(all_rest
   for (std::size_t k = 0; k < windows_.size(); ++k) {
     const int window = static_cast<int>(k);
     for (const WorldBody& body : plan.bodies()) {
-      interruption_point();
+      checkpoint();
       windows_[k].push_back(swept_box(body, coarse_boundary(plan, window), coarse_boundary(plan, window + 1)));
     }
   }

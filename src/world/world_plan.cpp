@@ -248,18 +248,20 @@ PieceChain pieces_at(const MotionChain& motions, double t) {
   return chain;
 }
 
-Legs WorldPlan::legs(const PairPlan& pair) const { return legs(pair.rings[0]->body(), pair.rings[1]->body(), start_); }
-
-std::array<Legs, 2> WorldPlan::both_legs(const PairPlan& pair, double from) const {
-  const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
-  return {legs(p, q, from), legs(q, p, from)};
+MotionSegments WorldPlan::segments(const PairPlan& pair) const {
+  return segments(pair.rings[0]->body(), pair.rings[1]->body(), start_);
 }
 
-Legs WorldPlan::legs(int first, int second, double from) const {
+std::array<MotionSegments, 2> WorldPlan::both_segments(const PairPlan& pair, double from) const {
+  const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
+  return {segments(p, q, from), segments(q, p, from)};
+}
+
+MotionSegments WorldPlan::segments(int first, int second, double from) const {
   const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
   const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
   const std::size_t common = count_common(p, q);
-  return make_legs(without_first(p, common), without_first(q, common), from, end_);
+  return make_segments(without_first(p, common), without_first(q, common), from, end_);
 }
 
 }  // namespace taut

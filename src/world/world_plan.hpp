@@ -11,7 +11,7 @@
 
 #include "pair/ignored_pairs.hpp"
 #include "pair/pair_plan.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 #include "taut/check.hpp"
 
 namespace taut {
@@ -67,12 +67,12 @@ class WorldPlan {
 
   PairPlan pair(int a, int b) const;
   /// Of that pair, from start to end, in a frame that parents which both have are not in.
-  Legs legs(const PairPlan& pair) const;
+  MotionSegments segments(const PairPlan& pair) const;
   /// The same from a later time on; and with the roles exchanged.
-  std::array<Legs, 2> both_legs(const PairPlan& pair, double from) const;
+  std::array<MotionSegments, 2> both_segments(const PairPlan& pair, double from) const;
 
  private:
-  Legs legs(int p, int q, double from) const;
+  MotionSegments segments(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
   MotionChain chain_of(int body) const;
   void find_groups();

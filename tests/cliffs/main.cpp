@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "bench/stopwatch.hpp"
 #include "command_line/command_line.hpp"
 #include "generators/shapes.hpp"
@@ -36,7 +36,7 @@ constexpr double base_cost = 20e-6;
 
 struct Timed {
   double seconds = 0;
-  std::uint64_t work = 0;  ///< in units of interruption_point()
+  std::uint64_t work = 0;  ///< in units of checkpoint()
   Outcome outcome = Outcome::undecided;
 };
 

@@ -12,7 +12,7 @@
 #include "check/apart_writer.hpp"
 #include "log_text.hpp"
 #include "proof/header.hpp"
-#include "proof/proved_world.hpp"
+#include "proof/verifier_world.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/rng.hpp"
@@ -202,13 +202,13 @@ TEST(ClearanceLogs, OfBodiesThatCrossAtTheStart) {
   scene.end = 1;
   scene.bodies = {{"lies", {{-5, -1}, {5, -1}, {5, 1}, {-5, 1}}, {}},
                   {"stands", {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}}, {}}};
-  const proof::ProvedScene plan(scene);
+  const proof::VerifierScene plan(scene);
   const double clearance = 0.125, margin = std::ldexp(clearance, plan.exponent());
-  proof::ProvedWorld world(plan, true, margin);
-  const proof::ProvedPair& pair = world.pair(0, 1);
+  proof::VerifierWorld world(plan, true, margin);
+  const proof::VerifierPair& pair = world.pair(0, 1);
   std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);
-  lifetimes.enter(pair.legs[0]);
+  lifetimes.enter(pair.segments[0]);
   ApartWriter(pair.ranges, lifetimes, std::nullopt, steps, margin).write(0, 1);
   std::ostringstream log;
   proof::ByteWriter out(log);

@@ -91,7 +91,7 @@ class Corruption : public ::testing::Test {
       for (std::size_t place = 0;; ++place) {
         LogParts parts = (*specimens_)[i].parts;
         if (!damage(parts, place)) break;
-        // Two ends of legs in a row, exchanged, are the same log.
+        // Two ends of segments in a row, exchanged, are the same log.
         if (parts.records == (*specimens_)[i].parts.records && parts.header == (*specimens_)[i].parts.header) continue;
         judge(name, i, put_together(parts));
       }

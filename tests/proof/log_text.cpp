@@ -20,7 +20,7 @@ std::uint32_t u32(const std::string& s, std::size_t at) {
 
 std::size_t record_size(std::uint8_t kind) {
   switch (static_cast<proof::Record>(kind)) {
-    case proof::Record::next_leg:
+    case proof::Record::next_segment:
     case proof::Record::free:
       return 1;
     case proof::Record::free_until:

@@ -17,7 +17,7 @@
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 #include "proof/header.hpp"
-#include "proof/proved_world.hpp"
+#include "proof/verifier_world.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/random_scenes.hpp"
@@ -343,7 +343,7 @@ TEST_F(DamagedSeparations, BytesMissingOrTwice) {
   }
 }
 
-/// Other numbers in what the log claims: a pair, a leg, a vertex, an edge, times.
+/// Other numbers in what the log claims: a pair, a segment, a vertex, an edge, times.
 TEST_F(DamagedSeparations, Claims) {
   Rng rng(5);
   for (const DamagedSpecimen& specimen : specimens()) {
@@ -404,12 +404,12 @@ TEST(SeparationLogs, BehindAnEndWheneverOnTheLine) {
     piece.y = {0.75, -4, 4};
     piece.rotation = AngleRotation{{rng.real(-0.2, 0.2), rng.real(-0.3, 0.3)}};
     scene.bodies[1].motion.pieces = {piece};
-    const proof::ProvedScene plan(scene);
-    proof::ProvedWorld world(plan, rng.chance(0.5));
-    const proof::ProvedPair& pair = world.pair(0, 1);
+    const proof::VerifierScene plan(scene);
+    proof::VerifierWorld world(plan, rng.chance(0.5));
+    const proof::VerifierPair& pair = world.pair(0, 1);
     const PairGeometry& g = pair.geometry;
     proof::Lifetimes lifetimes(g);
-    lifetimes.enter(pair.legs[0]);
+    lifetimes.enter(pair.segments[0]);
     // Which of the two bodies is P depends on their size, and rings begin at their smallest vertices.
     const double scale = std::ldexp(1.0, -3);
     const auto vertex_at = [&](double x, double y, bool of_p) {
@@ -421,7 +421,8 @@ TEST(SeparationLogs, BehindAnEndWheneverOnTheLine) {
     const proof::Incidence incidence{vertex_at(0, 0, true), vertex_at(1, 0, false)};
     const auto behind = [&](double t) { return from + along * t < 0 || from + along * t > 1; };
     const bool expected = behind(0.25) && behind(0.75);
-    EXPECT_EQ(proof::stays_aside(g, lifetimes, incidence, proof::Aside::behind_when_on_line, 0, Instant::exactly(1)),
+    EXPECT_EQ(proof::stays_separated(g, lifetimes, incidence, proof::SeparationReason::behind_when_on_line, 0,
+                                     Instant::exactly(1)),
               expected)
         << from << ' ' << along;
     ++seen[expected];
@@ -450,13 +451,13 @@ TEST(SeparationLogs, AreShortBesideAnInfiniteSpeed) {
 /// Two bars in the shape of a plus: no vertex is on an edge, or inside the other body, and still they overlap. A log of
 /// all that separations can say of them is not a proof.
 std::string log_without_incidences(const Scene& scene, Touch touch) {
-  const proof::ProvedScene plan(scene);
-  proof::ProvedWorld world(plan, touch == Touch::open);
-  const proof::ProvedPair& pair = world.pair(0, 1);
+  const proof::VerifierScene plan(scene);
+  proof::VerifierWorld world(plan, touch == Touch::open);
+  const proof::VerifierPair& pair = world.pair(0, 1);
   std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);
-  for (const proof::LegStretch& stretch : proof::stretches(pair.legs, {scene.start, scene.end, true})) {
-    lifetimes.enter(pair.legs[stretch.leg]);
+  for (const proof::SegmentStretch& stretch : proof::stretches(pair.segments, {scene.start, scene.end, true})) {
+    lifetimes.enter(pair.segments[stretch.segment]);
     ApartWriter(pair.ranges, lifetimes, std::nullopt, steps).write(stretch.from, stretch.to);
   }
   std::ostringstream log;

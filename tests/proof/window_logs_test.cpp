@@ -9,11 +9,11 @@
 #include <map>
 #include <sstream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "log_text.hpp"
 #include "proof/header.hpp"
 #include "proof/open_pairs.hpp"
-#include "proof/proved_world.hpp"
+#include "proof/verifier_world.hpp"
 #include "support/effort.hpp"
 #include "support/large_world.hpp"
 #include "support/rng.hpp"
@@ -35,7 +35,7 @@ struct BoxedLog {
 
 /// Where the first window with boxes has them, in a log of a claim that nothing is said about.
 void find_boxes(BoxedLog& log) {
-  const proof::ProvedScene scene(log.scene);
+  const proof::VerifierScene scene(log.scene);
   std::size_t at = before_windows;
   while (log.log[at] == 0) ++at;
   log.window = at++;
@@ -167,7 +167,7 @@ TEST(ForgedWindows, BodiesThatLeaveTheirBoxes) {
   for (std::uint64_t seed = 500; forged < static_cast<int>(effort(20)); ++seed) {
     const Scene scene = scene_of(large_world(seed).world);
     if (check(scene).outcome != Outcome::contact) continue;
-    const proof::ProvedScene proved(scene);
+    const proof::VerifierScene proved(scene);
     const WorldPlan plan(scene);
     std::ostringstream log;
     proof::ByteWriter out(log);
@@ -223,7 +223,7 @@ TEST(ForgedWindows, OfMoreBodiesThanBytes) {
   // All pairs would be eight million.
   EXPECT_LT(work_spent() - before, 400000u);
   std::istringstream again(log.str());
-  const InterruptionScope limit(std::uint64_t{1000});
+  const Budget limit(std::uint64_t{1000});
   EXPECT_THROW(verify(scene, again), Interrupted);
 }
 

@@ -1,9 +1,9 @@
-// What it costs to verify a log: not the legs times the corners.
+// What it costs to verify a log: not the segments times the corners.
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "generators/generators.hpp"
 #include "taut/proof.hpp"
 
@@ -37,7 +37,7 @@ CheckOptions by_kinetic() {
 }
 
 struct Work {
-  std::uint64_t points = 0, legs_times_corners = 0;
+  std::uint64_t points = 0, segments_times_corners = 0;
 };
 
 /// Interruption points passed until the log is accepted: each look at a corner passes at least one.
@@ -47,10 +47,10 @@ Work work_of(int teeth, int pieces) {
   const Answer answer = prove(scene, log, by_kinetic());
   EXPECT_EQ(answer.outcome, Outcome::free);
   Work work;
-  work.legs_times_corners = answer.certificates_initial * static_cast<std::uint64_t>(pieces);
+  work.segments_times_corners = answer.certificates_initial * static_cast<std::uint64_t>(pieces);
   for (work.points = 1 << 12;; work.points *= 2) {
     try {
-      const InterruptionScope scope(work.points);
+      const Budget scope(work.points);
       std::istringstream in(log.str());
       EXPECT_EQ(verify(scene, in).outcome, Outcome::free);
       return work;
@@ -61,9 +61,9 @@ Work work_of(int teeth, int pieces) {
 
 TEST(WorkOfVerification, GrowsWithTheSceneAndTheLog) {
   const Work small = work_of(100, 500), large = work_of(400, 2000);
-  EXPECT_GT(large.legs_times_corners, 15 * small.legs_times_corners);
+  EXPECT_GT(large.segments_times_corners, 15 * small.segments_times_corners);
   EXPECT_LE(large.points, 8 * small.points);
-  EXPECT_LT(large.points, large.legs_times_corners / 4);
+  EXPECT_LT(large.points, large.segments_times_corners / 4);
 }
 
 TEST(WorkOfVerification, EndsWhereALimitSays) {
@@ -71,7 +71,7 @@ TEST(WorkOfVerification, EndsWhereALimitSays) {
   std::ostringstream log;
   prove(scene, log, by_kinetic());
   std::istringstream in(log.str());
-  const InterruptionScope scope(std::uint64_t{1000});
+  const Budget scope(std::uint64_t{1000});
   EXPECT_THROW(verify(scene, in), Interrupted);
 }
 

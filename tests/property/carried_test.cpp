@@ -1,6 +1,6 @@
 // A motion shared between a body and its parent: where a body is depends on the product of the two poses alone, so that
 // any way of dividing one motion into two, without rounding, has the same answer. What is about a singular end of a
-// plain leg has an oracle of its own; this holds chains against it.
+// plain segment has an oracle of its own; this holds chains against it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

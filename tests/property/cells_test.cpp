@@ -35,9 +35,9 @@ double cell_to_segment(double x, double y, const Complex& a, const Complex& b) {
   return inside ? 0 : least;
 }
 
-bool inside_part(const PosedPart& part, const Complex& p) {
+bool inside_part(const PartAtPose& part, const Complex& p) {
   bool inside = false;
-  for (const PosedRing& ring : part) {
+  for (const RingAtPose& ring : part) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Complex &a = ring[k], &b = ring[(k + 1) % ring.size()];
       if ((a.imag() > p.imag()) != (b.imag() > p.imag()) &&
@@ -49,12 +49,12 @@ bool inside_part(const PosedPart& part, const Complex& p) {
 }
 
 /// How far a cell is from the body; coordinates are in cells.
-double cell_to_body(const std::array<int, 2>& cell, const PosedBody& body) {
+double cell_to_body(const std::array<int, 2>& cell, const BodyAtPose& body) {
   const double x = cell[0], y = cell[1];
   double least = INFINITY;
-  for (const PosedPart& part : body) {
+  for (const PartAtPose& part : body) {
     if (inside_part(part, {x + 0.5, y + 0.5})) return 0;
-    for (const PosedRing& ring : part) {
+    for (const RingAtPose& ring : part) {
       for (std::size_t k = 0; k < ring.size(); ++k)
         least = std::min(least, cell_to_segment(x, y, ring[k], ring[(k + 1) % ring.size()]));
     }
@@ -62,10 +62,10 @@ double cell_to_body(const std::array<int, 2>& cell, const PosedBody& body) {
   return least;
 }
 
-PosedBody in_cells(const MadeWorld& world, int body, double t, double resolution, const Point& origin) {
-  PosedBody posed = testing::posed(world, body, t);
-  for (PosedPart& part : posed) {
-    for (PosedRing& ring : part) {
+BodyAtPose in_cells(const MadeWorld& world, int body, double t, double resolution, const Point& origin) {
+  BodyAtPose posed = testing::posed(world, body, t);
+  for (PartAtPose& part : posed) {
+    for (RingAtPose& ring : part) {
       for (Complex& p : ring) p = (p - Complex(origin.x, origin.y)) / resolution;
     }
   }
@@ -73,8 +73,8 @@ PosedBody in_cells(const MadeWorld& world, int body, double t, double resolution
 }
 
 /// Cells around the body at one pose that it certainly touches: a little less than touching counts.
-void add_touched(const PosedBody& body, CellSet& all) {
-  for (const PosedPart& part : body) {
+void add_touched(const BodyAtPose& body, CellSet& all) {
+  for (const PartAtPose& part : body) {
     int i0 = 1 << 30, i1 = -i0, j0 = i0, j1 = -i0;
     for (const Complex& p : part[0]) {
       i0 = std::min(i0, static_cast<int>(std::floor(p.real())));
@@ -122,7 +122,7 @@ TEST(Cells, AsTenThousandPosesSay) {
     constexpr int poses = 10000;
     std::vector<double> nearest(covered.cells.size(), INFINITY);
     for (int k = 0; k <= poses; ++k) {
-      const PosedBody at = in_cells(world, body, world.end * k / poses, options.resolution, options.origin);
+      const BodyAtPose at = in_cells(world, body, world.end * k / poses, options.resolution, options.origin);
       add_touched(at, touched);
       if (k % 50 != 0) continue;
       for (std::size_t c = 0; c < covered.cells.size(); ++c) {

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/pieces.hpp"
 #include "pair/validate_world.hpp"
 #include "search/near_pairs.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/run.hpp"
-#include "search/pair_engines.hpp"
+#include "search/portfolio_solver.hpp"
 #include "soak/soak_scene.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"

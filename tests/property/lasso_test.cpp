@@ -172,8 +172,8 @@ TEST(Lasso, GivesTheRootEdgesInAllStates) {
         const double t = scene.start + (scene.end - scene.start) * sample / 6;
         while (session.step(t)) {
         }
-        if (session.finished() || session.engine().leg().bridge) break;
-        const Placement placement(session.engine().geometry(), session.engine().leg(), t);
+        if (session.finished() || session.engine().segment().bridge) break;
+        const Placement placement(session.engine().geometry(), session.engine().segment(), t);
         FreeTriangulation triangulation;
         ASSERT_FALSE(triangulate_free_space(placement, triangulation));
         const StaticTiling tiling = build_tiling(placement);

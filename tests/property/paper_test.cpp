@@ -267,7 +267,7 @@ TEST(Paper, ScenesOfTheFiguresHaveTheirEvents) {
     const double t = scene.start + (scene.end - scene.start) * k / 100;
     while (session.step(t)) {
     }
-    const Placement placement(session.engine().geometry(), session.engine().leg(), session.engine().parameter());
+    const Placement placement(session.engine().geometry(), session.engine().segment(), session.engine().parameter());
     const StaticTiling fresh = build_tiling(placement);
     EXPECT_EQ(difference(session.engine().map(), fresh.map), "");
     states.insert(to_string(fresh.root));

@@ -11,8 +11,8 @@
 #include "geometry/prepared_shape.hpp"
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "support/effort.hpp"
 #include "support/made_world.hpp"
 #include "support/prepared_scene.hpp"
@@ -39,15 +39,15 @@ struct JoinCounts {
 /// Compares the tilings joined and from scratch at some instants of a scene with one piece of motion a body.
 void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCounts& counts) {
   const PairPlan plan = plan_pair(scene);
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   for (const bool inwards : {true, false}) {
     const PairGeometry geometry = displaced_pair(plan, inwards);
     const auto p = tile_shape(geometry.p(), node::p_tree);
     const auto q = tile_shape(geometry.q(), node::q_tree);
     ASSERT_TRUE(p && q);
     for (int i = 0; i < instants; ++i) {
-      const double t = legs[0].start + (legs[0].end - legs[0].start) * (i + 0.5) / instants;
-      const Placement placement(geometry, legs[0], t);
+      const double t = segments[0].start + (segments[0].end - segments[0].start) * (i + 0.5) / instants;
+      const Placement placement(geometry, segments[0], t);
       const StaticTiling fresh = build_tiling(placement);
       const auto joined = join_tilings(placement, *p, *q, in_any_case);
       if (fresh.overlap) {

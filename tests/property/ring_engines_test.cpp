@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "geometry/hull.hpp"
-#include "search/pair_search.hpp"
+#include "search/pair_instance.hpp"
 #include "support/audit.hpp"
 #include "support/cavity_scenes.hpp"
 #include "support/effort.hpp"
@@ -23,16 +23,16 @@ struct RingCounts {
 
 /// By the second engine.
 void expect_other_engine_agrees(const WorldPlan& world, bool inwards, const RingAudit& kinetic) {
-  const PairSearch pair(world, 0, 1, inwards);
-  if (spacetime::overlapping(pair.geometry, pair.trees(), pair.legs()[0], world.start())) {
+  const PairInstance pair(world, 0, 1, inwards);
+  if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start())) {
     EXPECT_EQ(kinetic.outcome, Outcome::overlap_at_start);
     return;
   }
-  const spacetime::SpacetimeResult other = spacetime::first_contact(pair.geometry, pair.trees(), pair.legs());
+  const spacetime::SpacetimeResult other = spacetime::first_contact(pair.geometry, pair.trees(), pair.segments());
   ASSERT_NE(other.outcome, spacetime::SpacetimeResult::undecided) << other.reason;
   ASSERT_EQ(kinetic.outcome == Outcome::contact, other.outcome == spacetime::SpacetimeResult::contact);
   if (!kinetic.found) return;
-  EXPECT_EQ(kinetic.found->leg, other.leg);
+  EXPECT_EQ(kinetic.found->segment, other.segment);
   EXPECT_EQ(kinetic.found->contact.vertex, other.found.vertex);
   EXPECT_EQ(kinetic.found->contact.edge, other.found.edge);
   EXPECT_LE(kinetic.found->contact.lo, other.found.hi);

@@ -23,7 +23,7 @@ namespace {
 using proof::EdgeRange;
 using proof::EdgeRanges;
 using proof::MotionWindow;
-using proof::Sight;
+using proof::WindowModel;
 
 /// Is the point in the rectangle? Exactly: the rectangle's directions need not be unit vectors.
 bool contains(const EdgeRange& r, const DisplacedPoint& p) {
@@ -85,9 +85,9 @@ ExactVectorBall operator*(const ExactVectorBall& a, const ExactVectorBall& b) {
 ExactVectorBall operator+(const ExactVectorBall& a, const ExactVectorBall& b) { return {a.x + b.x, a.y + b.y}; }
 ExactVectorBall operator-(const ExactVectorBall& a, const ExactVectorBall& b) { return {a.x - b.x, a.y - b.y}; }
 ExactVectorBall exactly(Vector v) { return {Exact::exact(v.x), Exact::exact(v.y)}; }
-ExactVectorBall with_offset(const Leg& leg, bool of_p, Vector v) {
+ExactVectorBall with_offset(const MotionSegment& segment, bool of_p, Vector v) {
   ExactVectorBall r = exactly(v);
-  add_offset(leg, of_p, r.x, r.y);
+  add_offset(segment, of_p, r.x, r.y);
   return r;
 }
 
@@ -96,9 +96,10 @@ double size_of(const ExactVectorBall& v) {
   return std::fabs(v.x.mid.to_double()) + v.x.rad + std::fabs(v.y.mid.to_double()) + v.y.rad;
 }
 
-/// The law of a Sight for a moving point v and a fixed point a, at one instant.
-void expect_law(const Leg& leg, const Sight& sight, bool from_p, double middle, double t, Vector v, Vector a) {
-  const auto [pp, qq] = frame_values(leg, Exact::exact(t));
+/// The law of a WindowModel for a moving point v and a fixed point a, at one instant.
+void expect_law(const MotionSegment& segment, const WindowModel& model, bool from_p, double middle, double t, Vector v,
+                Vector a) {
+  const auto [pp, qq] = frame_values(segment, Exact::exact(t));
   const auto& f = from_p ? pp : qq;
   ExactVectorBall shift{f[1], f[2]}, turn{f[3], f[4]};
   if (!from_p) {
@@ -107,43 +108,44 @@ void expect_law(const Leg& leg, const Sight& sight, bool from_p, double middle, 
   }
   const ExactVectorBall scale{f[0], Exact::exact(0)};
   // Relative to the fixed point, as both are.
-  const ExactVectorBall truly = shift + turn * with_offset(leg, !from_p, v) - scale * with_offset(leg, from_p, a);
+  const ExactVectorBall truly =
+      shift + turn * with_offset(segment, !from_p, v) - scale * with_offset(segment, from_p, a);
   const Exact h = Exact::exact(t) - Exact::exact(middle);
   const ExactVectorBall by{h, Exact::exact(0)}, half_square{h * h * 0.5, Exact::exact(0)};
-  const auto second_order = [&](Vector value, Vector rate, Vector bend) {
-    return exactly(value) + by * exactly(rate) + half_square * exactly(bend);
+  const auto second_order = [&](Vector value, Vector rate, Vector second) {
+    return exactly(value) + by * exactly(rate) + half_square * exactly(second);
   };
-  const ExactVectorBall said = second_order(sight.shift, sight.shift_rate, sight.shift_bend) +
-                               second_order(sight.turn, sight.turn_rate, sight.turn_bend) * exactly(v) - exactly(a);
-  const double allowed = sight.shift_error + sight.turn_error * l1_norm(v) + sight.scale_error * l1_norm(a) +
-                         0x1p-44 * (sight.size * (1 + l1_norm(v)) + l1_norm(a));
+  const ExactVectorBall said = second_order(model.shift, model.shift_rate, model.shift_second) +
+                               second_order(model.turn, model.turn_rate, model.turn_second) * exactly(v) - exactly(a);
+  const double allowed = model.shift_error + model.turn_error * l1_norm(v) + model.scale_error * l1_norm(a) +
+                         0x1p-44 * (model.size * (1 + l1_norm(v)) + l1_norm(a));
   if (!std::isfinite(allowed)) return;
   EXPECT_LE(size_of(truly - said), allowed * (1 + 0x1p-30)) << "at " << t;
 }
 
-void expect_window_contains(const Leg& leg, const MotionWindow& window, Rng& rng) {
+void expect_window_contains(const MotionSegment& segment, const MotionWindow& window, Rng& rng) {
   const double from = window.from(), to = window.to(), middle = from + (to - from) / 2;
   for (const double t : {from, to, middle, from + rng.real(0, 1) * (to - from)}) {
     if (t < from || t > to) continue;
     const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, a{rng.real(-1, 1), rng.real(-1, 1)};
-    expect_law(leg, window.from_p(), true, middle, t, v, a);
-    expect_law(leg, window.from_q(), false, middle, t, v, a);
+    expect_law(segment, window.from_p(), true, middle, t, v, a);
+    expect_law(segment, window.from_q(), false, middle, t, v, a);
   }
 }
 
 /// By itself, and by the model of one that is longer.
-void expect_windows_contain(const Legs& legs, Rng& rng) {
-  for (const Leg& leg : legs) {
+void expect_windows_contain(const MotionSegments& segments, Rng& rng) {
+  for (const MotionSegment& segment : segments) {
     for (int i = 0; i < 6; ++i) {
-      const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(30));
-      const double from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length),
-                   to = std::min(leg.end, from + length);
-      if (!(from >= leg.start && from <= to)) continue;
-      expect_window_contains(leg, MotionWindow(leg, from, to), rng);
-      if (leg.bridge) continue;
-      const double before = std::max(leg.start, from - rng.real(0, 1) * length),
-                   after = std::min(leg.end, to + rng.real(0, 1) * length);
-      expect_window_contains(leg, MotionWindow(leg, FrameModel::over(leg, before, after), from, to), rng);
+      const double length = (segment.end - segment.start) * std::ldexp(1.0, -rng.below(30));
+      const double from = segment.start + rng.real(0, 1) * (segment.end - segment.start - length),
+                   to = std::min(segment.end, from + length);
+      if (!(from >= segment.start && from <= to)) continue;
+      expect_window_contains(segment, MotionWindow(segment, from, to), rng);
+      if (segment.bridge) continue;
+      const double before = std::max(segment.start, from - rng.real(0, 1) * length),
+                   after = std::min(segment.end, to + rng.real(0, 1) * length);
+      expect_window_contains(segment, MotionWindow(segment, FrameModel::over(segment, before, after), from, to), rng);
     }
   }
 }
@@ -158,7 +160,7 @@ TEST(SeparationLaws, WindowsContainTheMotion) {
                                       : random_scene(seed, all_families[seed % std::size(all_families)], options);
     const WorldPlan plan(scene);
     for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); a += 2)
-      expect_windows_contain(plan.legs(plan.pair(a, a + 1)), rng);
+      expect_windows_contain(plan.segments(plan.pair(a, a + 1)), rng);
   }
 }
 
@@ -173,7 +175,7 @@ TEST(SeparationLaws, SweptBoxesContainTheBodies) {
       const double from = rng.real(0, world.end), to = rng.chance(0.2) ? world.end : rng.real(from, world.end);
       const SweptBox box = swept_box(plan.bodies()[i], from, to);
       for (int k = 0; k <= 8; ++k) {
-        for (const PosedPart& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
+        for (const PartAtPose& part : posed(world, static_cast<int>(i), from + (to - from) * k / 8)) {
           for (const Complex& p : part[0]) {
             const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
             ASSERT_TRUE(x >= box.lo_x - rounding && x <= box.hi_x + rounding);
@@ -195,7 +197,7 @@ TEST(SeparationLaws, StatedBoxesContainTheBodies) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const MadeWorld world = random_world(seed);
-    const proof::ProvedScene scene(scene_of(world));
+    const proof::VerifierScene scene(scene_of(world));
     const double scale = std::ldexp(1.0, scene.exponent());
     for (int i = 0; i < scene.size(); ++i) {
       if (scene[i].rests()) continue;
@@ -207,7 +209,7 @@ TEST(SeparationLaws, StatedBoxesContainTheBodies) {
       EXPECT_TRUE(proof::stays_within(scene[i], {from, to, false}, proof::box_room, cut));
       double right = -INFINITY;
       for (int k = 0; k <= 8; ++k) {
-        for (const PosedPart& part : posed(world, i, from + (to - from) * k / 8)) {
+        for (const PartAtPose& part : posed(world, i, from + (to - from) * k / 8)) {
           for (const Complex& p : part[0]) {
             const double x = p.real() * scale, y = p.imag() * scale, rounding = 1e-12;
             ASSERT_TRUE(x >= box->lo_x - rounding && x <= box->hi_x + rounding);
@@ -236,15 +238,15 @@ TEST(SeparationLaws, DirectionsSeparate) {
     for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); ++a) {
       const PairPlan pair = plan.pair(a, a + 1);
       const EdgeRanges p(*pair.rings[0]->displaced(true)), q(*pair.rings[1]->displaced(true));
-      for (const Leg& leg : plan.legs(pair)) {
-        if (leg.bridge) continue;
-        const double length = (leg.end - leg.start) / 16, from = rng.real(leg.start, leg.end - length);
-        if (!proof::separating_step(MotionWindow(leg, from, from + length), p[EdgeRanges::all], q[EdgeRanges::all]))
+      for (const MotionSegment& segment : plan.segments(pair)) {
+        if (segment.bridge) continue;
+        const double length = (segment.end - segment.start) / 16, from = rng.real(segment.start, segment.end - length);
+        if (!proof::separating_step(MotionWindow(segment, from, from + length), p[EdgeRanges::all], q[EdgeRanges::all]))
           continue;
         ++separated;
         for (int k = 0; k <= 4; ++k) {
           const double t = from + length * k / 4;
-          const PosedBody first = posed(world, a, t), second = posed(world, a + 1, t);
+          const BodyAtPose first = posed(world, a, t), second = posed(world, a + 1, t);
           EXPECT_FALSE(overlap_clearly(first, second, 1e-9 / scale));
         }
       }
@@ -253,11 +255,11 @@ TEST(SeparationLaws, DirectionsSeparate) {
   EXPECT_GE(separated, static_cast<int>(enough(100)));
 }
 
-/// Somewhere on the leg, of any length down to a thousandth.
-MotionWindow random_window(const Leg& leg, Rng& rng) {
-  const double length = (leg.end - leg.start) * std::ldexp(1.0, -rng.below(11)),
-               from = leg.start + rng.real(0, 1) * (leg.end - leg.start - length);
-  return {leg, from, std::min(leg.end, from + length)};
+/// Somewhere on the segment, of any length down to a thousandth.
+MotionWindow random_window(const MotionSegment& segment, Rng& rng) {
+  const double length = (segment.end - segment.start) * std::ldexp(1.0, -rng.below(11)),
+               from = segment.start + rng.real(0, 1) * (segment.end - segment.start - length);
+  return {segment, from, std::min(segment.end, from + length)};
 }
 
 /// A reason why a vertex is not on an edge that windows give holds at every instant, by the exact form; where they say
@@ -271,21 +273,21 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
     const PairPlan pair = plan.pair(0, 1);
     const PairGeometry g = displaced_pair(pair, seed % 2 == 0);
     const std::uint32_t nq = g.size() - g.np;
-    for (const Leg& leg : plan.legs(pair)) {
-      const MotionWindow window = random_window(leg, rng);
+    for (const MotionSegment& segment : plan.segments(pair)) {
+      const MotionWindow window = random_window(segment, rng);
       const double from = window.from(), to = window.to();
       for (int i = 0; i < 20; ++i) {
         const VertexId p(rng.below(g.np)), q(g.np + rng.below(nq));
         const proof::Incidence incidence = i % 2 == 0 ? proof::Incidence{q, p} : proof::Incidence{p, q};
-        const auto why = static_cast<proof::Aside>(rng.below(4));
-        const proof::SeenAside seen = stays_aside_in_window(g, incidence, why, window);
-        if (seen != proof::SeenAside::yes && seen != proof::SeenAside::no) continue;
-        const bool said = seen == proof::SeenAside::yes;
-        const proof::KeptForm kept = kept_forms(g, incidence, why).forms[0];
-        const PreciseTriple form(leg, g, kept.form);
+        const auto why = static_cast<proof::SeparationReason>(rng.below(4));
+        const proof::SeparationInWindow seen = stays_separated_in_window(g, incidence, why, window);
+        if (seen != proof::SeparationInWindow::yes && seen != proof::SeparationInWindow::no) continue;
+        const bool said = seen == proof::SeparationInWindow::yes;
+        const proof::KeptFunction kept = kept_functions(g, incidence, why).functions[0];
+        const PreciseTriple function(segment, g, kept.function);
         const auto holds_at = [&](double t) {
           PreciseTime at = PreciseTime::between(t, t);
-          return form.sign_at(at, Stage::precise) == kept.sign;
+          return function.sign_at(at, Stage::precise) == kept.sign;
         };
         ++(said ? yes : no);
         for (int k = 0; said && k <= 4; ++k) ASSERT_TRUE(holds_at(std::min(to, from + (to - from) * k / 4)));
@@ -301,14 +303,14 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
 /// Where a point of Q is in P's frame at some instants of a window.
 class SampledPath {
  public:
-  SampledPath(const Leg& leg, double from, double to) {
+  SampledPath(const MotionSegment& segment, double from, double to) {
     for (int k = 0; k <= samples; ++k) {
-      const auto frames = frame_values(leg, Ball<double>::exact(std::min(to, from + (to - from) * k / samples)));
+      const auto frames = frame_values(segment, Ball<double>::exact(std::min(to, from + (to - from) * k / samples)));
       const auto& f = frames.for_pp;
       poses_.push_back({{f[1].mid, f[2].mid}, {f[3].mid, f[4].mid}});
     }
-    own_ = {leg.offset_q.x, leg.offset_q.y};
-    base_ = {leg.offset_p.x, leg.offset_p.y};
+    own_ = {segment.offset_q.x, segment.offset_q.y};
+    base_ = {segment.offset_p.x, segment.offset_p.y};
   }
   /// The least and the greatest that the products with n are, of any of these points.
   std::pair<double, double> extent(Vector n, const std::vector<Vector>& points) const {
@@ -332,13 +334,14 @@ Vector unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// P with an edge of which a vertex stays aside, for that reason, as long as it is beyond `level` in direction n; and Q
 /// with that vertex.
-PairGeometry pair_with_edge(Vector n, double level, double length, proof::Aside why, Vector v) {
+PairGeometry pair_with_edge(Vector n, double level, double length, proof::SeparationReason why, Vector v) {
   const Vector from{n.x * level, n.y * level}, along{n.x * length, n.y * length};
-  const Vector edge = why == proof::Aside::left           ? -turned(along)
-                      : why == proof::Aside::right        ? turned(along)
-                      : why == proof::Aside::behind_first ? -along
-                                                          : along;
-  const Vector a = why == proof::Aside::behind_second ? from - edge : from, b = a + edge, c = a + turned(edge);
+  const Vector edge = why == proof::SeparationReason::left           ? -turned(along)
+                      : why == proof::SeparationReason::right        ? turned(along)
+                      : why == proof::SeparationReason::behind_first ? -along
+                                                                     : along;
+  const Vector a = why == proof::SeparationReason::behind_second ? from - edge : from, b = a + edge,
+               c = a + turned(edge);
   const auto point = [](Vector p) { return DisplacedPoint{p.x, p.y, 0, 0}; };
   return {std::vector{point(a), point(b), point(c)},
           std::vector{point(v), point(v + Vector{0.5, 0}), point(v + Vector{0, 0.5})}};
@@ -352,18 +355,18 @@ TEST(SeparationLaws, WindowsSeeWhatWaysComeTo) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const WorldPlan plan(scene_of(random_world(seed)));
-    for (const Leg& leg : plan.legs(plan.pair(0, 1))) {
-      if (leg.bridge) continue;
+    for (const MotionSegment& segment : plan.segments(plan.pair(0, 1))) {
+      if (segment.bridge) continue;
       for (int i = 0; i < 30; ++i) {
-        const MotionWindow window = random_window(leg, rng);
-        const SampledPath path(leg, window.from(), window.to());
+        const MotionWindow window = random_window(segment, rng);
+        const SampledPath path(segment, window.from(), window.to());
         const Vector v{rng.real(-1, 1), rng.real(-1, 1)}, n = unit(rng.real(0, 7));
-        const auto why = static_cast<proof::Aside>(rng.below(4));
+        const auto why = static_cast<proof::SeparationReason>(rng.below(4));
         const auto [low, high] = path.extent(n, {v});
         const double rounding = 1e-10 * (1 + std::fabs(low)), room = 0.2 * (high - low) + rounding;
         const auto stays_beyond = [&](double level) {
-          return stays_aside_in_window(pair_with_edge(n, level, rng.real(0.1, 1), why, v), {VertexId(3), VertexId(0)},
-                                       why, window) == proof::SeenAside::yes;
+          return stays_separated_in_window(pair_with_edge(n, level, rng.real(0.1, 1), why, v),
+                                           {VertexId(3), VertexId(0)}, why, window) == proof::SeparationInWindow::yes;
         };
         ASSERT_FALSE(stays_beyond(low + rounding));
         EdgeRange p, q;

@@ -6,8 +6,8 @@
 
 #include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "spacetime/first_contact.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
@@ -29,9 +29,9 @@ bool same(const Ref& f, int body, int index) {
 }
 
 /// The enclosures overlap, or nearly; and where they are those of one pair, it is the same pair.
-void compare_contacts(const PairPlan& plan, const PairGeometry& g, const Leg& leg, const SpacetimeResult& second,
-                      const Contact& first, Counts& counts) {
-  const double lo = leg.time(second.lo), hi = leg.time(second.found.hi);
+void compare_contacts(const PairPlan& plan, const PairGeometry& g, const MotionSegment& segment,
+                      const SpacetimeResult& second, const Contact& first, Counts& counts) {
+  const double lo = segment.time(second.lo), hi = segment.time(second.found.hi);
   const double scale = std::max(1.0, std::fabs(hi));
   EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
   EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
@@ -51,15 +51,15 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   const Answer first = check(scene, options);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, touch == Touch::open);
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
-  if (spacetime::overlapping(geometry, legs[0], scene.start)) {
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  if (spacetime::overlapping(geometry, segments[0], scene.start)) {
     ++counts.overlap;
     const bool at_start = first.contact && first.contact->time.hi == scene.start;
     EXPECT_TRUE(first.outcome == Outcome::overlap_at_start || (touch == Touch::closed && at_start));
     return;
   }
   const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);
-  const SpacetimeResult second = spacetime::first_contact(geometry, {p, q}, legs);
+  const SpacetimeResult second = spacetime::first_contact(geometry, {p, q}, segments);
   if (first.outcome == Outcome::free) {
     ++counts.free;
     EXPECT_EQ(second.outcome, SpacetimeResult::free);
@@ -68,7 +68,7 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   ASSERT_EQ(first.outcome, Outcome::contact);
   ++counts.contact;
   ASSERT_EQ(second.outcome, SpacetimeResult::contact) << "kinetic: contact at " << first.contact->time.lo;
-  compare_contacts(plan, geometry, legs[second.leg], second, *first.contact, counts);
+  compare_contacts(plan, geometry, segments[second.segment], second, *first.contact, counts);
 }
 
 TEST(SpacetimeKinetic, RandomScenesOfAllFamilies) {

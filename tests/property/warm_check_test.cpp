@@ -65,7 +65,7 @@ void compare_map(const Scene& scene, Touch touch, NearStart& near, WarmCounts& c
   const Engine& engine = session.engine();
   EXPECT_EQ(engine.events(), 0u);
   EXPECT_EQ(engine.time(), scene.start);
-  const Placement placement(engine.geometry(), engine.leg(), scene.start);
+  const Placement placement(engine.geometry(), engine.segment(), scene.start);
   const StaticTiling fresh = build_tiling(placement);
   ASSERT_FALSE(fresh.overlap);
   ++counts.roots[to_string(fresh.root)];

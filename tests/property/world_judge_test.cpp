@@ -57,11 +57,11 @@ TEST(WorldJudge, KnowsWrongHeadlines) {
   CheckOptions options;
   options.all_pairs = true;
   Answer answer = check(scene_of(passing_bars()), options);
-  EXPECT_EQ(headline_fault(answer, *answer.pairs), "");
+  EXPECT_EQ(earliest_fault(answer, *answer.pairs), "");
   answer.contact->time.lo += 1e-6;
-  EXPECT_NE(headline_fault(answer, *answer.pairs), "");
+  EXPECT_NE(earliest_fault(answer, *answer.pairs), "");
   answer.outcome = Outcome::free;
-  EXPECT_NE(headline_fault(answer, *answer.pairs), "");
+  EXPECT_NE(earliest_fault(answer, *answer.pairs), "");
 }
 
 TEST(WorldJudge, KnowsWrongIntervalsAndCurves) {

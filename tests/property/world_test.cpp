@@ -51,8 +51,8 @@ struct WorldCounts {
   int free = 0, contact = 0, overlap = 0, entered = 0;
 };
 
-Complex vertex_at(const PosedBody& body, int part, int ring, int index) {
-  const PosedRing& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
+Complex vertex_at(const BodyAtPose& body, int part, int ring, int index) {
+  const RingAtPose& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
@@ -61,7 +61,7 @@ void expect_witness(const MadeWorld& world, const std::array<BodyId, 2>& pair, c
   const int v = contact.vertex.body, e = contact.edge.body;
   EXPECT_TRUE((v == pair[0] && e == pair[1]) || (v == pair[1] && e == pair[0]));
   const double t = contact.time.lo + (contact.time.hi - contact.time.lo) / 2;
-  const PosedBody vertex = posed(world, v, t), edge = posed(world, e, t);
+  const BodyAtPose vertex = posed(world, v, t), edge = posed(world, e, t);
   const VertexRef& at = contact.vertex;
   const EdgeRef& on = contact.edge;
   const double distance =
@@ -75,7 +75,7 @@ void expect_apart_before(const MadeWorld& world, const PairAnswer& pair, WorldCo
   const int a = pair.bodies[0], b = pair.bodies[1];
   if (pair.outcome == Outcome::overlap_at_start) {
     ++counts.overlap;
-    const PosedBody p = posed(world, a, 0), q = posed(world, b, 0);
+    const BodyAtPose p = posed(world, a, 0), q = posed(world, b, 0);
     EXPECT_TRUE(overlap_clearly(p, q, 0) || between_rings(p, q) < 1e-9);
     return;
   }
@@ -118,7 +118,7 @@ void expect_all_asked(const MadeWorld& world, const std::vector<PairAnswer>& pai
 }
 
 /// The world's answer is that of its first pair.
-void expect_headline(const Answer& headline, const std::vector<PairAnswer>& pairs) {
+void expect_earliest(const Answer& headline, const std::vector<PairAnswer>& pairs) {
   double first = INFINITY;
   bool overlap = false;
   for (const PairAnswer& pair : pairs) {
@@ -160,11 +160,11 @@ TEST(Worlds, AnswersFitTheDefinition) {
                    scene.bodies[static_cast<std::size_t>(pair.bodies[1])].name);
       expect_apart_before(world, pair, counts);
     }
-    expect_headline(all, *all.pairs);
+    expect_earliest(all, *all.pairs);
     const Answer alone = answer_to(scene);
-    expect_headline(alone, *all.pairs);
+    expect_earliest(alone, *all.pairs);
     const Answer closed = answer_to(scene, Touch::closed, true);
-    expect_headline(closed, *closed.pairs);
+    expect_earliest(closed, *closed.pairs);
     ASSERT_EQ(closed.pairs->size(), all.pairs->size());
     for (std::size_t i = 0; i < all.pairs->size(); ++i) {
       const PairAnswer &loose = (*all.pairs)[i], &strict = (*closed.pairs)[i];
@@ -306,7 +306,7 @@ TEST(Worlds, TwoBodiesAsBothEnginesSay) {
   }
 }
 
-/// Legs around a centre, of two plain bodies: both engines, the definition, and a proof.
+/// Segments around a centre, of two plain bodies: both engines, the definition, and a proof.
 TEST(Worlds, ArcsOfTwoBodies) {
   WorldCounts counts;
   CheckOptions options;

@@ -59,7 +59,7 @@ void compare_world_contact(const Scene& scene, const json& want, Outcome outcome
 }
 
 /// The pair that comes first, and no other one, is named; so are those that come with it.
-void compare_headline_pair(const Scene& scene, const json& want, const Answer& got) {
+void compare_earliest_pair(const Scene& scene, const json& want, const Answer& got) {
   if (got.outcome == Outcome::free || scene.bodies.size() == 2) return;
   ASSERT_TRUE(got.pair);
   std::set<NamePair> right{pair_wanted(want["pair"])};
@@ -126,7 +126,7 @@ TEST(CertifiedWorlds, AllAnswersInBothTouchModes) {
           const Answer got = check(scene, options);
           const json& headline = want["check"][to_string(touch)];
           compare_world_contact(scene, headline, got.outcome, got.contact);
-          compare_headline_pair(scene, headline, got);
+          compare_earliest_pair(scene, headline, got);
           compare_coverage(scene, want["check"]["coverage"], got, all);
           EXPECT_EQ(got.pairs.has_value(), all);
           if (all) compare_all_pairs(scene, want["check"]["pairs"][to_string(touch)], got);

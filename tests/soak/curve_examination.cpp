@@ -72,8 +72,9 @@ Outline random_ring(CurveDice& dice) {
 
 MotionPiece random_way(CurveDice& dice, int kind) {
   MotionPiece piece;
-  const double angle = dice.within(0, 2 * curve_pi), aside = dice.within(-3.5, 3.5);
-  const Point from = on_circle(angle, 6), step = on_circle(angle, -1.2), off = on_circle(angle + curve_pi / 2, aside);
+  const double angle = dice.within(0, 2 * curve_pi), separated = dice.within(-3.5, 3.5);
+  const Point from = on_circle(angle, 6), step = on_circle(angle, -1.2),
+              off = on_circle(angle + curve_pi / 2, separated);
   piece.x = {from.x + off.x, step.x};
   piece.y = {from.y + off.y, step.y};
   if (kind > 0) piece.rotation = AngleRotation{{dice.within(0, 6), dice.within(-1, 1)}};
@@ -109,11 +110,11 @@ void add_arc_chords(const Point& from, const ArcTo& arc, double away, Polygon& o
 }
 
 void add_bezier_chords(const std::vector<Point>& p, double away, Polygon& out) {
-  double bend = 0;
+  double second = 0;
   for (std::size_t i = 0; i + 2 < p.size(); ++i)
-    bend = std::max(bend, std::hypot(p[i].x - 2 * p[i + 1].x + p[i + 2].x, p[i].y - 2 * p[i + 1].y + p[i + 2].y));
+    second = std::max(second, std::hypot(p[i].x - 2 * p[i + 1].x + p[i + 2].x, p[i].y - 2 * p[i + 1].y + p[i + 2].y));
   const auto degree = static_cast<double>(p.size() - 1);
-  const int n = chords_for(degree * (degree - 1) * bend, away);
+  const int n = chords_for(degree * (degree - 1) * second, away);
   for (int i = 1; i < n; ++i) {
     const double t = static_cast<double>(i) / n;
     std::vector<Point> q = p;
@@ -180,7 +181,7 @@ class CurveExamination {
     CheckOptions shrunk = options_;
     shrunk.fit = 2 * away_;
     const Answer deep = check(chords_, shrunk);
-    told_ = close.outcome != Outcome::undecided && deep.outcome != Outcome::undecided;
+    decided_ = close.outcome != Outcome::undecided && deep.outcome != Outcome::undecided;
     if (close.outcome == Outcome::overlap_at_start) bracket_.earliest = scene_.start;
     if (close.outcome == Outcome::contact) bracket_.earliest = close.first->time.lo;
     if (deep.outcome == Outcome::overlap_at_start) bracket_.latest = scene_.start;
@@ -188,7 +189,7 @@ class CurveExamination {
   }
 
   std::string first_contact(const Answer& answer) {
-    if (!told_) {
+    if (!decided_) {
       ++tally_.beyond;
       return {};
     }
@@ -222,8 +223,8 @@ class CurveExamination {
     CheckOptions mode = options_;
     if (number % 8 == 5) mode.touch = Touch::closed;
     const Answer answer = mode.touch == Touch::open ? open : check(scene_, mode);
-    const ChordBracket told = told_ ? bracket_ : ChordBracket{scene_.start, INFINITY};
-    return examine_curve_proof(scene_, answer, told, mode, number, tally_);
+    const ChordBracket decided = decided_ ? bracket_ : ChordBracket{scene_.start, INFINITY};
+    return examine_curve_proof(scene_, answer, decided, mode, number, tally_);
   }
 
   static bool apart(double lo, double hi, double other_lo, double other_hi) {
@@ -261,7 +262,7 @@ class CurveExamination {
   Scene chords_;
   Tally& tally_;
   CheckOptions options_;
-  bool told_ = false;
+  bool decided_ = false;
   ChordBracket bracket_;
 };
 

@@ -110,16 +110,16 @@ class WorldExamination {
   std::string pairs() {
     last_ = std::move(all_);
     all_ = answer_to(scene_, true);
-    headline_ = answer_to(scene_);
-    ++(headline_.outcome == Outcome::free      ? tally_.free
-       : headline_.outcome == Outcome::contact ? tally_.contact
+    earliest_ = answer_to(scene_);
+    ++(earliest_.outcome == Outcome::free      ? tally_.free
+       : earliest_.outcome == Outcome::contact ? tally_.contact
                                                : tally_.at_start);
     for (const PairAnswer& pair : *all_.pairs) {
       if (const std::string wrong = judge_.pair_fault(pair); !wrong.empty()) return named(pair.bodies, wrong);
       ++tally_.judged;
     }
-    if (const std::string wrong = headline_fault(all_, *all_.pairs); !wrong.empty()) return "all pairs: " + wrong;
-    return headline_fault(headline_, *all_.pairs);
+    if (const std::string wrong = earliest_fault(all_, *all_.pairs); !wrong.empty()) return "all pairs: " + wrong;
+    return earliest_fault(earliest_, *all_.pairs);
   }
 
   /// The kinetic engine against the other one, pair by pair, which throws where they differ.
@@ -140,7 +140,7 @@ class WorldExamination {
     options.engine = EngineChoice::kinetic;
     const Answer kinetic = check(scene_, options);
     if (kinetic.outcome == Outcome::undecided) return "the kinetic engine is undecided: " + kinetic.reason;
-    const std::string wrong = answer_difference(headline_, kinetic);
+    const std::string wrong = answer_difference(earliest_, kinetic);
     return wrong.empty() ? wrong : "the kinetic engine: " + wrong;
   }
 
@@ -155,20 +155,20 @@ class WorldExamination {
                       : simulation.state() == SimulationState::overlap_at_start ? Outcome::overlap_at_start
                                                                                 : Outcome::undecided;
     reached.contact = simulation.contact();
-    const std::string wrong = answer_difference(headline_, reached);
+    const std::string wrong = answer_difference(earliest_, reached);
     return wrong.empty() ? wrong : "simulated: " + wrong + " " + simulation.reason();
   }
 
   std::string proof() {
     std::ostringstream out;
     const Answer proved = prove(scene_, out, options_);
-    if (const std::string wrong = answer_difference(headline_, proved); !wrong.empty())
+    if (const std::string wrong = answer_difference(earliest_, proved); !wrong.empty())
       return "prove: " + wrong + (proved.reason.empty() ? "" : ", " + proved.reason);
     if (proved.outcome == Outcome::overlap_at_start) return {};
     std::istringstream in(out.str());
     const Verified v = verify(scene_, in);
-    if (v.outcome != headline_.outcome) return fmt::format("the log proves {}", to_string(v.outcome));
-    if (v.contact && !meet(v.contact->time, headline_.contact->time)) return "the log proves another time";
+    if (v.outcome != earliest_.outcome) return fmt::format("the log proves {}", to_string(v.outcome));
+    if (v.contact && !meet(v.contact->time, earliest_.contact->time)) return "the log proves another time";
     ++tally_.proofs;
     return {};
   }
@@ -199,10 +199,10 @@ class WorldExamination {
     CheckOptions options = options_;
     options.max_seconds = rng_.real(0, 1e-3);
     const Answer answer = check(scene_, options);
-    if (answer.outcome != Outcome::undecided && answer.outcome != headline_.outcome)
-      return fmt::format("stopped: {}, not {}", to_string(answer.outcome), to_string(headline_.outcome));
+    if (answer.outcome != Outcome::undecided && answer.outcome != earliest_.outcome)
+      return fmt::format("stopped: {}, not {}", to_string(answer.outcome), to_string(earliest_.outcome));
     if (answer.outcome == Outcome::undecided && answer.reason.empty()) return "stopped: undecided without a reason";
-    if (headline_.contact && answer.free_until > headline_.contact->time.hi) return "stopped: free beyond the contact";
+    if (earliest_.contact && answer.free_until > earliest_.contact->time.hi) return "stopped: free beyond the contact";
     const Intervals found = intervals(scene_, options);
     const bool all = found.outcome != Outcome::undecided;
     if (all != found.undecided.empty()) return "stopped: intervals are undecided, or not";
@@ -305,7 +305,7 @@ class WorldExamination {
     if (which == 4 && !alike) other = seen_from_a_moving_frame(rng_, world_);
     if (!other) return {};
     ++tally_.laws;
-    const std::string wrong = answer_difference(headline_, answer_to(scene_of(*other)));
+    const std::string wrong = answer_difference(earliest_, answer_to(scene_of(*other)));
     return wrong.empty() ? wrong : std::string(laws[which]) + ": " + wrong;
   }
 
@@ -371,7 +371,7 @@ class WorldExamination {
   Tally& tally_;
   WorldJudge judge_;
   CheckOptions options_;
-  Answer headline_, all_, last_;
+  Answer earliest_, all_, last_;
   Intervals intervals_;
   Clearance clearance_;
 };

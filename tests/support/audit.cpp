@@ -37,17 +37,17 @@ std::string compare_with_static(Session& session, AuditCounts& counts) {
 std::string compare_with_static(Engine& engine, double end, AuditCounts& counts) {
   if (engine.state() != EngineState::running) return {};
   const auto next = engine.next_event(end);
-  if (engine.leg().bridge) {
+  if (engine.segment().bridge) {
     ++counts.not_compared;
     return {};
   }
-  const double lo = engine.parameter(), hi = next ? next->first : engine.leg().end;
+  const double lo = engine.parameter(), hi = next ? next->first : engine.segment().end;
   const double t = lo + (hi - lo) / 2;
   if (!(lo < t && t < hi)) {
     ++counts.not_compared;
     return {};
   }
-  const Placement placement(engine.geometry(), engine.leg(), t);
+  const Placement placement(engine.geometry(), engine.segment(), t);
   const StaticTiling fresh = build_tiling(placement);
   if (fresh.overlap) return "overlap at t = " + std::to_string(t);
   if (const std::string fault = find_fault(fresh.map, placement); !fault.empty()) return "static map: " + fault;
@@ -143,7 +143,7 @@ RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditC
   guarded(result, [&] {
     const PairPlan plan = world.pair(a, b);
     const PairGeometry geometry = displaced_pair(plan, inwards);
-    RingEngines engines(plan, geometry, inwards, world.both_legs(plan, world.start()), &observer);
+    RingEngines engines(plan, geometry, inwards, world.both_segments(plan, world.start()), &observer);
     if (engines.overlap()) {
       result.outcome = Outcome::overlap_at_start;
       return;

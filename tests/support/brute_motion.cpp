@@ -140,7 +140,8 @@ FrameBounds BrutePiece::over(Real middle, Real half) const {
 }
 
 void BrutePiece::bound_rotation(Real middle, Real half, FrameBounds& b) const {
-  const RotationBounds r = std::visit([&](const auto& form) { return bound(form, middle, half); }, piece_.rotation);
+  const RotationBounds r =
+      std::visit([&](const auto& function) { return bound(function, middle, half); }, piece_.rotation);
   b.middle_rate = r.middle_rate;
   b.rate = r.rate;
   b.rate_change = r.rate_change;

@@ -167,8 +167,8 @@ Scene graze(Rng& rng) {
 /// A cosine that comes close to 1 or -1 on its way, and turns back: as rounded coefficients make of one that reaches
 /// it.
 CosineRotation near_extreme(Rng& rng) {
-  const double missing = std::ldexp(1, -rng.between(8, 50)), bend = rng.pick(std::vector<double>{0.5, 1, 2});
-  Coefficients a = sum({1 - missing}, power(-bend, 0.5, 2));
+  const double missing = std::ldexp(1, -rng.between(8, 50)), second = rng.pick(std::vector<double>{0.5, 1, 2});
+  Coefficients a = sum({1 - missing}, power(-second, 0.5, 2));
   if (rng.chance(0.5)) {
     for (double& c : a) c = -c;
   }

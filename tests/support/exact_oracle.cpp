@@ -34,29 +34,29 @@ struct Event {
   VertexEdge pair;
 };
 
-/// Follows one leg.
-class LegSearch {
+/// Follows one segment.
+class ContactOnSegment {
  public:
-  LegSearch(const Leg& leg, const Shapes& shapes, Touch touch, double shift)
-      : leg_(leg), shapes_(shapes), open_(touch == Touch::open), shift_(shift), finder_(leg) {
+  ContactOnSegment(const MotionSegment& segment, const Shapes& shapes, Touch touch, double shift)
+      : segment_(segment), shapes_(shapes), open_(touch == Touch::open), shift_(shift), finder_(segment) {
     for (int side = 0; side < 2; ++side) {
-      for (int v = 0; v < leg.size(1 - side); ++v)
-        for (int e = 0; e < leg.size(side); ++e) pairs_.push_back({side, v, e});
+      for (int v = 0; v < segment.size(1 - side); ++v)
+        for (int e = 0; e < segment.size(side); ++e) pairs_.push_back({side, v, e});
     }
     zero_.fill(std::vector<State>(pairs_.size(), unknown));
   }
 
-  /// At the leg's start, exactly.
-  bool overlap_at_start() { return interiors_intersect(shapes_, exactly_at(leg_.from())); }
+  /// At the segment's start, exactly.
+  bool overlap_at_start() { return interiors_intersect(shapes_, exactly_at(segment_.from())); }
 
-  /// True if there is a contact, at or after the leg's start: `answer` has it.
+  /// True if there is a contact, at or after the segment's start: `answer` has it.
   bool run(bool first, ExactAnswer& answer) {
     answer_ = &answer;
     const bool touching_at_start = open_ || first ? touch_at_start() : false;
     if (touching_at_start && !open_) return true;
     std::vector<int> all;
     for (std::size_t k = 0; k < pairs_.size(); ++k) all.push_back(static_cast<int>(k));
-    return leg_.from() < leg_.to() && search(leg_.from(), leg_.to(), all, 0);
+    return segment_.from() < segment_.to() && search(segment_.from(), segment_.to(), all, 0);
   }
   bool assumed() const { return assumed_ || finder_.assumed; }
 
@@ -68,7 +68,7 @@ class LegSearch {
   State& state(int k, What what) { return zero_[static_cast<std::size_t>(what)][static_cast<std::size_t>(k)]; }
   bool identically_zero(int k, What what) {
     State& known = state(k, what);
-    if (known == unknown) known = leg_.identically_zero(function(k, what), assumed_) ? zero : varying;
+    if (known == unknown) known = segment_.identically_zero(function(k, what), assumed_) ? zero : varying;
     return known == zero;
   }
 
@@ -83,15 +83,15 @@ class LegSearch {
   /// At an instant at which nothing vanishes but what always does.
   bool overlap_at(const Rational& u) {
     const Narrow n = Narrow::of(u);
-    const std::array<FrameOf<Narrow, 4>, 2> frames{leg_.frame(0, n), leg_.frame(1, n)};
+    const std::array<FrameOf<Narrow, 4>, 2> frames{segment_.frame(0, n), segment_.frame(1, n)};
     return interiors_intersect(shapes_, [&](const Function& f) {
-      const Narrow v = leg_.coefficient(f, frames[static_cast<std::size_t>(f.pair.side)], 0);
+      const Narrow v = segment_.coefficient(f, frames[static_cast<std::size_t>(f.pair.side)], 0);
       if (v.positive() || v.negative()) return v.positive() ? 1 : -1;
       for (const int bits : {192, 700}) {
         Precision at(bits);
-        const int sign = leg_.coefficient(f, Wide::of(u), 0).sign();
+        const int sign = segment_.coefficient(f, Wide::of(u), 0).sign();
         if (sign != 0) return sign;
-        if (leg_.identically_zero(f, assumed_)) return 0;
+        if (segment_.identically_zero(f, assumed_)) return 0;
       }
       throw Coincidence{};
     });
@@ -110,7 +110,7 @@ class LegSearch {
 
   /// A function over [m - h, m + h], and its derivative: Taylor coefficients at m, and the last one over all of it.
   struct Model {
-    Leg::NarrowSeries at;
+    MotionSegment::NarrowSeries at;
     Narrow last, h;
 
     Narrow range() const { return at.c[0] + h * (at.c[1] + h * (at.c[2] + h * (at.c[3] + h * last))); }
@@ -127,14 +127,15 @@ class LegSearch {
   };
   Model model(const Function& f, const View& view) const {
     const auto side = static_cast<std::size_t>(f.pair.side);
-    return {leg_.series(f, view.at[side]), leg_.coefficient(f, view.over[side], 4), view.h};
+    return {segment_.series(f, view.at[side]), segment_.coefficient(f, view.over[side], 4), view.h};
   }
 
   bool search(const Rational& lo, const Rational& hi, const std::vector<int>& active, int depth) {
     if (active.empty() && !pending_) return false;
     const Narrow low = Narrow::of(lo), high = Narrow::of(hi), m = Narrow((low.lo() + high.hi()) / 2);
     const Narrow whole(low.lo(), high.hi());
-    const View view{{leg_.frame(0, m), leg_.frame(1, m)}, {leg_.frame(0, whole), leg_.frame(1, whole)}, whole - m};
+    const View view{
+        {segment_.frame(0, m), segment_.frame(1, m)}, {segment_.frame(0, whole), segment_.frame(1, whole)}, whole - m};
     std::vector<int> rest;
     bool ready = true;
     for (const int k : active) {
@@ -212,7 +213,7 @@ class LegSearch {
     const Rational u(lo + (hi - lo) * Rational(0.4142135));
     Precision at(3 * time_bits);
     for (const VertexEdge& pair : around_) {
-      const Wide height = leg_.coefficient({pair, What::height}, Wide::of(u), 0);
+      const Wide height = segment_.coefficient({pair, What::height}, Wide::of(u), 0);
       const double distance = std::max(std::fabs(height.lo()), std::fabs(height.hi())) / unit_of(pair, u);
       if (height.sign() != 0 && distance <= shift_) throw Beyond{"bodies that overlap by less than the displacement"};
     }
@@ -220,7 +221,7 @@ class LegSearch {
   }
   /// The height of a vertex one unit above an edge.
   double unit_of(const VertexEdge& pair, const Rational& u) const {
-    return leg_.length(pair.side, pair.edge) * leg_.frame(pair.side, Narrow::of(u)).r.c[0].hi();
+    return segment_.length(pair.side, pair.edge) * segment_.frame(pair.side, Narrow::of(u)).r.c[0].hi();
   }
 
   void find_events(int k, const Rational& lo, const Rational& hi, std::vector<Event>& events) {
@@ -252,8 +253,8 @@ class LegSearch {
     const double near = shift_ * unit_of(pair, r.at.exact_lo());
     const auto may_be = [&] {
       Precision at(2 * time_bits);
-      return leg_.coefficient({pair, What::past_a}, r.at, 0).hi() >= -near &&
-             leg_.coefficient({pair, What::past_b}, r.at, 0).lo() <= near;
+      return segment_.coefficient({pair, What::past_a}, r.at, 0).hi() >= -near &&
+             segment_.coefficient({pair, What::past_b}, r.at, 0).lo() <= near;
     };
     if (!may_be()) return false;
     finder_.refine(r, time_bits);
@@ -263,7 +264,7 @@ class LegSearch {
   /// Before a contact, if there is one, by more than the displacement may move that.
   void expect_no_miss(const ExactAnswer* contact) const {
     for (const Root& miss : misses_) {
-      if (!contact || (leg_.time(miss.at) + Wide(contact->sway)).before(contact->time))
+      if (!contact || (segment_.time(miss.at) + Wide(contact->sway)).before(contact->time))
         throw Beyond{"bodies that miss each other by less than the displacement"};
     }
   }
@@ -288,7 +289,7 @@ class LegSearch {
       meet(events[k].pair);
       around_.push_back(events[k].pair);
     }
-    answer.time = leg_.time(hull);
+    answer.time = segment_.time(hull);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const int i = static_cast<int>(k);
       Root& first = events[from].root;
@@ -303,7 +304,7 @@ class LegSearch {
     const double near = shift_ * unit_of(pair, u.exact_lo());
     // A little before or after, too, as far as the displacement moves the instant.
     const auto not_below = [&](What what, int sign) {
-      const Wide value = leg_.coefficient({pair, what}, u, 0), slope = leg_.coefficient({pair, what}, u, 1);
+      const Wide value = segment_.coefficient({pair, what}, u, 0), slope = segment_.coefficient({pair, what}, u, 1);
       const double most = sign > 0 ? value.hi() : -value.lo();
       return most + way_ * std::max(std::fabs(slope.lo()), std::fabs(slope.hi())) >= -near;
     };
@@ -314,29 +315,29 @@ class LegSearch {
   void weigh(Event& e) {
     const int m = finder_.multiplicity(e.root);
     const double u = e.root.at.lo();
-    const Wide coefficient = leg_.coefficient(e.root.function, e.root.at, m);
+    const Wide coefficient = segment_.coefficient(e.root.function, e.root.at, m);
     const double size = std::max(std::fabs(coefficient.lo()), std::fabs(coefficient.hi()));
     const double height = size / unit_of(e.pair, e.root.at.exact_lo());
     const double way = std::pow(shift_ / height, 1.0 / m);
     way_ = std::max(way_, way);
-    const Wide t = leg_.time(Wide(u));
+    const Wide t = segment_.time(Wide(u));
     for (const double side : {-way, way}) {
       Precision precision(2 * time_bits);
-      const Wide moved = leg_.time(Wide(u) + Wide(side)) - t;
+      const Wide moved = segment_.time(Wide(u) + Wide(side)) - t;
       answer_->sway = std::max({answer_->sway, std::fabs(moved.lo()), std::fabs(moved.hi())});
     }
     answer_->multiplicity = std::max(answer_->multiplicity, m);
   }
 
-  /// Sets the answer to a contact at the start of the leg, if the bodies touch there.
+  /// Sets the answer to a contact at the start of the segment, if the bodies touch there.
   bool touch_at_start() {
-    const Signs signs = exactly_at(leg_.from());
-    const Narrow n = Narrow::of(leg_.from());
-    const std::array<FrameOf<Narrow, 4>, 2> frames{leg_.frame(0, n), leg_.frame(1, n)};
+    const Signs signs = exactly_at(segment_.from());
+    const Narrow n = Narrow::of(segment_.from());
+    const std::array<FrameOf<Narrow, 4>, 2> frames{segment_.frame(0, n), segment_.frame(1, n)};
     std::vector<VertexEdge> touching_pairs;
     for (const VertexEdge& pair : pairs_) {
       const auto side = static_cast<std::size_t>(pair.side);
-      if (definite(leg_.coefficient({pair, What::height}, frames[side], 0))) continue;
+      if (definite(segment_.coefficient({pair, What::height}, frames[side], 0))) continue;
       if (touching(pair, signs)) touching_pairs.push_back(pair);
     }
     if (touching_pairs.empty()) return false;
@@ -345,13 +346,13 @@ class LegSearch {
     around_.clear();
     for (const VertexEdge& pair : touching_pairs) meet(pair);
     answer_->verdict = Verdict::contact;
-    answer_->time = leg_.time(Wide::of(leg_.from()));
+    answer_->time = segment_.time(Wide::of(segment_.from()));
     pending_ = open_;
-    pending_until_ = leg_.from();
+    pending_until_ = segment_.from();
     return true;
   }
 
-  const Leg& leg_;
+  const MotionSegment& segment_;
   const Shapes& shapes_;
   bool open_;
   double shift_;
@@ -375,17 +376,17 @@ class LegSearch {
 ExactAnswer search(const Scene& scene, Touch touch) {
   const Shapes shapes(scene);
   const double shift = greatest_shift(scene);
-  const std::vector<Leg> legs = stretches(scene);
+  const std::vector<MotionSegment> segments = stretches(scene);
   ExactAnswer answer;
   bool assumed = false;
-  for (std::size_t k = 0; k < legs.size(); ++k) {
-    LegSearch leg(legs[k], shapes, touch, shift);
-    if (k == 0 && leg.overlap_at_start()) {
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    ContactOnSegment segment(segments[k], shapes, touch, shift);
+    if (k == 0 && segment.overlap_at_start()) {
       answer.verdict = Verdict::overlap_at_start;
       return answer;
     }
-    const bool found = leg.run(k == 0, answer);
-    assumed |= leg.assumed();
+    const bool found = segment.run(k == 0, answer);
+    assumed |= segment.assumed();
     if (found) {
       answer.assumed = assumed;
       return answer;

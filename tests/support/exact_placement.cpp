@@ -27,7 +27,7 @@ struct Direction {
 struct Angle {
   int body;
   Direction from, to;
-  int bend;  // 1: less than pi, 0: pi, -1: more
+  int second;  // 1: less than pi, 0: pi, -1: more
 };
 
 class Placement {
@@ -65,8 +65,8 @@ class Placement {
 
   Angle at_vertex(int body, int v) const {
     const int before = previous(body, v);
-    if (shapes_.counterclockwise(body)) return {body, {v, 1}, {before, -1}, shapes_.bend(body, v)};
-    return {body, {before, -1}, {v, 1}, shapes_.bend(body, v)};
+    if (shapes_.counterclockwise(body)) return {body, {v, 1}, {before, -1}, shapes_.second(body, v)};
+    return {body, {before, -1}, {v, 1}, shapes_.second(body, v)};
   }
   /// Of the edge's body where the vertex is.
   Angle at_point(const VertexEdge& pair) const {
@@ -85,8 +85,8 @@ class Placement {
   }
   bool strictly_within(const Angle& angle, const Direction& ray) const {
     const int first = turn(angle.body, angle.from, ray), last = -turn(angle.body, angle.to, ray);
-    if (angle.bend == 0) return first > 0;
-    if (angle.bend > 0) return first > 0 && last > 0;
+    if (angle.second == 0) return first > 0;
+    if (angle.second > 0) return first > 0 && last > 0;
     return first > 0 || last > 0;
   }
   bool intersect(const Angle& a, const Angle& b) const {
@@ -121,8 +121,8 @@ Shapes::Shapes(const Scene& scene) {
     const std::size_t n = p.size();
     counterclockwise_[b] = area(p) > 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const int bend = orientation(p[(i + n - 1) % n], p[i], p[(i + 1) % n]);
-      bends_[b].push_back(counterclockwise_[b] ? bend : -bend);
+      const int second = orientation(p[(i + n - 1) % n], p[i], p[(i + 1) % n]);
+      seconds_of_[b].push_back(counterclockwise_[b] ? second : -second);
     }
   }
 }

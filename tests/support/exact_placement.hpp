@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "support/exact_leg.hpp"
+#include "support/exact_segment.hpp"
 #include "taut/geometry.hpp"
 
 namespace taut::testing::exact {
@@ -22,16 +22,16 @@ using Signs = std::function<int(const Function&)>;
 class Shapes {
  public:
   explicit Shapes(const Scene& scene);
-  int size(int body) const { return static_cast<int>(bends_[static_cast<std::size_t>(body)].size()); }
+  int size(int body) const { return static_cast<int>(seconds_of_[static_cast<std::size_t>(body)].size()); }
   bool counterclockwise(int body) const { return counterclockwise_[static_cast<std::size_t>(body)]; }
   /// The orientation of the vertex and its neighbours, in counterclockwise order: 1 where it is convex.
-  int bend(int body, int vertex) const {
-    return bends_[static_cast<std::size_t>(body)][static_cast<std::size_t>(vertex)];
+  int second(int body, int vertex) const {
+    return seconds_of_[static_cast<std::size_t>(body)][static_cast<std::size_t>(vertex)];
   }
 
  private:
   std::array<bool, 2> counterclockwise_{};
-  std::array<std::vector<int>, 2> bends_;
+  std::array<std::vector<int>, 2> seconds_of_;
 };
 
 /// Is the vertex on the closed edge?

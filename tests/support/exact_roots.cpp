@@ -21,11 +21,11 @@ Rational inside(const Rational& lo, const Rational& hi) {
 
 /// Taylor coefficients over an interval, from those in its middle and the last one over all of it: where large terms
 /// cancel, they do so in the middle already.
-Leg::WideSeries centred(const Leg& leg, const Function& f, const Wide& over) {
-  constexpr int n = Leg::WideSeries::order;
+MotionSegment::WideSeries centred(const MotionSegment& segment, const Function& f, const Wide& over) {
+  constexpr int n = MotionSegment::WideSeries::order;
   const Wide m = over.middle(), h = over - m;
-  Leg::WideSeries s = leg.series(f, m);
-  s.c[n] = leg.coefficient(f, over, n);
+  MotionSegment::WideSeries s = segment.series(f, m);
+  s.c[n] = segment.coefficient(f, over, n);
   // Horner's rule for all derivatives at once: a Taylor shift by h.
   for (int k = 0; k < n; ++k) {
     for (int j = n - 1; j >= k; --j)
@@ -66,9 +66,9 @@ std::vector<Root> RootFinder::search(const Function& f, const Rational& lo, cons
   Precision at(first_bits + 2 * depth);
   const Wide over = Wide::hull(Wide::of(lo), Wide::of(hi));
   // A root whose square nearly vanishes hides the function's sign over all but the shortest intervals nearby.
-  const std::optional<Curve>& norm = leg_.norm(f);
+  const std::optional<Curve>& norm = segment_.norm(f);
   if (norm && vanishes_nowhere(*norm, over, lo, hi)) return {};
-  const Leg::WideSeries s = centred(leg_, f, over);
+  const MotionSegment::WideSeries s = centred(segment_, f, over);
   if (s.c[0].sign() != 0) return {};
   for (int j = 1; j <= 7; ++j) {
     if (s.c[static_cast<std::size_t>(j)].sign() != 0) return descend(f, 0, j, lo, hi);
@@ -114,13 +114,13 @@ Root RootFinder::crossing(const Function& f, int order, Wide lo, Wide hi, int si
   for (int bits = first_bits;; bits += 8) {
     Precision at(bits);
     const Wide over = Wide::hull(lo, hi);
-    if (leg_.coefficient(f, over, order + 1).sign() != 0) return {f, order, over, std::nullopt};
+    if (segment_.coefficient(f, over, order + 1).sign() != 0) return {f, order, over, std::nullopt};
     Wide m = over.middle();
-    int sign = leg_.coefficient(f, m, order).sign();
+    int sign = segment_.coefficient(f, m, order).sign();
     for (double share = 0.37; sign == 0; share *= 0.93) {
       // The middle may be the zero itself.
       m = (lo + (hi - lo) * Wide(share)).middle();
-      sign = leg_.coefficient(f, m, order).sign();
+      sign = segment_.coefficient(f, m, order).sign();
       if (share < 0.01) throw Beyond{"a zero that cannot be isolated"};
     }
     (sign == sign_lo ? lo : hi) = m;
@@ -140,9 +140,9 @@ void RootFinder::refine(Root& root, int bits) {
     Precision at(std::min(2 * std::max(size - before, 32L) + 128, size + bits + 192) + 64 * stuck);
     const Wide m = root.at.middle();
     const Wide slope =
-        Wide(static_cast<double>(root.order + 1)) * leg_.coefficient(root.function, root.at, root.order + 1);
+        Wide(static_cast<double>(root.order + 1)) * segment_.coefficient(root.function, root.at, root.order + 1);
     if (slope.sign() != 0) {
-      const Wide next = m - leg_.coefficient(root.function, m, root.order) / slope;
+      const Wide next = m - segment_.coefficient(root.function, m, root.order) / slope;
       if (!(next.before(root.at) || root.at.before(next))) root.at = Wide::meet(root.at, next);
     }
     if (root.at.log_width() > before - 2 && ++stuck > 60) throw Beyond{"a zero that cannot be refined"};
@@ -151,7 +151,7 @@ void RootFinder::refine(Root& root, int bits) {
 
 long RootFinder::zero_bound(const Function& f, int order, const Root& root) const {
   Poly own, of_root;
-  if (!leg_.polynomial_of(f, own) || !leg_.polynomial_of(root.function, of_root)) return -1;
+  if (!segment_.polynomial_of(f, own) || !segment_.polynomial_of(root.function, of_root)) return -1;
   own = nth_derivative(own, order);
   of_root = nth_derivative(of_root, root.order);
   if (own.empty()) return 0;
@@ -168,7 +168,7 @@ int RootFinder::sign_at(const Function& f, int order, Root& root) {
   for (int bits = first_bits;; bits *= 2) {
     refine(root, bits);
     Precision at(bits + 64);
-    const Wide v = leg_.coefficient(f, root.at, order);
+    const Wide v = segment_.coefficient(f, root.at, order);
     if (v.sign() != 0) return v.sign();
     if (bits == first_bits) continue;
     if (bound == -2) bound = zero_bound(f, order, root);
@@ -184,11 +184,11 @@ int RootFinder::sign_at(const Function& f, int order, Root& root) {
 int RootFinder::sign_at(const Function& f, int order, const Rational& u) {
   for (int bits = first_bits;; bits *= 2) {
     Precision at(bits);
-    const Wide v = leg_.coefficient(f, Wide::of(u), order);
+    const Wide v = segment_.coefficient(f, Wide::of(u), order);
     if (v.sign() != 0) return v.sign();
-    if (bits == first_bits && order == 0 && leg_.has_formal() && leg_.zero_at(f, u)) return 0;
+    if (bits == first_bits && order == 0 && segment_.has_formal() && segment_.zero_at(f, u)) return 0;
     if (bits == first_bits && order > 0) {
-      if (Poly p; leg_.polynomial_of(f, p) && value(nth_derivative(p, order), u) == 0) return 0;
+      if (Poly p; segment_.polynomial_of(f, p) && value(nth_derivative(p, order), u) == 0) return 0;
     }
     if (bits > assumed_bits) {
       assumed = true;

@@ -1,4 +1,4 @@
-// Zeros of functions over a leg, of any multiplicity.
+// Zeros of functions over a segment, of any multiplicity.
 //
 // Where the j-th derivative keeps its sign, its predecessors are done one after the other: between the zeros of the
 // next derivative each is monotone, so the signs there tell where it vanishes. Intervals on which no derivative keeps
@@ -10,7 +10,7 @@
 // they cannot be told from 0 in `assumed_bits`; that is reported.
 #pragma once
 
-#include "support/exact_leg.hpp"
+#include "support/exact_segment.hpp"
 
 namespace taut::testing::exact {
 
@@ -27,7 +27,7 @@ struct Root {
 
 class RootFinder {
  public:
-  explicit RootFinder(const Leg& leg) : leg_(leg) {}
+  explicit RootFinder(const MotionSegment& segment) : segment_(segment) {}
 
   /// Zeros of a function that is not identically zero, in order, from `lo` to `hi`, both included.
   std::vector<Root> zeros(const Function& f, const Rational& lo, const Rational& hi);
@@ -48,7 +48,7 @@ class RootFinder {
   /// If |value| < 2^-this, it is 0; negative: unknown.
   long zero_bound(const Function& f, int order, const Root& root) const;
 
-  const Leg& leg_;
+  const MotionSegment& segment_;
 };
 
 /// Sets the precision while it lives.

@@ -14,7 +14,7 @@ class Cutter {
  public:
   explicit Cutter(const Scene& scene) : scene_(scene) {}
 
-  std::vector<Leg> run() {
+  std::vector<MotionSegment> run() {
     std::vector<double> times{scene_.start, scene_.end};
     for (const Body& body : scene_.bodies) {
       for (const MotionPiece& piece : body.motion.pieces) {
@@ -31,7 +31,7 @@ class Cutter {
       add_stretch(pieces, Rational(times[k]), Rational(times[k + 1]));
       before = pieces;
     }
-    return std::move(legs_);
+    return std::move(segments_);
   }
 
  private:
@@ -48,7 +48,7 @@ class Cutter {
            const Rational& u1) {
     auto p = BodyMotion::of(pieces[0], time, t0, t1), q = BodyMotion::of(pieces[1], time, t0, t1);
     if (!p || !q) throw Beyond{"a cosine with two singular ends"};
-    legs_.emplace_back(scene_, std::array<BodyMotion, 2>{*p, *q}, time, u0, u1);
+    segments_.emplace_back(scene_, std::array<BodyMotion, 2>{*p, *q}, time, u0, u1);
   }
 
   void add_stretch(const Pieces& pieces, const Rational& from, const Rational& to) {
@@ -99,18 +99,18 @@ class Cutter {
 
   void add_bridge(const Pieces& before, const Pieces& after, double joint) {
     if (poses_agree(before[0], after[0], joint) && poses_agree(before[1], after[1], joint)) return;
-    legs_.emplace_back(scene_,
-                       std::array<BodyMotion, 2>{BodyMotion::bridge(before[0], after[0], joint),
-                                                 BodyMotion::bridge(before[1], after[1], joint)},
-                       trimmed({Rational(joint)}), 0, 1);
+    segments_.emplace_back(scene_,
+                           std::array<BodyMotion, 2>{BodyMotion::bridge(before[0], after[0], joint),
+                                                     BodyMotion::bridge(before[1], after[1], joint)},
+                           trimmed({Rational(joint)}), 0, 1);
   }
 
   const Scene& scene_;
-  std::vector<Leg> legs_;
+  std::vector<MotionSegment> segments_;
 };
 
 }  // namespace
 
-std::vector<Leg> stretches(const Scene& scene) { return Cutter(scene).run(); }
+std::vector<MotionSegment> stretches(const Scene& scene) { return Cutter(scene).run(); }
 
 }  // namespace taut::testing::exact

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "support/exact_leg.hpp"
+#include "support/exact_segment.hpp"
 
 namespace taut::testing::exact {
 
 /// In order of time. Throws Beyond if a cosine exceeds 1.
-std::vector<Leg> stretches(const Scene& scene);
+std::vector<MotionSegment> stretches(const Scene& scene);
 
 }  // namespace taut::testing::exact

@@ -67,10 +67,10 @@ std::vector<Part> grid_parts(Rng& rng, double x, double y) {
 std::vector<Keyframe> grid_keyframes(Rng& rng, double end) {
   std::vector<Keyframe> keyframes{{}};
   const bool turns = rng.chance(0.2);
-  const int legs = 1 << rng.below(3);
-  for (int i = 1; i <= legs; ++i) {
+  const int segments = 1 << rng.below(3);
+  for (int i = 1; i <= segments; ++i) {
     Keyframe k = keyframes.back();
-    k.t = end * i / legs;
+    k.t = end * i / segments;
     (rng.chance(0.5) ? k.x : k.y) += rng.between(-4, 4);
     if (rng.chance(0.3)) k.y += rng.between(-2, 2);
     if (turns && rng.chance(0.5)) k.angle_deg += 90 * rng.sign();
@@ -157,8 +157,8 @@ void add_arm(Rng& rng, MadeWorld& world, const Point& base, int links) {
     }
     Keyframe k;
     link.keyframes = {k};
-    for (int leg = 1; leg <= 2; ++leg) {
-      k.t = world.end * leg / 2;
+    for (int segment = 1; segment <= 2; ++segment) {
+      k.t = world.end * segment / 2;
       k.angle_deg += rng.between(-100, 100);
       link.keyframes.push_back(k);
     }

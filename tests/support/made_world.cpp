@@ -90,16 +90,16 @@ MadePose pose_of(const MadeWorld& world, int body, double t) {
   return {frame.o + frame.x * own.o, frame.x * own.x};
 }
 
-PosedBody posed(const MadeWorld& world, int body, double t) {
+BodyAtPose posed(const MadeWorld& world, int body, double t) {
   const MadePose pose = pose_of(world, body, t);
   const auto ring = [&](const Polygon& polygon) {
-    PosedRing points;
+    RingAtPose points;
     for (const Point& p : polygon) points.push_back(pose.at(p));
     return points;
   };
-  PosedBody result;
+  BodyAtPose result;
   for (const Part& part : world.bodies[static_cast<std::size_t>(body)].parts) {
-    PosedPart rings{ring(part.outline)};
+    PartAtPose rings{ring(part.outline)};
     for (const Polygon& hole : part.holes) rings.push_back(ring(hole));
     result.push_back(rings);
   }
@@ -126,8 +126,8 @@ double to_segment(const Complex& p, const Complex& a, const Complex& b) {
 namespace {
 
 template <class Visit>
-void each_edge(const PosedPart& part, Visit visit) {
-  for (const PosedRing& ring : part) {
+void each_edge(const PartAtPose& part, Visit visit) {
+  for (const RingAtPose& ring : part) {
     for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
   }
 }
@@ -140,11 +140,11 @@ bool cross_clearly(const Complex& a, const Complex& b, const Complex& c, const C
 }
 
 /// Inside the part, and farther than the margin from its rings? Rings are counted by turns, in either orientation.
-bool lies_clearly_inside(const PosedPart& part, const Complex& p, double margin) {
+bool lies_clearly_inside(const PartAtPose& part, const Complex& p, double margin) {
   bool near = false;
   each_edge(part, [&](const Complex& a, const Complex& b) { near = near || to_segment(p, a, b) <= margin; });
   if (near) return false;
-  const auto winds = [&](const PosedRing& ring) {
+  const auto winds = [&](const RingAtPose& ring) {
     double turned = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) turned += std::arg((ring[(i + 1) % ring.size()] - p) / (ring[i] - p));
     return std::fabs(turned) > 3;
@@ -153,13 +153,13 @@ bool lies_clearly_inside(const PosedPart& part, const Complex& p, double margin)
 }
 
 /// Parts that have an edge crossed, or a vertex of the other one inside, overlap it.
-bool parts_overlap_clearly(const PosedPart& p, const PosedPart& q, double margin) {
+bool parts_overlap_clearly(const PartAtPose& p, const PartAtPose& q, double margin) {
   bool crossing = false;
   each_edge(p, [&](const Complex& a, const Complex& b) {
     each_edge(q, [&](const Complex& c, const Complex& d) { crossing = crossing || cross_clearly(a, b, c, d, margin); });
   });
   if (crossing) return true;
-  const auto has_vertex_of = [&](const PosedPart& outer, const PosedPart& inner) {
+  const auto has_vertex_of = [&](const PartAtPose& outer, const PartAtPose& inner) {
     return std::any_of(inner[0].begin(), inner[0].end(),
                        [&](const Complex& v) { return lies_clearly_inside(outer, v, margin); });
   };
@@ -168,20 +168,20 @@ bool parts_overlap_clearly(const PosedPart& p, const PosedPart& q, double margin
 
 }  // namespace
 
-bool overlap_clearly(const PosedBody& p, const PosedBody& q, double margin) {
-  for (const PosedPart& a : p) {
-    for (const PosedPart& b : q) {
+bool overlap_clearly(const BodyAtPose& p, const BodyAtPose& q, double margin) {
+  for (const PartAtPose& a : p) {
+    for (const PartAtPose& b : q) {
       if (parts_overlap_clearly(a, b, margin)) return true;
     }
   }
   return false;
 }
 
-double between_rings(const PosedBody& p, const PosedBody& q) {
+double between_rings(const BodyAtPose& p, const BodyAtPose& q) {
   double least = INFINITY;
-  const auto from_vertices = [&](const PosedBody& vertices, const PosedBody& edges) {
-    for (const PosedPart& part : vertices) {
-      for (const PosedPart& other : edges) {
+  const auto from_vertices = [&](const BodyAtPose& vertices, const BodyAtPose& edges) {
+    for (const PartAtPose& part : vertices) {
+      for (const PartAtPose& other : edges) {
         each_edge(part, [&](const Complex& v, const Complex&) {
           each_edge(other, [&](const Complex& a, const Complex& b) { least = std::min(least, to_segment(v, a, b)); });
         });
@@ -240,12 +240,12 @@ std::vector<Keyframe> random_keyframes(Rng& rng, double end, double reach, const
   Keyframe last;
   if (rng.chance(0.1)) last = {0, sixteenths(rng, -3, 3), sixteenths(rng, -3, 3), 0};
   std::vector<Keyframe> keyframes{last};
-  const int legs = rng.between(1, 3);
-  for (int i = 1; i <= legs; ++i) {
+  const int segments = rng.between(1, 3);
+  for (int i = 1; i <= segments; ++i) {
     Keyframe k;
-    k.t = end * i / legs;
+    k.t = end * i / segments;
     k.way = rng.pick(std::vector<Way>{Way::straight, Way::straight, Way::turn, Way::arc});
-    // A straight leg after one around a centre has no jump: its place is that of its end.
+    // A straight segment after one around a centre has no jump: its place is that of its end.
     k.x = sixteenths(rng, -reach, reach);
     k.y = sixteenths(rng, -reach, reach);
     k.angle_deg = rng.chance(0.5) ? last.angle_deg : rng.between(-120, 120);

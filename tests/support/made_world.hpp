@@ -45,18 +45,18 @@ struct MadePose {
 };
 MadePose pose_of(const MadeWorld& world, int body, double t);
 
-using PosedRing = std::vector<Complex>;
+using RingAtPose = std::vector<Complex>;
 /// Outline, then holes.
-using PosedPart = std::vector<PosedRing>;
-using PosedBody = std::vector<PosedPart>;
-PosedBody posed(const MadeWorld& world, int body, double t);
+using PartAtPose = std::vector<RingAtPose>;
+using BodyAtPose = std::vector<PartAtPose>;
+BodyAtPose posed(const MadeWorld& world, int body, double t);
 
 /// How far a point is from a segment.
 double to_segment(const Complex& p, const Complex& a, const Complex& b);
 /// By more than rounding.
-bool overlap_clearly(const PosedBody& p, const PosedBody& q, double margin);
+bool overlap_clearly(const BodyAtPose& p, const BodyAtPose& q, double margin);
 /// Of the boundaries; not 0 where they cross.
-double between_rings(const PosedBody& p, const PosedBody& q);
+double between_rings(const BodyAtPose& p, const BodyAtPose& q);
 
 /// A random multiple of 1/16.
 double sixteenths(Rng& rng, double lo, double hi);

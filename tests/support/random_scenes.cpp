@@ -106,8 +106,8 @@ Coefficients expanded(double p, double d, double e, double s) { return {p - d * 
 struct Runner {
   double value, step;
 
-  Coefficients advance(double slope, double bend, double from, double until) {
-    const double d = multiple_of(step, slope), e = multiple_of(step, bend), h = until - from;
+  Coefficients advance(double slope, double second, double from, double until) {
+    const double d = multiple_of(step, slope), e = multiple_of(step, second), h = until - from;
     const Coefficients c = expanded(value, d, e, from);
     value += d * h + e * h * h;
     return c;
@@ -117,18 +117,18 @@ struct Runner {
 Motion random_pieces(Rng& rng, const Drive& drive, const Point& d) {
   Motion motion;
   Runner x{drive.pivot.x, 64}, y{drive.pivot.y, 64}, angle{0, 0x1p-10};
-  const int form = rng.below(3);  // none, angle, half angle
+  const int function = rng.below(3);  // none, angle, half angle
   double from = 0;
   while (from < 1) {
     const double until = std::min(1.0, from + rng.between(1, 4) / 8.0);
     const Point u = rng.chance(0.5) ? d : unit_vector(rng.unit());
-    const double speed = drive.reach * rng.real(0, 2), bend = rng.chance(0.4) ? drive.reach * rng.real(-2, 2) : 0;
+    const double speed = drive.reach * rng.real(0, 2), second = rng.chance(0.4) ? drive.reach * rng.real(-2, 2) : 0;
     MotionPiece piece;
-    piece.x = x.advance(u.x * speed, u.y * bend, from, until);
-    piece.y = y.advance(u.y * speed, -u.x * bend, from, until);
+    piece.x = x.advance(u.x * speed, u.y * second, from, until);
+    piece.y = y.advance(u.y * speed, -u.x * second, from, until);
     const double turn = drive.turn * rng.real(-1, 1.5);
-    if (form == 1) piece.rotation = AngleRotation{angle.advance(turn, 0, from, until)};
-    if (form == 2) piece.rotation = HalfAngleRotation{angle.advance(turn / 2, 0, from, until)};
+    if (function == 1) piece.rotation = AngleRotation{angle.advance(turn, 0, from, until)};
+    if (function == 2) piece.rotation = HalfAngleRotation{angle.advance(turn / 2, 0, from, until)};
     if (until < 1) piece.until = until;
     motion.pieces.push_back(std::move(piece));
     from = until;
@@ -208,19 +208,19 @@ Motion random_motion(Rng& rng, const Drive& drive) {
   if (drive.kind == MotionKind::rest && drive.pivot == Point{}) return {};
   const Point d = drive.heading == Point{} ? unit_vector(rng.unit()) : drive.heading;
   if (drive.kind == MotionKind::pieces) return random_pieces(rng, drive, d);
-  MotionKind form = drive.kind;
+  MotionKind function = drive.kind;
   double turn = drive.turn, reach = drive.reach;
-  if (form == MotionKind::orbit) {
-    form = drive.quarter_turns == 0 ? random_rotation_kind(rng) : MotionKind::direction;
-    if (form == MotionKind::angle && rng.chance(0.5)) turn *= 4;
+  if (function == MotionKind::orbit) {
+    function = drive.quarter_turns == 0 ? random_rotation_kind(rng) : MotionKind::direction;
+    if (function == MotionKind::angle && rng.chance(0.5)) turn *= 4;
     reach *= rng.pick(std::vector<double>{0, 0.1});
-  } else if (form >= MotionKind::angle) {
+  } else if (function >= MotionKind::angle) {
     reach *= rng.pick(std::vector<double>{0, 0.3, 1});
   }
   Track way;
-  if (form == MotionKind::rest) {
+  if (function == MotionKind::rest) {
     way = {{0}, {0}};
-  } else if (form == MotionKind::linear || (form >= MotionKind::angle && rng.chance(0.5))) {
+  } else if (function == MotionKind::linear || (function >= MotionKind::angle && rng.chance(0.5))) {
     way = straight_way(d, reach);
   } else {
     way = polynomial_way(rng, d, reach);
@@ -228,7 +228,7 @@ Motion random_motion(Rng& rng, const Drive& drive) {
   way.x[0] = drive.pivot.x;
   way.y[0] = drive.pivot.y;
   Motion motion;
-  motion.pieces.push_back({way.x, way.y, random_rotation(rng, form, turn, drive.quarter_turns)});
+  motion.pieces.push_back({way.x, way.y, random_rotation(rng, function, turn, drive.quarter_turns)});
   return motion;
 }
 

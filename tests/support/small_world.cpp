@@ -27,10 +27,10 @@ MadeBody room(Rng& rng) {
 std::vector<Keyframe> way_in_room(Rng& rng, const MadeWorld& world, const Point& at) {
   if (rng.chance(0.5)) return random_keyframes(rng, world.end, 2.5, at);
   std::vector<Keyframe> keyframes{{}};
-  const int legs = 1 << rng.below(3);
-  for (int i = 1; i <= legs; ++i) {
+  const int segments = 1 << rng.below(3);
+  for (int i = 1; i <= segments; ++i) {
     Keyframe k = keyframes.back();
-    k.t = world.end * i / legs;
+    k.t = world.end * i / segments;
     (rng.chance(0.5) ? k.x : k.y) += rng.between(-2, 2) * 0.5;
     if (rng.chance(0.2)) k.angle_deg += 90 * rng.sign();
     keyframes.push_back(k);

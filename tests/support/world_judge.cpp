@@ -12,8 +12,8 @@ constexpr double clear_overlap = 1e-7;
 /// Nearer than this may be touching.
 constexpr double close_enough = 1e-8;
 
-Complex corner_at(const PosedBody& body, int part, int ring, int index) {
-  const PosedRing& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
+Complex corner_at(const BodyAtPose& body, int part, int ring, int index) {
+  const RingAtPose& points = body[static_cast<std::size_t>(part)][static_cast<std::size_t>(ring)];
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
@@ -28,7 +28,7 @@ WorldJudge::WorldJudge(const MadeWorld& world, int samples) : world_(world), cou
 
 WorldJudge::Placed WorldJudge::placed(int body, double t) const {
   Placed p{posed(world_, body, t), INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const PosedPart& part : p.rings) {
+  for (const PartAtPose& part : p.rings) {
     for (const Complex& z : part[0]) {
       p.lo_x = std::min(p.lo_x, z.real());
       p.hi_x = std::max(p.hi_x, z.real());
@@ -50,7 +50,7 @@ bool WorldJudge::overlap_sampled(const std::array<BodyId, 2>& pair, int k, doubl
 }
 
 bool WorldJudge::meet_at(const std::array<BodyId, 2>& pair, double t) const {
-  const PosedBody p = posed(world_, pair[0], t), q = posed(world_, pair[1], t);
+  const BodyAtPose p = posed(world_, pair[0], t), q = posed(world_, pair[1], t);
   return overlap_clearly(p, q, 0) || between_rings(p, q) < close_enough;
 }
 
@@ -60,7 +60,7 @@ std::string WorldJudge::witness_fault(const PairAnswer& pair) const {
   if (!(v == pair.bodies[0] && e == pair.bodies[1]) && !(v == pair.bodies[1] && e == pair.bodies[0]))
     return "the witness is of other bodies";
   const double width = c.time.hi - c.time.lo, t = c.time.lo + width / 2;
-  const PosedBody vertex = posed(world_, v, t), edge = posed(world_, e, t);
+  const BodyAtPose vertex = posed(world_, v, t), edge = posed(world_, e, t);
   const double distance = to_segment(corner_at(vertex, c.vertex.part, c.vertex.ring, c.vertex.index),
                                      corner_at(edge, c.edge.part, c.edge.ring, c.edge.index),
                                      corner_at(edge, c.edge.part, c.edge.ring, c.edge.index + 1));
@@ -116,7 +116,7 @@ std::string WorldJudge::clearance_fault(const std::array<BodyId, 2>& pair, doubl
 }
 
 double WorldJudge::distance_at(const std::array<BodyId, 2>& pair, double t) const {
-  const PosedBody p = posed(world_, pair[0], t), q = posed(world_, pair[1], t);
+  const BodyAtPose p = posed(world_, pair[0], t), q = posed(world_, pair[1], t);
   return overlap_clearly(p, q, 0) ? 0 : between_rings(p, q);
 }
 
@@ -143,7 +143,7 @@ std::string WorldJudge::curve_fault(const std::array<BodyId, 2>& pair, const Dis
   return {};
 }
 
-std::string headline_fault(const Answer& headline, const std::vector<PairAnswer>& pairs) {
+std::string earliest_fault(const Answer& headline, const std::vector<PairAnswer>& pairs) {
   double first = INFINITY;
   bool overlap = false;
   for (const PairAnswer& pair : pairs) {

@@ -34,7 +34,7 @@ class WorldJudge {
 
  private:
   struct Placed {
-    PosedBody rings;
+    BodyAtPose rings;
     double lo_x = 0, hi_x = 0, lo_y = 0, hi_y = 0;
   };
   Placed placed(int body, double t) const;
@@ -54,6 +54,6 @@ class WorldJudge {
 };
 
 /// The world's answer is that of its first pair.
-std::string headline_fault(const Answer& headline, const std::vector<PairAnswer>& pairs);
+std::string earliest_fault(const Answer& headline, const std::vector<PairAnswer>& pairs);
 
 }  // namespace taut::testing

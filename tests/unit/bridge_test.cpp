@@ -10,11 +10,11 @@
 #include <set>
 #include <vector>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "generators/generators.hpp"
 #include "pair/pair_plan.hpp"
 #include "pair/placement.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 #include "support/effort.hpp"
 #include "support/random_scenes.hpp"
 #include "support/tight_mouth.hpp"
@@ -137,14 +137,14 @@ void compare_bridges(const Placement& placement, BridgeCounts& counts) {
   if (found.end == BridgeEnd::on_a) counts.longest = std::max(counts.longest, chains->a.size());
 }
 
-/// At some instants of a scene's first leg.
+/// At some instants of a scene's first segment.
 void compare_bridges(const Scene& scene, int instants, BridgeCounts& counts) {
   const PairPlan plan = plan_pair(scene);
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
   const PairGeometry geometry = displaced_pair(plan, true);
   for (int i = 0; i < instants; ++i) {
-    const double t = legs[0].start + (legs[0].end - legs[0].start) * (i + 0.5) / instants;
-    compare_bridges(Placement(geometry, legs[0], t), counts);
+    const double t = segments[0].start + (segments[0].end - segments[0].start) * (i + 0.5) / instants;
+    compare_bridges(Placement(geometry, segments[0], t), counts);
   }
 }
 
@@ -197,9 +197,9 @@ TEST(RootBridge, CostsInProportionToTheChains) {
   const auto cost = [](int lip_points) {
     const Scene scene = tight_mouth({lip_points, 0.1, 6, 0, 1.2});
     const PairPlan plan = plan_pair(scene);
-    const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+    const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
     const PairGeometry geometry = displaced_pair(plan, true);
-    const Placement placement(geometry, legs[0], scene.start);
+    const Placement placement(geometry, segments[0], scene.start);
     const FreeChains chains = chains_at(placement).value();
     EXPECT_GT(chains.a.size() + chains.b.size(), static_cast<std::size_t>(lip_points) / 2);
     const std::uint64_t before = work_spent();

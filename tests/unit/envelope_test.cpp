@@ -161,10 +161,10 @@ TEST(Envelope, OfCoupledJoints) {
 /// A joint whose effect is 0 to first order at the middle: what it turns is turned back by what hangs on it, or comes
 /// nearest just there.
 TEST(Envelope, DividesJointsThatCancelAtTheMiddle) {
-  const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, aside{{2, -1}, {4, -1}, {4, 1}, {2, 1}};
+  const Polygon square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, separated{{2, -1}, {4, -1}, {4, 1}, {2, 1}};
   Linkage linkage;
   linkage.joints = {{"x", -180, 180}};
-  linkage.scene.bodies = {{"p", {{49, 49}, {51, 49}, {51, 51}, {49, 51}}, {}}, {"a", square, {}}, {"b", aside, {}}};
+  linkage.scene.bodies = {{"p", {{49, 49}, {51, 49}, {51, 51}, {49, 51}}, {}}, {"a", square, {}}, {"b", separated, {}}};
   linkage.scene.bodies[2].relative_to = "p";
   linkage.scene.ignore = {{"p", "*"}};
   linkage.motions = {JointMotion{Revolute{{0, 0}}, 0, 1, 0}, std::nullopt, JointMotion{Revolute{{0, 0}}, 0, -1, 0}};

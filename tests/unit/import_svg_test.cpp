@@ -168,10 +168,10 @@ std::vector<std::string> names_of(const drawing::Import& import) {
 }
 
 /// "what reason" of all that was skipped.
-std::vector<std::string> told_by(const drawing::Import& import) {
-  std::vector<std::string> told;
-  for (const drawing::Skipped& s : import.files[0].skipped) told.push_back(s.what + " " + s.reason);
-  return told;
+std::vector<std::string> decided_by(const drawing::Import& import) {
+  std::vector<std::string> decided;
+  for (const drawing::Skipped& s : import.files[0].skipped) decided.push_back(s.what + " " + s.reason);
+  return decided;
 }
 
 TEST(ImportSvg, DrawsClonesWhereTheyStand) {
@@ -181,7 +181,7 @@ TEST(ImportSvg, DrawsClonesWhereTheyStand) {
       "<use href='#pair' x='10' transform='scale(2)'/><use id='left' xlink:href='#right' y='5'/>"
       "<g id='both'><use href='#sign'/><use href='#sign' x='9'/></g>");
   EXPECT_EQ(names_of(import), (std::vector<std::string>{"pair", "left", "both"}));
-  EXPECT_EQ(told_by(import), std::vector<std::string>{});
+  EXPECT_EQ(decided_by(import), std::vector<std::string>{});
   const Body& pair = import.scene.bodies[0];
   ASSERT_EQ(pair.parts.size(), 2u);
   EXPECT_EQ(area_of(pair), 12);
@@ -206,7 +206,7 @@ TEST(ImportSvg, HandsStylesDownToClones) {
                                  "<circle r='1'/></defs>"
                                  "<use href='#p' display='none'/><use href='other.svg#p'/><use/>"
                                  "<symbol id='s' viewBox='0 0 1 1'><circle r='1'/></symbol><use href='#s'/>");
-  EXPECT_EQ(told_by(import),
+  EXPECT_EQ(decided_by(import),
             (std::vector<std::string>{"<path> is not visible", "<use> clones what is not in the file",
                                       "<use> clones a symbol with a viewBox: unlink it in the program that drew it",
                                       "<defs> is not drawn where it stands, nor cloned",
@@ -242,9 +242,9 @@ TEST(ImportSvg, ObeysStyleSheets) {
 
 TEST(ImportSvg, TellsWhatOfStylesItDoesNotRead) {
   EXPECT_EQ(
-      told_by(svg_import("<style>@import url(x.css); @media print{rect{display:none}} @font-face{src:url(y)} "
-                         "g>rect{display:none} rect:hover{fill:none} g rect{stroke:red} rect{transform:none}</style>"
-                         "<rect width='1' height='1' clip-path='url(#x)' style='transform: scale(2)'/>")),
+      decided_by(svg_import("<style>@import url(x.css); @media print{rect{display:none}} @font-face{src:url(y)} "
+                            "g>rect{display:none} rect:hover{fill:none} g rect{stroke:red} rect{transform:none}</style>"
+                            "<rect width='1' height='1' clip-path='url(#x)' style='transform: scale(2)'/>")),
       (std::vector<std::string>{"@import in a style sheet is not read", "@media in a style sheet is not read",
                                 "the rule \"g>rect\" is not read: only names, classes and ids are",
                                 "the rule \"rect:hover\" is not read: only names, classes and ids are",
@@ -252,7 +252,7 @@ TEST(ImportSvg, TellsWhatOfStylesItDoesNotRead) {
                                 "\"transform\" in a style sheet is not read: use the attribute",
                                 "\"clip-path\" is not obeyed: the whole of it is taken",
                                 "\"transform\" in a style is not read: use the attribute"}));
-  EXPECT_EQ(told_by(svg_import("<style>rect{fill:red</style><rect width='1' height='1'/>")),
+  EXPECT_EQ(decided_by(svg_import("<style>rect{fill:red</style><rect width='1' height='1'/>")),
             std::vector<std::string>{});
 }
 

@@ -184,7 +184,7 @@ std::vector<testing::BadInput> motions() {
 }
 
 /// Motions of taut/motions.hpp.
-std::vector<testing::BadInput> forms() {
+std::vector<testing::BadInput> functions() {
   const std::string at = ": bodies[1].motion";
   const auto frames = [](const std::string& list) { return scene_with_motion("{\"keyframes\":" + list + "}"); };
   const std::string two = R"([{"t":0,"x":1},{"t":1,"x":2}])";
@@ -253,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(Syntax, BadSceneTest, ::testing::ValuesIn(syntax()), te
 INSTANTIATE_TEST_SUITE_P(Structure, BadSceneTest, ::testing::ValuesIn(structure()), testing::name_of);
 INSTANTIATE_TEST_SUITE_P(Bodies, BadSceneTest, ::testing::ValuesIn(bodies()), testing::name_of);
 INSTANTIATE_TEST_SUITE_P(Motions, BadSceneTest, ::testing::ValuesIn(motions()), testing::name_of);
-INSTANTIATE_TEST_SUITE_P(Forms, BadSceneTest, ::testing::ValuesIn(forms()), testing::name_of);
+INSTANTIATE_TEST_SUITE_P(Forms, BadSceneTest, ::testing::ValuesIn(functions()), testing::name_of);
 
 TEST(ReadLimitsTest, AreKept) {
   const std::string text = scene_with_motion("[{\"until\":1},{\"until\":2},{}]");

@@ -7,7 +7,7 @@
 
 #include "numeric/quadratic_bound.hpp"
 #include "numeric/real.hpp"
-#include "relative/leg_clock.hpp"
+#include "relative/taylor_model_cache.hpp"
 #include "support/random_scenes.hpp"
 #include "support/rng.hpp"
 
@@ -83,7 +83,7 @@ TEST(QuadraticBound, SaysNothingOfWhatIsUnknown) {
 /// The frame functions' side of one kind at t, from multi-precision: the functions and two derivatives.
 const std::array<Jet<Real320>, 5>& side(const Frame<Real320>& f, bool pp) { return pp ? f.for_pp : f.for_qq; }
 
-TEST(LegClock, SecondAndThirdDerivativesAndSharedInstants) {
+TEST(TaylorModelCache, SecondAndThirdDerivativesAndSharedInstants) {
   Rng rng(5);
   int compared = 0, shared = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -91,23 +91,23 @@ TEST(LegClock, SecondAndThirdDerivativesAndSharedInstants) {
         {rng.real(-1, 1), rng.real(-1, 1)}, {rng.real(-1, 1)}, AngleRotation{{rng.real(-1, 1), rng.real(-3, 3)}}};
     const MotionPiece q{
         {rng.real(-1, 1), rng.real(-1, 1), rng.real(-1, 1)}, {0.5}, AngleRotation{{0, rng.real(-3, 3), 0.5}}};
-    const Leg leg = Leg::motion(p, q, 0, 2);
-    LegClock clock;
-    clock.reset(leg);
+    const MotionSegment segment = MotionSegment::motion(p, q, 0, 2);
+    TaylorModelCache clock;
+    clock.reset(segment);
     for (int k = 0; k < 30; ++k) {
       const double t = rng.real(0, 2);
       const bool pp = rng.chance(0.5);
       double at;
       const FrameSample near = clock.shortly_before(t, pp, at);
       ASSERT_LE(at, t);
-      const ClockCell cell = clock.cell(t);
+      const ModelCell cell = clock.cell(t);
       ASSERT_GE(at, cell.start);
       ASSERT_LE(t - at, (cell.end - cell.start) / 16);
       shared += at < t;
       const FrameSample& now = clock.at(at, pp);
-      const auto exact = frame(leg, Ball<Real320>::exact(at));
+      const auto exact = frame(segment, Ball<Real320>::exact(at));
       const double later = std::min(cell.end, at + 1e-3), step = later - at;
-      const auto ahead = frame(leg, Ball<Real320>::exact(later));
+      const auto ahead = frame(segment, Ball<Real320>::exact(later));
       for (int i = 0; i < 5; ++i) {
         EXPECT_EQ(near.f[i], now.f[i]);
         EXPECT_EQ(near.d[i], now.d[i]);
@@ -121,12 +121,12 @@ TEST(LegClock, SecondAndThirdDerivativesAndSharedInstants) {
         EXPECT_LE(std::fabs(change), cell.third(pp).most[i] * step * (1 + 1e-9) + 1e-15);
       }
       // Larger cells say it of all their instants.
-      for (const ClockCell* wide = clock.outlook(cell); wide; wide = clock.outlook(*wide)) {
+      for (const ModelCell* wide = clock.parent_bounds(cell); wide; wide = clock.parent_bounds(*wide)) {
         ASSERT_LE(wide->start, cell.start);
         ASSERT_GE(wide->end, cell.end);
         const FrameThird third = wide->third(pp);
         const double other = rng.real(wide->start, wide->end);
-        const auto there = frame(leg, Ball<Real320>::exact(other));
+        const auto there = frame(segment, Ball<Real320>::exact(other));
         for (std::size_t i = 0; i < 4; ++i) {
           const Ball<Real320> change = side(there, pp)[i + 1].dd - side(exact, pp)[i + 1].dd;
           const double seen = std::fabs(RealTraits<Real320>::to_double(change.mid));

@@ -3,8 +3,8 @@
 
 #include "motion/pieces.hpp"
 #include "pair/pair_plan.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "sign/precise_function.hpp"
 #include "support/random_scenes.hpp"
 
@@ -13,7 +13,7 @@ namespace taut::testing {
 /// A pair on a straight way, and a triple of its vertices.
 struct LineSetting {
   PairGeometry geometry;
-  Leg leg;
+  MotionSegment segment;
 
   static LineSetting of(std::uint64_t seed, bool grid) {
     SceneOptions options;
@@ -23,17 +23,17 @@ struct LineSetting {
     const PairPlan plan = plan_pair(scene);
     LineSetting s;
     s.geometry = displaced_pair(plan, seed % 2 == 0);
-    for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
-      if (!leg.bridge) s.leg = leg;
+    for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+      if (!segment.bridge) s.segment = segment;
     }
     return s;
   }
-  Form triple(Rng& rng) const {
+  CertificateFunction triple(Rng& rng) const {
     for (;;) {
       const auto any = [&] { return VertexId(static_cast<std::uint32_t>(rng.below(geometry.size()))); };
       const VertexId u = any(), v = any(), w = any();
       const bool mixed = !(geometry.same_body(u, v) && geometry.same_body(v, w));
-      if (mixed && u != v && v != w && u != w) return Form::of(geometry, u, v, w);
+      if (mixed && u != v && v != w && u != w) return CertificateFunction::of(geometry, u, v, w);
     }
   }
 };

@@ -16,13 +16,13 @@ TEST(ExactLine, SignsAreThoseOf960Bits) {
   int zeros_in_doubles = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
     const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
-    ASSERT_TRUE(ExactLine::fits(s.leg));
+    ASSERT_TRUE(ExactLine::fits(s.segment));
     for (int k = 0; k < 20; ++k) {
-      const Form triple = s.triple(rng);
+      const CertificateFunction triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const ExactLine line(s.leg, s.geometry, triple.measured(measure));
+      const ExactLine line(s.segment, s.geometry, triple.measured(measure));
       ASSERT_TRUE(line.exact());
-      const PreciseFunction<Real960> f(s.leg, s.geometry, triple.measured(measure));
+      const PreciseFunction<Real960> f(s.segment, s.geometry, triple.measured(measure));
       const double t = rng.below(2) ? rng.real(0, 1) : static_cast<double>(rng.below(5)) / 4;
       const Ball<Real960> value = f.value(Ball<Real960>::exact(t));
       if (std::fabs(RealTraits<Real960>::to_double(value.mid)) < 1e-40) ++zeros_in_doubles;
@@ -38,14 +38,14 @@ TEST(ExactLine, RootsAreWhereTheFunctionChangesItsSign) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const LineSetting s = LineSetting::of(seed, seed % 3 != 0);
     for (int k = 0; k < 20; ++k) {
-      const Form triple = s.triple(rng);
+      const CertificateFunction triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const ExactLine line(s.leg, s.geometry, triple.measured(measure));
+      const ExactLine line(s.segment, s.geometry, triple.measured(measure));
       if (line.slope_sign() == 0) continue;
       const auto root = line.root(Stage::precise);
       ASSERT_TRUE(root);
       ++roots;
-      const PreciseFunction<Real960> f(s.leg, s.geometry, triple.measured(measure));
+      const PreciseFunction<Real960> f(s.segment, s.geometry, triple.measured(measure));
       const Real960 lo = root->lo(), hi = root->hi();
       const int before = f.value(Ball<Real960>(lo, 0.0)).sign(), after = f.value(Ball<Real960>(hi, 0.0)).sign();
       if (lo == hi) {
@@ -74,13 +74,13 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const LineSetting s = LineSetting::of(seed, true);
     for (int k = 0; k < 10; ++k) {
-      const Form triple = s.triple(rng);
-      const PreciseTriple precise(s.leg, s.geometry, triple);
+      const CertificateFunction triple = s.triple(rng);
+      const PreciseTriple precise(s.segment, s.geometry, triple);
       const PreciseTime start = PreciseTime::between(0, 0);
       const int sign = precise.sign_at(start, Stage::precise);
       if (sign == 0) continue;
       const auto failure = precise.first_failure(sign, start, 1);
-      const PreciseFunction<Real960> f(s.leg, s.geometry, triple);
+      const PreciseFunction<Real960> f(s.segment, s.geometry, triple);
       auto root = first_sign_change<Real960>(f, sign, Real960(0), Real960(1));
       ASSERT_EQ(failure.has_value(), root.has_value()) << "seed " << seed;
       if (!failure) continue;
@@ -102,7 +102,7 @@ TEST(ExactLine, SaysSoWhenProductsUnderflow) {
   };
   s.geometry = PairGeometry(tiny(s.geometry.p()), tiny(s.geometry.q()));
   Rng rng(4);
-  EXPECT_FALSE(ExactLine(s.leg, s.geometry, s.triple(rng)).exact());
+  EXPECT_FALSE(ExactLine(s.segment, s.geometry, s.triple(rng)).exact());
 }
 
 }  // namespace

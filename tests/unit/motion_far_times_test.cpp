@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "motion/far_pieces.hpp"
 #include "motion/local_time.hpp"
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 #include "support/rng.hpp"
 #include "taut/check.hpp"
 #include "taut/proof.hpp"
@@ -110,8 +110,8 @@ TEST(FarTimes, FramesAreThoseOfTheMotionAtTimeZeroAndAsNarrow) {
   for (int round = 0; round < 400; ++round) {
     const double shift = std::ldexp(1, 12 + rng.below(9)), h = rng.real(0, 1);
     const MotionPiece p = short_piece(rng), q = short_piece(rng);
-    const Leg near = Leg::motion(p, q, 0, 1);
-    const Leg far = Leg::motion(moved_in_time(p, shift), moved_in_time(q, shift), shift, shift + 1);
+    const MotionSegment near = MotionSegment::motion(p, q, 0, 1);
+    const MotionSegment far = MotionSegment::motion(moved_in_time(p, shift), moved_in_time(q, shift), shift, shift + 1);
     ASSERT_FALSE(near.far());
     // Lines and even turns lose no more there than doubles can spare.
     const int power = std::max(highest_power(p), highest_power(q));

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "line_setting.hpp"
-#include "relative/leg_clock.hpp"
+#include "relative/taylor_model_cache.hpp"
 
 namespace taut::testing {
 namespace {
@@ -13,10 +13,11 @@ struct Lines {
   int roots = 0, holding = 0, signs = 0, unknown = 0;
 };
 
-void compare(const FastLine& line, const PreciseFunction<Real960>& f, const Leg& leg, Rng& rng, Lines& seen) {
+void compare(const FastLine& line, const PreciseFunction<Real960>& f, const MotionSegment& segment, Rng& rng,
+             Lines& seen) {
   const auto exact = [&f](double t) { return f.value(Ball<Real960>::exact(t)); };
-  const double t = rng.below(4) ? rng.real(leg.start, leg.end) : leg.start;
-  const double until = rng.below(4) ? rng.real(t, leg.end) : t;
+  const double t = rng.below(4) ? rng.real(segment.start, segment.end) : segment.start;
+  const double until = rng.below(4) ? rng.real(t, segment.end) : t;
   const Bounded v = line.at(t);
   EXPECT_LE(std::fabs(RealTraits<Real960>::to_double(Real960(exact(t).mid - Real960(v.value)))),
             v.error * (1 + 0x1p-30));
@@ -28,9 +29,9 @@ void compare(const FastLine& line, const PreciseFunction<Real960>& f, const Leg&
   ++seen.signs;
   EXPECT_EQ(exact(t).sign(), sign);
   EXPECT_EQ(exact(until).sign(), sign);
-  if (line.holds(sign, until, leg.end)) {
+  if (line.holds(sign, until, segment.end)) {
     ++seen.holding;
-    EXPECT_EQ(exact(leg.end).sign(), sign);
+    EXPECT_EQ(exact(segment.end).sign(), sign);
   }
   double lo, hi;
   if (!line.root(sign, lo, hi)) return;
@@ -47,18 +48,18 @@ TEST(FastLine, BoundsHoldForTheExactFunction) {
   Lines seen;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     LineSetting s = LineSetting::of(seed, seed % 3 != 0);
-    // Legs far from the origin of time, and short ones.
-    if (seed % 5 == 1) s.leg.end = s.leg.start + 1e-9;
-    if (seed % 5 == 2) s.leg = Leg::motion(s.leg.p, s.leg.q, 1000, 1001);
-    LegClock clock;
-    clock.reset(s.leg);
+    // Segments far from the origin of time, and short ones.
+    if (seed % 5 == 1) s.segment.end = s.segment.start + 1e-9;
+    if (seed % 5 == 2) s.segment = MotionSegment::motion(s.segment.p, s.segment.q, 1000, 1001);
+    TaylorModelCache clock;
+    clock.reset(s.segment);
     ASSERT_TRUE(clock.straight());
     for (int k = 0; k < 20; ++k) {
-      const Form triple = s.triple(rng);
+      const CertificateFunction triple = s.triple(rng);
       const Measure measure = any_measure(rng);
-      const FastFunction f = FastFunction::level_zero(s.leg, s.geometry, triple.measured(measure));
+      const FastFunction f = FastFunction::undisplaced(s.segment, s.geometry, triple.measured(measure));
       const FastLine line(f, clock.straight_side(), clock.straight_middle());
-      compare(line, PreciseFunction<Real960>(s.leg, s.geometry, triple.measured(measure)), s.leg, rng, seen);
+      compare(line, PreciseFunction<Real960>(s.segment, s.geometry, triple.measured(measure)), s.segment, rng, seen);
     }
   }
   EXPECT_GT(seen.roots, 5000);
@@ -68,15 +69,16 @@ TEST(FastLine, BoundsHoldForTheExactFunction) {
 }
 
 TEST(FastLine, IsOfferedForStraightTranslationsOnly) {
-  LegClock clock;
+  TaylorModelCache clock;
   const MotionPiece rest, straight{{0, 1}, {2}, NoRotation{}}, curved{{0, 1, 1}, {2}, NoRotation{}},
       turning{{0}, {0}, AngleRotation{{0, 1}}};
-  const Leg legs[] = {Leg::motion(rest, straight, 0, 1), Leg::motion(straight, straight, 0, 1),
-                      Leg::motion(rest, curved, 0, 1), Leg::motion(rest, turning, 0, 1),
-                      Leg::bridging(rest, straight, rest, straight, 1)};
+  const MotionSegment segments[] = {
+      MotionSegment::motion(rest, straight, 0, 1), MotionSegment::motion(straight, straight, 0, 1),
+      MotionSegment::motion(rest, curved, 0, 1), MotionSegment::motion(rest, turning, 0, 1),
+      MotionSegment::bridging(rest, straight, rest, straight, 1)};
   const bool expected[] = {true, true, false, false, false};
   for (int i = 0; i < 5; ++i) {
-    clock.reset(legs[i]);
+    clock.reset(segments[i]);
     EXPECT_EQ(clock.straight(), expected[i]) << "leg " << i;
   }
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "numeric/trig.hpp"
-#include "relative/leg.hpp"
+#include "relative/motion_segment.hpp"
 #include "support/effort.hpp"
 #include "support/exact_motion.hpp"
 #include "support/exact_roots.hpp"
@@ -89,11 +89,11 @@ void place(const BodyMotion& body, const Wide& t, const Point& v, Complex& point
   point = {pose.ox + (x * axis.x - y * axis.y), pose.oy + (y * axis.x + x * axis.y)};
 }
 
-/// A vertex as the leg sees it.
+/// A vertex as the segment sees it.
 template <class Real>
-std::array<Ball<Real>, 2> seen(const Leg& leg, bool of_p, const Point& v) {
+std::array<Ball<Real>, 2> seen(const MotionSegment& segment, bool of_p, const Point& v) {
   std::array<Ball<Real>, 2> at{Ball<Real>::exact(v.x), Ball<Real>::exact(v.y)};
-  add_offset(leg, of_p, at[0], at[1]);
+  add_offset(segment, of_p, at[0], at[1]);
   return at;
 }
 
@@ -103,11 +103,12 @@ void expect_part(const std::array<Ball<Real>, 2>& got, const Complex& want, cons
   EXPECT_TRUE(encloses(got[1], part(want.y)));
 }
 
-/// conj(x) (q - p) in both frames, with both derivatives: by the leg's functions and by definition.
+/// conj(x) (q - p) in both frames, with both derivatives: by the segment's functions and by definition.
 template <class Real>
-void expect_frame(const Leg& leg, double t, const Point& p, const Point& q, const Complex& in_p, const Complex& in_q) {
-  const Frame<Real> f = frame(leg, Ball<Real>::exact(t));
-  const auto vp = seen<Real>(leg, true, p), vq = seen<Real>(leg, false, q);
+void expect_frame(const MotionSegment& segment, double t, const Point& p, const Point& q, const Complex& in_p,
+                  const Complex& in_q) {
+  const Frame<Real> f = frame(segment, Ball<Real>::exact(t));
+  const auto vp = seen<Real>(segment, true, p), vq = seen<Real>(segment, false, q);
   const auto combined = [&](const auto& of) {
     const auto &a = f.for_pp, &b = f.for_qq;
     const std::array<Ball<Real>, 2> first{of(a[1]) + of(a[3]) * vq[0] - of(a[4]) * vq[1] - of(a[0]) * vp[0],
@@ -126,15 +127,16 @@ void expect_frame(const Leg& leg, double t, const Point& p, const Point& q, cons
   compare([](const Jet<Real>& j) { return j.dd; }, [](const Wides& s) { return s.c[2] + s.c[2]; });
 }
 
-void expect_leg(const Leg& leg, const std::array<BodyMotion, 2>& bodies, double t, const Point& p, const Point& q) {
+void expect_segment(const MotionSegment& segment, const std::array<BodyMotion, 2>& bodies, double t, const Point& p,
+                    const Point& q) {
   Complex at_p, at_q, x_p, x_q;
   place(bodies[0], Wide(t), p, at_p, x_p);
   place(bodies[1], Wide(t), q, at_q, x_q);
   const Complex way{at_q.x - at_p.x, at_q.y - at_p.y};
   const Complex in_p = times_conjugate(x_p, way), in_q = times_conjugate(x_q, way);
-  expect_frame<double>(leg, t, p, q, in_p, in_q);
-  expect_frame<Real320>(leg, t, p, q, in_p, in_q);
-  expect_frame<Real960>(leg, t, p, q, in_p, in_q);
+  expect_frame<double>(segment, t, p, q, in_p, in_q);
+  expect_frame<Real320>(segment, t, p, q, in_p, in_q);
+  expect_frame<Real960>(segment, t, p, q, in_p, in_q);
 }
 
 TEST(MotionFrames, ContainTheExactValues) {
@@ -150,7 +152,7 @@ TEST(MotionFrames, ContainTheExactValues) {
     ASSERT_TRUE(a && b);
     const double t = rng.chance(0.2) ? rng.below(3) / 2.0 : rng.unit();
     const Point u{rng.real(-3, 3), rng.real(-3, 3)}, v{rng.real(-3, 3), rng.real(-3, 3)};
-    expect_leg(Leg::motion(p, q, 0, 1), {*a, *b}, t, u, v);
+    expect_segment(MotionSegment::motion(p, q, 0, 1), {*a, *b}, t, u, v);
     if (HasFailure()) return;
   }
 }
@@ -164,7 +166,7 @@ TEST(MotionFrames, OfBridgesContainTheExactValues) {
     const double joint = rng.unit();
     const std::array<BodyMotion, 2> bodies{BodyMotion::bridge(p, p_next, joint), BodyMotion::bridge(q, q, joint)};
     const Point u{rng.real(-3, 3), rng.real(-3, 3)}, v{rng.real(-3, 3), rng.real(-3, 3)};
-    expect_leg(Leg::bridging(p, q, p_next, q, joint), bodies, rng.unit(), u, v);
+    expect_segment(MotionSegment::bridging(p, q, p_next, q, joint), bodies, rng.unit(), u, v);
     if (HasFailure()) return;
   }
 }

@@ -67,9 +67,11 @@ WorldPlace world_place(const MotionPiece& piece, const DisplacedPoint& v, const 
 }
 
 /// Zero at a few instants, to nearly all bits.
-bool seems_to_vanish(const Leg& leg, const PairGeometry& g, const Form& triple) {
+bool seems_to_vanish(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& triple) {
   for (const double t : {0.1, 0.37, 0.61, 0.83}) {
-    const auto at = [&](VertexId v) { return world_place(g.in_p(v) ? leg.p : leg.q, g.point(v), WideBall::exact(t)); };
+    const auto at = [&](VertexId v) {
+      return world_place(g.in_p(v) ? segment.p : segment.q, g.point(v), WideBall::exact(t));
+    };
     const WorldPlace a = at(triple.a), b = at(triple.b), c = at(triple.c);
     if (!(((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).magnitude() < 0x1p-800)) return false;
   }
@@ -83,13 +85,14 @@ struct Vanishing {
   /// Of one triple of the triangles.
   void look(const MotionPiece& p, const MotionPiece& q, Rng& rng) {
     const PairGeometry g = lattice_triangles(rng);
-    const Leg leg = Leg::motion(p, q, 0, 1);
-    if (leg.translation) return;
+    const MotionSegment segment = MotionSegment::motion(p, q, 0, 1);
+    if (segment.translation) return;
     const int a = rng.below(3), b = (a + 1) % 3, other = rng.below(3);
     const bool pp = rng.chance(0.5);
-    const Form triple = pp ? Form{VertexId(a), VertexId(b), VertexId(3 + other), true}
-                           : Form{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
-    const bool seems = seems_to_vanish(leg, g, triple), does = vanishes_before_displacement(leg, g, triple);
+    const CertificateFunction triple =
+        pp ? CertificateFunction{VertexId(a), VertexId(b), VertexId(3 + other), true}
+           : CertificateFunction{VertexId(3 + a), VertexId(3 + b), VertexId(other), false};
+    const bool seems = seems_to_vanish(segment, g, triple), does = vanishes_before_displacement(segment, g, triple);
     ASSERT_FALSE(does && !seems);
     found += does;
     missed += seems && !does;
@@ -108,7 +111,7 @@ TEST(FrameIdentities, AreFoundIfAndOnlyIfTheFunctionVanishes) {
   EXPECT_EQ(seen.missed, 0);
 }
 
-/// Sines that are zero at the ends of the leg, where the squares of their roots are no longer positive.
+/// Sines that are zero at the ends of the segment, where the squares of their roots are no longer positive.
 TEST(FrameIdentities, OfCosinesThatBeginOrEndAtOne) {
   const std::vector<Coefficients> cosines{{0, 1}, {0, -1}, {1, -1}, {-1, 1}, {-1, 2}, {1, -2}, {1, 0, -1}, {0.5, 0.5}};
   Rng rng(12);
@@ -129,8 +132,8 @@ TEST(FrameIdentities, OfTwoFormsOfOneTurn) {
   MotionPiece p, q;
   p.rotation = HalfAngleRotation{{0, 1}};
   q.rotation = DirectionRotation{{1, 0, -1}, {0, 2}};
-  const Leg leg = Leg::motion(p, q, 0, 1);
-  const FrameIdentities& identities = leg.identities();
+  const MotionSegment segment = MotionSegment::motion(p, q, 0, 1);
+  const FrameIdentities& identities = segment.identities();
   const auto exact = [](double x) { return Dyadic::exact(x); };
   for (const bool pp : {true, false}) {
     // c = 1 and s = 0, and D = 0.

@@ -222,7 +222,7 @@ TEST(Ball, AboutAShortMiddleIsHardlyLonger) {
 TEST(Polynomial, RangesInDoublesHoldTheValuesAndTellTheSigns) {
   using B = Ball<Real320>;
   Rng rng(22);
-  int told = 0, told_in_doubles = 0;
+  int decided = 0, decided_in_doubles = 0;
   for (int i = 0; i < 4000; ++i) {
     BallPolynomial<Real320> c;
     std::vector<Fraction> exact;
@@ -234,10 +234,10 @@ TEST(Polynomial, RangesInDoublesHoldTheValuesAndTellTheSigns) {
     const Real320 middle = ldexp(Real320(rng.real(-1, 1)) / Real320(3), -rng.below(60));
     const double reach = rng.chance(0.3) ? 0 : std::ldexp(1.0, -rng.below(90));
     const B t(middle, reach);
-    if (tells(polynomial_range(c, t), t)) ++told;
+    if (tells(polynomial_range(c, t), t)) ++decided;
     const std::optional<Jet<Real320>> range = telling_range_in_doubles(c, t);
     if (!range) continue;
-    ++told_in_doubles;
+    ++decided_in_doubles;
     EXPECT_TRUE(tells(*range, t));
     for (const int share : {-1, 0, 1}) {
       const Fraction at = exact_fraction(middle) + share * exact_fraction(reach);
@@ -250,9 +250,9 @@ TEST(Polynomial, RangesInDoublesHoldTheValuesAndTellTheSigns) {
       EXPECT_LE(abs(Fraction(d - exact_fraction(range->d.mid))), exact_fraction(range->d.rad));
     }
   }
-  EXPECT_GT(told, 2000);
-  EXPECT_GT(told_in_doubles, told * 9 / 10);
-  EXPECT_LE(told_in_doubles, told);
+  EXPECT_GT(decided, 2000);
+  EXPECT_GT(decided_in_doubles, decided * 9 / 10);
+  EXPECT_LE(decided_in_doubles, decided);
 }
 
 TEST(RootIsolation, FindsTheFirstChangeOfSignOnly) {

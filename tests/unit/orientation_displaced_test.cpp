@@ -39,21 +39,22 @@ TEST(Displacement, MovesEdgesToOneSide) {
 }
 
 TEST(DisplacedOrientation, TellsWhichStageAnswered) {
-  const auto told = [](const DisplacedPoint& x, const DisplacedPoint& y, const DisplacedPoint& z, Stage by, int sign) {
+  const auto decided = [](const DisplacedPoint& x, const DisplacedPoint& y, const DisplacedPoint& z, Stage by,
+                          int sign) {
     const StagedSign answer = orientation_staged(x, y, z);
     return answer.sign == sign && answer.stage == by;
   };
   const DisplacedPoint a{0, 0, 0, 0}, b{1, 0, 0, 0}, c{0.5, 1, 0, 0}, straight{2, 0, 0, 0};
-  EXPECT_TRUE(told(a, b, c, Stage::doubles, 1));
-  EXPECT_TRUE(told(a, b, straight, Stage::exact, 0));
+  EXPECT_TRUE(decided(a, b, c, Stage::doubles, 1));
+  EXPECT_TRUE(decided(a, b, straight, Stage::exact, 0));
   const DisplacedPoint up{2, 0, 0, 0x1p-200}, down{2, 0, 0x1p-190, -0x1p-201};
-  EXPECT_TRUE(told(a, b, up, Stage::exact, 1));
-  EXPECT_TRUE(told(a, b, down, Stage::exact, -1));
+  EXPECT_TRUE(decided(a, b, up, Stage::exact, 1));
+  EXPECT_TRUE(decided(a, b, down, Stage::exact, -1));
   // Not collinear by one unit in the last place.
   const DisplacedPoint p{0.1, 0.1, 0, 0}, q{0.2, 0.2, 0, 0}, r{0.3, std::nextafter(0.3, 1.0), 0, -0x1p-180};
-  EXPECT_TRUE(told(p, q, r, Stage::exact, 1));
-  EXPECT_TRUE(told(q, p, r, Stage::exact, -1));
-  EXPECT_TRUE(told(q, r, p, Stage::exact, 1));
+  EXPECT_TRUE(decided(p, q, r, Stage::exact, 1));
+  EXPECT_TRUE(decided(q, p, r, Stage::exact, -1));
+  EXPECT_TRUE(decided(q, r, p, Stage::exact, 1));
 }
 
 }  // namespace

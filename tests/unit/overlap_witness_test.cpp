@@ -143,7 +143,7 @@ int where(const Point& point, const Body& body) {
   return best;
 }
 
-std::optional<Point> world_witness(const Scene& scene) {
+std::optional<Point> world_feature_map(const Scene& scene) {
   std::optional<Point> found;
   for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both}) {
     for (const Touch touch : {Touch::open, Touch::closed}) {
@@ -183,7 +183,7 @@ TEST(OverlapWitness, OfBodiesOfRingsLiesInAPartOfEach) {
       scene.bodies = {frame, other, Body{"away", box_body(100, 100, 101, 101), from_velocity({1, 0}, 0)}};
       scene.bodies[1].motion = from_velocity({1, 0}, 0);
       if (swapped) std::swap(scene.bodies[0], scene.bodies[1]);
-      const std::optional<Point> point = world_witness(scene);
+      const std::optional<Point> point = world_feature_map(scene);
       ASSERT_TRUE(point) << other.name;
       EXPECT_EQ(where(*point, frame), 1) << other.name;
       EXPECT_EQ(where(*point, other), 1) << other.name;
@@ -198,7 +198,7 @@ TEST(OverlapWitness, OfABodyWithAParentIsWhereItsParentPutsIt) {
   hand.relative_to = "arm";
   scene.bodies = {Body{"arm", box_body(0, -1, 4, 1), from_sweep({0, 0}, 90, 120, 0, 1)}, hand,
                   Body{"ceiling", box_body(-10, 6, 10, 8), {}}};
-  const std::optional<Point> point = world_witness(scene);
+  const std::optional<Point> point = world_feature_map(scene);
   ASSERT_TRUE(point);
   EXPECT_EQ(where(*point, scene.bodies[2]), 1);
   EXPECT_LT(std::fabs(point->x), 1 + 1e-12);

@@ -61,7 +61,7 @@ struct Case {
 /// Where all roots are real, the theorem of Budan and Fourier tells their number, not only a bound of it.
 TEST(RootCount, IsThatOfPolynomialsWhoseRootsAreReal) {
   std::mt19937 random(20261125);
-  int told = 0;
+  int decided = 0;
   for (int round = 0; round < 3000; ++round) {
     const Case c(random);
     const double middle = c.lo + (c.hi - c.lo) / 2;
@@ -71,9 +71,9 @@ TEST(RootCount, IsThatOfPolynomialsWhoseRootsAreReal) {
     ASSERT_GE(most, c.inside()) << "round " << round;
     if (most == RootCount<Number>::many) continue;
     // A derivative may be zero at an end.
-    told += most == c.inside();
+    decided += most == c.inside();
   }
-  EXPECT_GT(told, 2000);
+  EXPECT_GT(decided, 2000);
 }
 
 /// Signs that are not known at an end count for more roots, never for fewer.
@@ -156,7 +156,7 @@ TEST(SignChangeSearch, GoesOnWhereItWasStopped) {
   search.begin(1, Number(0.0), Number(2.0));
   int stops = 0;
   for (;;) {
-    const InterruptionScope turn(64);
+    const Budget turn(64);
     try {
       const auto root = search.go_on(parts);
       ASSERT_TRUE(root && expected);

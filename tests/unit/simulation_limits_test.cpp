@@ -78,9 +78,9 @@ TEST(SimulationLimits, StopsWhileItIsMade) {
   std::atomic<bool> stop{true};
   SimulationOptions options;
   options.stop = &stop;
-  Simulation told(meshing_gears(), options);
-  expect_undecided(told, "interrupted");
-  EXPECT_EQ(told.time(), meshing_gears().start);
+  Simulation decided(meshing_gears(), options);
+  expect_undecided(decided, "interrupted");
+  EXPECT_EQ(decided.time(), meshing_gears().start);
   options.stop = nullptr;
   options.max_seconds = -1;
   Simulation late(meshing_gears(), options);

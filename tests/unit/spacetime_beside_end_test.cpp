@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "pair/pair_plan.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
 #include "sign/search_from_end.hpp"
 #include "spacetime/crossings_beside_end.hpp"
 #include "taut/intervals.hpp"
@@ -20,24 +20,24 @@ struct Seen {
   int stretches = 0, crossings = 0;
 };
 
-/// Stretches that become shorter towards the end of the leg, or longer from its start.
-std::vector<double> stretches(const Leg& leg, bool at_end) {
+/// Stretches that become shorter towards the end of the segment, or longer from its start.
+std::vector<double> stretches(const MotionSegment& segment, bool at_end) {
   std::vector<double> cuts;
   for (double d = 0x1p-30; d <= 1; d *= 64) {
-    const double away = reach_of_end(leg) * d;
-    cuts.push_back(at_end ? leg.end - away : leg.start + away);
+    const double away = reach_of_end(segment) * d;
+    cuts.push_back(at_end ? segment.end - away : segment.start + away);
   }
-  cuts.insert(cuts.begin(), at_end ? leg.end : leg.start);
+  cuts.insert(cuts.begin(), at_end ? segment.end : segment.start);
   // The last one leaves the neighbourhood, or enters it.
-  cuts.push_back(leg.start + (leg.end - leg.start) / 2);
+  cuts.push_back(segment.start + (segment.end - segment.start) / 2);
   std::sort(cuts.begin(), cuts.end());
   return cuts;
 }
 
-void compare(const PairGeometry& geometry, const Leg& leg, bool at_end, Ways ways, Seen& seen) {
-  PreciseCrossings alone(geometry, leg, ways), precise(geometry, leg, ways);
-  CrossingsBesideEnd kept(leg, ways, precise);
-  const std::vector<double> cuts = stretches(leg, at_end);
+void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at_end, Ways ways, Seen& seen) {
+  PreciseCrossings alone(geometry, segment, ways), precise(geometry, segment, ways);
+  CrossingsBesideEnd kept(segment, ways, precise);
+  const std::vector<double> cuts = stretches(segment, at_end);
   const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
   for (std::uint32_t v = 0; v < all; ++v) {
     for (std::uint32_t e = v < np ? np : 0; e < (v < np ? all : np); ++e) {
@@ -60,10 +60,10 @@ void compare(const PairGeometry& geometry, const Leg& leg, bool at_end, Ways way
 void compare(const Scene& scene, Seen& seen) {
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
-  for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+  for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
     for (const bool at_end : {false, true}) {
-      if (leg.bridge || !leg.singular_at(at_end ? leg.end : leg.start)) continue;
-      for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, leg, at_end, ways, seen);
+      if (segment.bridge || !segment.singular_at(at_end ? segment.end : segment.start)) continue;
+      for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, segment, at_end, ways, seen);
     }
   }
 }
@@ -103,19 +103,19 @@ TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
   int sharpened = 0;
-  for (const Leg& leg : make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
-    if (leg.bridge || !leg.singular_at(leg.start)) continue;
-    PreciseCrossings crossings(geometry, leg, Ways::both);
+  for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+    if (segment.bridge || !segment.singular_at(segment.start)) continue;
+    PreciseCrossings crossings(geometry, segment, Ways::both);
     const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
     for (std::uint32_t v = 0; v < all; ++v) {
       for (std::uint32_t e = v < np ? np : 0; e < (v < np ? all : np); ++e) {
         const VertexEdge pair{VertexId(v), VertexId(e)};
-        const auto found = crossings.first(pair, leg.start, leg.start + reach_of_end(leg));
+        const auto found = crossings.first(pair, segment.start, segment.start + reach_of_end(segment));
         if (!found) continue;
-        const PreciseTriple triple(leg, geometry, pair.line(geometry));
+        const PreciseTriple triple(segment, geometry, pair.line(geometry));
         const int before = found->out ? 1 : -1;
         // From the end on, as a search in doubles may have it.
-        const PreciseTime rough = PreciseTime::between(leg.start, found->hi);
+        const PreciseTime rough = PreciseTime::between(segment.start, found->hi);
         PreciseTime sharp = rough;
         const std::uint64_t work = work_spent();
         ASSERT_TRUE(triple.refine(before, sharp, Stage::precise));
@@ -145,20 +145,20 @@ TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
   const Scene scene = dip_in_the_last_double();
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
-  const Legs legs = make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
-  const Leg& leg = legs[legs.size() - 1];
+  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegment& segment = segments[segments.size() - 1];
   int pairs = 0;
   for (std::uint32_t e = 0; e < geometry.np; ++e) {
     for (std::uint32_t v = geometry.np; v < geometry.size(); ++v) {
-      PreciseCrossings crossings(geometry, leg, Ways::both);
+      PreciseCrossings crossings(geometry, segment, Ways::both);
       const VertexEdge pair{VertexId(v), VertexId(e)};
-      const auto in = crossings.first(pair, leg.start, leg.end);
-      if (!in || in->lo < std::nextafter(leg.end, 0)) continue;
+      const auto in = crossings.first(pair, segment.start, segment.end);
+      if (!in || in->lo < std::nextafter(segment.end, 0)) continue;
       ++pairs;
       EXPECT_FALSE(in->out);
       // By hand: y = 2.3e-4 when it goes in, t = 2^30 - y^2 / 2.
       ASSERT_TRUE(in->precise);
-      const double before_end = RealTraits<RealMax>::magnitude(RealMax(RealMax(leg.end) - in->precise->hi()));
+      const double before_end = RealTraits<RealMax>::magnitude(RealMax(RealMax(segment.end) - in->precise->hi()));
       EXPECT_NEAR(before_end, 2.645e-8, 1e-11);
     }
   }

@@ -8,11 +8,11 @@
 #include "kinetic/session.hpp"
 #include "motion/pieces.hpp"
 #include "pair/placement.hpp"
-#include "relative/leg.hpp"
-#include "relative/make_legs.hpp"
+#include "relative/make_segments.hpp"
+#include "relative/motion_segment.hpp"
 #include "spacetime/box_separation.hpp"
-#include "spacetime/course.hpp"
 #include "spacetime/first_contact.hpp"
+#include "spacetime/local_expansion.hpp"
 #include "support/random_scenes.hpp"
 #include "taut/io.hpp"
 #include "tiling/free_triangulation.hpp"
@@ -22,23 +22,23 @@ namespace {
 
 using spacetime::Box;
 using spacetime::BoxNode;
-using spacetime::Course;
 using spacetime::FrameWindow;
 using spacetime::Hierarchy;
 using spacetime::hierarchy_of_p;
 using spacetime::hierarchy_of_q;
+using spacetime::LocalExpansion;
 using spacetime::Parabola;
 using spacetime::Stretch;
 using spacetime::TranslationPolynomial;
 
 struct Setting {
   PairGeometry geometry;
-  Legs legs;
+  MotionSegments segments;
 };
 
 Setting setting(const Scene& scene, bool inwards = true) {
   const PairPlan plan = plan_pair(scene);
-  return {displaced_pair(plan, inwards), make_legs(plan.pieces[0], plan.pieces[1], scene.start, scene.end)};
+  return {displaced_pair(plan, inwards), make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)};
 }
 
 DisplacedPoint exactly(const Point& p) { return {p.x, p.y, 0, 0}; }
@@ -92,12 +92,12 @@ TEST(SpacetimeHierarchy, BoxesContainTheirEdgesAndLeavesCoverEachEdgeOnce) {
 }
 
 /// Value, slope and bend at many instants against 320 bits; and the bound of the step against samples.
-void check_bounds(const Setting& s, const Leg& leg, const Form& m) {
-  const PreciseFunction<Real320> truth(leg, s.geometry, m.along());
-  const FastFunction f = FastFunction::level_zero(leg, s.geometry, m.along());
-  double length = leg.end - leg.start;
-  for (double t = leg.start; t < leg.end;) {
-    FrameWindow window(leg, t, leg.end, length);
+void check_bounds(const Setting& s, const MotionSegment& segment, const CertificateFunction& m) {
+  const PreciseFunction<Real320> truth(segment, s.geometry, m.along());
+  const FastFunction f = FastFunction::undisplaced(segment, s.geometry, m.along());
+  double length = segment.end - segment.start;
+  for (double t = segment.start; t < segment.end;) {
+    FrameWindow window(segment, t, segment.end, length);
     length = window.length() * 2;
     const auto encloses = [](const Bounded& bound, const Ball<Real320>& exact) {
       const double difference = std::fabs(Real320(exact.mid - bound.value).to_double());
@@ -112,9 +112,9 @@ void check_bounds(const Setting& s, const Leg& leg, const Form& m) {
       }
       ASSERT_TRUE(encloses(f.value(window.at(at, m.pp)), exact.v)) << at;
       ASSERT_TRUE(encloses(f.slope(window.at(at, m.pp)), exact.d)) << at;
-      ASSERT_TRUE(encloses(f.curvature(window.bend(m.pp)), exact.dd)) << at;
+      ASSERT_TRUE(encloses(f.curvature(window.second(m.pp)), exact.dd)) << at;
       const int sign = exact.v.sign();
-      const double free = Course(f, window, at, sign).positive_until(window.end() - at);
+      const double free = LocalExpansion(f, window, at, sign).positive_until(window.end() - at);
       for (const double share : {0.25, 0.5, 0.75, 0.999}) {
         ASSERT_NE(truth(Ball<Real320>(Real320(at) + Real320(free * share), 0.0)).v.sign(), -sign) << at;
       }
@@ -129,48 +129,48 @@ TEST(SpacetimeMotionBound, HoldsForEveryFormOfMotion) {
       SCOPED_TRACE(std::string(to_string(kind)) + " seed " + std::to_string(seed));
       const Setting s = setting(random_scene(seed, Family::stars, {seed % 2 == 0, {kind}}));
       const std::uint32_t np = s.geometry.np;
-      for (const Leg& leg : s.legs) {
-        check_bounds(s, leg, {VertexId(1u), VertexId(2u), VertexId(np + 1), true});
-        check_bounds(s, leg, {VertexId(np), VertexId(np + 1), VertexId(0u), false});
+      for (const MotionSegment& segment : s.segments) {
+        check_bounds(s, segment, {VertexId(1u), VertexId(2u), VertexId(np + 1), true});
+        check_bounds(s, segment, {VertexId(np), VertexId(np + 1), VertexId(0u), false});
         if (HasFatalFailure()) return;
       }
     }
   }
 }
 
-/// Calls action(stretch, start, end) with stretches of several lengths all over the leg.
+/// Calls action(stretch, start, end) with stretches of several lengths all over the segment.
 template <class Action>
-void for_stretches(const Leg& leg, const Action& action) {
-  const TranslationPolynomial polynomial(leg);
-  double length = leg.end - leg.start;
-  for (double t = leg.start; t < leg.end;) {
-    FrameWindow window(leg, t, leg.end, length);
+void for_stretches(const MotionSegment& segment, const Action& action) {
+  const TranslationPolynomial polynomial(segment);
+  double length = segment.end - segment.start;
+  for (double t = segment.start; t < segment.end;) {
+    FrameWindow window(segment, t, segment.end, length);
     length = window.length() * 2;
     const double start = window.start(), end = window.end();
     if (!window.smooth()) {
-      action(Stretch::of_range(leg, window), start, end);
+      action(Stretch::of_range(segment, window), start, end);
     } else {
       for (const auto& [from, to] : {std::pair(0.0, 1.0), std::pair(0.5, 0.75), std::pair(0.9, 0.91)}) {
         const double lo = start + from * (end - start), hi = std::min(end, start + to * (end - start));
-        action(Stretch::of_window(leg, window, lo, hi), lo, hi);
-        if (leg.translation) action(Stretch::of_translation(leg, polynomial, lo, hi), lo, hi);
+        action(Stretch::of_window(segment, window, lo, hi), lo, hi);
+        if (segment.translation) action(Stretch::of_translation(segment, polynomial, lo, hi), lo, hi);
       }
     }
-    if (!leg.bridge) action(Stretch::at_instant(leg, start), start, start);
+    if (!segment.bridge) action(Stretch::at_instant(segment, start), start, start);
     t = end;
   }
-  if (!leg.bridge) action(Stretch::at_instant(leg, leg.end), leg.end, leg.end);
+  if (!segment.bridge) action(Stretch::at_instant(segment, segment.end), segment.end, segment.end);
 }
 
 /// At an instant nothing is left but rounding, also where the motion is singular.
 TEST(SpacetimeStretch, AtAnInstantIsAsGoodAsDoublesAre) {
   const Setting s = setting(read_scene("tests/corpus/touch_as_an_infinite_speed_is_reached.json"));
   int singular = 0;
-  for (const Leg& leg : s.legs) {
-    if (leg.bridge) continue;
-    for (const double t : {leg.start, leg.end}) {
-      singular += leg.singular_at(t);
-      const Stretch there = Stretch::at_instant(leg, t);
+  for (const MotionSegment& segment : s.segments) {
+    if (segment.bridge) continue;
+    for (const double t : {segment.start, segment.end}) {
+      singular += segment.singular_at(t);
+      const Stretch there = Stretch::at_instant(segment, t);
       EXPECT_LE(there.in_p.error, 0x1p-43 * there.in_p.reach);
       EXPECT_LE(there.in_q.error, 0x1p-43 * there.in_q.reach);
     }
@@ -179,12 +179,12 @@ TEST(SpacetimeStretch, AtAnInstantIsAsGoodAsDoublesAre) {
 }
 
 /// A distance along an edge as a parabola against 320 bits.
-void check_stretches(const Setting& s, const Leg& leg, const Form& m) {
-  const PreciseFunction<Real320> truth(leg, s.geometry, m.along());
+void check_stretches(const Setting& s, const MotionSegment& segment, const CertificateFunction& m) {
+  const PreciseFunction<Real320> truth(segment, s.geometry, m.along());
   const DisplacedPoint &a = s.geometry.point(m.a), &b = s.geometry.point(m.b), &c = s.geometry.point(m.c);
   const Vector edge{b.x - a.x, b.y - a.y};
-  for_stretches(leg, [&](const Stretch& stretch, double start, double end) {
-    const spacetime::Carriage& carriage = m.pp ? stretch.in_p : stretch.in_q;
+  for_stretches(segment, [&](const Stretch& stretch, double start, double end) {
+    const spacetime::RelativePose& carriage = m.pp ? stretch.in_p : stretch.in_q;
     const Parabola f = along(edge, carriage.place({c.x, c.y}, {a.x, a.y}));
     const double error = carriage.error * l1_norm(edge) + 0x1p-150 * (1 + carriage.reach);
     for (const double share : {0.0, 0.3, 0.5, 0.8, 1.0}) {
@@ -204,9 +204,9 @@ TEST(SpacetimeStretch, HoldsForEveryFormOfMotion) {
       SCOPED_TRACE(std::string(to_string(kind)) + " seed " + std::to_string(seed));
       const Setting s = setting(random_scene(seed, Family::stars, {seed % 2 == 0, {kind}}));
       const std::uint32_t np = s.geometry.np;
-      for (const Leg& leg : s.legs) {
-        check_stretches(s, leg, {VertexId(1u), VertexId(2u), VertexId(np + 1), true});
-        check_stretches(s, leg, {VertexId(np), VertexId(np + 1), VertexId(0u), false});
+      for (const MotionSegment& segment : s.segments) {
+        check_stretches(s, segment, {VertexId(1u), VertexId(2u), VertexId(np + 1), true});
+        check_stretches(s, segment, {VertexId(np), VertexId(np + 1), VertexId(0u), false});
         if (HasFatalFailure()) return;
       }
     }
@@ -238,12 +238,12 @@ TEST(SpacetimeOverlap, AgreesWithThePlaneSweep) {
     }
     const Setting s = setting(scene);
     for (const double share : {0.0, 0.3, 0.6, 0.9}) {
-      const Leg& leg = s.legs[0];
-      const double t = leg.start + share * (leg.end - leg.start);
-      const Placement placement(s.geometry, leg, t);
+      const MotionSegment& segment = s.segments[0];
+      const double t = segment.start + share * (segment.end - segment.start);
+      const Placement placement(s.geometry, segment, t);
       FreeTriangulation triangulation;
       const bool expected = triangulate_free_space(placement, triangulation).has_value();
-      const auto found = spacetime::overlapping(s.geometry, leg, t);
+      const auto found = spacetime::overlapping(s.geometry, segment, t);
       ASSERT_EQ(found.has_value(), expected) << "seed " << seed << " at " << t;
       overlaps += expected;
       inside += found && !found->crossing;
@@ -260,10 +260,10 @@ TEST(SpacetimeBoxes, ApartIsTrue) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Setting s = setting(random_scene(seed, all_families[seed % 8]));
     const Hierarchy p = hierarchy_of_p(s.geometry), q = hierarchy_of_q(s.geometry);
-    for (const Leg& leg : s.legs) {
-      if (leg.bridge) continue;
+    for (const MotionSegment& segment : s.segments) {
+      if (segment.bridge) continue;
       std::uint32_t k = 0;
-      for_stretches(leg, [&](const Stretch& stretch, double start, double end) {
+      for_stretches(segment, [&](const Stretch& stretch, double start, double end) {
         ++k;
         const Box& a = p.node((k * 7 + 1) % static_cast<std::uint32_t>(p.size())).box;
         const Box& b = q.node((k * 5 + 2) % static_cast<std::uint32_t>(q.size())).box;
@@ -277,7 +277,7 @@ TEST(SpacetimeBoxes, ApartIsTrue) {
         const PairGeometry boxes(rectangle(a), rectangle(b));
         for (const double share : {0.0, 0.2, 0.5, 0.9, 1.0}) {
           const double at = std::min(end, start + share * (end - start));
-          EXPECT_TRUE(separated(Placement(boxes, leg, at))) << "seed " << seed << " at " << at;
+          EXPECT_TRUE(separated(Placement(boxes, segment, at))) << "seed " << seed << " at " << at;
         }
       });
     }

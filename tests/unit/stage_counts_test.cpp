@@ -55,15 +55,15 @@ TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
   const Scene scene = passing("1");
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  Leg leg = Leg::motion(plan.pieces[0][0], plan.pieces[1][0], 0, 4);
+  MotionSegment segment = MotionSegment::motion(plan.pieces[0][0], plan.pieces[1][0], 0, 4);
   FrameMemory memory;
-  memory.reset(leg);
-  const PreciseTriple form(leg, geometry, Form::of(geometry, VertexId(0u), VertexId(1u), VertexId(geometry.np)),
-                           &memory);
-  EXPECT_NE(form.sign_at(PreciseTime::between(1, 1), Stage::precise), 0);
+  memory.reset(segment);
+  const PreciseTriple function(
+      segment, geometry, CertificateFunction::of(geometry, VertexId(0u), VertexId(1u), VertexId(geometry.np)), &memory);
+  EXPECT_NE(function.sign_at(PreciseTime::between(1, 1), Stage::precise), 0);
   EXPECT_EQ(memory.stages[Stage::exact], 1u);
   const RealMax one = 1.0;
-  EXPECT_NE(form.sign_at(PreciseTime(one, one, stage_of_precision(1)), stage_of_precision(1)), 0);
+  EXPECT_NE(function.sign_at(PreciseTime(one, one, stage_of_precision(1)), stage_of_precision(1)), 0);
   EXPECT_EQ(memory.stages[stage_of_precision(1)], 1u);
   EXPECT_EQ(memory.stages.beyond_doubles(), 2u);
 }

@@ -120,10 +120,10 @@ PairGeometry two_stars(Rng& rng, std::uint32_t n, double distance) {
 /// Area and counts: the triangles tile the box without the polygons.
 TEST(FreeTriangulation, TilesTheFreeSpace) {
   Rng rng(10);
-  const Leg leg = Leg::motion({}, {}, 0, 1);
+  const MotionSegment segment = MotionSegment::motion({}, {}, 0, 1);
   for (std::uint32_t n = 3; n < 120; n += 3) {
     const PairGeometry g = two_stars(rng, n, 1.0);
-    const Placement placement(g, leg, 0);
+    const Placement placement(g, segment, 0);
     FreeTriangulation t;
     ASSERT_FALSE(triangulate_free_space(placement, t));
     const std::size_t triangles = t.origin.size() / 3;
@@ -157,11 +157,11 @@ TEST(FreeTriangulation, TilesTheFreeSpace) {
 
 TEST(FreeTriangulation, FindsOverlaps) {
   Rng rng(11);
-  const Leg leg = Leg::motion({}, {}, 0, 1);
+  const MotionSegment segment = MotionSegment::motion({}, {}, 0, 1);
   int overlaps = 0;
   for (int i = 0; i < 200; ++i) {
     const PairGeometry g = two_stars(rng, 12, rng.real(0, 1.2));
-    const Placement placement(g, leg, 0);
+    const Placement placement(g, segment, 0);
     FreeTriangulation t;
     const auto overlap = triangulate_free_space(placement, t);
     bool crossing = false;
@@ -188,16 +188,16 @@ TEST(FreeTriangulation, FindsAPolygonInsideTheOther) {
     return displace(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}, true, displacement_unit, 3).points;
   };
   const PairGeometry g(square(2), square(0.5));
-  const Leg leg = Leg::motion({}, {}, 0, 1);
+  const MotionSegment segment = MotionSegment::motion({}, {}, 0, 1);
   FreeTriangulation t;
-  EXPECT_TRUE(triangulate_free_space(Placement(g, leg, 0), t).has_value());
+  EXPECT_TRUE(triangulate_free_space(Placement(g, segment, 0), t).has_value());
 }
 
 TEST(Checks, NoticeWhatIsWrong) {
   Rng rng(12);
-  const Leg leg = Leg::motion({}, {}, 0, 1);
+  const MotionSegment segment = MotionSegment::motion({}, {}, 0, 1);
   const PairGeometry g = two_stars(rng, 20, 1.0);
-  const Placement placement(g, leg, 0);
+  const Placement placement(g, segment, 0);
   const StaticTiling good = build_tiling(placement);
   ASSERT_EQ(find_fault(good.map, placement), "");
   EXPECT_EQ(difference(good.map, good.map), "");

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "base/interruption.hpp"
-#include "search/pair_search.hpp"
+#include "base/budget.hpp"
+#include "search/pair_instance.hpp"
 #include "spacetime/clearance.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
@@ -60,12 +60,12 @@ TEST(WorkOfAProfile, OfSliversThatTurn) { expect_profile("cosine_ends_at_a_joint
 TEST(WorkOfASearch, GivesUpWhereEdgesStayAsNear) {
   const Scene scene = in_corpus("cosine_ends_at_a_joint");
   const WorldPlan plan(scene);
-  const PairSearch search(plan, 0, 1, false);
+  const PairInstance search(plan, 0, 1, false);
   spacetime::Nearest nearest;
   nearest.distance = INFINITY;
-  const InterruptionScope limit(nullptr, many_seconds);
+  const Budget limit(nullptr, many_seconds);
   const std::uint64_t before = work_spent();
-  spacetime::find_nearest_within(search.geometry, search.trees(), search.legs(), 0, 1.5, {1e-6, 1e-12}, nearest);
+  spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), 0, 1.5, {1e-6, 1e-12}, nearest);
   EXPECT_LT(work_spent() - before, 200'000u);
   EXPECT_EQ(nearest.unresolved, 0);
   EXPECT_LT(nearest.distance, 2e-7);

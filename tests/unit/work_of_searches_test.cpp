@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "base/interruption.hpp"
+#include "base/budget.hpp"
 #include "check/run.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"

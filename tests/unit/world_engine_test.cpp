@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/generators.hpp"
-#include "search/pair_engines.hpp"
+#include "search/portfolio_solver.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -37,7 +37,7 @@ TEST(WorldEngines, PairsInTurnsKnowTheirBodiesBeforeTheStartIsAsked) {
   const WorldPlan plan(scene);
   for (const std::uint64_t first_turn : {0, 8192}) {
     EventBudget budget(UINT64_MAX);
-    const std::unique_ptr<WindowedPair> pair = pair_in_turns(plan, 1, 2, true, budget, first_turn);
+    const std::unique_ptr<PairSolver> pair = pair_in_turns(plan, 1, 2, true, budget, first_turn);
     EXPECT_EQ(pair->result().a, 1);
     EXPECT_EQ(pair->result().b, 2);
     pair->ask(2, 10);

@@ -1,0 +1,83 @@
+#include "base/budget.hpp"
+
+#include <algorithm>
+
+namespace taut {
+namespace {
+
+thread_local Budget* innermost = nullptr;
+thread_local std::uint64_t spent = 0, next_look = 0;
+
+/// Longer limits than this are none.
+constexpr double for_ever = 1e9;
+constexpr std::uint64_t between_looks = 64;
+
+std::uint64_t after(std::uint64_t work, std::uint64_t more) {
+  return more < UINT64_MAX - work ? work + more : UINT64_MAX;
+}
+
+}  // namespace
+
+Budget::Budget(const std::atomic<bool>* stop, double max_seconds)
+    : stop_(stop), limited_(max_seconds < for_ever), outer_(innermost) {
+  const std::chrono::duration<double> limit(std::max(max_seconds, 0.0));
+  if (limited_) deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  innermost = this;
+}
+
+Budget::Budget(std::uint64_t effort, std::uint64_t overtime)
+    : end_(after(spent, effort)), until_(after(end_, overtime)), outer_(innermost) {
+  innermost = this;
+  next_look = spent + between_looks;
+}
+
+Budget::~Budget() { innermost = outer_; }
+
+void Budget::check() const {
+  if (stop_ && stop_->load(std::memory_order_relaxed)) throw Interrupted{"interrupted"};
+  if (limited_ && Clock::now() > deadline_) throw Interrupted{"the time limit was reached"};
+  if (outer_) outer_->check();
+}
+
+void Budget::look() {
+  check();
+  if (spent < until_) return;
+  exhausted_ = true;
+  throw Interrupted{"the effort was used up"};
+}
+
+void Budget::look_ahead(std::uint64_t work) {
+  check();
+  if (work <= end_ && spent <= end_ - work) return;
+  exhausted_ = true;
+  wanted_ = work;
+  throw Interrupted{"the effort was used up"};
+}
+
+UnmeteredScope::UnmeteredScope() : spent_(spent), next_look_(next_look), unlimited_(UINT64_MAX) {}
+
+UnmeteredScope::~UnmeteredScope() {
+  spent = spent_;
+  next_look = next_look_;
+}
+
+void checkpoint(std::uint64_t work) {
+  spent += work;
+  if (!innermost || spent < next_look) return;
+  next_look = spent + between_looks;
+  innermost->look();
+}
+
+void checkpoint_before(std::uint64_t work) {
+  if (innermost) innermost->look_ahead(work);
+}
+
+void count_kept_work(std::uint64_t work) {
+  if (innermost) innermost->kept_ += work;
+}
+
+void count_work(std::uint64_t work) { spent += work; }
+
+std::uint64_t work_spent() { return spent; }
+
+}  // namespace taut

@@ -1,0 +1,51 @@
+// Room that a thread keeps for the next one who needs the like.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace taut {
+
+/// A T that is taken is the one that its last owner in this thread gave back, as it was left, or a new one. Memory that
+/// a system gives and takes for each question costs more than a small question does. One of each type is kept, until
+/// the thread ends; owners that are static objects may end later.
+template <class T>
+class ThreadLocalPool {
+ public:
+  struct GiveBack {
+    void operator()(T* it) const { give(it); }
+  };
+  using Pointer = std::unique_ptr<T, GiveBack>;
+
+  static Pointer take() {
+    T* const kept = over_ ? nullptr : std::exchange(own().kept_, nullptr);
+    return Pointer(kept ? kept : new T);  // what has no constructor is not touched: so not T()
+  }
+
+  ThreadLocalPool(const ThreadLocalPool&) = delete;
+  ThreadLocalPool& operator=(const ThreadLocalPool&) = delete;
+  ~ThreadLocalPool() {
+    delete kept_;
+    over_ = true;
+  }
+
+ private:
+  ThreadLocalPool() = default;
+
+  static void give(T* it) {
+    if (over_ || own().kept_) {
+      delete it;
+    } else {
+      own().kept_ = it;
+    }
+  }
+  static ThreadLocalPool& own() {
+    static thread_local ThreadLocalPool spare;
+    return spare;
+  }
+
+  static inline thread_local bool over_ = false;
+  T* kept_ = nullptr;
+};
+
+}  // namespace taut

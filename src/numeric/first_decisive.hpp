@@ -1,0 +1,54 @@
+// One precision after the other, until one tells.
+//
+// What doubles leave open is asked at 320 bits first, because that nearly always does and costs least; "undecided" is
+// what remains when the last one is silent. That walk is written here alone.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "base/errors.hpp"
+#include "numeric/root_isolation.hpp"
+#include "numeric/stages.hpp"
+
+namespace taut {
+
+/// ask(stage) from a stage on, usually the first at high precision, until the answer is not empty, or not zero; else
+/// that empty answer.
+template <class Ask>
+auto first_decisive(const Ask& ask, Stage first = Stage::precise) -> decltype(ask(Stage::precise)) {
+  for (Stage stage = first; stage <= last_stage; stage = next_precise(stage)) {
+    if (auto answer = ask(stage)) return answer;
+  }
+  return {};
+}
+
+/// The same, where someone has to tell; `what` is the question for the user.
+template <class Ask>
+auto decide(const char* what, const Ask& ask) -> decltype(ask(Stage::precise)) {
+  auto answer = first_decisive(ask);
+  if (!answer) throw Undecidable{what};
+  return answer;
+}
+
+/// The sign of a ball given as a function of a number of its type; 0 if no stage tells.
+template <class Quantity>
+int decided_sign(const Quantity& quantity) {
+  return first_decisive(
+      [&](Stage stage) { return with_stage(stage, [&](auto zero) { return quantity(zero).sign(); }); });
+}
+
+/// `ask(zero, stage)` where a stage that cannot tell throws PrecisionExhausted; nothing if none can.
+template <class Ask>
+auto at_some_stage(const Ask& ask, Stage first = Stage::precise)
+    -> std::optional<decltype(ask(Real320{}, Stage::precise))> {
+  for (Stage stage = std::max(first, Stage::precise); stage <= last_stage; stage = next_precise(stage)) {
+    try {
+      return with_stage(stage, [&](auto zero) { return ask(zero, stage); });
+    } catch (const PrecisionExhausted&) {
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut

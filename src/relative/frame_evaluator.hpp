@@ -1,0 +1,22 @@
+// The frame functions at two instants: most combinations of them differ from zero there already.
+#pragma once
+
+#include <array>
+
+#include "relative/motion_segment.hpp"
+
+namespace taut {
+
+/// A look at these two costs next to nothing beside the frame's identities (FrameIdentities), which few forms need.
+class FrameEvaluator {
+ public:
+  explicit FrameEvaluator(const MotionSegment& segment);
+  /// Is the sum of these coefficients times the frame functions for `pp` certainly not zero at all times of the
+  /// segment?
+  bool differs_from_zero(bool pp, const std::array<Ball<double>, 5>& coefficients) const;
+
+ private:
+  std::array<FrameValues<double>, 2> looks_;
+};
+
+}  // namespace taut

@@ -1,0 +1,91 @@
+// The segments of a relative motion, each made when it is asked for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "motion/piece_list.hpp"
+#include "relative/motion_segment.hpp"
+
+namespace taut {
+
+/// Where a segment is, which is known before it is made.
+struct SegmentPlace {
+  double start = 0, end = 0;  ///< of the time; of a bridge both are the joint
+  bool bridge = false;
+  std::uint32_t stretch = 0;  ///< the number of the stretch between joints; of a bridge, of that before it
+};
+
+/// All segments from start to end, in order. A segment has more than a thousand bytes, and between a hundred thousand
+/// keyframes there are two hundred thousand: engines, verifiers and questions go through them one after the other. So
+/// only their places are kept, and those that were asked for last. Copies share places and pieces, and make segments of
+/// their own.
+///
+/// A reference to a segment is valid until sixteen others have been asked for; who keeps one longer holds it (hold()),
+/// and then it is the same object for all. Not for several threads at once.
+class MotionSegments {
+ public:
+  /// No segment at all.
+  MotionSegments() = default;
+  /// One that is there already.
+  explicit MotionSegments(MotionSegment segment);
+  /// One for each stretch without a joint, and a bridge at each joint where a piece changes; p and q have a
+  /// motion each, at least.
+  MotionSegments(MotionChain p, MotionChain q, double start, double end);
+  MotionSegments(const MotionSegments& other) : route_(other.route_), first_(other.first_) {}
+  MotionSegments(MotionSegments&&) noexcept = default;
+  MotionSegments& operator=(const MotionSegments& other) { return *this = MotionSegments(other); }
+  MotionSegments& operator=(MotionSegments&&) noexcept = default;
+  ~MotionSegments() = default;
+
+  std::size_t size() const { return first_ ? route_size() + 1 : route_size(); }
+  const MotionSegment& operator[](std::size_t k) const { return *kept(k); }
+  const MotionSegment& front() const { return (*this)[0]; }
+  std::shared_ptr<const MotionSegment> hold(std::size_t k) const { return kept(k); }
+  SegmentPlace place(std::size_t k) const;
+  /// The number of the first segment that ends at t or later; size() if there is none.
+  std::size_t first_until(double t) const;
+  /// Puts a segment before the others.
+  void put_first(MotionSegment segment);
+  /// For loops over all of them.
+  class Iterator {
+   public:
+    Iterator(const MotionSegments& segments, std::size_t k) : segments_(&segments), k_(k) {}
+    const MotionSegment& operator*() const { return (*segments_)[k_]; }
+    Iterator& operator++() {
+      ++k_;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return k_ != other.k_; }
+
+   private:
+    const MotionSegments* segments_;
+    std::size_t k_;
+  };
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+  /// Are the functions of mixed triples linear on all of them? Then it is one segment.
+  bool straight() const;
+
+ private:
+  struct Route;
+  static constexpr std::size_t window = 16;
+  struct Kept {
+    std::size_t number = SIZE_MAX;
+    std::shared_ptr<const MotionSegment> segment;
+  };
+
+  std::size_t route_size() const;
+  const std::shared_ptr<const MotionSegment>& kept(std::size_t k) const;
+  void replace(Kept& place, std::size_t k) const;
+
+  std::shared_ptr<const Route> route_;
+  std::shared_ptr<const MotionSegment> first_;
+  mutable std::vector<Kept> window_;  ///< by the last bits of the segment's number
+  /// Of those that had to leave it and are held: as long as they are, no other copy of them is made.
+  mutable std::vector<std::pair<std::size_t, std::weak_ptr<const MotionSegment>>> held_;
+};
+
+}  // namespace taut

@@ -1,0 +1,111 @@
+// Models of the frame on segments on which bodies turn evenly, in closed form.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "numeric/fixed.hpp"
+#include "relative/frame_model.hpp"
+#include "relative/frame_sample.hpp"
+
+namespace taut {
+
+/// D about an instant: coefficients of its coordinates.
+template <class N>
+struct RelativeDisplacement {
+  int terms = 1;
+  std::array<N, model_degree + 1> x{}, y{};
+};
+
+/// With frames as complex numbers the functions are e^(i a(t)), or that times D(t), where the angle a is linear in t.
+/// About an instant m, e^(i a(m + h)) is e^(i a(m)) times the series of e^(i r h), r being the rate: which is the same
+/// at all instants, up to a turn by a(m). So is what a polynomial in h leaves out. A model then takes one sine and one
+/// cosine for each angle, while bounds are those of the last model of that length; nothing is composed. And the angle
+/// is reduced as an exact sum, so that after 10^5 turns it is as good as in the first one, which an angle in a double
+/// is not. The same holds in numbers of any length (Expansion).
+class UniformRotation {
+ public:
+  /// Leaves what is kept unset: most of it is never used.
+  UniformRotation() {}
+  /// Null if the segment is another one.
+  static std::shared_ptr<const UniformRotation> of(const MotionSegment& segment);
+  /// Of the part [start, end] of that segment. Nothing where an angle is too large.
+  std::optional<FrameModel> model(const MotionSegment& segment, double start, double end) const;
+  /// Are bounds of the third derivatives the same over every part?
+  bool is_steady() const { return constant_way_.has_value(); }
+  /// Bounds of the third derivatives over a part.
+  FrameThird third(const MotionSegment& segment, bool pp, double start, double end) const;
+
+  /// The functions of FrameModel about an instant m, in numbers of a fixed length: polynomials in (t - m) / 2^exponent,
+  /// for times no farther from m than that.
+  struct Expansion {
+    std::array<std::array<FixedBall, model_degree>, FrameModel::functions> c;
+    std::array<double, FrameModel::functions> rest;       ///< bounds of the next coefficient
+    std::array<Jet<double>, FrameModel::functions> over;  ///< values and slopes; second derivatives are not set
+  };
+  Expansion expansion(const MotionSegment& segment, double m, int exponent) const;
+  /// A bound of what its polynomials leave out.
+  double rest_within(const MotionSegment& segment, double m, int exponent) const;
+
+ private:
+  /// sign (c0 + c1 t), each coefficient a sum of two doubles.
+  struct Angle {
+    double sign = 1, c0 = 0, c0_low = 0, c1 = 0, c1_low = 0;
+    /// Of e^(i a(m)): cosine and sine. False where the angle is too large.
+    bool at(double m, double& re, double& im) const;
+    void at(double m, FixedBall& re, FixedBall& im) const;
+  };
+  static constexpr int last = model_degree;  ///< the power that models leave out
+  template <class N>
+  using Powers = std::array<N, last + 1>;
+  /// A turn, and (i r)^k / k! but for powers of i. That of a body which does not turn has no angle.
+  struct Spin {
+    std::optional<Angle> angle;
+    Powers<double> u{1};
+    void set(const Angle& a);
+    Powers<FixedBall> precise_powers(int exponent) const;
+  };
+  struct Way : RelativeDisplacement<double> {
+    Powers<double> size{}, error{};  ///< bounds of |(x, y)|, and of what is missing
+  };
+  /// What all expansions with an exponent have in common.
+  struct Precise {
+    int exponent;
+    std::array<Powers<FixedBall>, FrameModel::functions / 2> u;
+    std::optional<RelativeDisplacement<FixedBall>> constant_way;
+  };
+  /// What is the same for all models of a radius and with ways of such sizes: all but the coefficients.
+  struct Bounds {
+    double radius = -1;
+    Way way;
+    FrameModel model;
+  };
+
+  bool take(const MotionSegment& segment);
+  Way way_about(const MotionSegment& segment, double m) const;
+  const Bounds& bounds_for(double radius, Way way) const;
+  void bound(const Spin& spin, const Way& way, int i, FrameModel& model) const;
+  static bool turn(const Spin& spin, const Way& way, double m, int i, FrameModel& out);
+  const Spin& spin(int pair) const {
+    return pair == 0 || (pair == 1 && aligned_) ? to_p_ : pair == 1 ? to_q_ : relative_;
+  }
+  static const Way& one_way();
+  static Powers<double> sizes_within(const Way& way, double radius);
+  static double size_of(const Spin& spin, const Powers<double>& sizes, int terms, int k);
+  const Precise& precise(const MotionSegment& segment, int exponent) const;
+  static RelativeDisplacement<FixedBall> precise_way(const MotionSegment& segment, double m, int exponent);
+  template <class N, class Take>
+  static void turned(const Powers<N>& u, const RelativeDisplacement<N>& way, const N& re, const N& im,
+                     const Take& take);
+
+  static constexpr int pairs = FrameModel::functions / 2;
+  Spin to_p_, to_q_, relative_;  ///< of conj(x_P) and conj(x_Q), and of conj(x_P) x_Q
+  bool aligned_ = false;
+  std::optional<Way> constant_way_;
+  mutable std::array<Bounds, 6> kept_;  ///< those used last
+  mutable std::size_t next_ = 0;
+  mutable std::optional<Precise> precise_;  ///< made when it is asked for
+};
+
+}  // namespace taut

@@ -1,0 +1,145 @@
+#include "search/kinetic_solver.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/budget.hpp"
+#include "base/errors.hpp"
+#include "numeric/undecided.hpp"
+
+namespace taut {
+namespace {
+
+/// How many events there are between two looks at the work that was done.
+constexpr std::uint64_t events_of_turn = 16;
+
+}  // namespace
+
+KineticSolver::KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
+    : world_(world),
+      inwards_(inwards),
+      budget_(budget),
+      plan_(world.pair(a, b)),
+      geometry_(displaced_pair(plan_, inwards)),
+      segments_(world.segments(plan_)) {
+  result_.a = std::min(a, b);
+  result_.b = std::max(a, b);
+  result_.free_until = world.end();
+  result_.engine = EngineName::kinetic;
+}
+
+void KineticSolver::ask_start() {
+  try {
+    resolve_start();
+  } catch (const Undecidable& limit) {
+    give_up(not_decided(limit), world_.start());
+  }
+}
+
+void KineticSolver::resolve_start() {
+  const double start = world_.start();
+  const MotionSegment& segment = segments_.front();
+  begin(start);
+  if (!engines_->overlap()) return;
+  const auto how = [&] { return overlap_of_outlines(geometry_, segment, start, engines_->inside()); };
+  const auto overlap_of = [&](const PairGeometry& shapes) {
+    return RingEngines(plan_, shapes, true, world_.both_segments(plan_, start)).overlap();
+  };
+  take_start(contact_at_start(witness(), segment, start, how, overlap_of), start, result_);
+  engines_.reset();
+}
+
+void KineticSolver::begin(double from) {
+  leave();
+  engines_ = std::make_unique<RingEngines>(plan_, geometry_, inwards_, world_.both_segments(plan_, from));
+  at_ = window_ = from;
+}
+
+void KineticSolver::leave() {
+  before_ = counts();
+  stages_ = stages();
+  engines_.reset();
+}
+
+KineticCounts KineticSolver::counts() const {
+  KineticCounts sum = before_;
+  if (engines_) sum += {engines_->events(), engines_->initial_certificates(), engines_->max_certificates()};
+  return sum;
+}
+
+StageCounts KineticSolver::stages() const {
+  StageCounts sum = stages_;
+  if (engines_) sum += engines_->stages();
+  return sum;
+}
+
+bool KineticSolver::work(double from, double to, std::uint64_t effort) {
+  if (!open() && result_.free_until <= from) return true;
+  try {
+    if (!engines_ || (at_ != from && window_ != from)) {
+      begin(from);
+      if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
+    }
+    window_ = from;
+    const std::uint64_t begun = work_spent();
+    while (!advance(to, events_of_turn)) {
+      if (work_spent() - begun >= effort) return false;
+    }
+    return true;
+  } catch (const Undecidable& limit) {
+    give_up(not_decided(limit), engines_ ? engines_->reached() : from);
+  } catch (const Interrupted& limit) {
+    // In the middle of an event, perhaps.
+    give_up(limit.reason, engines_ ? engines_->reached() : from);
+  }
+  return true;
+}
+
+bool KineticSolver::advance(double to, std::uint64_t events) {
+  const std::uint64_t before = engines_->events(), most = std::min(events, budget_.left);
+  const RingEngines::Arrival arrival = engines_->advance(to, most);
+  budget_.left -= engines_->events() - before;
+  if (arrival == RingEngines::Arrival::contact) {
+    note_contact();
+  } else if (arrival == RingEngines::Arrival::there) {
+    at_ = to;
+  } else if (budget_.left == 0) {
+    give_up("the limit of " + std::to_string(budget_.most) + " events was reached", engines_->proved_until());
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::vector<NearTiling> KineticSolver::tilings() const {
+  std::vector<NearTiling> all;
+  for (std::size_t k = 0; engines_ && k < engines_->size(); ++k) {
+    const PlanarMap& map = engines_->engine(k).map();
+    NearTiling tiling{{result_.a, result_.b}, engines_->is_contained(k), {}};
+    for (std::uint32_t i = 0; i < map.halfedge_count(); i += 2) {
+      const HalfedgeId h(i);
+      if (!map.alive(h) || map.is_polygon_edge(h)) continue;
+      const auto from = engines_->named_vertex(k, map.origin(h)), to = engines_->named_vertex(k, map.target(h));
+      if (!from || !to) continue;
+      tiling.edges.push_back({witness().vertex(*from), witness().vertex(*to), !geometry_.same_body(*from, *to)});
+    }
+    all.push_back(std::move(tiling));
+  }
+  return all;
+}
+
+void KineticSolver::note_contact() {
+  const RingEngines::Found& found = *engines_->contact();
+  // Segments from a later time on are the last ones of all.
+  const std::size_t segment = segments_.size() - engines_->segments().size() + found.segment;
+  result_ = contact_of(result_, witness(), segments_[segment], segment, found.contact, world_.start());
+}
+
+void KineticSolver::give_up(const std::string& reason, double until) {
+  result_.outcome = Outcome::undecided;
+  result_.reason = reason;
+  result_.free_until = std::clamp(until, world_.start(), world_.end());
+  leave();
+}
+
+}  // namespace taut

@@ -1,0 +1,25 @@
+#include "search/pair_instance.hpp"
+
+#include <utility>
+
+namespace taut {
+
+using spacetime::Hierarchy;
+
+const Hierarchy& tree_of(const RingSet& rings, bool inwards) {
+  const SharedPolygon& displaced = rings.displaced(inwards);
+  return rings.kept<Hierarchy>(inwards, [&] { return std::make_shared<const Hierarchy>(*displaced); });
+}
+
+PairInstance::PairInstance(PairPlan pair, SharedSegments all_segments, bool inwards)
+    : plan(std::move(pair)),
+      geometry(displaced_pair(plan, inwards)),
+      shared_segments(std::move(all_segments)),
+      tree_p(tree_of(*plan.rings[0], inwards)),
+      tree_q(tree_of(*plan.rings[1], inwards)) {}
+
+PairInstance::PairInstance(const WorldPlan& world, int a, int b, bool inwards)
+    : PairInstance(world.pair(a, b), std::make_shared<const MotionSegments>(world.segments(world.pair(a, b))),
+                   inwards) {}
+
+}  // namespace taut

@@ -1,0 +1,31 @@
+// A pair of a world, with what the spacetime engine needs of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "spacetime/first_contact.hpp"
+#include "world/world_plan.hpp"
+
+namespace taut {
+
+using SharedSegments = std::shared_ptr<const MotionSegments>;
+
+/// Made once, and kept with the body.
+const spacetime::Hierarchy& tree_of(const RingSet& rings, bool inwards);
+
+struct PairInstance {
+  /// Throws InputError where a body has features that are finer than the displacement.
+  PairInstance(PairPlan pair, SharedSegments all_segments, bool inwards);
+  PairInstance(const WorldPlan& world, int a, int b, bool inwards);
+
+  spacetime::TreePair trees() const { return {tree_p, tree_q}; }
+  const MotionSegments& segments() const { return *shared_segments; }
+
+  PairPlan plan;
+  PairGeometry geometry;
+  SharedSegments shared_segments;
+  const spacetime::Hierarchy &tree_p, &tree_q;
+};
+
+}  // namespace taut

@@ -1,0 +1,139 @@
+// Forms: what the engines ask the sign of. Their coefficients are derived here and only here.
+//
+// A form is a polynomial in the positions of vertices of both bodies, seen from one of them, so that on a segment it is
+// a fixed linear combination of the segment's frame functions (FrameOf in motion_segment.hpp). Everything behind it
+// (doubles with bounds, exact lines, balls of any precision, identities, roots) sees the coefficients alone.
+//
+// To ask another question, add its coefficients here, and to the frame the functions that are missing. Distances are
+// made of forms, too: see margin_function.hpp.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "pair/pair_geometry.hpp"
+#include "relative/motion_segment.hpp"
+
+namespace taut {
+
+/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a), or one of the
+/// coordinates of c - a in the frame of a's body, for which b does not matter.
+enum class Measure : unsigned char { orientation, projection, offset_x, offset_y };
+
+/// Two vertices a, b of one body and a vertex c of the other, and what is measured of them.
+struct CertificateFunction {
+  VertexId a, b, c;
+  bool pp = false;  ///< a and b belong to P
+  Measure measure = Measure::orientation;
+
+  friend bool operator==(const CertificateFunction& x, const CertificateFunction& y) {
+    return x.a == y.a && x.b == y.b && x.c == y.c && x.measure == y.measure;
+  }
+  /// The orientation of u, v, w, turned cyclically so that the two of one body come first, which changes nothing.
+  static CertificateFunction of(const PairGeometry& g, VertexId u, VertexId v, VertexId w) {
+    if (g.same_body(u, v)) return {u, v, w, g.in_p(u)};
+    if (g.same_body(v, w)) return {v, w, u, g.in_p(v)};
+    return {w, u, v, g.in_p(w)};
+  }
+  /// Another measure of the same vertices.
+  CertificateFunction measured(Measure what) const { return {a, b, c, pp, what}; }
+  /// How far c is along the edge from a, and from b on the way back: negative beyond that end.
+  CertificateFunction along() const { return {a, b, c, pp, Measure::projection}; }
+  CertificateFunction back() const { return {b, a, c, pp, Measure::projection}; }
+};
+
+/// Vertices as they were given, or displaced.
+enum class Shape : unsigned char { given, displaced };
+
+/// a x b and a . b; sums of doubles have their own.
+template <class N>
+N cross(const N& ax, const N& ay, const N& bx, const N& by) {
+  return ax * by - ay * bx;
+}
+template <class N>
+N dot(const N& ax, const N& ay, const N& bx, const N& by) {
+  return ax * bx + ay * by;
+}
+
+/// What the coefficients are made of, in the coordinates of the segment: the edge from a to b, and the points a and c.
+/// N is any kind of number.
+template <class N>
+struct FunctionPoints {
+  N ex, ey, ax, ay, cx, cy;
+
+  /// For another measure than the orientation another edge takes the edge's place: for the projection the edge turned
+  /// by -90 degrees, for a coordinate a unit vector.
+  void measure(Measure what) {
+    if (what == Measure::projection) {
+      const N turn = ex;
+      ex = ey;
+      ey = -turn;
+    } else if (what != Measure::orientation) {
+      ex = small(what == Measure::offset_y ? 1 : 0);
+      ey = small(what == Measure::offset_x ? -1 : 0);
+    }
+  }
+
+ private:
+  static N small(double x) {
+    if constexpr (std::is_same_v<N, double>) {
+      return x;
+    } else {
+      return N::exact(x);
+    }
+  }
+};
+
+/// For the segment's frame functions; or for D as a polynomial in powers of the absolute time, without a constant.
+enum class Origin : unsigned char { frame, powers };
+
+/// The points of a form as the segment sees them, in numbers that doubles are given in exactly (N::exact).
+template <class N>
+FunctionPoints<N> points_of(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
+                            Shape shape, Origin origin = Origin::frame) {
+  const DisplacedPoint &a = g.point(function.a), &b = g.point(function.b), &c = g.point(function.c);
+  const auto whole = [shape](double x, double dx) {
+    return shape == Shape::given ? N::exact(x) : N::exact(x) + N::exact(dx);
+  };
+  const auto difference = [shape](double x, double dx, double y, double dy) {
+    const N given = N::exact(x) - N::exact(y);
+    return shape == Shape::given ? given : given + (N::exact(dx) - N::exact(dy));
+  };
+  FunctionPoints<N> p{difference(b.x, b.dx, a.x, a.dx),
+                      difference(b.y, b.dy, a.y, a.dy),
+                      whole(a.x, a.dx),
+                      whole(a.y, a.dy),
+                      whole(c.x, c.dx),
+                      whole(c.y, c.dy)};
+  p.measure(function.measure);
+  const auto offset = [&](bool of_p) -> const ExactVector& {
+    return origin == Origin::powers ? segment.offset_of_powers(of_p) : segment.offset(of_p);
+  };
+  add_offset(segment, function.pp, offset(function.pp), p.ax, p.ay);
+  add_offset(segment, !function.pp, offset(!function.pp), p.cx, p.cy);
+  return p;
+}
+
+/// In the frame of a's body, c is at D + (c + i s) (cx + i cy), so that the orientation e x (c - a) is this combination
+/// of 1, D and (c, s): see FrameOf in motion_segment.hpp. In Q's frame everything that comes from D and from the angle
+/// changes sign. Linear in the edge, and in the two points together.
+template <class N>
+std::array<N, 5> function_coefficients(bool pp, const FunctionPoints<N>& p) {
+  const N turned = dot(p.ex, p.ey, p.cx, p.cy);
+  return {cross(p.ax, p.ay, p.ex, p.ey), pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, cross(p.ex, p.ey, p.cx, p.cy),
+          pp ? turned : -turned};
+}
+
+/// The same where neither body turns, and c is 1: the terms of 1 and c are one, in which differences cancel.
+template <class N>
+std::array<N, 5> translation_coefficients(bool pp, const FunctionPoints<N>& p, const N& zero) {
+  return {cross(p.ex, p.ey, N(p.cx - p.ax), N(p.cy - p.ay)), pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, zero, zero};
+}
+
+/// Whichever the segment asks for.
+template <class N>
+std::array<N, 5> coefficients_on(const MotionSegment& segment, bool pp, const FunctionPoints<N>& p, const N& zero) {
+  return segment.translation ? translation_coefficients(pp, p, zero) : function_coefficients(pp, p);
+}
+
+}  // namespace taut

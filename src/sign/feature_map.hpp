@@ -1,0 +1,56 @@
+// From what an engine finds back to the user's terms: input indices, input units, world coordinates.
+#pragma once
+
+#include "geometry/vector.hpp"
+#include "pair/pair_plan.hpp"
+#include "sign/contact_bracket.hpp"
+#include "taut/check.hpp"
+
+namespace taut {
+
+/// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
+struct StartOverlap {
+  bool crossing = false;
+  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
+  VertexId inside;          ///< else a vertex of that outline
+};
+
+/// Internal vertices and edges of one pair in the terms of the scene. The geometry is displaced as `inwards` says; it
+/// and the plan must outlive it.
+class FeatureMap {
+ public:
+  FeatureMap(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
+      : plan_(plan), geometry_(geometry), inwards_(inwards) {}
+
+  const PairPlan& plan() const { return plan_; }
+  bool inwards() const { return inwards_; }
+  VertexRef vertex(VertexId v) const;
+  /// The edge from v to the next vertex, counterclockwise.
+  EdgeRef edge(VertexId v) const;
+  /// Where a vertex is at a parameter of a segment, in the frame that the segments are seen from and in internal units
+  /// (rounded). Distances and directions are the world's up to a turn.
+  Vector in_frame(VertexId v, const MotionSegment& segment, double parameter) const;
+  /// A point of that frame in world coordinates, in the input's units (rounded).
+  Point world(Vector v, const MotionSegment& segment, double parameter) const;
+  Point world(VertexId v, const MotionSegment& segment, double parameter) const {
+    return world(in_frame(v, segment, parameter), segment, parameter);
+  }
+  /// What an engine found on that segment, as it is true of the bodies given: see contact_bracket().
+  Contact contact(const FoundContact& found, const MotionSegment& segment, Passage passage = Passage::enters) const;
+  /// The contact at time t of two bodies that touch there, given how their outward shapes overlap. Of two edges that
+  /// cross, the end of one that is nearest to the other is the vertex; a vertex inside is nearest to some edge: such a
+  /// body fits into a hole so closely that all of it touches.
+  Contact contact_of_overlap(const StartOverlap& overlap, const MotionSegment& segment, double t) const;
+
+ private:
+  VertexId nearest_edge(VertexId v, const MotionSegment& segment, double t) const;
+  Contact contact_at(VertexId vertex, VertexId edge, const MotionSegment& segment, double lo, double hi) const;
+  double distance(VertexId v, VertexId edge, const MotionSegment& segment, double t) const;
+  Point outward_normal(VertexId edge, const MotionSegment& segment, double parameter) const;
+
+  const PairPlan& plan_;
+  const PairGeometry& geometry_;
+  bool inwards_;
+};
+
+}  // namespace taut

@@ -1,0 +1,46 @@
+// Two bodies at one instant, in doubles with a bound: do their edges cross?
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "spacetime/hierarchy.hpp"
+
+namespace taut::spacetime {
+
+/// Where Q is in P's frame: its point v is at origin + turn v, up to `error`, which covers the rounding of a few
+/// operations that follow, too.
+/// The error is at least 2^-44 times the length of any point of Q.
+struct QAtPose {
+  Vector origin, turn{1, 0};
+  double error = 0;
+
+  /// Of a stretch of no length.
+  static QAtPose of(const Stretch& instant) {
+    const RelativePose& c = instant.in_p;
+    return {{c.shift.x.a, c.shift.y.a}, {c.turn.x.a, c.turn.y.a}, c.error};
+  }
+  Vector at(Vector v) const { return origin + turn * v; }
+};
+
+enum class EdgesCross : std::uint8_t {
+  no,       ///< certainly
+  yes,      ///< certainly
+  unknown,  ///< doubles do not tell
+};
+
+/// Keeps its memory from question to question.
+class PoseSearch {
+ public:
+  /// Do edges of the displaced bodies cross? `no` says nothing about what lies inside what.
+  EdgesCross edges_cross(const QAtPose& at_pose, const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q);
+
+ private:
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> todo_;
+};
+
+/// Of two edges, by their first vertices: one of P, one of Q.
+EdgesCross edges_cross(const QAtPose& at_pose, const PairGeometry& geometry, VertexId of_p, VertexId of_q);
+
+}  // namespace taut::spacetime

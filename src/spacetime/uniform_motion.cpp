@@ -1,0 +1,159 @@
+#include "spacetime/uniform_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/displacement.hpp"
+#include "numeric/trig.hpp"
+
+namespace taut::spacetime {
+namespace {
+
+/// A vector that moves: a parabola about the stretch's middle, and what that leaves out, for all |h| <= r: `rest` for
+/// the higher powers of time, `error` for everything.
+struct MovingVector {
+  Path path;
+  double rest = 0, error = 0;
+};
+
+/// What a line or a product of parabolas rounds, as a share of the terms' magnitudes: at most 8 operations each.
+constexpr double uniform_rounding = 0x1p-49;
+
+double reach_of(const MovingVector& v, double r) { return v.path.x.reach(r) + v.path.y.reach(r); }
+
+MovingVector operator+(const MovingVector& a, const MovingVector& b) {
+  return {a.path + b.path, a.rest + b.rest, a.error + b.error};
+}
+MovingVector operator-(const MovingVector& a, const MovingVector& b) {
+  return {{a.path.x - b.path.x, a.path.y - b.path.y}, a.rest + b.rest, a.error + b.error};
+}
+MovingVector operator-(const MovingVector& a) { return {{-a.path.x, -a.path.y}, a.rest, a.error}; }
+MovingVector conj(const MovingVector& a) { return {conj(a.path), a.rest, a.error}; }
+
+/// A number without rounding, as a vector that rests.
+MovingVector resting(Vector v) { return {{{v.x, 0, 0}, {v.y, 0, 0}}, 0, 0}; }
+
+/// The product of complex numbers. Lengths of vectors are bounded by the sums of their coordinates.
+MovingVector product(const MovingVector& a, const MovingVector& b, double r) {
+  const Vector a0{a.path.x.a, a.path.y.a}, a1{a.path.x.b, a.path.y.b}, a2{a.path.x.c, a.path.y.c};
+  const Vector b0{b.path.x.a, b.path.y.a}, b1{b.path.x.b, b.path.y.b}, b2{b.path.x.c, b.path.y.c};
+  const Vector c0 = a0 * b0, c1 = a0 * b1 + a1 * b0, c2 = a0 * b2 + a1 * b1 + a2 * b0;
+  const double third = l1_norm(a1) * l1_norm(b2) + l1_norm(a2) * l1_norm(b1), fourth = l1_norm(a2) * l1_norm(b2);
+  const double left_out = r * r * r * (third + r * fourth), ra = reach_of(a, r), rb = reach_of(b, r);
+  MovingVector m;
+  m.path = {{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}};
+  m.rest = left_out + a.rest * rb + b.rest * ra;
+  m.error = left_out + (a.error * rb + b.error * ra) + a.error * b.error + uniform_rounding * ra * rb;
+  return m;
+}
+
+struct MovingPose {
+  MovingVector origin, turn;
+  bool turns = false;
+};
+
+MovingPose unmoved() { return {resting({}), resting({1, 0}), false}; }
+
+/// x0 + x1 t about the middle.
+MovingVector line(const MotionPiece& piece, double middle, double r) {
+  const double x0 = coefficient(piece.x, 0), x1 = coefficient(piece.x, 1);
+  const double y0 = coefficient(piece.y, 0), y1 = coefficient(piece.y, 1);
+  const double far = std::fabs(middle) + r;
+  MovingVector v;
+  v.path = {{x0 + x1 * middle, x1, 0}, {y0 + y1 * middle, y1, 0}};
+  v.error = uniform_rounding * (std::fabs(x0) + std::fabs(y0) + far * (std::fabs(x1) + std::fabs(y1)));
+  return v;
+}
+
+/// The unit vector of an even angle: its Taylor series up to h^2, and |w h|^3 / 6 at most beyond.
+MovingVector uniform_rotation(const Coefficients& angle, double middle, double r) {
+  const double speed = coefficient(angle, 1), w = std::fabs(speed) * r;
+  const Ball<double> at =
+      Ball<double>::exact(coefficient(angle, 0)) + Ball<double>::exact(speed) * Ball<double>::exact(middle);
+  const SinCos<double> e = sin_cos(at);
+  const double c = e.cos.mid, s = e.sin.mid, half = speed * speed / 2;
+  MovingVector v;
+  v.path = {{c, -speed * s, -half * c}, {s, speed * c, -half * s}};
+  v.rest = w * w * w * (1.0 / 6 + 0x1p-20);
+  v.error = v.rest + (e.cos.rad + e.sin.rad + 4 * uniform_rounding) * (1 + w + w * w);
+  return v;
+}
+
+MovingPose uniform_pose(const MotionPiece& piece, double middle, double r) {
+  MovingPose pose{line(piece, middle, r), resting({1, 0}), false};
+  const auto* rotation = std::get_if<AngleRotation>(&piece.rotation);
+  if (!rotation) return pose;
+  pose.turn = uniform_rotation(rotation->angle, middle, r);
+  pose.turns = true;
+  if (piece.pivot == Point{}) return pose;
+  const MovingVector pivot = resting({piece.pivot.x, piece.pivot.y});
+  pose.origin = pose.origin + (pivot - product(pose.turn, pivot, r));
+  return pose;
+}
+
+MovingPose uniform_pose(std::span<const MotionPiece> chain, double middle, double r) {
+  if (chain.empty()) return unmoved();
+  MovingPose pose = uniform_pose(chain.front(), middle, r);
+  for (const MotionPiece& piece : chain.subspan(1)) {
+    const MovingPose child = uniform_pose(piece, middle, r);
+    const MovingVector way = pose.turns ? product(pose.turn, child.origin, r) : child.origin;
+    pose.origin = pose.origin + way;
+    if (pose.turns && child.turns) pose.turn = product(pose.turn, child.turn, r);
+    if (child.turns && !pose.turns) pose.turn = child.turn;
+    pose.turns = pose.turns || child.turns;
+  }
+  return pose;
+}
+
+/// `longest`: the points that it is for are no farther from the origin. Without the error of the turn.
+RelativePose relative_pose_of(const MovingVector& shift, const MovingVector& turn, double longest, double r) {
+  RelativePose out;
+  out.shift = shift.path;
+  out.turn = turn.path;
+  out.swing = (turn.path.x.swing(r) + turn.path.y.swing(r) + turn.error) * (1 + 0x1p-40);
+  out.reach = (reach_of(shift, r) + longest * (1 + reach_of(turn, r))) * (1 + 0x1p-40);
+  // As for the stretches of windows: 2^-44 is enough for the 40 operations that may follow, and for the sums above.
+  out.error = (shift.error + 0x1p-44 * out.reach) * (1 + 0x1p-40) + underflow_slack;
+  return out;
+}
+
+}  // namespace
+
+bool UniformMotion::is_even(const MotionPiece& piece) {
+  if (piece.x.size() > 2 || piece.y.size() > 2 || orbits(piece)) return false;
+  if (std::holds_alternative<NoRotation>(piece.rotation)) return true;
+  const auto* rotation = std::get_if<AngleRotation>(&piece.rotation);
+  return rotation && rotation->angle.size() <= 2;
+}
+
+UniformStretch UniformMotion::stretch(double start, double end) const {
+  UniformStretch even;
+  Stretch& out = even.stretch_;
+  out.middle = start + (end - start) / 2;
+  out.r = std::max(end - out.middle, out.middle - start) * (1 + 0x1p-50);
+  MovingPose q = uniform_pose(q_, out.middle, out.r);
+  if (!p_.empty()) {
+    const MovingPose p = uniform_pose(p_, out.middle, out.r);
+    const MovingVector back = conj(p.turn);
+    q.origin = product(back, q.origin - p.origin, out.r);
+    q.turn = product(back, q.turn, out.r);
+  }
+  out.in_p = relative_pose_of(q.origin, q.turn, reach_, out.r);
+  out.in_p.error = (out.in_p.error + reach_ * q.turn.error) * (1 + 0x1p-40);
+  // A point a of P is at back (a - origin) in Q's frame: what the parabola of `back` misses counts by that distance.
+  constexpr double longest_of_p = 4;
+  MovingVector back = conj(q.turn);
+  even.turn_error_ = back.error;
+  back.error = back.rest = 0;
+  const MovingVector shift = -product(back, q.origin, out.r);
+  back.error = q.turn.error;
+  out.in_q = relative_pose_of(shift, back, longest_of_p, out.r);
+  even.base_ = out.in_q.error + q.origin.error * q.turn.error;
+  even.origin_ = {q.origin.path.x.a, q.origin.path.y.a};
+  even.way_ = q.origin.path.x.swing(out.r) + q.origin.path.y.swing(out.r) + q.origin.error;
+  out.rest = q.origin.rest + reach_ * q.turn.rest;
+  even.everywhere();
+  return even;
+}
+
+}  // namespace taut::spacetime
