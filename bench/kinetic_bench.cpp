@@ -13,6 +13,7 @@
 #include "taut/simulation.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 std::size_t vertices(const Scene& scene) { return scene.bodies[0].polygon.size() + scene.bodies[1].polygon.size(); }

@@ -14,6 +14,7 @@
 #include "yardstick.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 using spacetime::SpacetimeResult;

@@ -15,6 +15,7 @@
 #include "tiling/static_tiling.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 /// The headland reaches into the bay, and the bridge over its flank goes from one body to the other.

@@ -12,6 +12,7 @@
 #include "geometry/hull.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 /// A complex number. std::complex would look for infinities in each product.

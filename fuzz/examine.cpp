@@ -15,6 +15,7 @@
 #include "tiling/root_faces.hpp"
 
 namespace taut::fuzz {
+using namespace internal;
 
 const char* to_string(FindingKind kind) {
   const char* const names[] = {"none",        "rejected", "structure", "disagreement", "tiling", "proof",

@@ -6,6 +6,7 @@
 #include "taut/error.hpp"
 
 using namespace taut;
+using namespace taut::internal;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "taut/validate.hpp"
 
 using namespace taut;
+using namespace taut::internal;
 
 namespace {
 

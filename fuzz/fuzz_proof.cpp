@@ -17,6 +17,7 @@
 #include "taut/io.hpp"
 
 using namespace taut;
+using namespace taut::internal;
 using testing::LogParts;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "taut/error.hpp"
 
 namespace taut::fuzz {
+using namespace internal;
 namespace {
 
 /// How the session comes to a joint: as advance_to() does, with every event before it, or as step() does, which leaves

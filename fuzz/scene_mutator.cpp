@@ -8,6 +8,7 @@
 #include "support/random_scenes.hpp"
 
 namespace taut::fuzz {
+using namespace internal;
 namespace {
 
 using testing::Rng;

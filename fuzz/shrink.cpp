@@ -12,6 +12,7 @@
 #include "taut/io.hpp"
 
 namespace taut::fuzz {
+using namespace internal;
 namespace {
 
 std::vector<Coefficients*> polynomials(Scene& scene) {

@@ -11,6 +11,7 @@
 #include "taut/io.hpp"
 
 namespace taut::web {
+using namespace internal;
 namespace {
 
 std::string api_result, proof_log;

@@ -18,6 +18,7 @@
 #include "world.hpp"
 
 namespace taut::web {
+using namespace internal;
 namespace {
 
 /// What is open: one of the two, or none.

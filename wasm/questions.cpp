@@ -17,6 +17,7 @@
 #include "taut/separate.hpp"
 
 namespace taut::web {
+using namespace internal;
 namespace {
 
 /// What may be asked with a question.

@@ -13,6 +13,7 @@
 #include "taut/pose.hpp"
 
 namespace taut::web {
+using namespace internal;
 
 namespace {
 

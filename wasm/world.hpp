@@ -11,6 +11,7 @@
 #include "taut/scene.hpp"
 
 namespace taut::web {
+using namespace internal;
 
 class World {
  public:

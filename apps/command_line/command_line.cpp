@@ -8,6 +8,7 @@
 #include "io/json_object.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 /// CLI11's own checks name all of the range, which has 300 digits.

@@ -16,6 +16,7 @@
 #include "taut/validate.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

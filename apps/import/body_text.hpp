@@ -13,6 +13,7 @@
 #include "taut/error.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 inline std::string point_text(const Point& p) { return fmt::format("({:.9g}, {:.9g})", p.x + 0.0, p.y + 0.0); }
 

@@ -13,6 +13,7 @@
 #include "taut/error.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "geometry/touching_rings.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "import/line_graph.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 /// The faces of those edges of a graph that are alive.
 struct FaceMap {

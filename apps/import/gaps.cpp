@@ -12,6 +12,7 @@
 #include "taut/error.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include "taut/io.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "base/overloaded.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

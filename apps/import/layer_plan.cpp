@@ -12,6 +12,7 @@
 #include "geometry/segment_strips.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

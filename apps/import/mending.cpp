@@ -10,6 +10,7 @@
 #include "import/faces.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "geometry/predicates.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "import/contours.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

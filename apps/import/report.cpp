@@ -9,6 +9,7 @@
 #include "io/text_file.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "taut/outline.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

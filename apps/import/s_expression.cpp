@@ -8,6 +8,7 @@
 #include "taut/error.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

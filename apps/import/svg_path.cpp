@@ -6,6 +6,7 @@
 #include "io/path_data.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "taut/error.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 namespace {
 

@@ -14,6 +14,7 @@
 #include "tree_picture.hpp"
 
 namespace taut::paper {
+using namespace internal;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "io/svg_canvas.hpp"
 
 namespace taut::paper {
+using namespace internal;
 namespace {
 
 /// Okabe and Ito's palette, told apart by the colour-blind, without its yellow.

@@ -9,6 +9,7 @@
 #include "io/svg_canvas.hpp"
 
 namespace taut::paper {
+using namespace internal;
 namespace {
 
 constexpr double caption_height = 26, gap = 14;

@@ -9,6 +9,7 @@
 #include "tiling/chain_tree.hpp"
 
 namespace taut::paper {
+using namespace internal;
 namespace {
 
 double distance(const Point& p, const Point& a, const Point& b) {

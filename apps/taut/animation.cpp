@@ -11,6 +11,7 @@
 #include "world_pictures.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

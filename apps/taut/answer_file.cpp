@@ -22,6 +22,7 @@
 #include "taut/check.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 constexpr std::size_t bytes_at_once = 1 << 16;

@@ -24,6 +24,7 @@
 #include "taut/io.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include "watched_run.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -19,6 +19,7 @@
 #include "viewer_page.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "world_pictures.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "viewer_page.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 std::string coordinates_text(const Point& p) { return io::array_text({p.x, p.y}); }

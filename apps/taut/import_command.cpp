@@ -17,6 +17,7 @@
 #include "terminal.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 std::atomic<bool> stop{false};

@@ -26,8 +26,8 @@ void require_known_command(const taut::cli::Command& taut, int argc, char** argv
   const std::vector<std::string> known = taut.command_names();
   const std::string word = argv[1];
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
-  const std::string near = taut::io::nearest_word(word, known);
-  throw taut::InputError("", fmt::format("unknown command \"{}\"", taut::io::excerpt(word)),
+  const std::string near = taut::internal::io::nearest_word(word, known);
+  throw taut::InputError("", fmt::format("unknown command \"{}\"", taut::internal::io::excerpt(word)),
                          near.empty() ? "see `taut --help`" : fmt::format("did you mean `taut {}`?", near));
 }
 

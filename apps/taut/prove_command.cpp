@@ -14,6 +14,7 @@
 #include "watched_run.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "watched_run.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "taut/io.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

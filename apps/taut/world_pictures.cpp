@@ -9,6 +9,7 @@
 #include "taut/motions.hpp"
 
 namespace taut::cli {
+using namespace internal;
 
 namespace {
 

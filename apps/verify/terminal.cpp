@@ -5,6 +5,7 @@
 #include "io/terminal_text.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 void print_message(const std::string& program, const std::string& safe) {

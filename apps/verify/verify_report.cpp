@@ -18,6 +18,7 @@
 #include "terminal.hpp"
 
 namespace taut::cli {
+using namespace internal;
 namespace {
 
 enum : int { exit_proved = 0, exit_not_proved = 1, exit_time_is_up = 3 };

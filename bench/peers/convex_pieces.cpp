@@ -11,6 +11,7 @@
 #include "geometry/predicates.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 double squared_distance(const Point& a, const Point& b) {

@@ -12,6 +12,7 @@
 #include "geometry/predicates.hpp"
 
 namespace taut::bench {
+using namespace internal;
 namespace {
 
 double area(const Polygon& polygon) {

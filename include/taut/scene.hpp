@@ -10,9 +10,11 @@
 #include "taut/motion.hpp"
 #include "taut/outline.hpp"
 
-namespace taut {
-
+namespace taut::internal {
 class PreparedShape;
+}
+
+namespace taut {
 
 /// A rigid body, moving: the interior of a simple polygon, or of the union of parts that move together. The parts of a
 /// body may touch and overlap each other.
@@ -24,7 +26,7 @@ struct Body {
   /// What prepare(polygon) returned (taut/shape.hpp), for scenes of shapes that come again; may be null. `polygon` is
   /// then best left empty. If it is not, each check compares it with the prepared one, and anything but the same
   /// polygon is an InputError.
-  std::shared_ptr<const PreparedShape> prepared = nullptr;
+  std::shared_ptr<const internal::PreparedShape> prepared = nullptr;
   /// What the user calls it by: a JSON value, as text, which is handed through to answers; may be empty.
   std::string id = {};
   /// The parts of a body that is not one polygon.

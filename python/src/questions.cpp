@@ -64,12 +64,12 @@ std::string verify(const SceneText& text, const std::string& log, std::optional<
   return attended<std::string>([&](const std::atomic<bool>& stop) {
     const taut::Scene scene = text.read();
     try {
-      const taut::Budget scope(&stop, max_seconds ? *max_seconds : 1e300);
+      const taut::internal::Budget scope(&stop, max_seconds ? *max_seconds : 1e300);
       std::istringstream stream(log);
       return taut::verified_json(scene, taut::verify(scene, stream));
     } catch (const taut::ProofError& error) {
       return taut::unverified_json(true, error.what());
-    } catch (const taut::Interrupted& limit) {
+    } catch (const taut::internal::Interrupted& limit) {
       return taut::unverified_json(false, limit.reason);
     }
   });

@@ -13,9 +13,9 @@ Value chosen(const char* option, const std::string& word, const std::pair<const 
   std::string all;
   for (const auto& [name, value] : choices) {
     if (word == name) return value;
-    all += (all.empty() ? "" : ", ") + taut::io::string_text(name);
+    all += (all.empty() ? "" : ", ") + taut::internal::io::string_text(name);
   }
-  throw taut::InputError(option, "unknown value " + taut::io::string_text(word), "one of " + all);
+  throw taut::InputError(option, "unknown value " + taut::internal::io::string_text(word), "one of " + all);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace taut_python {
 /// Validated parts. One polygon without holes is prepared besides, so that checks do not look at it again.
 struct Shape {
   std::vector<taut::Part> parts;
-  std::shared_ptr<const taut::PreparedShape> prepared;
+  std::shared_ptr<const taut::internal::PreparedShape> prepared;
 
   /// Gives a body this shape, in place of what it was.
   void put_into(taut::Body& body) const;

@@ -112,10 +112,11 @@ class LiveSimulation {
                    {}};
     const taut::Coverage c = s.coverage();
     found.coverage = {c.pairs, c.tested, c.apart, c.ignored, c.moving_alike, c.at_rest};
-    if (s.contact()) found.contact = taut::io::contact_json(scene_, *s.contact());
+    if (s.contact()) found.contact = taut::internal::io::contact_json(scene_, *s.contact());
     if (s.overlap_point()) found.overlap.emplace(s.overlap_point()->x, s.overlap_point()->y);
     if (const auto pair = s.pair()) found.pair.emplace((*pair)[0], (*pair)[1]);
-    for (const taut::PairAnswer& other : s.also()) found.also.push_back(taut::io::pair_answer_json(scene_, other));
+    for (const taut::PairAnswer& other : s.also())
+      found.also.push_back(taut::internal::io::pair_answer_json(scene_, other));
     return found;
   }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 thread_local Budget* innermost = nullptr;
@@ -80,4 +80,4 @@ void count_work(std::uint64_t work) { spent += work; }
 
 std::uint64_t work_spent() { return spent; }
 
-}  // namespace taut
+}  // namespace taut::internal

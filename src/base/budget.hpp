@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace taut {
+namespace taut::internal {
 
 /// Thrown by checkpoint() where the present scope asks for it.
 struct Interrupted {
@@ -78,4 +78,4 @@ void count_work(std::uint64_t work);
 /// All that this thread has counted so far.
 std::uint64_t work_spent();
 
-}  // namespace taut
+}  // namespace taut::internal

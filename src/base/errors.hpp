@@ -3,7 +3,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The sign of a predicate could not be decided at the highest precision. Never turned into an answer, and never seen
 /// outside: there it is an outcome, a state, or an UndecidedError.
@@ -11,4 +11,4 @@ struct Undecidable {
   const char* what;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

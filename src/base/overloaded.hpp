@@ -2,7 +2,7 @@
 // a variant, and forgotten somewhere, does not compile.
 #pragma once
 
-namespace taut {
+namespace taut::internal {
 
 template <class... Cases>
 struct Overloaded : Cases... {
@@ -11,4 +11,4 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-}  // namespace taut
+}  // namespace taut::internal

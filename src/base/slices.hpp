@@ -6,7 +6,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What came of a turn.
 enum class SliceResult : unsigned char { open, given_up, decided };
@@ -61,4 +61,4 @@ int take_turns(PortfolioMember& first, const Work1& work1, PortfolioMember& seco
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

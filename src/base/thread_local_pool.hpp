@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-namespace taut {
+namespace taut::internal {
 
 /// A T that is taken is the one that its last owner in this thread gave back, as it was left, or a new one. Memory that
 /// a system gives and takes for each question costs more than a small question does. One of each type is kept, until
@@ -48,4 +48,4 @@ class ThreadLocalPool {
   T* kept_ = nullptr;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

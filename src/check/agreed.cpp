@@ -4,7 +4,7 @@
 
 #include "check/run.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 bool decided(const Answer& a) { return a.outcome != Outcome::undecided; }
@@ -33,10 +33,19 @@ const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
 
 }  // namespace
 
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
 EngineDisagreement::EngineDisagreement(const std::string& what, const Answer& kinetic, const Answer& spacetime)
     : InternalError(what),
       kinetic_(std::make_shared<const Answer>(kinetic)),
       spacetime_(std::make_shared<const Answer>(spacetime)) {}
+
+}  // namespace taut
+
+namespace taut::internal {
 
 Answer agreed(const Answer& kinetic, const Answer& spacetime) {
   if (const char* what = contradiction(kinetic, spacetime)) throw EngineDisagreement(what, kinetic, spacetime);
@@ -69,4 +78,4 @@ PairAnswer agreed_pair(const PairAnswer& kinetic, const PairAnswer& spacetime) {
   return {kinetic.bodies, both.outcome, both.contact, both.free_until, both.reason};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "proof/kept_margin.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using proof::SeparationReason;
@@ -222,4 +222,4 @@ bool ApartWriter::stays_separated(const proof::Incidence& incidence, SeparationR
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -10,7 +10,7 @@
 
 #include "proof/apart_checker.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// One pair on one stretch of one segment, of which it is known that nothing meets before `until`, or, with a margin,
 /// that nothing comes as close as that. Time is halved where the ranges move far beside their size, else the larger
@@ -75,4 +75,4 @@ class ApartWriter {
       ties_;  ///< vertex and edge; tried already
 };
 
-}  // namespace taut
+}  // namespace taut::internal

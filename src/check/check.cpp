@@ -11,6 +11,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

@@ -19,6 +19,7 @@
 #include "world/pairs_in_reach.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Whether bodies touch is not told: why.

@@ -10,7 +10,7 @@
 #include "pair/fitted_scene.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
@@ -266,4 +266,4 @@ Answer check_curved(const Scene& scene, const CheckOptions& options) {
   return CurvedCheck(scene, options).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "motion/pose.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using ClearanceClock = std::chrono::steady_clock;
@@ -358,4 +358,4 @@ MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, con
   return answer;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::string time_words(double t) {
@@ -238,4 +238,4 @@ Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options) {
   return CurvedIntervals(scene, options, options.time_tolerance * (scene.end - scene.start), true).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "check/run.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Between instants, and of the greatest distance, brackets need not be narrower than this: nearest points wander along
@@ -175,4 +175,4 @@ DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOpti
   return CurvedProfile(scene, options).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

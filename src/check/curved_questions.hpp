@@ -9,7 +9,7 @@
 #include "taut/intervals.hpp"
 #include "taut/separate.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 Answer check_curved(const Scene& scene, const CheckOptions& options);
 
@@ -62,4 +62,4 @@ class RefinementLimit {
 /// Refines what is marked: a little if that is much, farther if it is little.
 bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count);
 
-}  // namespace taut
+}  // namespace taut::internal

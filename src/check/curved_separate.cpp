@@ -5,7 +5,7 @@
 #include "check/near_cells.hpp"
 #include "check/run.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Degrees: what directions that end an arc of free ones are told to.
@@ -139,4 +139,4 @@ Separation separate_curves(const Scene& scene, const SeparateOptions& options) {
   return CurvedSeparation(scene, options).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

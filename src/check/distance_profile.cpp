@@ -13,6 +13,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// A stretch that may have the greatest distance: those that may have the greatest one are halved first.
@@ -158,9 +159,18 @@ DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& op
 
 }  // namespace
 
+}  // namespace taut
+
+namespace taut::internal {
+
 DistanceProfile distances_at_instants(const Scene& scene, const ProfileOptions& options) {
   return profile_of_polygons(scene, options, true);
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 DistanceProfile distance_profile(const Scene& scene, const ProfileOptions& options) {
   validate_profile(options);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut {
+namespace taut::internal {
 
 PairAnswer answer_of(const PairResult& result) {
   return {{result.a, result.b}, result.outcome, result.contact, result.free_until, result.reason};
@@ -58,4 +58,4 @@ void take_earliest(const std::vector<PairEvent>& events, Answer& answer) {
   for (auto i = ties.begin() + 1; i != ties.end(); ++i) answer.also.push_back(events[*i].pair);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 
 #include "search/pair_solver.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 PairAnswer answer_of(const PairResult& result);
 
@@ -23,4 +23,4 @@ double time_of(const PairAnswer& pair);
 /// not told by the highest precision, the first of them in the order of the scene is named, and the others come along.
 void take_earliest(const std::vector<PairEvent>& events, Answer& answer);
 
-}  // namespace taut
+}  // namespace taut::internal

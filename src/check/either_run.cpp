@@ -7,7 +7,7 @@
 #include "numeric/undecided.hpp"
 #include "pair/pair_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// One of the engines, and what it has done.
@@ -106,4 +106,4 @@ Answer run_either(const Scene& scene, const CheckOptions& options) {
   return answer_in_turns(prepared, options, {EngineName::spacetime, PortfolioMember::first_turn});
 }
 
-}  // namespace taut
+}  // namespace taut::internal

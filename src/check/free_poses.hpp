@@ -8,7 +8,7 @@
 
 #include "taut/map_query.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
 /// same number, the last one is kept.
@@ -41,4 +41,4 @@ class FreePoses {
   std::vector<PoseSE2> poses_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

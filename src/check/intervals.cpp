@@ -15,6 +15,7 @@
 #include "world/near_stretches.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards, bool plain,
@@ -28,6 +29,10 @@ void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInte
 
 }  // namespace
 
+}  // namespace taut
+
+namespace taut::internal {
+
 void conclude(Intervals& answer) {
   if (!answer.undecided.empty()) {
     answer.outcome = Outcome::undecided;
@@ -36,6 +41,11 @@ void conclude(Intervals& answer) {
     answer.outcome = Outcome::contact;
   }
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return intervals_of_curves(scene, options);

@@ -8,7 +8,7 @@
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -178,4 +178,4 @@ Answer run_kinetic(const Scene& scene, const CheckOptions& options, RunWatcher& 
   return run(scene, options, &watcher);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -16,6 +16,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// A coefficient that the engines compute with. What is below their range is far below what a robot can move by.

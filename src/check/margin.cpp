@@ -15,6 +15,7 @@
 #include "world/pairs_in_reach.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using spacetime::MarginResult;

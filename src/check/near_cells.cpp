@@ -10,7 +10,7 @@
 #include "pair/ring_set.hpp"
 #include "taut/pose.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A cell, or an edge of a polygon, where its body is.
@@ -196,4 +196,4 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
   return count;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "pair/curved_world.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Marks the cells of both bodies that are no farther from the other body at time t than they are thick, and than
 /// `reach`; of two cells that differ much, the thicker one. What is marked is guessed in doubles: it says where to
@@ -16,4 +16,4 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
 /// early.
 bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most);
 
-}  // namespace taut
+}  // namespace taut::internal

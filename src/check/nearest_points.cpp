@@ -5,7 +5,7 @@
 #include "sign/feature_map.hpp"
 #include "spacetime/closest.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
                                 VertexId edge_q) {
@@ -25,4 +25,4 @@ NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment,
   return result;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "taut/proof.hpp"
 #include "tiling/static_tiling.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 using proof::Record;
 using proof::Shapes;
@@ -98,4 +98,4 @@ Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions
   return run_kinetic(scene, options, writer);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

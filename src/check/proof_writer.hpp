@@ -7,7 +7,7 @@
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Watches one run; the log is complete when ended() returns.
 class ProofWriter : public RunWatcher {
@@ -36,4 +36,4 @@ class ProofWriter : public RunWatcher {
 /// By the kinetic data structure: a log of a tiling. Two bodies of one polygon each. Throws InputError.
 Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,6 +9,7 @@
 #include "taut/proof.hpp"
 
 namespace taut {
+using namespace internal;
 
 Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
   if (options.fit != 0)

@@ -12,7 +12,7 @@
 #include "proof/header.hpp"
 #include "taut/proof.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using proof::Bodies;
@@ -164,4 +164,4 @@ MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std
   return undecided;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "taut/check.hpp"
 #include "taut/clearance.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// As prove(), of scenes with curves. Throws InputError.
 Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& options);
@@ -15,4 +15,4 @@ Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& o
 MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std::ostream& log,
                                        const CheckOptions& options);
 
-}  // namespace taut
+}  // namespace taut::internal

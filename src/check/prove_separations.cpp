@@ -18,6 +18,7 @@
 #include "taut/proof.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Writes the whole log: the header, the clearance if there is one, and what comes after.
@@ -93,6 +94,10 @@ std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::Ver
 
 }  // namespace
 
+}  // namespace taut
+
+namespace taut::internal {
+
 Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& given) {
   CheckOptions options = given;
   options.all_pairs = false;
@@ -105,6 +110,11 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
       write_log(log, scene, options.touch, *body);
   });
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 namespace {
 
@@ -140,6 +150,10 @@ std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::V
 
 }  // namespace
 
+}  // namespace taut
+
+namespace taut::internal {
+
 Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known) {
   std::optional<SeparationsBody> body;
   const Answer proved = if_proved(known, scene.start, [&] {
@@ -154,6 +168,11 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
   const bool stopped = proved.outcome != known.outcome;
   return body || stopped ? proved : prove_by_separations(scene, log, options);
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 namespace {
 

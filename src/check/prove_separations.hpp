@@ -5,7 +5,7 @@
 
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// By the spacetime engine, for any scene: first the answer, then the log, which is written when it is complete. An
 /// answer for which no log was found is `undecided`. Throws InputError.
@@ -15,4 +15,4 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
 /// or nothing before a contact.
 Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known);
 
-}  // namespace taut
+}  // namespace taut::internal

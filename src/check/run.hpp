@@ -9,7 +9,7 @@
 #include "numeric/stages.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class NearStart;
 class RunWatcher;
@@ -94,4 +94,4 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include "check/run.hpp"
 #include "kinetic/session.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class RunWatcher : public EngineObserver {
  public:
@@ -12,4 +12,4 @@ class RunWatcher : public EngineObserver {
   virtual void ended(const Session& session, const Answer& answer) = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

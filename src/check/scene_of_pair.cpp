@@ -1,6 +1,6 @@
 #include "check/curved_questions.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids) {
   std::vector<bool> kept(scene.bodies.size(), false);
@@ -30,4 +30,4 @@ Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::
   return small;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -15,6 +15,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 class SeparationSearch {

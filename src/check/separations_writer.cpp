@@ -12,7 +12,7 @@
 #include "spacetime/approach.hpp"
 #include "taut/proof.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using proof::Claim;
@@ -221,4 +221,4 @@ std::pair<std::size_t, proof::FineInstant> SeparationsWriter::instant_of_margin(
   throw Undecidable{"an instant at which bodies are closer than the clearance"};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -13,7 +13,7 @@
 #include "search/pair_solver.hpp"
 #include "taut/clearance.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What a log says after its header, and after the clearance if there is one.
 struct SeparationsBody {
@@ -60,4 +60,4 @@ class SeparationsWriter {
   std::string out_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -14,7 +14,7 @@
 #include "sign/contact_at_start.hpp"
 #include "spacetime/first_contact.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), beside the plan.
@@ -182,4 +182,4 @@ Answer run_spacetime(const Scene& scene, const CheckOptions& options) {
   return with_touching(run, scene, options, run_spacetime);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

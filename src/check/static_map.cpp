@@ -15,6 +15,7 @@
 #include "pair/validate_world.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using Clock = std::chrono::steady_clock;

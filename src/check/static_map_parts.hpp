@@ -9,6 +9,7 @@
 #include "taut/static_map.hpp"
 
 namespace taut {
+using namespace internal;
 
 struct StaticMap::Impl {
   std::vector<Body> bodies;

@@ -4,7 +4,7 @@
 #include "check/run.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool leaves_touching_open(const Run& run, const CheckOptions& options) {
   if (run.answer().outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return false;
@@ -48,4 +48,4 @@ Question unless_settled_early(std::uint64_t effort, const Question& otherwise) {
   };
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,6 +5,7 @@
 #include "pair/validate_world.hpp"
 
 namespace taut {
+using namespace internal;
 
 struct WarmCheck::Impl {
   CheckOptions options;

@@ -9,7 +9,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using proof::BodyPairs;
@@ -179,4 +179,4 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
   for (const auto& [body, box] : before) boxes_.state(body, box);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

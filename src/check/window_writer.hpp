@@ -6,7 +6,7 @@
 
 #include "proof/open_pairs.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Boxes cost 16 bytes and tell many pairs apart; a pair's separations cost a byte or two. So windows state the boxes
 /// of bodies that they tell apart from several others. Where nearly everything may meet everything, the window is
@@ -46,4 +46,4 @@ class WindowWriter {
   std::vector<Fresh> fresh_;   ///< by body, of those that matter in the present window
 };
 
-}  // namespace taut
+}  // namespace taut::internal

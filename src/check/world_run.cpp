@@ -9,7 +9,7 @@
 #include "pair/validate_world.hpp"
 #include "world/world_feature_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -107,4 +107,4 @@ Answer run_world(const Scene& scene, const CheckOptions& options) {
   return with_touching(run, scene, options, run_world);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "check/run.hpp"
 #include "search/world_search.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The search for the first contact of any pair, and what it comes to.
 class WorldRun final : public Run {
@@ -38,4 +38,4 @@ class WorldRun final : public Run {
   std::string stopped_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "numeric/trig.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 WideBall narrowed(const Ball<Real320>& x) {
@@ -111,4 +111,4 @@ CentredArc centred(const Point& from, const ArcTo& arc) {
   return found;
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -5,7 +5,7 @@
 
 #include "curve/piece.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 struct CentredArc {
   ArcFrame frame;
@@ -15,4 +15,4 @@ struct CentredArc {
 /// Appendix B.2.4 of SVG 2, with a bound of every error; radii are positive, the ends differ.
 CentredArc centred(const Point& from, const ArcTo& arc);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -9,7 +9,7 @@
 #include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 /// Of halving a piece that does not fit into a cell.
@@ -152,4 +152,4 @@ std::vector<Source> Band::sources(bool left) const {
 
 int Band::orientation() const { return polygon_orientation(wall(true)); }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -6,7 +6,7 @@
 
 #include "curve/cell.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// Where a vertex of a wall, or the edge from it on, comes from.
 struct Source {
@@ -48,4 +48,4 @@ class Band {
 /// The segments of the ring, the closing line included where the outline needs one.
 std::vector<CurveSegment> closed_segments(const Outline& outline);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

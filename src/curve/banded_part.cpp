@@ -8,7 +8,7 @@
 #include "geometry/part_validation.hpp"
 #include "taut/error.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 const Cell& cell_of(const std::vector<Band>& bands, const CellId& id) {
@@ -109,4 +109,4 @@ double BandedPart::tolerance() const {
   return worst;
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

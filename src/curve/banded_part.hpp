@@ -6,7 +6,7 @@
 
 #include "curve/band.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// Refines bands until their cells meet neither each other nor their own: then the curves do not, either. Throws
 /// InputError with the segments and the place where they still meet when doubles end. `places` name the bands.
@@ -32,4 +32,4 @@ class BandedPart {
   std::vector<bool> left_is_inner_;
 };
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -7,7 +7,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/vector.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 double length(Vector v) { return std::sqrt(v.x * v.x + v.y * v.y); }
@@ -227,4 +227,4 @@ std::optional<Split> split(const Cell& cell, const Gate& first, const Gate& last
   return Split{std::move(*before), std::move(*after), gate};
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -21,7 +21,7 @@
 
 #include "curve/piece.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// Where two pieces meet.
 struct Gate {
@@ -63,4 +63,4 @@ struct Split {
 };
 std::optional<Split> split(const Cell& cell, const Gate& first, const Gate& last, const Resolution& resolution);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -4,7 +4,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 /// Is p certainly not to the right of the line from a to b? Where a tangent is level, control points lie on the line
@@ -99,4 +99,4 @@ bool verified(const Cell& cell, const Gate& first, const Gate& last) {
   return holds_control_points(cell, right) && holds_control_points(cell, left) && beyond_gates(cell, first, last);
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -3,9 +3,9 @@
 
 #include "curve/cell.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// C1 to C4 of cell.hpp, for a piece that is not a line.
 bool verified(const Cell& cell, const Gate& first, const Gate& last);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

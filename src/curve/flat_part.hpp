@@ -5,9 +5,9 @@
 
 #include "curve/banded_part.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// Halves what is thicker than the tolerance. Throws InputError where doubles do not allow that.
 void refine_to(BandedPart& part, double tolerance, const std::string& name);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -5,6 +5,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 
 Outline outline_of(const Polygon& polygon) {
   Outline outline;

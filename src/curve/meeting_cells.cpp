@@ -7,7 +7,7 @@
 #include "geometry/box_list.hpp"
 #include "geometry/predicates.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 struct PlacedCell {
@@ -94,4 +94,4 @@ std::vector<std::array<CellId, 2>> meeting_cells(const std::vector<const Band*>&
   return MeetingSearch(bands).run();
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -6,7 +6,7 @@
 
 #include "curve/band.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// A cell of one of several bands.
 struct CellId {
@@ -17,4 +17,4 @@ struct CellId {
 /// few meet.
 std::vector<std::array<CellId, 2>> meeting_cells(const std::vector<const Band*>& bands);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

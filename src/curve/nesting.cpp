@@ -6,7 +6,7 @@
 #include "curve/banded_part.hpp"
 #include "geometry/predicates.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 struct Ring {
@@ -66,4 +66,4 @@ std::vector<CurvedPart> nested(const std::vector<Outline>& outlines, FillRule ru
   return parts;
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -8,7 +8,7 @@
 #include "geometry/predicates.hpp"
 #include "numeric/exact_sum.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 namespace {
 
 /// The angle between two directions at most a quarter apart: 2^24 times the chord of its 2^-24th part. The C library's
@@ -198,4 +198,4 @@ std::array<Piece, 2> halves(const Piece& piece) {
   return half;
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

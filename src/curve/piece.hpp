@@ -22,7 +22,7 @@
 #include "curve/wide.hpp"
 #include "taut/outline.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 /// Centre and half-axes of an ellipse: centre + cos t a + sin t b.
 struct ArcFrame {
@@ -58,4 +58,4 @@ std::vector<Piece> pieces_of(const Point& from, const CurveSegment& segment, int
 /// Two pieces, cut in the middle; not of lines.
 std::array<Piece, 2> halves(const Piece& piece);
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

@@ -5,7 +5,7 @@
 #include "numeric/ball.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut::curve {
+namespace taut::internal::curve {
 
 using Wide = WideFloat<192>;
 using WideBall = Ball<Wide>;
@@ -34,4 +34,4 @@ inline int turn(const WidePoint& a, const WidePoint& b, const WidePoint& c) {
   return (u.x * v.y - u.y * v.x).sign();
 }
 
-}  // namespace taut::curve
+}  // namespace taut::internal::curve

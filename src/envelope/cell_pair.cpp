@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using spacetime::Box;
@@ -272,4 +272,4 @@ bool CellPair::find_inner(const Seen& seen, std::optional<InnerPoint>& hint) con
   return deepest > 0;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

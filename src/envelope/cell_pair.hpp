@@ -7,7 +7,7 @@
 #include "envelope/pose_model.hpp"
 #include "search/pair_instance.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A point of one body, by its number, that lies inside the other body, deep enough to be so for all of some cell.
 struct InnerPoint {
@@ -59,4 +59,4 @@ class CellPair {
   std::vector<Vector> probes_[2];           ///< points that may be inside the other body, of P and of Q
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -13,6 +13,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// How each body hangs on others: itself, its parent, and so on.

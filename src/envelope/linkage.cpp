@@ -8,6 +8,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 const char* const ranges_hint = R"(write "joints": {"lift": [0, 60]}, in degrees or lengths)";
@@ -74,7 +75,7 @@ Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values
     const double value = values[static_cast<std::size_t>(motion.joint)];
     MotionPiece piece;
     if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
-      const JointAngle angle = angle_of(motion);
+      const JointAngle angle = joint_angle_of(motion);
       piece.rotation = AngleRotation{{angle.slope * value + angle.offset}};
       piece.pivot = revolute->pivot;
     } else {

@@ -5,7 +5,7 @@
 
 #include "numeric/trig.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// More than the rounding of the few operations on bounds.
@@ -60,7 +60,7 @@ JointModel conj(const JointModel& a) {
   return c;
 }
 
-JointAngle angle_of(const JointMotion& motion) {
+JointAngle joint_angle_of(const JointMotion& motion) {
   constexpr double degree = std::numbers::pi / 180;
   return {motion.times * degree, motion.plus * degree};
 }
@@ -71,7 +71,7 @@ namespace {
 JointModel turn_of(const JointMotion& motion, const JointCell& cell) {
   using B = Ball<double>;
   const auto j = static_cast<std::size_t>(motion.joint);
-  const JointAngle angle = angle_of(motion);
+  const JointAngle angle = joint_angle_of(motion);
   const SinCos<double> at = sin_cos(B::exact(angle.slope) * B::exact(cell.middle[j]) + B::exact(angle.offset));
   const double swing = angle.slope * cell.half[j];
   JointModel turn = JointModel::constant({at.cos.mid, at.sin.mid});
@@ -101,4 +101,4 @@ PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale
   return pose;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

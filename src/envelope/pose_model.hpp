@@ -6,7 +6,7 @@
 #include "geometry/vector.hpp"
 #include "taut/envelope.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A box of joint values, by its middle and half its sides.
 struct JointCell {
@@ -49,6 +49,6 @@ PoseModel pose_of(const JointMotion& motion, const JointCell& cell, double scale
 struct JointAngle {
   double slope = 0, offset = 0;
 };
-JointAngle angle_of(const JointMotion& motion);
+JointAngle joint_angle_of(const JointMotion& motion);
 
-}  // namespace taut
+}  // namespace taut::internal

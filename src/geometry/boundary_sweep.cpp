@@ -10,7 +10,7 @@
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -218,4 +218,4 @@ std::optional<SelfMeeting> find_self_meeting(const Polygon& polygon, const std::
   return meeting;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// How two edges of a boundary meet where they must not.
 enum class Meeting : std::uint8_t {
@@ -33,4 +33,4 @@ std::optional<SelfMeeting> find_self_meeting(const Polygon& polygon, const std::
 /// How edges i and j, not neighbours along the boundary, meet: exact. No vertex may be repeated.
 SelfMeeting classify_edges(const Polygon& polygon, int i, int j);
 
-}  // namespace taut
+}  // namespace taut::internal

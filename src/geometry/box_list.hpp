@@ -8,7 +8,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A rectangle along the axes; empty at first.
 struct AxisBox {
@@ -89,4 +89,4 @@ class BoxList {
   std::vector<AxisBox> around_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

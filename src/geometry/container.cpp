@@ -8,7 +8,7 @@
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Ring = std::vector<DisplacedPoint>;
@@ -168,4 +168,4 @@ std::optional<Container> container_around(std::span<const DisplacedPoint> hole) 
   return result;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

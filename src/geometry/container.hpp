@@ -6,7 +6,7 @@
 
 #include "geometry/displacement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The tiling is between two simple polygons. Material around a hole is none, until it is cut open: from one vertex of
 /// the hole, its mouth, a wedge of free space widens to the outside of a box. At the mouth it is 2^-40 times as wide as
@@ -30,4 +30,4 @@ struct Container {
 /// mouth is so sharp that doubles leave no room for one.
 std::optional<Container> container_around(std::span<const DisplacedPoint> hole);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// a x b + b x c + c x a over chosen parts of the coordinates: part 0 is the input's point, part 1 the displacement.
@@ -83,4 +83,4 @@ int orientation(const DisplacedPoint& a, const DisplacedPoint& b, const Displace
   return orientation_staged(a, b, c, room).sign;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include "geometry/displacement.hpp"
 #include "numeric/stages.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The sign of the orientation of (a, b, c): +1 if they turn left. 0 only if the displaced points are collinear.
 /// Coordinates are at most 1 in magnitude, and no point is displaced by more than `room`.
@@ -19,4 +19,4 @@ int orientation_in_doubles(const DisplacedPoint& a, const DisplacedPoint& b, con
 StagedSign orientation_staged(const DisplacedPoint& a, const DisplacedPoint& b, const DisplacedPoint& c,
                               double room = displacement_room);
 
-}  // namespace taut
+}  // namespace taut::internal

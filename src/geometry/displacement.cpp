@@ -8,7 +8,7 @@
 #include "geometry/vector.hpp"
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// From one point to another: its direction, and its length up to a factor of 1 + 2^-50.
@@ -149,4 +149,4 @@ SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards,
   return std::make_shared<const DisplacedPolygon>(std::move(moved.points), fault);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 
 #include "geometry/hull.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A vertex that is exactly (x + dx, y + dy): the input's point, and a displacement far below its resolution.
 struct DisplacedPoint {
@@ -88,4 +88,4 @@ Displacement displace(std::span<const Point> polygon, bool inwards, double delta
 /// Hence what bodies displaced inwards do, the bodies do; and what the bodies do, those displaced outwards do.
 SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards, std::uint64_t seed);
 
-}  // namespace taut
+}  // namespace taut::internal

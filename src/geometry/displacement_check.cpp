@@ -32,7 +32,7 @@
 #include "geometry/displaced_orientation.hpp"
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Ring = std::vector<DisplacedPoint>;
@@ -211,4 +211,4 @@ std::optional<DisplacementFault> find_displacement_fault(const std::vector<Displ
   return DisplacementFault{DisplacementFault::Kind::close_edges, static_cast<std::uint32_t>(ring.size() - 1), 0};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

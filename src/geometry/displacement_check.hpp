@@ -6,7 +6,7 @@
 
 #include "geometry/displacement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Are all features of the polygon so large that no vertex that moves by less than `farthest` can break the laws of
 /// displaced_polygon()? Coordinates are at most 1 in magnitude. Linear time; false is no proof of the contrary.
@@ -17,4 +17,4 @@ bool has_room(const std::vector<Point>& polygon, double farthest);
 std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards,
                                                          double farthest);
 
-}  // namespace taut
+}  // namespace taut::internal

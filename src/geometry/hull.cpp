@@ -7,7 +7,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -94,4 +94,4 @@ double diagonal(const Bounds& b) {
   return m > 0 ? m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m)) : 0;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

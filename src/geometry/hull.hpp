@@ -7,7 +7,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The vertices of the convex hull, as indices into `points`: counterclockwise, strictly convex, beginning with the
 /// lexicographically smallest point. Exact, O(n log n). Of equal points the lowest index is named. Points on a line
@@ -29,4 +29,4 @@ Bounds bounds(const std::vector<Point>& points);
 /// The length of its diagonal (rounded).
 double diagonal(const Bounds& bounds);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace taut {
+namespace taut::internal {
 
 /// A 32-bit index into one kind of array; `none` where there is nothing.
 template <class Tag>
@@ -34,4 +34,4 @@ using HalfedgeId = Id<struct HalfedgeTag>;
 /// An active certificate.
 using CertificateId = Id<struct CertificateTag>;
 
-}  // namespace taut
+}  // namespace taut::internal

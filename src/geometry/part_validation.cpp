@@ -8,7 +8,7 @@
 #include "geometry/predicates.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// An edge of one of the rings.
@@ -95,4 +95,4 @@ void validate_holes(const Part& part, const std::string& name) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -12,6 +12,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

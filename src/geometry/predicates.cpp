@@ -4,7 +4,7 @@
 
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 int orientation_exact(const Point& a, const Point& b, const Point& c) {
   ExactSum<12> sum;  // six products of two components each
@@ -43,4 +43,4 @@ int side_of_ring(const Polygon& ring, const Point& p) {
   return odd ? 1 : -1;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -19,7 +19,7 @@
 #include "numeric/stages.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Magnitudes between which the coordinates of the contract lie.
 inline constexpr double min_coordinate = 0x1p-400;
@@ -82,4 +82,4 @@ inline int cross_sign(const Point& a, const Point& b, const Point& c, const Poin
 /// The exact lexicographic order by (x, y): the order of a plane sweep.
 inline bool lexicographically_less(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-}  // namespace taut
+}  // namespace taut::internal

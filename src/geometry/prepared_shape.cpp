@@ -3,7 +3,7 @@
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
   return displaced_polygon(polygon, role.inwards, role.seed);
@@ -69,10 +69,20 @@ void refuse_curves(const Body& body) {
       "bodies, and with --inner within them");
 }
 
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
+
 const Polygon& polygon_of(const Body& body) {
   refuse_curves(body);
   return body.prepared && body.polygon.empty() ? body.prepared->polygon() : body.polygon;
 }
+
+}  // namespace taut
+
+namespace taut {
+using namespace internal;
 
 std::shared_ptr<const PreparedShape> prepare(const Polygon& polygon, const std::string& name) {
   const UnmeteredScope making;

@@ -13,7 +13,7 @@
 #include "geometry/shape_facts.hpp"
 #include "taut/shape.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What a body is in one pair, or in one world: in which units, and how it is displaced.
 struct ShapeRole {
@@ -91,4 +91,4 @@ void refuse_curves(const Body& body);
 /// A normalised polygon, displaced for a role.
 SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -11,7 +11,7 @@
 #include "numeric/dyadic.hpp"
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Three edges meet in a point, or a vertex lies on an edge.
@@ -201,4 +201,4 @@ std::optional<RingUnion> union_of(const std::vector<Polygon>& rings) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A vertex of a union's boundary: one of a ring, or where two edges cross, rounded.
 struct UnionVertex {
@@ -26,4 +26,4 @@ struct RingUnion {
 /// edge.
 std::optional<RingUnion> union_of(const std::vector<Polygon>& rings);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "base/overloaded.hpp"
 #include "taut/outline.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Calls visit(x) for each number of a segment: its end first, then what else there is, but for an arc's flags.
 template <class Visit>
@@ -28,4 +28,4 @@ void for_each_number(const CurveSegment& segment, const Visit& visit) {
              segment);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A box along the axes.
 struct SegmentBox {
@@ -111,4 +111,4 @@ class SegmentStrips {
   std::vector<std::vector<double>> reach_;  ///< how far right the boxes of a strip reach, up to each of them
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace taut {
+namespace taut::internal {
 
 ShapeFacts facts_of(const Polygon& polygon) {
   ShapeFacts facts;
@@ -39,4 +39,4 @@ std::vector<Point> normalised(const Polygon& polygon, const ShapeFacts& facts, i
   return out;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "geometry/hull.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 struct ShapeFacts {
   std::uint32_t size = 0;         ///< number of vertices
@@ -22,4 +22,4 @@ ShapeFacts facts_of(const Polygon& polygon);
 /// The polygon counterclockwise from its first vertex on, in coordinates multiplied by 2^exponent (exact).
 std::vector<Point> normalised(const Polygon& polygon, const ShapeFacts& facts, int exponent);
 
-}  // namespace taut
+}  // namespace taut::internal

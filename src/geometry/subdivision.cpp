@@ -9,7 +9,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -136,4 +136,4 @@ void Subdivision::find_faces() {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

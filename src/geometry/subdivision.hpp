@@ -6,7 +6,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class SegmentStrips;
 
@@ -45,4 +45,4 @@ class Subdivision {
   int face_count_ = 1;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -11,7 +11,7 @@
 #include "geometry/segment_strips.hpp"
 #include "geometry/subdivision.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -272,4 +272,4 @@ std::vector<Part> cut_where_rings_touch(Part part) {
   return {std::move(part)};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

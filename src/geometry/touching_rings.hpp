@@ -5,7 +5,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Parts that cover the same points as `part`. If two of its rings touch at points, and nothing worse, the part is cut
 /// along segments between its vertices, so that no rings of a part touch. Otherwise it is the
@@ -15,4 +15,4 @@ std::vector<Part> cut_where_rings_touch(Part part);
 /// +1 if a simple ring runs counterclockwise, -1 if clockwise. Exact.
 int ring_direction(const Polygon& ring);
 
-}  // namespace taut
+}  // namespace taut::internal

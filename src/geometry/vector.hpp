@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 
 /// A point or a direction; products are those of complex numbers.
 struct Vector {
@@ -19,4 +19,4 @@ inline Vector turned(Vector a) { return {-a.y, a.x}; }
 inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 inline double l1_norm(Vector a) { return std::fabs(a.x) + std::fabs(a.y); }
 
-}  // namespace taut
+}  // namespace taut::internal

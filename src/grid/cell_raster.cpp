@@ -5,7 +5,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 constexpr std::size_t most_marked = std::size_t{1} << 26;
@@ -115,4 +115,4 @@ std::vector<std::array<int, 2>> CellRaster::sorted() const {
   return cells;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

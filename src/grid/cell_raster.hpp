@@ -8,7 +8,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Collects cells, each once. A cell is a square of side 1 here: coordinates are in cells.
 class CellRaster {
@@ -29,4 +29,4 @@ class CellRaster {
   std::unordered_set<std::uint64_t> marked_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -15,6 +15,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// What cells may be away from the body; poses are as dense as that takes.

@@ -9,6 +9,7 @@
 #include "taut/grid.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 constexpr int no_cell = -1;

@@ -2,6 +2,7 @@
 #include "taut/static_map.hpp"
 
 namespace taut {
+using namespace internal;
 
 StaticMap StaticMap::from_grid(const OccupancyGrid& grid, double reach) { return StaticMap(grid_bodies(grid), reach); }
 

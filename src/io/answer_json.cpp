@@ -4,6 +4,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 
@@ -108,6 +109,10 @@ std::string io::contact_json(const Scene& scene, const Contact& contact) {
          ",\"normal\":" + io::point_text(contact.normal) + angle_text(scene, contact) + "}";
 }
 
+}  // namespace taut
+
+namespace taut::internal {
+
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing) {
   std::string s = io::verdict_json(scene, to_string(answer.outcome));
@@ -130,6 +135,11 @@ std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
   }
   return s + "}";
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch) {
   return answer_json(scene, answer, touch, std::nullopt);

@@ -8,7 +8,7 @@
 #include "taut/proof.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Wall time in seconds. Left out unless asked for: without it, the same scene always gives the same bytes.
 struct AnswerTiming {
@@ -19,7 +19,9 @@ struct AnswerTiming {
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing);
 
-namespace io {
+}  // namespace taut::internal
+
+namespace taut::internal::io {
 
 /// The members "t" and "contact" of an answer, each with a comma before it.
 std::string contact_json(const Scene& scene, const Contact& contact);
@@ -40,6 +42,4 @@ std::string edge_json(const Scene& scene, const EdgeRef& edge);
 std::string proved_clearance_json(const Scene& scene, const Verified& proved);
 std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);
 
-}  // namespace io
-
-}  // namespace taut
+}  // namespace taut::internal::io

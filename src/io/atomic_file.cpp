@@ -15,8 +15,7 @@
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
-namespace taut {
-namespace io {
+namespace taut::internal::io {
 namespace {
 
 /// A device or a pipe must be written to, not replaced.
@@ -101,7 +100,10 @@ void AtomicFile::fail() {
                    "check that the folder exists and may be written to, and that the disk is not full");
 }
 
-}  // namespace io
+}  // namespace taut::internal::io
+
+namespace taut {
+using namespace internal;
 
 void write_file(const std::string& path, const std::string& text) {
   io::AtomicFile file(path);

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// Writes to a temporary file next to `path`, which commit() renames; without commit() nothing is left behind. Devices
 /// and pipes (/dev/stdout, say) are written to directly. A file that is there already keeps its mode. Throws
@@ -33,4 +33,4 @@ class AtomicFile {
 /// Removes the temporary files that are there: for a signal handler that is about to end the process.
 void remove_unfinished_files();
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,6 +7,7 @@
 #include "taut/scene.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 struct CellRange {

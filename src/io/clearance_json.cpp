@@ -6,6 +6,7 @@
 #include "taut/motions.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::string nearest_text(const Scene& scene, const NearestPoints& n) {

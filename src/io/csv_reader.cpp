@@ -8,9 +8,7 @@
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
-
-namespace io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -139,7 +137,10 @@ std::vector<Keyframe> parse_keyframes_csv(const std::string& text, const std::st
   return CsvReader(text, name, limits).read();
 }
 
-}  // namespace io
+}  // namespace taut::internal::io
+
+namespace taut {
+using namespace internal;
 
 std::vector<Keyframe> read_keyframes_csv(const std::string& path, const ReadLimits& limits) {
   return io::parse_keyframes_csv(io::read_text_file(path, limits.max_bytes), path, limits);

@@ -8,7 +8,7 @@
 #include "curve/band.hpp"
 #include "io/svg_canvas.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 /// What the placement does to lengths and angles, which arcs are given by.
@@ -75,4 +75,4 @@ std::vector<Polygon> sketched(const CurvedPart& part) {
   return rings;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

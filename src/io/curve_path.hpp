@@ -6,7 +6,7 @@
 
 #include "taut/outline.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// Takes a point of a body to where it is drawn: turned, moved, enlarged and mirrored, but never sheared.
 using PlaceOnPage = std::function<Point(const Point&)>;
@@ -18,4 +18,4 @@ std::string curve_path(const CurvedPart& part, const PlaceOnPage& place);
 /// The rings as polygons for measuring, each near enough to its curve for a picture.
 std::vector<Polygon> sketched(const CurvedPart& part);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -9,6 +9,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using io::chart_number;

@@ -10,9 +10,7 @@
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
-
-namespace io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -198,7 +196,10 @@ std::vector<GeoFeature> parse_geojson_features(std::string text, const std::stri
   return read_features(std::move(text), name, limits, true, Quoting::allowed);
 }
 
-}  // namespace io
+}  // namespace taut::internal::io
+
+namespace taut {
+using namespace internal;
 
 std::vector<Part> read_geojson_parts(const std::string& path, const ReadLimits& limits) {
   return io::parse_geojson(io::read_text_file(path, limits.max_bytes), path, limits);

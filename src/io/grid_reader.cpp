@@ -12,8 +12,7 @@
 #include "taut/error.hpp"
 #include "taut/grid.hpp"
 
-namespace taut {
-namespace io {
+namespace taut::internal::io {
 namespace {
 
 const char* const yaml_shape =
@@ -204,7 +203,10 @@ Thresholds thresholds_of(const MapYaml& yaml) {
 }
 
 }  // namespace
-}  // namespace io
+}  // namespace taut::internal::io
+
+namespace taut {
+using namespace internal;
 
 OccupancyGrid read_grid(const std::string& yaml_file, const GridOptions& options, const ReadLimits& limits) {
   const io::MapYaml yaml(io::read_text_file(yaml_file, limits.max_bytes), yaml_file);

@@ -6,6 +6,7 @@
 #include "taut/motions.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::string interval_text(const TimeInterval& t) { return io::array_text({t.lo, t.hi}); }

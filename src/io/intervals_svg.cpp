@@ -11,6 +11,7 @@
 #include "taut/motions.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using io::chart_number;

@@ -6,7 +6,7 @@
 #include "io/json_object.hpp"
 #include "io/text_file.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 const char* const joints_shape = R"("joints": {"lift": [0, 60], "reach": [0, 2.5]}, in degrees or lengths)";
@@ -92,4 +92,4 @@ std::optional<JointMotion> read_joint_motion(const JsonDocument& document, std::
   return JointMotionReader(document, path, joints).read(token);
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

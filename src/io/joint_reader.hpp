@@ -6,7 +6,7 @@
 #include "io/json_document.hpp"
 #include "taut/envelope.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// {"lift": [0, 60], "tilt": [-20, 40]}, in the order in which they stand there.
 std::vector<Joint> read_joints(const JsonDocument& document, std::size_t token);
@@ -16,4 +16,4 @@ std::vector<Joint> read_joints(const JsonDocument& document, std::size_t token);
 std::optional<JointMotion> read_joint_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                                              const std::vector<Joint>& joints);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include "io/json_text.hpp"
 #include "io/text_file.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -239,4 +239,4 @@ JsonDocument parse_json(std::string text, const std::string& name, const std::st
   return document;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

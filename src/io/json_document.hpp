@@ -11,7 +11,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 enum class JsonKind : std::uint8_t { null, boolean, number, string, array, object };
 
@@ -62,4 +62,4 @@ enum class Quoting : std::uint8_t { allowed, never };
 JsonDocument parse_json(std::string text, const std::string& name, const std::string& example,
                         Quoting quoting = Quoting::allowed);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

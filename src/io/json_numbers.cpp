@@ -2,7 +2,7 @@
 
 #include "io/json_object.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -63,4 +63,4 @@ Polygon read_points(const JsonDocument& document, std::size_t token, const std::
   return polygon;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include "io/json_document.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 double read_number(const JsonDocument& document, std::size_t token, const std::string& path);
 
@@ -23,4 +23,4 @@ std::vector<double> read_numbers(const JsonDocument& document, std::size_t token
 Polygon read_points(const JsonDocument& document, std::size_t token, const std::string& path, std::size_t max_vertices,
                     bool more_coordinates);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -5,7 +5,7 @@
 
 #include "io/text_file.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::size_t JsonObject::get(const std::string& key) const {
   throw document_.error(token_, path_, "the key \"" + key + "\" is missing", "write " + shape_);
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -8,7 +8,7 @@
 
 #include "io/json_document.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// The object at a token, each of whose keys must be one of `known` and appear once. Throws InputError otherwise.
 class JsonObject {
@@ -39,4 +39,4 @@ std::string element_path(const std::string& path, std::size_t index);
 /// The word of `known` that `word` is most likely a slip of; empty if none is near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -4,7 +4,7 @@
 
 #include "io/terminal_text.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 std::string string_text(const std::string& s) {
   const std::string plain = nlohmann::json(s).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -33,4 +33,4 @@ std::string array_text(const std::vector<double>& numbers) {
 
 std::string point_text(const Point& p) { return "[" + number_text(p.x) + "," + number_text(p.y) + "]"; }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include "io/number_text.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// In quotes, with escapes, also of what a terminal would not show; bytes that are not UTF-8 become U+FFFD.
 std::string string_text(const std::string& s);
@@ -16,4 +16,4 @@ std::string array_text(const std::vector<double>& numbers);
 /// [x,y]
 std::string point_text(const Point& p);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

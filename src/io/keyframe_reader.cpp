@@ -5,7 +5,7 @@
 #include "io/json_numbers.hpp"
 #include "io/json_object.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::vector<Keyframe> read_keyframes(const JsonDocument& document, std::size_t t
   return keyframes;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

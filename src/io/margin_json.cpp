@@ -5,6 +5,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::string features_text(const Scene& scene, const CloseFeatures& features) {

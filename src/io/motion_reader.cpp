@@ -9,7 +9,7 @@
 #include "io/named_file.hpp"
 #include "taut/motions.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -242,4 +242,4 @@ Motion read_motion(const JsonDocument& document, std::size_t token, const std::s
   return motion;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

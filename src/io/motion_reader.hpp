@@ -7,7 +7,7 @@
 #include "taut/io.hpp"
 #include "taut/motion.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// What a motion is read in.
 struct MotionContext {
@@ -20,4 +20,4 @@ struct MotionContext {
 Motion read_motion(const JsonDocument& document, std::size_t token, const std::string& path,
                    const MotionContext& context);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

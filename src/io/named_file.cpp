@@ -6,7 +6,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,4 +39,4 @@ std::string named_file(const std::string& folder, const std::string& file, bool 
   return path;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -3,6 +3,7 @@
 #include "taut/separate.hpp"
 
 namespace taut {
+using namespace internal;
 
 const char* to_string(Outcome outcome) {
   switch (outcome) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::optional<double> scan_number(const std::string& text, std::size_t* position
   return std::strtod(number.c_str(), nullptr);
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

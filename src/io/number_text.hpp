@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// The shortest decimal that reads back as the same double, as JSON. `value` must be finite.
 std::string number_text(double value);
@@ -14,4 +14,4 @@ std::string number_text(double value);
 /// there is none. The result may be infinite if the decimal is too large.
 std::optional<double> scan_number(const std::string& text, std::size_t* position);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include "taut/geometry.hpp"
 #include "taut/io.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// As taut::read_wkt_parts and taut::read_geojson_parts, but from text; `name` stands for the file in messages.
 std::vector<Part> parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits);
@@ -32,4 +32,4 @@ void drop_repeated_vertices(Polygon& ring);
 /// Adds a part, or, if its holes touch its outline or each other at points, the parts that it is cut into.
 void add_parts(std::vector<Part>& parts, Part part);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -8,7 +8,7 @@
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 class PathDataReader {
@@ -139,4 +139,4 @@ std::vector<Subpath> read_path_data(std::string_view data, const std::string& pl
   return PathDataReader(data, place).read();
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 
 #include "taut/outline.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// At least one segment; closed by Z, or open.
 struct Subpath {
@@ -19,4 +19,4 @@ struct Subpath {
 /// half of a part.
 std::vector<Subpath> read_path_data(std::string_view data, const std::string& place);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

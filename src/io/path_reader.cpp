@@ -7,6 +7,7 @@
 #include "taut/outline.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 void add_point(std::string& s, const Point& p) { s += " " + io::number_text(p.x) + " " + io::number_text(p.y); }

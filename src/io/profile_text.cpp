@@ -5,6 +5,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 template <class Item, class Text>

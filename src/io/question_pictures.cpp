@@ -7,6 +7,7 @@
 #include "taut/separate.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 double middle_of_ends(const DirectionInterval& angle) { return angle.lo + (angle.hi - angle.lo) / 2; }

@@ -9,7 +9,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 [[noreturn]] void fail_to_open(const std::string& path, int error) {
@@ -58,4 +58,4 @@ FilePointer open_regular_file(const std::string& path, std::size_t max_bytes) {
   return {file, &std::fclose};
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -18,4 +18,4 @@ FilePointer open_regular_file(const std::string& path, std::size_t max_bytes = S
 /// Refuses what is larger than a limit. Throws InputError.
 void require_size(std::uintmax_t bytes, const std::string& name, std::size_t max_bytes);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -13,6 +13,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "taut/shape.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

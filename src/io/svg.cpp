@@ -14,6 +14,7 @@
 #include "taut/shape.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include "taut/shape.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

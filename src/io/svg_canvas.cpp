@@ -8,7 +8,7 @@
 
 #include "io/terminal_text.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::string escape_xml(const std::string& raw) {
   return s;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -6,7 +6,7 @@
 
 #include "taut/geometry.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// A frame of `width` pixels whose inner part shows all the points given; y points up in the world.
 class SvgCanvas {
@@ -39,4 +39,4 @@ std::string outline_path(const std::vector<Point>& pixels);
 /// Text for use between tags or in an attribute.
 std::string escape_xml(const std::string& text);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

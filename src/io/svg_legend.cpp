@@ -8,7 +8,7 @@
 #include "io/svg_style.hpp"
 #include "io/text_file.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::string SvgLegend::draw(double picture_height) const {
   return out + "</g>\n";
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -6,7 +6,7 @@
 
 #include "taut/io.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// How a path over the picture looks.
 struct PathLook {
@@ -40,4 +40,4 @@ class SvgLegend {
   std::vector<Entry> entries_;
 };
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

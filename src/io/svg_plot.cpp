@@ -7,7 +7,7 @@
 
 #include "io/svg_canvas.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 std::vector<double> round_numbers(double lo, double hi, int count) {
   if (!(lo < hi) || !std::isfinite(hi - lo)) return {lo};
@@ -68,4 +68,4 @@ std::string chart_head(double width, double height, const std::string& title) {
       chart_number(width), chart_number(height), escape_xml(title));
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

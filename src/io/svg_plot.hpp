@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// At most `count` + 1 round numbers (1, 2 or 5 times a power of ten apart) from lo to hi.
 std::vector<double> round_numbers(double lo, double hi, int count);
@@ -27,4 +27,4 @@ std::string chart_text(double x, double y, const std::string& what, const char* 
 /// With two decimals, as short as it can be.
 std::string chart_number(double pixels);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -1,7 +1,7 @@
 // The looks of the picture, shared by picture and legend.
 #pragma once
 
-namespace taut::io {
+namespace taut::internal::io {
 
 inline constexpr const char* body_fill[2] = {"#2f5d8a", "#b3622a"};
 inline constexpr const char* body_line[2] = {"#12304d", "#5e2d0c"};
@@ -15,4 +15,4 @@ inline constexpr const char* gone_colour = "#8a8a8a";
 inline constexpr const char* come_colour = "#d7191c";
 inline constexpr const char* contact_colour = "#d7191c";
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// Values of one attribute at moments of the loop, which repeats for ever.
 class SvgTrack {
@@ -80,4 +80,4 @@ struct SvgLoop {
   }
 };
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

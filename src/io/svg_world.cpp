@@ -7,6 +7,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

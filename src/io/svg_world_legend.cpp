@@ -9,7 +9,7 @@
 #include "io/text_file.hpp"
 #include "io/world_shapes.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::string WorldLegend::draw(double top) const {
   return out + "</g>\n";
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

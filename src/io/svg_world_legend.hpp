@@ -6,7 +6,7 @@
 
 #include "taut/scene.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// Bodies in columns, each below its parent and indented by its depth, families together; then the pairs that nobody
 /// asked about. So many bodies and pairs are listed as one can still read; how many more there are is said.
@@ -41,4 +41,4 @@ class WorldLegend {
   std::vector<std::string> notes_;
 };
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 std::string escaped(const std::string& text, bool keep_line_breaks) {
@@ -64,4 +64,4 @@ std::string for_terminal(const InputError& error) {
   return text;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -6,7 +6,7 @@
 
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// The character of UTF-8 that begins at `at`, which moves past it; nothing, and `at` moves by one byte, if there is
 /// none.
@@ -22,4 +22,4 @@ std::string line_for_terminal(const std::string& text);
 /// The message of an error: only the line break before its hint is one.
 std::string for_terminal(const InputError& error);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -8,7 +8,7 @@
 #include "io/regular_file.hpp"
 #include "taut/error.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 void require_size(const std::string& text, const std::string& name, std::size_t max_bytes) {
   require_size(text.size(), name, max_bytes);
@@ -56,4 +56,4 @@ std::string excerpt(const std::string& text, std::size_t length) {
   return s;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// The folder that a path is in: "." for a bare name.
 std::string folder_of(const std::string& path);
@@ -21,4 +21,4 @@ std::string place_in_text(const std::string& text, const std::string& name, std:
 /// `text` cut to about `length` bytes, not inside a UTF-8 sequence, control characters replaced, for messages.
 std::string excerpt(const std::string& text, std::size_t length = 40);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -2,7 +2,7 @@
 
 #include "io/json_text.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::string TraceWriter::vertex_text(const VertexRef& v) const {
   return "{\"body\":" + names_[static_cast<std::size_t>(v.body)] + ",\"index\":" + std::to_string(v.index) + "}";
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

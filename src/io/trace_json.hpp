@@ -7,7 +7,7 @@
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// Writes events of one scene as JSON objects, each on one line, without a line break.
 class TraceWriter {
@@ -22,4 +22,4 @@ class TraceWriter {
   std::vector<std::string> names_;  ///< of the bodies, quoted
 };
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

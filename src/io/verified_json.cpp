@@ -4,6 +4,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 const char* name_of(ContactAt at) {

@@ -9,9 +9,7 @@
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
-
-namespace io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -182,7 +180,10 @@ std::vector<Part> parse_wkt(const std::string& text, const std::string& name, co
   return WktReader(text, name, limits).read();
 }
 
-}  // namespace io
+}  // namespace taut::internal::io
+
+namespace taut {
+using namespace internal;
 
 std::vector<Part> read_wkt_parts(const std::string& path, const ReadLimits& limits) {
   return io::parse_wkt(io::read_text_file(path, limits.max_bytes), path, limits);

@@ -9,7 +9,7 @@
 #include "io/svg_style.hpp"
 #include "io/text_file.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::string number_mark(std::size_t body) {
   return fmt::format("<text y=\"4\" text-anchor=\"middle\" font-size=\"11\" fill=\"{}\">{}</text>", look.ink, body + 1);
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

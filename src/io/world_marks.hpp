@@ -9,7 +9,7 @@
 #include "io/world_shapes.hpp"
 #include "taut/io.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 /// The opening tag and the title. `style` may be empty.
 std::string world_head(const SvgCanvas& canvas, const std::string& title, const std::string& style = {});
@@ -54,4 +54,4 @@ bool has_room(const InnerPoint& inner, double scale, std::size_t body);
 /// The number that a body has in the legend, centred at the origin.
 std::string number_mark(std::size_t body);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

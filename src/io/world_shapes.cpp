@@ -9,7 +9,7 @@
 #include "io/text_file.hpp"
 #include "pair/ring_set.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::string pair_text(const Scene& scene, BodyId a, BodyId b) {
   return name(std::min(a, b)) + " x " + name(std::max(a, b));
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -8,7 +8,7 @@
 #include "taut/pose.hpp"
 #include "taut/scene.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 struct BodyLook {
   const char *fill, *line;
@@ -62,4 +62,4 @@ Point placed(const BodyPose& pose, const Point& p);
 /// "A x B", cut to what fits.
 std::string pair_text(const Scene& scene, BodyId a, BodyId b);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

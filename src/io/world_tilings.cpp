@@ -8,7 +8,7 @@
 
 #include "io/svg_style.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 Point place_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, const VertexRef& v) {
@@ -76,4 +76,4 @@ std::string tiling_paths(const std::vector<TilingLine>& lines, const SvgCanvas& 
   return out;
 }
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -8,7 +8,7 @@
 #include "io/world_shapes.hpp"
 #include "taut/simulation.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 
 struct TilingLine {
   Point from, to;
@@ -23,4 +23,4 @@ std::vector<TilingLine> tiling_lines(const WorldShapes& shapes, const std::vecto
 /// The same as paths of a picture.
 std::string tiling_paths(const std::vector<TilingLine>& lines, const SvgCanvas& canvas);
 
-}  // namespace taut::io
+}  // namespace taut::internal::io

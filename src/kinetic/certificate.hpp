@@ -4,7 +4,7 @@
 #include "geometry/ids.hpp"
 #include "sign/root.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// One corner u -> v -> w of a face, as long as it keeps its orientation: +1 convex, -1 reflex. It fails at the root.
 struct Certificate : Root {
@@ -12,4 +12,4 @@ struct Certificate : Root {
   VertexId u, v, w;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

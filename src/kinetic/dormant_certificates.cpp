@@ -4,7 +4,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// With fewer certificates, looking at each is cheaper than a region.
@@ -170,4 +170,4 @@ bool DormantCertificates::settles(const FrameRange& region, std::size_t i) const
   return region.keeps_sign(geometry_, CertificateFunction::of(geometry_, c.u, c.v, c.w), c.sign);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

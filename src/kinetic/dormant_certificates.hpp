@@ -14,7 +14,7 @@
 #include "kinetic/event_queue.hpp"
 #include "sign/frame_range.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Which certificates are settled, and until when. The engine adds certificates and says when a segment begins or ends;
 /// this chooses regions, keeps those that serve well, and gives up looking for them where none does.
@@ -83,4 +83,4 @@ class DormantCertificates {
   int failures_ = 0, skip_ = 0;  ///< segments on which no region was found, and for how many none is looked for
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(): of a certificate that is looked at, and of an event with its repair.
@@ -332,4 +332,4 @@ std::size_t Engine::bytes() const {
          free_.capacity() * 4 + certificate_of_.bytes() + queue_.bytes() + solver_.bytes();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -14,7 +14,7 @@
 #include "sign/found_contact.hpp"
 #include "tiling/prepared_tiling.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// One processed event, for observers.
 struct EngineEvent {
@@ -184,4 +184,4 @@ class Engine {
   StageCounts at_start_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

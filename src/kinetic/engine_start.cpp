@@ -5,7 +5,7 @@
 #include "kinetic/engine.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -115,4 +115,4 @@ void Engine::add_certificates_beside(HalfedgeId edge, const Placement& placement
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

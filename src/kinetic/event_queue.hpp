@@ -13,7 +13,7 @@
 #include "kinetic/certificate.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Certificates ordered by exact lower bounds of their failure times: the double `lo`, or within one double the
 /// multi-precision enclosure. Events that coincide in the input differ only there.
@@ -180,4 +180,4 @@ class EventQueue {
   std::size_t root_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "numeric/first_decisive.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool FailureSolver::known_before(const Certificate& a, const Certificate& b) const {
   if (a.hi < b.lo) return true;
@@ -83,4 +83,4 @@ void FailureSolver::tighten(Certificate& c) {
   c.hi = std::min(c.hi, t.ceiling());
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "sign/search_from_end.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// How many cells beyond its own a new certificate is followed. Most die before long.
@@ -234,4 +234,4 @@ bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
   return true;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "sign/fast_roots.hpp"
 #include "sign/instant.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The present: a double, or the failure time of a certificate.
 struct Now : Instant {
@@ -117,4 +117,4 @@ class FailureSolver {
   std::vector<std::int32_t> pool_free_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Straight ways between two turns of a body pass through smaller copies of it: no more than by a few percent.
@@ -76,4 +76,4 @@ void NearStart::note(const Engine& engine, const PairPlan& plan, std::optional<s
   last_.emplace(Last{engine.geometry(), plan.prepared, engine.map(), engine.held_segment(), engine.segment().start});
 }
 
-}  // namespace taut
+}  // namespace taut::internal

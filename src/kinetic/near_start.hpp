@@ -8,7 +8,7 @@
 #include "kinetic/engine.hpp"
 #include "pair/pair_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Bodies that have moved but a little since the last question have nearly its tiling, and what is left to do is what
 /// an engine does: it goes straight from the last placement to the new one, over a bridge, and repairs what changes. As
@@ -39,4 +39,4 @@ class NearStart {
   int failures_ = 0, skip_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

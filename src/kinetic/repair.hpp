@@ -7,7 +7,7 @@
 #include "taut/tracer.hpp"
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 enum class Gone : unsigned char { none, first, second };
 
@@ -35,4 +35,4 @@ RepairReport repair_convex(PlanarMap& map, HalfedgeId h, VertexId nearer);
 /// The reflex corner h -> next(h) has straightened.
 RepairReport repair_reflex(PlanarMap& map, HalfedgeId h);
 
-}  // namespace taut
+}  // namespace taut::internal

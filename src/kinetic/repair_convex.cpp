@@ -1,6 +1,6 @@
 #include "kinetic/repair.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// After a corner at the root closed: an edge with faces of P on both its sides is now run in both directions by
@@ -89,4 +89,4 @@ RepairReport repair_convex(PlanarMap& map, HalfedgeId h, VertexId nearer) {
   return far_first ? far_end_first(map, h, n) : near_end_first(map, h, n);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -2,7 +2,7 @@
 #include "kinetic/repair.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The node that stands for the face on the left of h in the joined tree.
@@ -95,4 +95,4 @@ RepairReport repair_reflex(PlanarMap& map, HalfedgeId uv) {
   return report;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

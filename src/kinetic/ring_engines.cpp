@@ -9,7 +9,7 @@
 #include "sign/instant_order.hpp"
 #include "tiling/shape_tiling.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
                          EngineObserver* observer)
@@ -156,4 +156,4 @@ StageCounts RingEngines::stages() const {
   return sum;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

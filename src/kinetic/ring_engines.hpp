@@ -11,7 +11,7 @@
 #include "pair/ring_meetings.hpp"
 #include "sign/contact_bracket.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The tiling is between two simple polygons. Which of two parts' rings can meet is settled where they start, and does
 /// not change before they do: so the first contact of two bodies is the earliest of those of such pairs of rings, each
@@ -107,4 +107,4 @@ class RingEngines {
   std::array<std::vector<double>, 2> diameters_;  ///< of the rings of both; negative where not known yet
 };
 
-}  // namespace taut
+}  // namespace taut::internal

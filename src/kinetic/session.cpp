@@ -12,7 +12,7 @@
 #include "sign/contact_at_start.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace {
 
@@ -138,4 +138,4 @@ void Session::on_event(const EngineEvent& event) {
   tracer_->on_event(out);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -10,7 +10,7 @@
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The engine and the translation of its findings.
 class Session : private EngineObserver {
@@ -64,4 +64,4 @@ class Session : private EngineObserver {
   std::optional<Point> overlap_point_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -11,6 +11,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Sums of products of two doubles are exact in it, unless their magnitudes differ by more than 2^800.

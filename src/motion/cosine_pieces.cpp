@@ -5,7 +5,7 @@
 
 #include "numeric/dyadic.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A polynomial with its exact coefficients. Beside its roots doubles tell nothing of its sign, and the less the higher
@@ -171,4 +171,4 @@ std::vector<MotionPiece> cut_at_extremes(const MotionPiece& piece, double from, 
   return pieces;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

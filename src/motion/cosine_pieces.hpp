@@ -5,7 +5,7 @@
 
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The piece as one or more that together are the same motion on [from, to]. Where the cosine reaches 1 or -1 inside,
 /// at an instant that is a double, the sine has a kink or the angle infinite speed: there one piece ends and the next
@@ -15,4 +15,4 @@ namespace taut {
 /// out is of the order of 2^-50. Other pieces stay as they are.
 std::vector<MotionPiece> cut_at_extremes(const MotionPiece& piece, double from, double to);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "motion/local_time.hpp"
 #include "motion/rotation_forms.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 int highest_power(const MotionPiece& piece) {
   std::size_t terms = std::max(piece.x.size(), piece.y.size());
@@ -26,4 +26,4 @@ bool is_far_for(int power, double start, double end) {
   return is_far(start, end, lengths);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "motion/pose.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The highest power of the time in a motion, and 1 at least.
 int highest_power(const MotionPiece& piece);
@@ -14,4 +14,4 @@ int highest_power(const PieceChain& chain);
 /// make polynomials anew costs each segment some microseconds, which keyframes by the hundred thousand need not spend.
 bool is_far_for(int power, double start, double end);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 
 #include "numeric/trig.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Angles below this are left as they are.
@@ -81,4 +81,4 @@ TAUT_INSTANTIATE(double)
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -16,7 +16,7 @@
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Coefficients that are balls, without memory of their own to allocate.
 template <class Real>
@@ -116,4 +116,4 @@ const auto& absolute(const Time& t) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "motion/pieces.hpp"
 #include "motion/rotation_forms.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// From so many on it matters how much room there is that nothing is in.
@@ -147,4 +147,4 @@ MotionChain without_first(const MotionChain& chain, std::size_t count) {
   return {chain.begin() + static_cast<std::ptrdiff_t>(count), chain.end()};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Pieces of a valid motion in order of time. A MotionPiece with its polynomials takes some 260 bytes, and there may be
 /// a hundred thousand of them, which engines, proofs and worlds follow one after the other: so what is kept is their
@@ -73,4 +73,4 @@ std::size_t count_common(const MotionChain& a, const MotionChain& b);
 /// Those after the first `count`; one that rests where there are none.
 MotionChain without_first(const MotionChain& chain, std::size_t count);
 
-}  // namespace taut
+}  // namespace taut::internal

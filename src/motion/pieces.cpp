@@ -6,7 +6,7 @@
 #include "motion/cosine_pieces.hpp"
 #include "motion/pose.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 void drop_last_zeros(Coefficients& c) {
@@ -129,4 +129,4 @@ double joint_room(const MotionPiece& before, const MotionPiece& after, const Bou
          joint_rounding * (magnitude_of(before, polygon, t) + magnitude_of(after, polygon, t));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

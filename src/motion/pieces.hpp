@@ -8,7 +8,7 @@
 #include "geometry/hull.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The pieces of a motion that matter on [start, end], at least one; the last one's `until` is infinite.
 /// Their polynomials have no zeros at the end.
@@ -47,4 +47,4 @@ inline constexpr double joint_tolerance = 1e-6;
 /// The share of the magnitudes that are added up: a few units in the last place.
 inline constexpr double joint_rounding = 0x1p-50;
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "base/budget.hpp"
 #include "numeric/jet.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Big = Ball<RealMax>;
@@ -142,4 +142,4 @@ std::optional<double> beyond_one(const Coefficients& a, double start, double end
   return search_time(start, end, fine, wrong, most);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// How far a cosine may exceed 1 in magnitude, on account of the rounding of its coefficients.
 inline constexpr double cosine_excess = 0x1p-40;
@@ -24,4 +24,4 @@ std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, 
 /// one that just reaches the bound would be looked at for ever.
 std::optional<double> beyond_one(const Coefficients& a, double start, double end, int most = most_intervals);
 
-}  // namespace taut
+}  // namespace taut::internal

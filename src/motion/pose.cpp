@@ -2,7 +2,7 @@
 
 #include "numeric/dyadic.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool same_rotation(const Rotation& a, const Rotation& b) {
   std::vector<const Coefficients*> of_a, of_b;
@@ -52,4 +52,4 @@ Pose<double> sharp_pose(const MotionPiece& piece, double t) {
   return {rounded(sharp.ox), rounded(sharp.oy), rounded(sharp.xx), rounded(sharp.xy)};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

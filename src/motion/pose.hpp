@@ -11,7 +11,7 @@
 #include "numeric/jet.hpp"
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The body's point (u, v) is at o + u x + v y, y = x turned by +90 degrees.
 template <class J>
@@ -269,4 +269,4 @@ inline PosesOver poses_over(const PieceChain& chain, const Point& m, double from
   return {pose_about(chain, m, at), pose_about(chain, m, all), half};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,6 +8,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 const Pose<double> resting_pose{Jet<double>::constant(0.0), Jet<double>::constant(0.0), Jet<double>::constant(1.0),

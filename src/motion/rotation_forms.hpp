@@ -8,7 +8,7 @@
 #include "base/overloaded.hpp"
 #include "taut/motion.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Calls visit(coefficients) for each polynomial of a rotation.
 template <class Visit>
@@ -29,4 +29,4 @@ void for_each_polynomial(Rotation& rotation, const Visit& visit) {
 /// Are the two given by the very same coefficients?
 bool same_rotation(const Rotation& a, const Rotation& b);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "motion/pose.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::string number(double x) {
@@ -137,4 +137,4 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -10,7 +10,7 @@
 #include "numeric/exact_sum.hpp"
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 namespace detail {
 
@@ -167,4 +167,4 @@ Ball<Real> hull(const Ball<Real>& a, const Ball<Real>& b) {
   return Ball<Real>::between(lo, hi);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

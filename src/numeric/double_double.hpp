@@ -5,7 +5,7 @@
 
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A number as the sum of two doubles (Dekker 1971), to about 2^-104 of it, and how far from that the true one is at
 /// most. Coordinates drawn on a grid have few digits, and so have their differences and products: then nothing rounds,
@@ -64,4 +64,4 @@ class DoubleDouble {
   double hi_ = 0, lo_ = 0, error_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

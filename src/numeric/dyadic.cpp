@@ -4,7 +4,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 
 struct Dyadic::Integer {
   boost::multiprecision::cpp_int value;
@@ -138,4 +138,4 @@ std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p) {
   return result * result + -p == DyadicPolynomial() ? std::optional(result) : std::nullopt;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

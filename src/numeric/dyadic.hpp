@@ -9,7 +9,7 @@
 
 #include "numeric/ball.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// mantissa * 2^exponent. Sums, differences and products of doubles are exact.
 ///
@@ -76,4 +76,4 @@ std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dy
 /// A polynomial whose square this is, if there is one with rational coefficients.
 std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p);
 
-}  // namespace taut
+}  // namespace taut::internal

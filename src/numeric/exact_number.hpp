@@ -5,7 +5,7 @@
 
 #include "numeric/exact_sum.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A sum of doubles. Nothing rounds: a result that would need more range than doubles have says so, and so does all
 /// that is made of it. There is room for the orientation of three vertices, each of which is four doubles a coordinate.
@@ -80,4 +80,4 @@ class ExactNumber {
   bool exact_ = true;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace taut {
+namespace taut::internal {
 
 struct TwoDoubles {
   double hi, lo;
@@ -97,4 +97,4 @@ bool add_exact_product(ExactSum<Capacity>& sum, double a, double b) {
   return true;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -11,7 +11,7 @@
 #include "numeric/root_isolation.hpp"
 #include "numeric/stages.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// ask(stage) from a stage on, usually the first at high precision, until the answer is not empty, or not zero; else
 /// that empty answer.
@@ -51,4 +51,4 @@ auto at_some_stage(const Ask& ask, Stage first = Stage::precise)
   return std::nullopt;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

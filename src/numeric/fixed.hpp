@@ -14,7 +14,7 @@
 #include "numeric/real.hpp"
 #include "numeric/two_words.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// An integer times 2^-320, between -2^63 and 2^63, in two's complement. Everything about a pair of bodies is scaled to
 /// about 1, and what tells ties apart is about 2^-200: so the place of the point need not move, and a product costs a
@@ -285,4 +285,4 @@ class FixedBall {
   double rad_ = 0, most_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

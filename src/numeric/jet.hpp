@@ -10,7 +10,7 @@
 #include "numeric/ball.hpp"
 #include "numeric/trig.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A time given by its distance from an end at which the motion is singular: t = end + direction s^2, where direction
 /// is 1 and s >= 0 after it, -1 and s <= 0 before it. What moves like the root of the distance is smooth in s.
@@ -217,4 +217,4 @@ Ball<Real> polynomial_value(const BallPolynomial<Real>& c, const Ball<Real>& t) 
   return detail::range_about_zero(expanded(c, t.mid), 0, t.rad);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace taut {
+namespace taut::internal {
 
 /// GCC's and clang's vector type: + - * / act on both elements, each rounding as IEEE 754 says.
 using Lanes = double __attribute__((vector_size(16)));
@@ -16,4 +16,4 @@ inline Lanes load_lanes(const double* from) {
 inline void store_lanes(double* to, Lanes x) { std::memcpy(to, &x, sizeof x); }
 inline Lanes both(double x) { return Lanes{x, x}; }
 
-}  // namespace taut
+}  // namespace taut::internal

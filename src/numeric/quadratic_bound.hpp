@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 
 inline constexpr double one_third = (1.0 / 3) * (1 + 0x1p-40);  ///< a little more
 
@@ -72,4 +72,4 @@ inline double negative_from(double a, double b, double c) {
   return 2 * a / below_line * (1 + 0x1p-47);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

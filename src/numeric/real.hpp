@@ -10,7 +10,7 @@
 
 #include "numeric/wide_float.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The precisions of the multi-precision stages, in order: one is added here, and its length where WideFloat is
 /// compiled. Beyond the last one the answer is `undecided`. One more between the two would tell what the last one tells
@@ -112,4 +112,4 @@ double double_above(const Real& x) {
   return std::nextafter(d, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace taut
+}  // namespace taut::internal

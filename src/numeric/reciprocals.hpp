@@ -6,7 +6,7 @@
 
 #include "numeric/ball.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// 1/k for k = 1 .. 32, to the number's precision.
 template <class Real>
@@ -22,4 +22,4 @@ const Ball<Real>& reciprocal(int k) {
   return all[static_cast<std::size_t>(k)];
 }
 
-}  // namespace taut
+}  // namespace taut::internal

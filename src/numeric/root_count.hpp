@@ -18,7 +18,7 @@
 
 #include "numeric/jet.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A function on an interval by its Taylor polynomial about a middle of it, the last coefficient of which is a range
 /// that makes the formula right all over the interval.
@@ -124,4 +124,4 @@ class RootCount {
   std::size_t steady_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "numeric/jet.hpp"
 #include "numeric/root_count.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A stage could not decide at its precision; a more precise one may.
 struct PrecisionExhausted {};
@@ -310,4 +310,4 @@ void refine_with_slope(const Function& f, const Ball<double>& slope, int sign, R
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

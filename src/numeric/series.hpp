@@ -11,7 +11,7 @@
 #include "numeric/jet.hpp"
 #include "numeric/reciprocals.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The sum of a[i] b[k - i], i = first .. last, in one go: the middles as they come, and what they round in one bound.
 /// Nothing if something is not finite.
@@ -176,4 +176,4 @@ void sin_cos(const Series<Real, N>& a, Series<Real, N>& sine, Series<Real, N>& c
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

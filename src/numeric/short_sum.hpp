@@ -9,7 +9,7 @@
 #include "numeric/fixed.hpp"
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A nonoverlapping sum of doubles, smallest first, without zeros; zero has no parts.
 class ShortSum {
@@ -93,4 +93,4 @@ class ShortSum {
   std::size_t size_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

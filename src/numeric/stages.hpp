@@ -13,7 +13,7 @@
 
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 enum class Stage : std::uint8_t {
   doubles,      ///< with a bound of the error
@@ -65,4 +65,4 @@ class StageCounts {
   std::array<std::uint64_t, stage_count> counts_{};
 };
 
-}  // namespace taut
+}  // namespace taut::internal

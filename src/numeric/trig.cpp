@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Sine and cosine of |r| <= 0.79 by their Taylor polynomials of degree 17 and 18.
@@ -75,4 +75,4 @@ SinCos<double> sin_cos_of_sum(double hi, double lo) {
   return quarter_turns(B(a.sin, error), B(a.cos, error), static_cast<int>(k - 4.0 * std::floor(k / 4.0)));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

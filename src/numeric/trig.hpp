@@ -3,7 +3,7 @@
 
 #include "numeric/ball.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The number nearest to pi.
 template <class Real>
@@ -36,4 +36,4 @@ SinCos<Real> sin_cos(const Ball<Real>& x);
 /// Of an angle that is the sum of two doubles, |hi| < 2^40 and |lo| < 2^-10: to 2^-50, however large it is.
 SinCos<double> sin_cos_of_sum(double hi, double lo);
 
-}  // namespace taut
+}  // namespace taut::internal

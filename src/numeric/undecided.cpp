@@ -4,10 +4,10 @@
 
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 std::string not_decided(const Undecidable& limit) {
   return fmt::format("not decided at {} bits: {}", RealTraits<RealMax>::bits, limit.what);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The message for the user.
 std::string not_decided(const Undecidable& limit);
@@ -24,4 +24,4 @@ std::string what_stops(const Action& action) {
   return {};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "numeric/two_words.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// GCC's and clang's vector type of two words, stored at once.
@@ -355,4 +355,4 @@ TAUT_LENGTH(320, 192, 960)
 TAUT_LENGTH(960, 192, 320)
 #undef TAUT_LENGTH
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include <span>
 #include <type_traits>
 
-namespace taut {
+namespace taut::internal {
 
 /// 0, or +-m 2^e, where m has Bits bits and is from 1 up to 2; or undefined, as what is too large, a quotient by zero
 /// and the root of a negative number are. Sums, differences and quotients are the numbers nearest to the true ones, and
@@ -110,4 +110,4 @@ class WideFloat {
   std::array<std::uint64_t, limbs + 1> word_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include "numeric/two_words.hpp"
 #include "numeric/wide_float.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// One word of a quotient: how often the divisor, whose first bit is set, goes into as many words of the rest and one
@@ -76,4 +76,4 @@ template WideFloat<192> WideFloat<192>::quotient(const WideFloat&, const WideFlo
 template WideFloat<320> WideFloat<320>::quotient(const WideFloat&, const WideFloat&);
 template WideFloat<960> WideFloat<960>::quotient(const WideFloat&, const WideFloat&);
 
-}  // namespace taut
+}  // namespace taut::internal

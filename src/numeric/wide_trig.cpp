@@ -8,7 +8,7 @@
 #include "numeric/trig.hpp"
 #include "numeric/two_words.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The words of pi, the last one rounded.
@@ -234,4 +234,4 @@ Real pi() {
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// An edge's rectangle, with room for the error of its ends' positions.
@@ -56,4 +56,4 @@ std::optional<EdgePair> crossing_edges(const Placement& place) {
   return std::nullopt;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

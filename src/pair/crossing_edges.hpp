@@ -5,7 +5,7 @@
 
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// An edge of P and one of Q, each named by its first vertex.
 struct EdgePair {
@@ -16,4 +16,4 @@ struct EdgePair {
 /// few edges lie one above the other.
 std::optional<EdgePair> crossing_edges(const Placement& placement);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "pair/validate_world.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::string part_name(const Body& body, std::size_t part) {
@@ -167,4 +167,4 @@ std::uint64_t CurvedWorld::segments() const {
   return count;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

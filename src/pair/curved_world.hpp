@@ -8,7 +8,7 @@
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Is any body bounded by curves?
 bool has_curves(const Scene& scene);
@@ -57,4 +57,4 @@ class CurvedWorld {
   std::vector<std::vector<curve::BandedPart>> parts_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -13,7 +13,7 @@
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The least fit, as a share of the largest coordinate: what rounding adds to a way of 1.05 to 1.95 times the fit must
@@ -195,4 +195,4 @@ void FittedScene::name_given(Answer& answer) const {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "pair/joined_parts.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The same scene with all boundaries moved towards the material by between `fit` and twice as much along every edge:
 /// the displacement that puts scenes in general position, only larger, and rounded to doubles. What moves is the
@@ -31,4 +31,4 @@ class FittedScene {
   std::vector<std::optional<std::vector<JoinedPart>>> joined_;  ///< by body
 };
 
-}  // namespace taut
+}  // namespace taut::internal

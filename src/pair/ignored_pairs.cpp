@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut {
+namespace taut::internal {
 
 std::map<std::string, int> bodies_by_name(const Scene& scene) {
   std::map<std::string, int> by_name;
@@ -31,4 +31,4 @@ bool IgnoredPairs::has(int a, int b) const {
   return !pairs_.empty() && std::binary_search(pairs_.begin(), pairs_.end(), std::pair(std::min(a, b), std::max(a, b)));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Bodies by their names; of a name that is given twice, the first one.
 std::map<std::string, int> bodies_by_name(const Scene& scene);
@@ -31,4 +31,4 @@ class IgnoredPairs {
   std::vector<std::pair<int, int>> pairs_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

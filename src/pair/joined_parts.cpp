@@ -13,7 +13,7 @@
 #include "pair/ring_set.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// How often random numbers are drawn anew where rings are not in general position.
@@ -268,4 +268,4 @@ std::optional<std::vector<JoinedPart>> joined_parts(const Body& body, BodyId id,
   return PartJoiner(body, id, tolerance).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A ring of a union of parts: of each vertex the nearest vertex of the body, and the body's edge that leaves from it.
 struct JoinedRing {
@@ -31,4 +31,4 @@ struct JoinedPart {
 /// the tolerance. The body must be valid, and the tolerance at least 2^-46 of its coordinates.
 std::optional<std::vector<JoinedPart>> joined_parts(const Body& body, BodyId id, double tolerance);
 
-}  // namespace taut
+}  // namespace taut::internal

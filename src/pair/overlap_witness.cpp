@@ -11,7 +11,7 @@
 #include "pair/placement.hpp"
 #include "relative/make_segments.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A square in a body's own coordinates, in which a point certainly lies.
@@ -235,7 +235,7 @@ std::optional<Point> found_point(const PairPlan& plan, const MotionSegment& segm
   return std::nullopt;
 }
 
-PlacedParts parts_of(const RingSet& body, const PlacedFrame& frame) {
+PlacedParts placed_parts(const RingSet& body, const PlacedFrame& frame) {
   PlacedParts parts;
   RingView rings;
   for (std::size_t i = 0; i < body.rings().size(); ++i) {
@@ -261,8 +261,8 @@ std::optional<Point> common_point(const PairPlan& plan, double t) {
 std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains,
                                   const MotionSegment& segment, double t) {
   const std::array<PlacedFrame, 2> frames{PlacedFrame(chains[0], t), PlacedFrame(chains[1], t)};
-  return found_point(plan, segment, t, frames, parts_of(*plan.rings[0], frames[0]),
-                     parts_of(*plan.rings[1], frames[1]));
+  return found_point(plan, segment, t, frames, placed_parts(*plan.rings[0], frames[0]),
+                     placed_parts(*plan.rings[1], frames[1]));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

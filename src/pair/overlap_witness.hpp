@@ -5,7 +5,7 @@
 
 #include "pair/pair_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A point that certainly lies inside both bodies at time t (not within a jump between two pieces), in world
 /// coordinates and in the input's units. The bodies are those that were written, without the displacement. Nothing if
@@ -17,4 +17,4 @@ std::optional<Point> common_point(const PairPlan& plan, double t);
 std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains,
                                   const MotionSegment& segment, double t);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "geometry/displacement.hpp"
 #include "geometry/ids.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// P's vertices (0 .. np-1), then Q's (np .. np+nq-1), each counterclockwise, the first on its convex hull. A body of
 /// several rings has them one after the other, holes clockwise: the material is to the left of every edge. Coordinates
@@ -69,4 +69,4 @@ struct PairGeometry {
   bool ringed_ = false;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "motion/pieces.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint().
@@ -104,4 +104,4 @@ std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, boo
   return PairGeometry(bodies[0], bodies[1]);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -13,7 +13,7 @@
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Which body plays P or Q, and how its internal vertices are numbered in the input.
 struct BodyMap {
@@ -71,4 +71,4 @@ PairGeometry displaced_pair(const PairPlan& plan, bool inwards);
 /// The same, or nothing.
 std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, bool inwards);
 
-}  // namespace taut
+}  // namespace taut::internal

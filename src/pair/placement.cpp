@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "numeric/first_decisive.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The sweep runs along (1, tilt).
@@ -225,4 +225,4 @@ int Placement::precise_sign(const char* what, const Quantity& quantity) const {
   });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -12,7 +12,7 @@
 #include "pair/pair_geometry.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// From a body's own coordinates to P's frame, rounded: a turn by (c, s), then a shift.
 struct RoundedPose {
@@ -119,4 +119,4 @@ class Placement {
   mutable StageCounts stages_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

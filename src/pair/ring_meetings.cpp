@@ -3,7 +3,7 @@
 #include "base/budget.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The rings of P, or Q, where they are.
@@ -78,4 +78,4 @@ RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement) {
   return result;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "pair/pair_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class Placement;
 
@@ -29,4 +29,4 @@ struct RingMeetings {
 /// The placement is that of the bodies of rings, displaced. Exact; throws Undecidable.
 RingMeetings ring_meetings(const PairPlan& plan, const Placement& placement);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Different for any two rings of a scene, so that no two are displaced alike.
@@ -163,4 +163,4 @@ void RingSet::refuse(const RingMap& ring, const DisplacementFault& fault) const 
                    hint, {{}, {{index_, e, ring.part, ring.ring}, {index_, f, ring.part, ring.ring}}});
 }
 
-}  // namespace taut
+}  // namespace taut::internal

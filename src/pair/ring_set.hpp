@@ -19,7 +19,7 @@
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// One ring of a body: how its internal vertices are numbered in the input.
 struct RingMap {
@@ -80,7 +80,7 @@ class RingSet {
   /// Of a ring, counterclockwise also if it is a hole; scaled.
   const std::vector<Point>& points(std::size_t ring) const { return *rings_[ring]; }
   /// Of a ring, scaled.
-  double diameter_squared(std::size_t ring) const { return taut::diameter_squared(points(ring)); }
+  double diameter_squared(std::size_t ring) const { return internal::diameter_squared(points(ring)); }
   int body() const { return index_; }
   const std::string& name() const { return name_; }
 
@@ -147,4 +147,4 @@ std::vector<Part> parts_of(const Body& body);
 /// The name of a ring in messages: the body's, with part and hole where there are several.
 std::string ring_name(const Body& body, std::size_t part, std::size_t ring);
 
-}  // namespace taut
+}  // namespace taut::internal

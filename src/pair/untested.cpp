@@ -1,6 +1,6 @@
 #include "pair/untested.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::string counted(std::uint64_t count, const char* what) {
@@ -25,4 +25,4 @@ std::string why_untested(const Coverage& c) {
   return start + parts + R"(; take pairs out of "ignore", or test those at rest with "at_rest": "test")";
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,9 +5,9 @@
 
 #include "taut/coverage.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Of a coverage that is_empty(): that nothing was tested, why, and the remedy.
 std::string why_untested(const Coverage& coverage);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -13,7 +13,7 @@
 #include "pair/validate_world.hpp"
 #include "taut/error.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 void validate_time(const Scene& scene) {
   if (!std::isfinite(scene.start) || !std::isfinite(scene.end))
@@ -88,6 +88,11 @@ std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
   }
   return facts;
 }
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 void validate(const Scene& scene) {
   if (has_curves(scene)) {

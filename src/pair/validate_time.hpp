@@ -4,7 +4,7 @@
 #include "geometry/shape_facts.hpp"
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Throws InputError unless the time interval is one.
 void validate_time(const Scene& scene);
@@ -12,4 +12,4 @@ void validate_time(const Scene& scene);
 /// Exact predicates multiply coordinates of several bodies: throws InputError where their magnitudes are too far apart.
 void validate_range(const ShapeFacts& a, const ShapeFacts& b);
 
-}  // namespace taut
+}  // namespace taut::internal

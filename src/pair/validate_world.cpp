@@ -13,7 +13,7 @@
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Names = std::map<std::string, BodyId>;
@@ -156,4 +156,4 @@ void validate_world(const Scene& scene) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "taut/scene.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Is it more, or less, than two bodies of one polygon each that are seen from the world's frame?
 bool is_world(const Scene& scene);
@@ -16,4 +16,4 @@ void validate_polygon_of(const Body& body);
 /// bodies exist, chains of parents end, and time and motions are as validate() wants them.
 void validate_world(const Scene& scene);
 
-}  // namespace taut
+}  // namespace taut::internal

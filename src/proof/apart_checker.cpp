@@ -6,7 +6,7 @@
 #include "proof/kept_margin.hpp"
 #include "taut/error.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 const MotionWindow& HalvedWindows::at(const HalvedTime& time) {
   if (windows_.size() >= most) windows_.clear();
@@ -126,4 +126,4 @@ void ApartChecker::check_incidence(const Incidence& incidence, int why, const Ha
     throw ProofError("a vertex does not stay aside of an edge");
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

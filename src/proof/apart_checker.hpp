@@ -6,7 +6,7 @@
 #include "proof/bytes.hpp"
 #include "proof/separation.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// A stretch of a segment's parameter that came of halving a longer one; the number tells all of them apart.
 struct HalvedTime {
@@ -86,4 +86,4 @@ class ApartChecker {
 /// The end of the stretch, or `until` if that is before.
 Instant end_of(const HalvedTime& time, const std::optional<Instant>& until);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -10,7 +10,7 @@
 
 #include "taut/proof.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 inline std::uint64_t bits_of(double x) {
   std::uint64_t bits;
@@ -130,4 +130,4 @@ class ByteReader {
   Checksum checksum_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

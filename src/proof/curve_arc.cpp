@@ -5,7 +5,7 @@
 #include "numeric/dyadic.hpp"
 #include "numeric/trig.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 CurveNumber number(double x) { return CurveNumber::exact(x); }
@@ -119,4 +119,4 @@ EllipseArc ellipse_arc(const Point& from, const ArcTo& arc) {
   return found;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -4,7 +4,7 @@
 #include "proof/curve_point.hpp"
 #include "taut/outline.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// The image of the unit circle under u -> centre + u.x a + u.y b.
 struct Ellipse {
@@ -32,4 +32,4 @@ EllipseArc ellipse_arc(const Point& from, const ArcTo& arc);
 /// Across the chord, to the side to which the arc bulges: the middle of the arc from u to v, of unit length.
 CurvePoint middle_of_arc(const CurvePoint& u, const CurvePoint& v, bool counterclockwise);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

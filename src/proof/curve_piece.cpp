@@ -8,7 +8,7 @@
 #include "geometry/segment_numbers.hpp"
 #include "taut/error.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 void require_numbers(const Outline& outline, const std::string& name) {
@@ -192,4 +192,4 @@ std::array<CurvePiece, 2> halves_of(const CurvePiece& piece) {
   return half;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -13,7 +13,7 @@
 
 #include "proof/curve_arc.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 struct CurvePiece {
   int segment = 0;
@@ -37,4 +37,4 @@ std::vector<CurvePiece> pieces_of(const Outline& outline, const std::string& nam
 /// Not of a line.
 std::array<CurvePiece, 2> halves_of(const CurvePiece& piece);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

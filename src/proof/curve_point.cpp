@@ -2,7 +2,7 @@
 
 #include "numeric/dyadic.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 CurveNumber half_of(const CurveNumber& x) {
@@ -61,4 +61,4 @@ CertainSign side_of(const CurvePoint& a, const CurvePoint& b, const CurvePoint& 
   return ((dyadic_of(b.x) - ax) * (dyadic_of(c.y) - ay) - (dyadic_of(b.y) - ay) * (dyadic_of(c.x) - ax)).sign();
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -8,7 +8,7 @@
 #include "numeric/ball.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 using CurveReal = WideFloat<192>;
 using CurveNumber = Ball<CurveReal>;
@@ -36,4 +36,4 @@ CurvePoint middle_of(const CurvePoint& a, const CurvePoint& b);
 /// The sign of (b - a) x (c - a): is c to the left (1) or to the right (-1) of the line from a to b, or on it (0)?
 CertainSign side_of(const CurvePoint& a, const CurvePoint& b, const CurvePoint& c);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

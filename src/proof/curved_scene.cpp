@@ -9,7 +9,7 @@
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 bool is_usable(double x) {
@@ -146,4 +146,4 @@ void CurvedBodies::name(Feature& feature, double share) const {
 void CurvedBodies::name(VertexRef& vertex) const { name(vertex, 0); }
 void CurvedBodies::name(EdgeRef& edge) const { name(edge, 0.5); }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

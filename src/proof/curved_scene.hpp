@@ -5,7 +5,7 @@
 #include "taut/feature.hpp"
 #include "taut/scene.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Is any body bounded by curves?
 bool any_curves(const Scene& scene);
@@ -50,4 +50,4 @@ class CurvedBodies {
   std::vector<std::vector<Rings>> bodies_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// What rounding adds to a projection, relative to the coordinates, with what makes the directions unit vectors.
@@ -108,4 +108,4 @@ std::uint32_t EdgeRanges::add_run(const DisplacedPolygon& body, const RingSpan& 
   return index;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

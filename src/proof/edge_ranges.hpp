@@ -8,7 +8,7 @@
 #include "geometry/displacement.hpp"
 #include "geometry/vector.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Some edges, and a rectangle that certainly contains all of them as displaced: all centre + s along + t
 /// turned(along) with |s| <= half_length and |t| <= half_width.
@@ -38,4 +38,4 @@ class EdgeRanges {
   std::vector<EdgeRange> ranges_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -1,6 +1,6 @@
 #include "proof/edge_slabs.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 EdgeSlabs::EdgeSlabs(const Polygon& polygon) : polygon_(polygon) {
   double highest = -INFINITY;
@@ -53,4 +53,4 @@ std::optional<bool> EdgeSlabs::contains(const CurvePoint& z) const {
   return odd;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

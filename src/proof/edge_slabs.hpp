@@ -9,7 +9,7 @@
 
 #include "proof/curve_point.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Numbers between which something certainly is.
 struct Extent {
@@ -76,4 +76,4 @@ Extent extent_of(const CurvePoint* points, int count, const Coordinate& coordina
   return extent;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

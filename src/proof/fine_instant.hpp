@@ -8,7 +8,7 @@
 #include "numeric/exact_sum.hpp"
 #include "sign/instant.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// The exact sum of these three, where a single double may be too coarse: displaced bodies can come to each other, or
 /// closer than a clearance, for a time that has no double in it.
@@ -45,4 +45,4 @@ inline FineInstant nearest_instant(RealMax rest) {
   return at;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

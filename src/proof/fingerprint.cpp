@@ -15,6 +15,7 @@
 #include "taut/shape.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Stands for the index of a parent where there is none.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 inline constexpr char magic[7] = {'t', 'a', 'u', 't', 'p', 'r', 'f'};
 /// Follows the magic number: what the log is made of. Version 1 had a checksum of 64 bits for the scene; in version 3
@@ -50,4 +50,4 @@ inline constexpr std::uint32_t unused = 0xffffffffu;
 /// many digits, so that no time with a few other bits lies at the limit.
 inline double nearness(double start, double end) { return 0x1p-40 * 1.618 * (std::fabs(start) + std::fabs(end)); }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -3,7 +3,7 @@
 #include "pair/validate_world.hpp"
 #include "proof/curved_scene.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 namespace {
 
@@ -43,4 +43,4 @@ void write_header(ByteWriter& out, const Header& header) {
   out.u8(header.kind);
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

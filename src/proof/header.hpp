@@ -4,7 +4,7 @@
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 struct Header {
   char version = of_tilings;
@@ -17,4 +17,4 @@ struct Header {
 Header read_header(ByteReader& in, const Scene& scene);
 void write_header(ByteWriter& out, const Header& header);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -3,7 +3,7 @@
 #include "sign/margin_function.hpp"
 #include "sign/precise_root.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// Is a function negative at all times of [from, to]? Throws PrecisionExhausted.
@@ -69,4 +69,4 @@ bool closer_at(const PairGeometry& g, const MotionSegment& segment, double margi
       .value_or(false);
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -5,7 +5,7 @@
 #include "proof/separation.hpp"
 #include "sign/taylor_frames.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Two bodies that do not overlap are closer than a margin only if two of their vertices are, or if a vertex is that
 /// close in front of an edge beside which it is. So of two edges, each of which stands for its first vertex, three
@@ -33,4 +33,4 @@ class KeptMargin {
 bool closer_at(const PairGeometry& geometry, const MotionSegment& segment, double margin, const Incidence& pair,
                bool is_edge, const FineInstant& at);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

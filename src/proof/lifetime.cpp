@@ -11,7 +11,7 @@
 #include "proof/format.hpp"
 #include "taut/proof.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 double below(double x) { return std::nextafter(x, -INFINITY); }
@@ -255,4 +255,4 @@ VertexId Lifetimes::middle(const Instant& now) {
                    [&](const CertificateFunction& function) { return sign_at(function, now); });
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

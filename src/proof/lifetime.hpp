@@ -6,7 +6,7 @@
 #include "sign/fast_function.hpp"
 #include "sign/instant.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// A corner of vertices of both bodies, with the sign that it has from `birth` on.
 struct Corner {
@@ -74,4 +74,4 @@ class Lifetimes {
   TaylorModelCache clock_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// Two functions of a frame that are the parts of one vector: about the window's middle, and what that leaves out.
@@ -146,4 +146,4 @@ bool MotionWindow::may_be_sharp() const {
          from_q_.shift_error <= share * from_q_.size;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -5,7 +5,7 @@
 #include "relative/frame_model.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// The law: at the window's middle + h, |h| <= half, the moving body's point v is seen at
 ///   shift + h shift_rate + h^2/2 shift_second + (turn + h turn_rate + h^2/2 turn_second) v + e,
@@ -42,4 +42,4 @@ class MotionWindow {
   WindowModel from_p_, from_q_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

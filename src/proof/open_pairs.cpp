@@ -6,7 +6,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// An interval along the axis of the sweep.
@@ -104,4 +104,4 @@ std::vector<int> moving_bodies(const VerifierScene& scene, const OpenPairs& open
   return bodies;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -8,7 +8,7 @@
 
 #include "proof/stated_box.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 using BodyPairs = std::vector<std::pair<int, int>>;
 
@@ -55,4 +55,4 @@ inline BoxedBody as_doubles(const StatedBox& b) { return {b.lo_x, b.lo_y, b.hi_x
 /// The bodies that move and are in any of the pairs, in order; where all pairs are open, all that move.
 std::vector<int> moving_bodies(const VerifierScene& scene, const OpenPairs& open);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 void require(bool holds, const char* what) {
@@ -273,4 +273,4 @@ Change ProofMap::replace_second(HalfedgeId uv, HalfedgeId vw) {
   return c;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

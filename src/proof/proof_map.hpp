@@ -7,7 +7,7 @@
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Half-edges 2k and 2k+1 are twins; edge i < n is the edge of a body from vertex i to the next, 2i with the body on
 /// its left. `sign` is that of the corner from this half-edge to the next one: 1 if it is less than a straight angle.
@@ -72,4 +72,4 @@ class ProofMap {
   std::vector<HalfedgeId> free_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

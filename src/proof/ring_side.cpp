@@ -8,7 +8,7 @@
 #include "proof/edge_slabs.hpp"
 #include "taut/proof.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// Of halving a piece of a curve.
@@ -170,4 +170,4 @@ std::vector<NamedChord> require_side(const std::vector<CurvePiece>& curve, const
   return SideTest(polygon, side, name).run(curve);
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -26,7 +26,7 @@
 
 #include "proof/curve_piece.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 enum class RingSide {
   within,  ///< the curve in the polygon
@@ -45,4 +45,4 @@ struct NamedChord {
 std::vector<NamedChord> require_side(const std::vector<CurvePiece>& curve, const Polygon& polygon, RingSide side,
                                      const std::string& name);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

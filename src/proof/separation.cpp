@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// How far a rectangle reaches from its centre in direction n, where `along` is its side's direction seen from there.
@@ -235,4 +235,4 @@ double motion_in(const MotionWindow& window, const EdgeRange& q) {
          s.turn_error * (l1_norm(q.centre) + q.radius());
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -9,7 +9,7 @@
 #include "proof/lifetime.hpp"
 #include "proof/motion_window.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// One byte for each step on the way down: docs/proof-format.md.
 namespace step {
@@ -118,4 +118,4 @@ std::optional<std::uint8_t> separating_step(const MotionWindow& window, const Ed
 /// About how far the ranges move relative to each other within the window.
 double motion_in(const MotionWindow& window, const EdgeRange& q);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -1,6 +1,6 @@
 #include "proof/sha256.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// The fractional parts of the cube roots of the first 64 primes.
@@ -60,4 +60,4 @@ Sha256::Digest Sha256::finish() {
   return digest;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Bytes go in one after the other; finish() comes last, once.
 class Sha256 {
@@ -24,4 +24,4 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -8,7 +8,7 @@
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// How often a stretch is halved to see that a body stays within a box.
@@ -129,4 +129,4 @@ std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& t
   return known ? std::optional(all) : std::nullopt;
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

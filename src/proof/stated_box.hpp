@@ -7,7 +7,7 @@
 #include "proof/bytes.hpp"
 #include "proof/verifier_scene.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// A stretch of the world's time, without its beginning unless it begins with the scene: stretches that follow each
 /// other have each joint once.
@@ -53,4 +53,4 @@ std::optional<BoxedBody> box_around(const VerifierBody& body, const WorldTime& t
 /// Does what is nearer than `room` to such a box stay within a stated one? Then stays_within() says so of the body.
 bool has_room(const StatedBox& box, double room, const BoxedBody& reach);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

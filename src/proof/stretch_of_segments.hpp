@@ -10,7 +10,7 @@
 #include "relative/motion_segments.hpp"
 #include "sign/frame_range.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// Half-edges, any of which can be taken away at once. Their order is that of the log.
 class HalfedgeList {
@@ -88,4 +88,4 @@ class StretchOfSegments {
   std::optional<FrameRange> range_;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

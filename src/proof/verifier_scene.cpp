@@ -10,7 +10,7 @@
 #include "motion/pieces.hpp"
 #include "taut/shape.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 bool same_chain(const MotionChain& a, const MotionChain& b) {
@@ -145,4 +145,4 @@ MotionSegments VerifierScene::segments(const PairPlan& pair) const {
   return make_segments(without_first(p, common), without_first(q, common), start_, end_);
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

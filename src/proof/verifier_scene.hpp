@@ -10,7 +10,7 @@
 #include "relative/make_segments.hpp"
 #include "taut/coverage.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// One body: its rings, and the motions of its chain, the outermost parent's first, without those that rest. Scaled.
 struct VerifierBody {
@@ -57,4 +57,4 @@ class VerifierScene {
   bool tests_alike_ = false;
 };
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

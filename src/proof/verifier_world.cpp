@@ -6,7 +6,7 @@
 #include "pair/crossing_edges.hpp"
 #include "pair/placement.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
   std::unique_ptr<EdgeRanges>& made = ranges_[static_cast<std::size_t>(body.body())];
@@ -85,4 +85,4 @@ bool overlap_at(const VerifierPair& pair, const MotionSegment& segment, double t
   return any_outline(*pair.geometry.p(), 0) || any_outline(*pair.geometry.q(), pair.geometry.np);
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

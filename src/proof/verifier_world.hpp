@@ -12,7 +12,7 @@
 #include "proof/stated_box.hpp"
 #include "proof/verifier_scene.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// One pair that is asked about.
 struct VerifierPair {
@@ -75,4 +75,4 @@ void require_crossing(const Placement& place, VertexId e, VertexId f);
 /// Does the other body's material contain that vertex?
 bool inside_the_other(const Placement& place, VertexId vertex);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

@@ -21,8 +21,7 @@
 #include "sign/feature_map.hpp"
 #include "taut/validate.hpp"
 
-namespace taut {
-namespace proof {
+namespace taut::internal::proof {
 namespace {
 
 Shapes shapes_of(const Header& header) {
@@ -267,7 +266,10 @@ class Verifier {
 };
 
 }  // namespace
-}  // namespace proof
+}  // namespace taut::internal::proof
+
+namespace taut {
+using namespace internal;
 
 Verified verify(const Scene& scene, std::istream& log) {
   const bool curved = proof::any_curves(scene);

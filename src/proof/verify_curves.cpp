@@ -8,7 +8,7 @@
 #include "proof/curved_scene.hpp"
 #include "taut/error.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 class CurvesVerifier {
@@ -116,4 +116,4 @@ class CurvesVerifier {
 
 Verified verify_curves(const Scene& scene, std::istream& log) { return CurvesVerifier(scene, log).run(); }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

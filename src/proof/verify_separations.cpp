@@ -14,7 +14,7 @@
 #include "proof/verifier_world.hpp"
 #include "sign/feature_map.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 namespace {
 
 /// How often a window may be halved.
@@ -295,4 +295,4 @@ Verified verify_separations(const Scene& scene, ByteReader& in, const Header& he
   return SeparationsVerifier(scene, in, header).run();
 }
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

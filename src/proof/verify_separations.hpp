@@ -3,9 +3,9 @@
 
 #include "proof/header.hpp"
 
-namespace taut::proof {
+namespace taut::internal::proof {
 
 /// What the rest of the log proves. Throws ProofError, or Undecidable. The scene must be valid.
 Verified verify_separations(const Scene& scene, ByteReader& in, const Header& header);
 
-}  // namespace taut::proof
+}  // namespace taut::internal::proof

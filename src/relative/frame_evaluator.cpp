@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut {
+namespace taut::internal {
 
 FrameEvaluator::FrameEvaluator(const MotionSegment& segment) {
   const double length = segment.end - segment.start;
@@ -19,4 +19,4 @@ bool FrameEvaluator::differs_from_zero(bool pp, const std::array<Ball<double>, 5
   });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A look at these two costs next to nothing beside the frame's identities (FrameIdentities), which few forms need.
 class FrameEvaluator {
@@ -19,4 +19,4 @@ class FrameEvaluator {
   std::array<FrameValues<double>, 2> looks_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

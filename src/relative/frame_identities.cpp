@@ -4,7 +4,7 @@
 
 #include "relative/symbolic.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using Condition = std::array<Dyadic, 5>;
@@ -85,4 +85,4 @@ bool FrameIdentities::vanishes(bool pp, const std::array<Dyadic, 5>& c) const {
          });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "numeric/dyadic.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A function of a mixed triple may vanish at all times by an identity: both bodies turn alike, if perhaps in different
 /// forms; a vertex is carried along the other body's edge; what stays in line rests. Intervals never show that, at any
@@ -35,4 +35,4 @@ class FrameIdentities {
   Side pp_, qq_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

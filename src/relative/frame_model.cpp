@@ -7,7 +7,7 @@
 #include "base/overloaded.hpp"
 #include "relative/uniform_rotation.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// What matters to no question, since the displacement is far larger. In a relative motion that is exactly zero, slack
@@ -184,4 +184,4 @@ double FrameModel::fitting_share(double slack) const {
   return rest > 1 ? by_rest : std::min(by_rest, 1 / std::sqrt(turn));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

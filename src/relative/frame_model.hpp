@@ -5,7 +5,7 @@
 #include "numeric/lanes.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The six functions of the frame that vary on a motion segment, about the middle of an interval [start, end] of its
 /// parameter: conj(x_P) D (two parts), conj(x_Q) D (two parts), c and s (see FrameOf; not for bridges).
@@ -112,4 +112,4 @@ struct FrameModel {
 /// of the interval; the radius is set.
 void take_series(FrameModel& model, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A sum of five products rounds by no more than this share of each.
@@ -83,4 +83,4 @@ FrameThird third_of(const FrameModel& m, int first) {
   return {{m.third[first], m.third[first + 1], m.third[4], m.third[5]}};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "relative/frame_model.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The five functions of MotionSegment::Frame for one kind of triple, at one instant.
 struct FrameSample {
@@ -49,4 +49,4 @@ void add_errors(const FrameModel& model, int first, FrameSample& values);
 FrameCurvature curvature_of(const FrameModel& model, int first);
 FrameThird third_of(const FrameModel& model, int first);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "relative/motion_segments.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The segments from start to end: one for each stretch without a joint, and a bridge at each joint where a piece
 /// changes.
@@ -15,4 +15,4 @@ inline MotionSegments make_segments(const MotionChain& p, const MotionChain& q, 
   return MotionSegments(p, q, start, end);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

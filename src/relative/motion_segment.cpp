@@ -7,7 +7,7 @@
 #include "relative/frame_identities.hpp"
 #include "relative/uniform_rotation.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool MotionSegment::singular_at(double t) const {
   return std::any_of(singular_.begin(), singular_.end(),
@@ -328,4 +328,4 @@ const FrameEvaluator& MotionSegment::looks() const {
   return *looks_;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

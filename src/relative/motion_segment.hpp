@@ -13,7 +13,7 @@
 #include "numeric/series.hpp"
 #include "relative/symbolic.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The orientation of two vertices of one body and one of the other is a fixed linear combination of five functions
 /// of time. With world frames (o, x) as complex numbers and D = o_Q - o_P:
@@ -202,4 +202,4 @@ void add_offset(const MotionSegment& segment, bool of_p, B& x, B& y) {
   add_offset(segment, of_p, segment.offset(of_p), x, y);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "motion/far_pieces.hpp"
 #include "motion/pieces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// From so many on it matters how much room there is that nothing is in.
@@ -146,4 +146,4 @@ void MotionSegments::replace(Kept& place, std::size_t k) const {
   if (!place.segment) place.segment = std::make_shared<const MotionSegment>(route_->make(first_ ? k - 1 : k));
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "motion/piece_list.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Where a segment is, which is known before it is made.
 struct SegmentPlace {
@@ -88,4 +88,4 @@ class MotionSegments {
   mutable std::vector<std::pair<std::size_t, std::weak_ptr<const MotionSegment>>> held_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

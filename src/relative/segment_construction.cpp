@@ -5,7 +5,7 @@
 #include "numeric/exact_sum.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
@@ -198,4 +198,4 @@ MotionSegment MotionSegment::bridging_chains(const PieceChain& p, const PieceCha
   return segment;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "numeric/jet.hpp"
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 template <class Items, class Same>
@@ -240,4 +240,4 @@ void sin_cos(const Symbolic& a, Symbolic& sine, Symbolic& cosine) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "numeric/dyadic.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What the expressions of one segment share: the square roots, angles and denominators that have come up.
 ///
@@ -116,4 +116,4 @@ class Symbolic {
   Exponents denominator_{};
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "relative/uniform_rotation.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 FrameSample evaluate_exactly(const MotionSegment& segment, double t, int first) {
@@ -261,4 +261,4 @@ const FrameSample& TaylorModelCache::shortly_before(double t, bool pp, double& a
   return known.functions[slot];
 }
 
-}  // namespace taut
+}  // namespace taut::internal

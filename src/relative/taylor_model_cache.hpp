@@ -10,7 +10,7 @@
 #include "relative/frame_model.hpp"
 #include "relative/frame_sample.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A dyadic part of a segment's interval.
 struct ModelPlace {
@@ -157,4 +157,4 @@ class TaylorModelCache {
   bool stored_ = false;  ///< the store is this segment's
 };
 
-}  // namespace taut
+}  // namespace taut::internal

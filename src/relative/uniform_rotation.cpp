@@ -11,7 +11,7 @@
 #include "numeric/reciprocals.hpp"
 #include "numeric/trig.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The least number of so many binary digits that is no less than x >= 0. Bounds are made for such numbers, so that
@@ -27,7 +27,7 @@ double first_digits_above(double x, int digits) {
 constexpr int digits_of_size = 3, digits_of_error = 2, digits_of_radius = 32;
 
 /// Looked at first, as many segments do not.
-bool turns(const MotionSegment& segment) {
+bool rotates(const MotionSegment& segment) {
   double fastest = 0;
   const auto look = [&](const Coefficients& angle) { fastest = std::max(fastest, std::fabs(coefficient(angle, 1))); };
   for (const MotionPiece* piece : {&segment.p, &segment.q}) {
@@ -104,7 +104,7 @@ UniformRotation::Powers<FixedBall> UniformRotation::Spin::precise_powers(int exp
 }
 
 std::shared_ptr<const UniformRotation> UniformRotation::of(const MotionSegment& segment) {
-  if (segment.bridge || segment.composed || segment.translation || !turns(segment)) return nullptr;
+  if (segment.bridge || segment.composed || segment.translation || !rotates(segment)) return nullptr;
   if (segment.degree > last) return nullptr;  // a series does not have all of D
   const auto even = std::make_shared<UniformRotation>();
   return even->take(segment) ? even : nullptr;
@@ -333,4 +333,4 @@ UniformRotation::Expansion UniformRotation::expansion(const MotionSegment& segme
   return made;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

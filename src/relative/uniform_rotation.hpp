@@ -9,7 +9,7 @@
 #include "relative/frame_model.hpp"
 #include "relative/frame_sample.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// D about an instant: coefficients of its coordinates.
 template <class N>
@@ -108,4 +108,4 @@ class UniformRotation {
   mutable std::optional<Precise> precise_;  ///< made when it is asked for
 };
 
-}  // namespace taut
+}  // namespace taut::internal

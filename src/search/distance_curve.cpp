@@ -6,7 +6,7 @@
 #include "spacetime/distance_bound.hpp"
 #include "spacetime/resolve_nearest.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool DistanceFunction::may_touch(double from, double to) const {
   const auto touches = [&](const OverlapInterval& o) { return o.from.lo <= to && from <= o.to.hi; };
@@ -79,4 +79,4 @@ double DistanceFunction::most(double from, double to) const {
   return std::ldexp(spacetime::distance_bound(s.geometry, s.trees(), s.segments(), from, to, tolerance_), -exponent_);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "taut/clearance.hpp"
 #include "taut/intervals.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A pair of bodies, and when they touch.
 struct PairDistance {
@@ -43,4 +43,4 @@ class DistanceFunction {
   int exponent_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

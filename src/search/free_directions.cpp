@@ -11,7 +11,7 @@
 #include "numeric/first_decisive.hpp"
 #include "numeric/trig.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
@@ -363,4 +363,4 @@ std::pair<double, double> FreeDirections::degrees(const VertexDirection& d) cons
   return {(angle - error) * to_degrees, (angle + error) * to_degrees};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

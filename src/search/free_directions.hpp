@@ -10,7 +10,7 @@
 #include "search/vertices_at_pose.hpp"
 #include "spacetime/hierarchy.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A body where it stands, with its tree of boxes.
 struct StandingBody {
@@ -112,4 +112,4 @@ class FreeDirections {
   std::bitset<sectors> covered_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

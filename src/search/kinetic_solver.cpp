@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "numeric/undecided.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// How many events there are between two looks at the work that was done.
@@ -142,4 +142,4 @@ void KineticSolver::give_up(const std::string& reason, double until) {
   leave();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

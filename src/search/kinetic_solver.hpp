@@ -8,7 +8,7 @@
 #include "taut/simulation.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// How many events all pairs of a world may take together.
 struct EventBudget {
@@ -64,4 +64,4 @@ class KineticSolver final : public PairSolver {
   PairResult result_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

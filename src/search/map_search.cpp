@@ -7,7 +7,7 @@
 #include "pair/overlap_witness.hpp"
 #include "relative/make_segments.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A window is short enough if the mover's box is at most so many times longer than it is at rest.
@@ -93,4 +93,4 @@ void MapSearch::cover(double from, double to, int depth) {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

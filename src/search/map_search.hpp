@@ -9,7 +9,7 @@
 #include "world/box_tree.hpp"
 #include "world/free_cells.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Bodies at rest in one scale.
 struct MapBodies {
@@ -61,4 +61,4 @@ class MapSearch {
   std::map<int, std::unique_ptr<SpacetimeSolver>> pairs_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::vector<int> in_order(const std::unordered_set<int>& bodies) {
@@ -109,4 +109,4 @@ bool NearPairs::has(int a, int b) const {
   return std::any_of(stack_.begin(), stack_.end(), [&](const Window& window) { return window.pairs.count(pair) > 0; });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

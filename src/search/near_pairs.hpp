@@ -10,7 +10,7 @@
 #include "world/changing_boxes.hpp"
 #include "world/meeting_boxes.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Goes through time as WorldSearch does, but for those who want to stand still in it: in the window of the present the
 /// pairs that are near are those whose boxes meet in it, or in one of the windows around it that would not be told
@@ -70,4 +70,4 @@ class NearPairs {
   std::vector<Window> stack_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

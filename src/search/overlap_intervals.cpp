@@ -9,7 +9,7 @@
 #include "sign/feature_map.hpp"
 #include "spacetime/first_contact.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 using spacetime::SegmentCrossing;
@@ -168,4 +168,4 @@ std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int
   return IntervalSearch(plan, a, b, near, inwards, precisely).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "taut/intervals.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Between two crossings of an edge by a vertex that follow each other, the same edges cross, and whether the bodies
 /// overlap does not change. So all crossings are found, put in order, and between any two the overlap is asked for, by
@@ -17,4 +17,4 @@ namespace taut {
 std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
                                                const std::vector<TimeInterval>& near, bool inwards, bool precisely);
 
-}  // namespace taut
+}  // namespace taut::internal

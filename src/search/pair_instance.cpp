@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace taut {
+namespace taut::internal {
 
 using spacetime::Hierarchy;
 
@@ -22,4 +22,4 @@ PairInstance::PairInstance(const WorldPlan& world, int a, int b, bool inwards)
     : PairInstance(world.pair(a, b), std::make_shared<const MotionSegments>(world.segments(world.pair(a, b))),
                    inwards) {}
 
-}  // namespace taut
+}  // namespace taut::internal

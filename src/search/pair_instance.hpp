@@ -7,7 +7,7 @@
 #include "spacetime/first_contact.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 using SharedSegments = std::shared_ptr<const MotionSegments>;
 
@@ -28,4 +28,4 @@ struct PairInstance {
   const spacetime::Hierarchy &tree_p, &tree_q;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

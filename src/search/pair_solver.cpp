@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "numeric/undecided.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 SpacetimeSolver::SpacetimeSolver(PairInstance search, bool inwards, double start, double end)
     : search_(std::move(search)), inwards_(inwards), start_(start), end_(end) {
@@ -95,4 +95,4 @@ void SpacetimeSolver::note(const spacetime::SpacetimeResult& found) {
   if (open() || result.free_until < result_.free_until) result_ = result;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

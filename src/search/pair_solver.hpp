@@ -8,7 +8,7 @@
 #include "sign/contact_at_start.hpp"
 #include "sign/instant_order.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// How much the kinetic engine had to do.
 struct KineticCounts {
@@ -117,4 +117,4 @@ void take_start(const std::optional<StartContact>& touching, double start, PairR
 PairResult contact_of(const PairResult& known, const FeatureMap& witness, const MotionSegment& segment,
                       std::size_t segment_index, const FoundContact& found, double start);
 
-}  // namespace taut
+}  // namespace taut::internal

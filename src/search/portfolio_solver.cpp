@@ -4,7 +4,7 @@
 
 #include "base/slices.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, bool inwards) {
@@ -122,4 +122,4 @@ std::unique_ptr<PairSolver> pair_in_turns(const WorldPlan& world, int a, int b, 
   return std::make_unique<PortfolioSolver>(world, a, b, inwards, budget, first_turn);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

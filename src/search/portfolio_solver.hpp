@@ -6,7 +6,7 @@
 #include "search/kinetic_solver.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The two bodies with that engine, with both, or with both in turn. What is given must outlive it.
 std::unique_ptr<PairSolver> windowed_pair(EngineChoice engine, const WorldPlan& world, int a, int b, bool inwards,
@@ -17,4 +17,4 @@ std::unique_ptr<PairSolver> windowed_pair(EngineChoice engine, const WorldPlan& 
 std::unique_ptr<PairSolver> pair_in_turns(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
                                           std::uint64_t first_turn = 8192);
 
-}  // namespace taut
+}  // namespace taut::internal

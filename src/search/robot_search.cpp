@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "spacetime/box_separation.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 using spacetime::Stretch;
 using spacetime::UniformSegment;
@@ -345,4 +345,4 @@ RobotFinding RobotSearch::join(std::span<const MotionPiece> next, double t) {
   return best;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

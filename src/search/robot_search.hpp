@@ -7,7 +7,7 @@
 #include "search/map_search.hpp"
 #include "spacetime/uniform_pairs.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What a search came to, in internal terms.
 struct RobotFinding {
@@ -98,4 +98,4 @@ class RobotSearch {
   std::vector<spacetime::Other> others_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 
 VerticesAtPose::VerticesAtPose(const WorldBody& body, double t, bool inwards)
     : polygon_(body.rings->displaced(inwards)), chain_(pieces_at(body.motions, t)), t_(t) {
@@ -40,4 +40,4 @@ TAUT_FOR_EACH_PRECISION(TAUT_ENCLOSED)
 TAUT_ENCLOSED(double)
 #undef TAUT_ENCLOSED
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "geometry/vector.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// One body. Positions are rounded, with a bound of the error, and computed again with more bits where that is asked:
 /// its pose is computed once for each precision, so one object serves one thread.
@@ -39,4 +39,4 @@ class VerticesAtPose {
   mutable OfEachPrecision<Known, double> poses_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

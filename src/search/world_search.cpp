@@ -6,7 +6,7 @@
 
 #include "world/meeting_boxes.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The pairs that windows around this one have settled.
 struct WorldSearch::DormantCertificates {
@@ -95,4 +95,4 @@ void WorldSearch::settle(PairSolver& pair, double from, double to) {
   if (pair.result().contact) stop_ = std::min(stop_, pair.result().contact->time.hi);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

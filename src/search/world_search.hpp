@@ -11,7 +11,7 @@
 #include "search/portfolio_solver.hpp"
 #include "world/swept_box.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window
 /// boxes are swept and pruned: a pair whose boxes meet, and that would not be told apart by shorter windows, is settled
@@ -55,4 +55,4 @@ class WorldSearch {
   double stop_, proved_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

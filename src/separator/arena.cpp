@@ -6,7 +6,7 @@
 #include "relative/motion_segment.hpp"
 #include "tiling/geodesic_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::vector<VertexId> relative_hull(const Placement& placement, const FreeTriangulation& triangulation,
@@ -40,4 +40,4 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   return arena;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

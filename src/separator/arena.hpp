@@ -8,7 +8,7 @@
 #include "pair/pair_plan.hpp"
 #include "tiling/free_triangulation.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Two disjoint polygons at rest. Coordinates are scaled as in PairPlan; the free space is triangulated inside a box,
 /// whose corners are vertices size() .. size()+3.
@@ -36,4 +36,4 @@ struct Arena {
 /// Empty if the polygons overlap, or one of them crosses itself.
 std::optional<Arena> make_arena(const Polygon& a, const Polygon& b);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "geometry/predicates.hpp"
 #include "numeric/real.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -172,4 +172,4 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   return odd;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

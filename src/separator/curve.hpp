@@ -7,7 +7,7 @@
 #include "separator/link_paths.hpp"
 #include "taut/geometry.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A closed polygon, or a chain whose first and last edges go on to infinity: beyond the first vertex, away from the
 /// second, and beyond the last one.
@@ -24,4 +24,4 @@ Curve curve_of(const LinkPath& path, const std::vector<Point>& around);
 /// other cross it? Exact, O(number of edges times number of vertices). Polygons must be simple and counterclockwise.
 bool separates(const Curve& curve, const Polygon& p, const Polygon& q);
 
-}  // namespace taut
+}  // namespace taut::internal

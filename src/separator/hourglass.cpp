@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 Hourglass::Hourglass(std::vector<Point> left, std::vector<Point> right) {
   for (const Point& p : left) push_left(p, 0);
   for (const Point& p : right) push_right(p, 0);
@@ -130,4 +130,4 @@ DirectedLine Hourglass::middle() const {
   return {{meet.x - dx, meet.y - dy}, {meet.x + dx, meet.y + dy}};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

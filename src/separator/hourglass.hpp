@@ -6,7 +6,7 @@
 
 #include "geometry/predicates.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A directed line through two points.
 struct DirectedLine {
@@ -59,4 +59,4 @@ class Hourglass {
   std::size_t clockwise_left_ = 0, clockwise_right_ = 0, counter_left_ = 0, counter_right_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "separator/window.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Follows one sleeve; each time the line of sight ends, its last window starts the next link.
@@ -245,4 +245,4 @@ LinkBound link_bound(const Arena& arena) {
   return best;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "separator/arena.hpp"
 #include "separator/hourglass.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A separator as the lines of its links, in order; where two neighbours meet is a vertex. Of a closed one, the last
 /// meets the first; of an open one, the first and the last run to infinity.
@@ -32,4 +32,4 @@ LinkBound closed_link_bound(const Arena& arena, int owner);
 /// Over all separators.
 LinkBound link_bound(const Arena& arena);
 
-}  // namespace taut
+}  // namespace taut::internal

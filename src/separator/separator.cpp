@@ -21,6 +21,7 @@
 #include "tiling/root_faces.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// The curve is drawn around polygons that are larger by so much (of the scaled coordinates): wide berths first, which

@@ -5,7 +5,7 @@
 #include "base/errors.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 constexpr std::uint32_t no_edge = FreeTriangulation::none;
@@ -133,4 +133,4 @@ OpenSleeve open_sleeve(const Arena& arena) {
   return sleeve;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

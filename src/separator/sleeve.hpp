@@ -6,7 +6,7 @@
 
 #include "separator/arena.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A gate is a half-edge of the triangle that is entered through it: its origin is the left end, its target the right
 /// end. Two gates in a row have one end in common; the apex of the first one's triangle is the other end of the second.
@@ -42,4 +42,4 @@ struct OpenSleeve {
 };
 OpenSleeve open_sleeve(const Arena& arena);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "base/errors.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Where the line leaves the free space: the left and the right end of the edge it hits, and the ends on the side
@@ -73,4 +73,4 @@ Window open_window(const Arena& arena, const DirectedLine& line, std::vector<Poi
   return window;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

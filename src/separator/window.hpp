@@ -7,7 +7,7 @@
 #include "separator/hourglass.hpp"
 #include "separator/sleeve.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A line of sight that touches the free space's left and right side as far as it can see ends at the other side. From
 /// its last touching point (the foot) to that end (the head) it is a window: beyond it, the next link begins.
@@ -27,4 +27,4 @@ struct Window {
 Window open_window(const Arena& arena, const DirectedLine& line, std::vector<Point> foot_side, Gate g,
                    bool blocked_by_left);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -14,7 +14,7 @@
 #include "pair/pair_geometry.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a), or one of the
 /// coordinates of c - a in the frame of a's body, for which b does not matter.
@@ -136,4 +136,4 @@ std::array<N, 5> coefficients_on(const MotionSegment& segment, bool pp, const Fu
   return segment.translation ? translation_coefficients(pp, p, zero) : function_coefficients(pp, p);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

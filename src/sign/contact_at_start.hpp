@@ -14,7 +14,7 @@
 #include "pair/crossing_edges.hpp"
 #include "sign/feature_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 struct StartContact {
   StartOverlap how;  ///< of the outward shapes
@@ -40,4 +40,4 @@ std::optional<StartContact> contact_at_start(const FeatureMap& witness, const Mo
   return StartContact{found, witness.contact_of_overlap(found, segment, t)};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "sign/fast_function.hpp"
 #include "sign/precise_triple.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The edge from its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
@@ -127,4 +127,4 @@ ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Motion
   return bracket;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "sign/found_contact.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// An enclosure of the segment's parameter, for displaced bodies or for those given.
 /// Does the vertex come to the edge from outside, or leave it to there?
@@ -45,4 +45,4 @@ ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const Motion
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage = Passage::enters);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), as measured.
@@ -90,4 +90,4 @@ std::optional<PreciseTime> ExactLine::root(Stage stage, double enough) const {
   return PreciseTime(ShortSum::of(lo), ShortSum::of(hi), stage);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -10,7 +10,7 @@
 #include "sign/certificate_function.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class ExactLine {
  public:
@@ -49,4 +49,4 @@ class ExactLine {
   double farthest_ = 0;  ///< from time 0 on the segment
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::size_t mixed(const CertificateFunction& function) {
@@ -82,4 +82,4 @@ void ExpansionCache::note_root(const FrameExpansion& frame, const MotionSegment&
   kept_->roots[static_cast<std::size_t>(place)] = KnownRoot(near, frame, root);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

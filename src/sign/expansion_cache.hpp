@@ -10,7 +10,7 @@
 #include "sign/fixed_point_expansion.hpp"
 #include "sign/relative_root.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A root, and the sign of the slope there and all over a frame's reach.
 struct RootOfExpansion {
@@ -68,4 +68,4 @@ class ExpansionCache {
   bool is_stale_ = true;  ///< forms that are kept are of another segment, or of another owner
 };
 
-}  // namespace taut
+}  // namespace taut::internal

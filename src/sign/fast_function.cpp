@@ -5,7 +5,7 @@
 
 #include "sign/vanishing.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Values and derivatives of the frame are wrong by 2^-49 of them, at least: so much more in a magnitude has room for
@@ -110,4 +110,4 @@ double FastFunction::root_of(const FrameModel& model, double t) const {
   return model.middle + h;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "relative/frame_sample.hpp"
 #include "sign/certificate_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A form as coefficients of the frame functions, in doubles.
 /// Level 0 is the function of the input's points. Where that vanishes identically, level 1 is the part that is linear
@@ -65,4 +65,4 @@ struct FastFunction {
   }
 };
 
-}  // namespace taut
+}  // namespace taut::internal

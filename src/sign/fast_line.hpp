@@ -6,7 +6,7 @@
 
 #include "sign/fast_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// f(t) = c + d (t - middle), where c is within `value` and d within `slope`.
 struct FastLine {
@@ -54,4 +54,4 @@ struct FastLine {
   double slack(double h) const { return 0x1p-51 * (std::fabs(h) + std::fabs(middle + h)) + 0x1p-1060; }
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "sign/fast_line.hpp"
 #include "sign/instant.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A double certainly below (above) a finite x, a unit or two in the last place away: without std::nextafter's cases.
@@ -291,4 +291,4 @@ bool FastRoots::follow_line(Root& r, const FastLine& line, double t) {
   return true;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -12,7 +12,7 @@
 #include "relative/taylor_model_cache.hpp"
 #include "sign/root.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 struct FastLine;
 struct Instant;
@@ -87,4 +87,4 @@ class FastRoots {
   double enclosed_about_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 
 #include "motion/pose.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The origin and the x-axis of a pose, rounded.
@@ -114,4 +114,4 @@ Contact FeatureMap::contact_of_overlap(const StartOverlap& overlap, const Motion
   return contact_at(best->first, best->second, segment, t, t);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "sign/contact_bracket.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
 struct StartOverlap {
@@ -53,4 +53,4 @@ class FeatureMap {
   bool inwards_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), as measured.
@@ -192,4 +192,4 @@ std::optional<PreciseTime> FixedPointExpansion::root_beside(const Turn& turn, in
   return around(root, error, stage);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

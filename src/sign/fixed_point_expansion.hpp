@@ -8,7 +8,7 @@
 #include "sign/frame_expansion.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The form as a polynomial in the time since the frame's instant, in units of its reach, the displacement included.
 /// Everything is enclosed; what these numbers are too short for is left to other stages.
@@ -69,4 +69,4 @@ class FixedPointExpansion {
   Steepness steep_{};
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "geometry/ids.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Where and when a vertex is on an edge of the other polygon: the edge by its first vertex, counterclockwise, and an
 /// enclosure of the segment's parameter.
@@ -17,4 +17,4 @@ struct FoundContact {
   std::optional<PreciseTime> at = {};
 };
 
-}  // namespace taut
+}  // namespace taut::internal

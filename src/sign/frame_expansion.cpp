@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "relative/uniform_rotation.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 double rest_of(const ModelSeries<double>& f, double reach) {
@@ -123,4 +123,4 @@ FrameExpansion& FrameExpansionCache::slot() {
   return (*kept_)[next_];
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -15,7 +15,7 @@
 #include "relative/frame_sample.hpp"
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The functions' Taylor polynomials in the time since `about`, for times no farther from it than `reach`, which is the
 /// unit: so slow motions and fast ones have coefficients of the same sizes, and those of high powers are short.
@@ -67,4 +67,4 @@ class FrameExpansionCache {
   std::size_t next_ = 0;  ///< which was replaced last
 };
 
-}  // namespace taut
+}  // namespace taut::internal

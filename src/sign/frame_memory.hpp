@@ -6,7 +6,7 @@
 #include "sign/kept_searches.hpp"
 #include "sign/taylor_frames.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// What is remembered of one segment's frame functions, and of which stages told what was asked, on earlier segments,
 /// too.
@@ -30,4 +30,4 @@ struct FrameMemory {
   }
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Parts of a segment whose ranges are taken one by one: of curved motions, the range over the whole segment would be
@@ -154,4 +154,4 @@ bool FrameRange::keeps_sign(const PairGeometry& g, const CertificateFunction& fu
   return least > 0x1p-48 * error + 0x1p10 * displacement_room * reach;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

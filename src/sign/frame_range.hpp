@@ -4,7 +4,7 @@
 
 #include "sign/certificate_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Ranges of the frame functions of MotionSegment, without the shift. Bounds may be infinite; they are never NaN.
 class FrameRange {
@@ -36,4 +36,4 @@ class FrameRange {
   Side pp_, qq_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

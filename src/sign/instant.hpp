@@ -6,7 +6,7 @@
 #include "numeric/first_decisive.hpp"
 #include "sign/precise_triple.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A double, or the root of a form: the instant at which the corner u, v, w changes its sign. A root is enclosed by two
 /// doubles; where these do not tell what is asked, it is enclosed again, from stage to stage, by what it is the root
@@ -67,4 +67,4 @@ VertexId middle_of(const PairGeometry& g, VertexId u, VertexId v, VertexId w, co
   return f.c;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "numeric/first_decisive.hpp"
 #include "sign/precise_triple.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The instant, enclosed better from stage to stage.
@@ -112,4 +112,4 @@ std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& con
   return left;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "sign/contact_bracket.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A contact that an engine found, of bodies displaced as the geometry is.
 struct ContactInstant {
@@ -32,4 +32,4 @@ struct ContactCandidate {
 /// high precision, with room for what the displacement moves it by: what is left then differs by less.
 std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& contacts);
 
-}  // namespace taut
+}  // namespace taut::internal

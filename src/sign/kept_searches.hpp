@@ -14,7 +14,7 @@
 #include "sign/certificate_function.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A search at high precision may take longer than the turn in which it is begun, and nobody knows by how much. It is
 /// gone on with where it was: begun anew in each turn it would take several times as long in all, or never end. The
@@ -101,4 +101,4 @@ std::optional<RootEnclosure<Real>> sharp_root(KeptSearches* kept, const KeptSear
   return root;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -11,7 +11,7 @@
 #include "numeric/first_decisive.hpp"
 #include "sign/precise_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// m |b - a| + (b - a) x (c - a): positive where the vertex is behind the edge's line, or not as far as the margin in
 /// front of it, that is to its right.
@@ -102,4 +102,4 @@ class VertexMargin {
   Ball<Real> square_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

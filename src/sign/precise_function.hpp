@@ -9,7 +9,7 @@
 #include "sign/taylor_frames.hpp"
 #include "sign/vanishing.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The function as five coefficients of the segment's frame functions; multi-precision, displacement included.
 template <class Real>
@@ -267,4 +267,4 @@ class PreciseFunction {
   mutable BallPolynomial<Real> about_middle_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "sign/search_from_end.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 template <class Real>
 Ball<Real> ball_of(const PreciseTime& t) {
@@ -61,4 +61,4 @@ PreciseTime refined_change(const MotionSegment& segment, const Function& f, int 
   return PreciseTime{RealMax(root.lo), RealMax(root.hi), stage};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

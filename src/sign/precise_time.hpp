@@ -6,7 +6,7 @@
 #include "numeric/short_sum.hpp"
 #include "numeric/stages.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// An instant, enclosed. Both ends are sums of a few doubles where that is enough, else high-precision numbers.
 class PreciseTime {
@@ -66,4 +66,4 @@ class PreciseTime {
   RealMax lo_, hi_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

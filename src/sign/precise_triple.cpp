@@ -10,7 +10,7 @@
 #include "pair/placement.hpp"
 #include "sign/precise_root.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// What is known better was not rounded before the displacement, and is good enough to tell ties.
@@ -244,4 +244,4 @@ bool PreciseTriple::refine(int sign, PreciseTime& t, Stage stage, double enough)
   });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -10,7 +10,7 @@
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A form on a segment, at any precision.
 class PreciseTriple {
@@ -74,4 +74,4 @@ class PreciseTriple {
   mutable std::optional<ExactLine> line_;  ///< made when first asked for
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -9,7 +9,7 @@
 #include "geometry/displacement.hpp"
 #include "sign/fast_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), as measured.
@@ -126,4 +126,4 @@ PreciseTime KnownRoot::at_distance(const Bounded& h) const {
   return {ShortSum::of(lo), ShortSum::of(hi), Stage::beside};
 }
 
-}  // namespace taut
+}  // namespace taut::internal

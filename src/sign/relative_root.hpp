@@ -21,7 +21,7 @@
 #include "sign/frame_expansion.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 struct KnownRoot;
 
@@ -69,4 +69,4 @@ struct KnownRoot {
   PreciseTime at_distance(const Bounded& h) const;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 
 #include "sign/fast_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -34,4 +34,4 @@ struct Root {
   }
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -15,7 +15,7 @@
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Where a search of a form is kept, if it is.
 struct KeptSearch {
@@ -211,4 +211,4 @@ std::optional<std::optional<PreciseTime>> search_from_end(const MotionSegment& s
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// So many are kept; then a new one takes the place of the oldest.
@@ -199,4 +199,4 @@ const TaylorFrame<Real>* TaylorFrames::make(const MotionSegment& segment, const 
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE
 
-}  // namespace taut
+}  // namespace taut::internal

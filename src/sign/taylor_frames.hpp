@@ -15,7 +15,7 @@
 
 #include "relative/motion_segment.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Good for all of [lo, hi]: the last terms are ranges, the others are exact about the middle but for rounding.
 template <class Real>
@@ -112,4 +112,4 @@ class TaylorFrames {
   std::size_t next_limit_ = 0;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "relative/frame_evaluator.hpp"
 #include "relative/frame_identities.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Is it the zero polynomial? D's constant part is the shift, which the points have in them.
@@ -44,4 +44,4 @@ Portion portion_of(const MotionSegment& segment, const PairGeometry& g, const Ce
   return vanishes_before_displacement(segment, g, function) ? Portion::displacement : Portion::whole;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

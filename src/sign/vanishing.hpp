@@ -3,7 +3,7 @@
 
 #include "sign/certificate_function.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Is the form of three vertices, before their displacement, zero at all times of the segment? Where it is not known,
 /// it counts as different. Not for bridges.
@@ -15,4 +15,4 @@ bool vanishes_before_displacement(const MotionSegment& segment, const PairGeomet
 enum class Portion : unsigned char { whole, displacement };
 Portion portion_of(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function);
 
-}  // namespace taut
+}  // namespace taut::internal

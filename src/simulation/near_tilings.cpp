@@ -9,7 +9,7 @@
 #include "taut/simulation.hpp"
 #include "world/meeting_boxes.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Of the scene's time: so soon do the boxes of near bodies meet, and so long before do bodies that touch stand apart.
@@ -41,6 +41,11 @@ std::vector<NearTiling> tilings_at_start(const WorldPlan& plan, const std::pair<
 }
 
 }  // namespace
+
+}  // namespace taut::internal
+
+namespace taut {
+using namespace internal;
 
 std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touch touch) {
   if (!(t >= scene.start && t <= scene.end))

@@ -7,6 +7,7 @@
 #include "simulation/simulation_impl.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

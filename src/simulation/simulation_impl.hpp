@@ -15,6 +15,7 @@
 #include "taut/simulation.hpp"
 
 namespace taut {
+using namespace internal;
 
 struct Simulation::Impl : private EngineObserver, private Tracer {
   Impl(const Scene& scene, const SimulationOptions& given) : options(given), free_until(scene.start) {

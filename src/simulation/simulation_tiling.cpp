@@ -6,6 +6,7 @@
 #include "tiling/geodesic_faces.hpp"
 
 namespace taut {
+using namespace internal;
 
 namespace {
 

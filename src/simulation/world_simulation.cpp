@@ -10,7 +10,7 @@
 #include "taut/error.hpp"
 #include "world/world_feature_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 const Scene& validated(const Scene& scene) {
@@ -198,4 +198,4 @@ void WorldSimulation::set_motion(BodyId body, const Motion& motion) {
   ask_starts_of(changed, groups);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

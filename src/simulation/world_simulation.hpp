@@ -14,7 +14,7 @@
 #include "taut/check.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Stands at a time up to which no pair that is asked about meets. The pairs that are near in the present window of
 /// time have tilings, all followed to that time; no other pair costs anything until the next window. A body that
@@ -75,4 +75,4 @@ class WorldSimulation {
   Answer answer_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

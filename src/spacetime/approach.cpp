@@ -6,7 +6,7 @@
 #include "sign/margin_function.hpp"
 #include "sign/precise_root.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// A vertex and an edge: is the vertex beside it?
@@ -153,4 +153,4 @@ bool PreciseApproaches::before(Approach& a, Approach& b) const {
   return order.value_or(false);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

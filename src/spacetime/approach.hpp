@@ -7,7 +7,7 @@
 #include "sign/taylor_frames.hpp"
 #include "spacetime/crossing.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A vertex of one body, and what it may come close to: an edge of the other one, by its first vertex, or a vertex.
 struct VertexPeer {
@@ -56,4 +56,4 @@ class PreciseApproaches {
   mutable TaylorFrames models_;  ///< of the segment, which many pairs are asked about
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

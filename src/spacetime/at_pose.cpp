@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// Directions of boxes are unit vectors up to this, and so are their products with the turn.
@@ -79,4 +79,4 @@ EdgesCross PoseSearch::edges_cross(const QAtPose& at_pose, const PairGeometry& g
   return all;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -7,7 +7,7 @@
 
 #include "spacetime/hierarchy.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Where Q is in P's frame: its point v is at origin + turn v, up to `error`, which covers the rounding of a few
 /// operations that follow, too.
@@ -43,4 +43,4 @@ class PoseSearch {
 /// Of two edges, by their first vertices: one of P, one of Q.
 EdgesCross edges_cross(const QAtPose& at_pose, const PairGeometry& geometry, VertexId of_p, VertexId of_q);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

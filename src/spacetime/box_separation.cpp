@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// Are the discs around the boxes apart?
@@ -113,4 +113,4 @@ bool vertices_farther(const Stretch& s, Vector of_p, Vector of_q, double margin)
   return discs_apart(s.in_p.error + margin, s.r, way, 2 * displacement_room);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

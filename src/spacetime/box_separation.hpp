@@ -4,7 +4,7 @@
 #include "spacetime/hierarchy.hpp"
 #include "spacetime/stretch.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Two edges that are apart in this middle share of a stretch will be so throughout in a few halvings.
 constexpr double worth_trying = 0x1p-5;
@@ -36,4 +36,4 @@ bool misses(const Stretch& stretch, const RelativePose& relative_pose, Vector ve
 /// Two vertices, as input: is it certain that they, displaced, are farther apart than the margin all over the stretch?
 bool vertices_farther(const Stretch& stretch, Vector of_p, Vector of_q, double margin);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -7,7 +7,7 @@
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// In stretches shorter than this share of the segment, errors have become as small as they get.
@@ -144,4 +144,4 @@ void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees,
   Walk<ClearanceOnSegment>(trees, segment, question).in_middle_of(stretch);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

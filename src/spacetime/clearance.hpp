@@ -6,7 +6,7 @@
 
 #include "spacetime/first_contact.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// The least distance found so far, in internal units, and where.
 struct Nearest {
@@ -38,4 +38,4 @@ void find_nearest_within(const PairGeometry& geometry, const TreePair& trees, co
 void find_nearest_in_middle(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment,
                             const Stretch& stretch, const ClearanceTolerance& tolerance, Nearest& best);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

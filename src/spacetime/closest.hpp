@@ -6,7 +6,7 @@
 
 #include "geometry/vector.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Of two segments that do not cross: rounded.
 struct Closest {
@@ -35,4 +35,4 @@ struct Closest {
   }
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

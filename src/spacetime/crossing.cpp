@@ -7,7 +7,7 @@
 #include "numeric/first_decisive.hpp"
 #include "pair/placement.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 int sign_at(const PreciseTriple& f, const PreciseTime& t) {
@@ -79,4 +79,4 @@ void PreciseCrossings::tighten(Crossing& c) {
   if (c.hi - c.lo > 0x1p-51 * std::fabs(c.hi)) refine(c, c.out ? 1 : -1, Stage::precise);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

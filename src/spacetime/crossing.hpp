@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "sign/precise_triple.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A vertex of one body and an edge of the other, by its first vertex.
 struct VertexEdge {
@@ -68,4 +68,4 @@ class PreciseCrossings {
   FrameMemory memory_;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -5,7 +5,7 @@
 #include "numeric/undecided.hpp"
 #include "sign/search_from_end.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 bool CrossingsBesideEnd::is_near(double t) const { return end_of_neighbourhood(segment_, t) > t; }
 
@@ -34,4 +34,4 @@ std::optional<Crossing> CrossingsBesideEnd::first(const VertexEdge& pair, double
   return precise_.first(pair, until, to);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

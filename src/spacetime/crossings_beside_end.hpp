@@ -7,7 +7,7 @@
 
 #include "spacetime/crossing.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Where a motion begins or ends with infinite speed, windows of time become shorter and shorter towards that instant,
 /// several for each factor of two, and what doubles do not tell in one they do not tell in the next one. A search at
@@ -49,4 +49,4 @@ class CrossingsBesideEnd {
   std::unordered_map<std::uint64_t, Foreseen> known_;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

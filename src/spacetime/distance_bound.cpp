@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "spacetime/stretch.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// More than the rounding of the few operations on what a stretch says, and of its directions' lengths.
@@ -86,4 +86,4 @@ double distance_bound(const PairGeometry& geometry, const TreePair& trees, const
   return most;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -3,7 +3,7 @@
 
 #include "spacetime/clearance.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Not below the distance of the bodies at any time from `from` to `to` (from < to), in internal units. Any two points
 /// of the bodies bound the distance: here a vertex and an edge that are nearest in the middle. So the bound gets close
@@ -11,4 +11,4 @@ namespace taut::spacetime {
 double distance_bound(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments, double from,
                       double to, const ClearanceTolerance& tolerance);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

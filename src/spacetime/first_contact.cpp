@@ -13,7 +13,7 @@
 #include "spacetime/walk.hpp"
 #include "taut/check.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Which vertex crosses which edge first on one segment: what the walk asks.
 class ContactOnSegment {
@@ -257,4 +257,4 @@ void tighten(const PairGeometry& geometry, const MotionSegments& segments, Segme
   crossing.hi = t.ceiling();
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -15,7 +15,7 @@
 #include "sign/precise_time.hpp"
 #include "spacetime/hierarchy.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 struct SpacetimeResult {
   enum Outcome : unsigned char {
@@ -91,4 +91,4 @@ std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const Tree
 /// The same with trees of its own.
 std::optional<StartOverlap> overlapping(const PairGeometry& geometry, const MotionSegment& segment, double t);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -5,7 +5,7 @@
 #include "base/budget.hpp"
 #include "numeric/exact_number.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// Boxes that overlap by more than this have vertices that do: coordinates are at most 1, and of boxes padded by 2^-47.
@@ -103,4 +103,4 @@ bool FlatSides::clear(VertexId low, VertexId high) {
   return true;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

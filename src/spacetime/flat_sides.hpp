@@ -15,7 +15,7 @@
 
 #include "spacetime/walk.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 class FlatSides {
  public:
@@ -52,4 +52,4 @@ class FlatSides {
   Known of_p_, of_q_;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -93,4 +93,4 @@ void FrameWindow::evaluate(double t) {
   fill(qq_, 2);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

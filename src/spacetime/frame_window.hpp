@@ -3,7 +3,7 @@
 
 #include "relative/frame_sample.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A window of the segment's parameter. The laws:
 ///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; bend() encloses the second derivatives
@@ -46,4 +46,4 @@ class FrameWindow {
   FrameCurvature second_pp_{}, second_qq_{};
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// About the unit vector from a to b; (1, 0) if they are the same.
@@ -137,4 +137,4 @@ std::uint32_t Hierarchy::build(const DisplacedPolygon& body, std::span<RingSpan>
   return index;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

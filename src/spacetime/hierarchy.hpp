@@ -7,7 +7,7 @@
 #include "pair/pair_geometry.hpp"
 #include "spacetime/stretch.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A rectangle: all centre + s along + t turned(along) with |s| <= half_length and |t| <= half_width.
 struct Box {
@@ -58,4 +58,4 @@ struct TreePair {
 /// The box of the edges first, ..., first + count - 1, aligned with the chord of the run.
 Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std::uint32_t count);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

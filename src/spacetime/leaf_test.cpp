@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "numeric/quadratic_bound.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 double below(double x) { return std::nextafter(x, -INFINITY); }
@@ -202,4 +202,4 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
   return std::nullopt;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -10,7 +10,7 @@
 #include "spacetime/crossings_beside_end.hpp"
 #include "spacetime/local_expansion.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// The tests on one window of a segment.
 class LeafTest {
@@ -74,4 +74,4 @@ class LeafTest {
   std::uint64_t roots_ = 0;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

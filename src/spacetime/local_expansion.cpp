@@ -5,7 +5,7 @@
 
 #include "numeric/quadratic_bound.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 LocalExpansion::LocalExpansion(const FastFunction& f, FrameWindow& window, double t, int sign)
     : value(f.value(window.at(t, f.pp))), slope(f.slope(window.at(t, f.pp))), second(f.curvature(window.second(f.pp))) {
@@ -27,4 +27,4 @@ double LocalExpansion::negative_from(double limit, double& falls_until) const {
   return h < falls_until ? h : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -4,7 +4,7 @@
 #include "sign/fast_function.hpp"
 #include "spacetime/frame_window.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Value, slope and bend of a function at t, turned so that `sign` is positive.
 struct LocalExpansion {
@@ -17,4 +17,4 @@ struct LocalExpansion {
   double negative_from(double limit, double& falls_until) const;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -9,7 +9,7 @@
 #include "numeric/undecided.hpp"
 #include "spacetime/walk.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// Which features come as close as the margin first on one segment: what the walk asks.
@@ -129,4 +129,4 @@ MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, c
   return result;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -7,7 +7,7 @@
 #include "spacetime/first_contact.hpp"
 #include "taut/check.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// What is known about two bodies' distance and a margin, along the segments.
 struct MarginResult {
@@ -31,4 +31,4 @@ struct MarginResult {
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                           double margin, const TimeInterval& window);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -9,7 +9,7 @@
 #include "spacetime/box_separation.hpp"
 #include "spacetime/first_contact.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 bool edges_cross(const Placement& place, VertexId a, VertexId b) {
@@ -139,4 +139,4 @@ std::optional<StartOverlap> overlapping(const PairGeometry& g, const TreePair& t
   return overlap_in(Placement(g, segment, t, Positions::on_demand), trees, instant);
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -8,7 +8,7 @@
 #include "base/budget.hpp"
 #include "spacetime/walk.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// What a glance may cost: about as much as one model.
@@ -81,4 +81,4 @@ bool quickly_apart(const TreePair& trees, const MotionSegment& segment, double f
   return true;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

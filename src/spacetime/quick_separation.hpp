@@ -4,7 +4,7 @@
 #include "spacetime/hierarchy.hpp"
 #include "spacetime/uniform_motion.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Boxes around moving bodies meet far more often than the bodies come near each other. Where both move evenly, a sine
 /// and a cosine make a stretch (UniformMotion), a hundredth of what a model over the window costs; a few of them show
@@ -12,4 +12,4 @@ namespace taut::spacetime {
 /// nothing.
 bool quickly_apart(const TreePair& trees, const MotionSegment& segment, double from, double to);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -6,7 +6,7 @@
 #include "spacetime/margin.hpp"
 #include "spacetime/stretch.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// From zero, so many halvings pass all margins that differ in the scale of the scene.
@@ -101,4 +101,4 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
   return {};
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

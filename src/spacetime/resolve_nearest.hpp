@@ -6,7 +6,7 @@
 #include "spacetime/clearance.hpp"
 #include "taut/check.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Closes the gap that find_nearest() may have left: whether the bodies keep a margin is decided at any precision, so
 /// asking it for margins between what is certain from below and the least distance found brings the two together.
@@ -15,4 +15,4 @@ namespace taut::spacetime {
 std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                             const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 double coefficient(const Coefficients& c, int k) {
@@ -205,4 +205,4 @@ Stretch Stretch::of_range(const MotionSegment& segment, const FrameWindow& windo
   return out;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

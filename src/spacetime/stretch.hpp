@@ -6,7 +6,7 @@
 #include "geometry/vector.hpp"
 #include "spacetime/frame_window.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A coordinate or a distance as a function of the time h from the stretch's middle: a + b h + c h^2.
 struct Parabola {
@@ -79,4 +79,4 @@ struct Stretch {
   static Stretch of_range(const MotionSegment& segment, const FrameWindow& window);
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

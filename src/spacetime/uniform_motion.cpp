@@ -6,7 +6,7 @@
 #include "geometry/displacement.hpp"
 #include "numeric/trig.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// A vector that moves: a parabola about the stretch's middle, and what that leaves out, for all |h| <= r: `rest` for
@@ -156,4 +156,4 @@ UniformStretch UniformMotion::stretch(double start, double end) const {
   return even;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -6,7 +6,7 @@
 #include "motion/pose.hpp"
 #include "spacetime/hierarchy.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// A stretch of an even motion. What its parabolas leave out of the turn counts the more, the farther a point of P is
 /// from Q: a map is large, so the error of Q's carriage is for what lies within a disc that is set from box to box.
@@ -52,4 +52,4 @@ class UniformMotion {
   double reach_;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

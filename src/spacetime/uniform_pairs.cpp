@@ -8,7 +8,7 @@
 #include "base/budget.hpp"
 #include "spacetime/box_separation.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 /// As in the search for one pair (first_contact.cpp).
@@ -170,4 +170,4 @@ bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q) {
   return true;
 }
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -11,7 +11,7 @@
 #include "spacetime/leaf_test.hpp"
 #include "spacetime/uniform_motion.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// One of the bodies that the mover is asked about. It plays P, and the mover Q.
 struct Other {
@@ -80,4 +80,4 @@ class UniformPairsSearch {
 /// Are all edges of the two certainly apart at all times of the stretch?
 bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q);
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -9,7 +9,7 @@
 #include "base/budget.hpp"
 #include "spacetime/box_separation.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 
 /// Two boxes, as nodes of P's and Q's trees.
 struct BoxPair {
@@ -203,4 +203,4 @@ class Walk {
   std::vector<BoxPair> pairs_, todo_;
 };
 
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// What fmt::format() and fmt::print() call. A table that counts as used keeps them.
@@ -31,4 +31,4 @@ struct FormatLibrary {
 };
 
 }  // namespace
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace taut {
+namespace taut::internal {
 
 /// Elements come into being in blocks of 16, when one of a block is first written. To make an array costs little more
 /// than asking for the memory: a byte for each block is cleared.
@@ -113,4 +113,4 @@ class BlockArray {
   std::uint8_t* flags_ = nullptr;  ///< one for each block, behind the elements
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The two chains bound a solid body, both hulls together. They curve away from the free space, A to the left and B to
@@ -158,4 +158,4 @@ Bridge find_bridge(const Placement& placement, const FreeChains& chains) {
   return BridgeFinder(placement, chains).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

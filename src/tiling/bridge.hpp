@@ -6,7 +6,7 @@
 
 #include "geometry/ids.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class Placement;
 
@@ -30,4 +30,4 @@ struct Bridge {
 /// Finds the bridge in time linear in the chains. A must not touch itself.
 Bridge find_bridge(const Placement& placement, const FreeChains& chains);
 
-}  // namespace taut
+}  // namespace taut::internal

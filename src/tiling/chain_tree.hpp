@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace taut {
+namespace taut::internal {
 
 /// A node of the joined tree, as a number in one binary heap numbering:
 ///
@@ -108,4 +108,4 @@ class ChainTree {
   std::uint32_t first_low_ = 1, low_leaves_ = 1;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

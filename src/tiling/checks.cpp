@@ -6,7 +6,7 @@
 
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 std::string name(const PlanarMap& map, HalfedgeId h) {
@@ -106,4 +106,4 @@ std::string difference(const PlanarMap& a, const PlanarMap& b) {
   return text;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

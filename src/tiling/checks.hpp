@@ -6,7 +6,7 @@
 
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class Placement;
 
@@ -32,4 +32,4 @@ std::vector<CanonicalHalfedge> canonical(const PlanarMap& map);
 /// The first differences between two maps, in words; empty if they are equal, labels and pinch edges included.
 std::string difference(const PlanarMap& a, const PlanarMap& b);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "base/budget.hpp"
 #include "tiling/sweep_status.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 constexpr std::uint32_t none = FreeTriangulation::none;
@@ -330,4 +330,4 @@ std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTr
   return TriangulationSweep(placement, result, check_bodies).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

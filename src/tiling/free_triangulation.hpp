@@ -6,7 +6,7 @@
 
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Why two polygons are not disjoint: an edge of each that cross, or one polygon inside the other (then the edges are
 /// an edge at the leftmost vertex of the inner one, and the edge of the outer one just below it).
@@ -33,4 +33,4 @@ struct FreeTriangulation {
 std::optional<Overlap> triangulate_free_space(const Placement& placement, FreeTriangulation& result,
                                               bool check_bodies = false);
 
-}  // namespace taut
+}  // namespace taut::internal

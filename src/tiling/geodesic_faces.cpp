@@ -4,7 +4,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// The funnel algorithm (Lee and Preparata, Chazelle) with reusable storage.
@@ -272,4 +272,4 @@ std::vector<std::vector<VertexId>> geodesics_of_level(const Placement& placement
   return Builder(placement, triangulation, tree, first_vertex, scratch).run_to_level(level);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

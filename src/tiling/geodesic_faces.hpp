@@ -9,7 +9,7 @@
 #include "tiling/free_triangulation.hpp"
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Adds a polygon's edges to a map that has only just been reset: its inside is linked and labelled by the leaves.
 void add_polygon_edges(const ChainTree& tree, std::uint32_t first_vertex, PlanarMap& map);
@@ -47,4 +47,4 @@ std::vector<std::vector<VertexId>> geodesics_of_level(const Placement& placement
                                                       const FreeTriangulation& triangulation, const ChainTree& tree,
                                                       std::uint32_t first_vertex, int level);
 
-}  // namespace taut
+}  // namespace taut::internal

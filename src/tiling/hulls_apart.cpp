@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "pair/placement.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// How many edges are tried, the longest first.
@@ -76,4 +76,4 @@ bool hulls_apart(const Placement& placement, const std::vector<VertexId>& hull_p
   });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

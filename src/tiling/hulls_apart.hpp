@@ -5,7 +5,7 @@
 
 #include "geometry/ids.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class Placement;
 
@@ -17,4 +17,4 @@ class Placement;
 /// that are tried do not show it.
 bool hulls_apart(const Placement& placement, const std::vector<VertexId>& hull_p, const std::vector<VertexId>& hull_q);
 
-}  // namespace taut
+}  // namespace taut::internal

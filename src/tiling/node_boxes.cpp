@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Coordinates are at most 1 in magnitude; the few operations behind a box err by less.
@@ -105,4 +105,4 @@ NodeSet near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin,
   return NearSearch(tree, other, margin, most).run();
 }
 
-}  // namespace taut
+}  // namespace taut::internal

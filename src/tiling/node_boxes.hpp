@@ -8,7 +8,7 @@
 #include "pair/placement.hpp"
 #include "tiling/chain_tree.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A rectangle along the unit vector (ux, uy), rounded outwards.
 struct NodeBox {
@@ -50,4 +50,4 @@ struct NodeSet {
 /// Leaves are not looked at. If a node is near, its ancestors are. Gives up, with an incomplete set, after `most`.
 NodeSet near_nodes(const BoxedTree& tree, const BoxedTree& other, double margin, std::size_t most);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -1,6 +1,6 @@
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 PlanarMap PlanarMap::compact(std::vector<HalfedgeId>& handles) const {
   std::vector<HalfedgeId> number(count_);
@@ -45,4 +45,4 @@ void PlanarMap::read_parts(std::uint32_t first, Halfedge* out) const {
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

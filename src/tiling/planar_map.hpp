@@ -10,7 +10,7 @@
 #include "tiling/block_array.hpp"
 #include "tiling/chain_tree.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Half-edges 2k and 2k+1 are twins. Edge i < number of vertices is the polygon edge from vertex i to the next one of
 /// its polygon: half-edge 2i runs counterclockwise with the polygon's inside on its left, 2i+1 has free space on its
@@ -188,4 +188,4 @@ class PlanarMap {
   std::array<Part, 4> parts_;  ///< of a joined map: the two polygons, and the other edges of the two maps
 };
 
-}  // namespace taut
+}  // namespace taut::internal

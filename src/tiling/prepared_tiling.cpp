@@ -6,7 +6,7 @@
 #include "tiling/geodesic_faces.hpp"
 #include "tiling/hulls_apart.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// In units of checkpoint(), about: to triangulate outlines and to pull strings through them.
@@ -296,4 +296,4 @@ std::optional<StaticTiling> join_tilings(const Placement& placement, const Shape
   return Joiner(placement, p, q).run(in_any_case);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 #include "tiling/shape_tiling.hpp"
 #include "tiling/static_tiling.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The same as build_tiling(placement), given what is known of each body alone, displaced as in the placement.
 /// Where the bodies' regions are apart, faces are taken over; only the nodes to whose regions the other body may come
@@ -17,4 +17,4 @@ namespace taut {
 std::optional<StaticTiling> join_tilings(const Placement& placement, const ShapeTiling& p, const ShapeTiling& q,
                                          bool in_any_case = false);
 
-}  // namespace taut
+}  // namespace taut::internal

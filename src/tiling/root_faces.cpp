@@ -7,7 +7,7 @@
 #include "pair/placement.hpp"
 #include "tiling/bridge.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 const char* to_string(RootState state) {
   switch (state) {
@@ -328,4 +328,4 @@ RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeI
   return RootBuilder(placement, hull_p, hull_q, map).run(apart);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 #include "taut/error.hpp"
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 class Placement;
 
@@ -20,4 +20,4 @@ const char* to_string(RootState state);
 RootState add_root_faces(const Placement& placement, const std::vector<HalfedgeId>& hull_p,
                          const std::vector<HalfedgeId>& hull_q, PlanarMap& map, bool apart = false);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -2,7 +2,7 @@
 
 #include "tiling/geodesic_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 class ShapeTiler {
@@ -89,4 +89,4 @@ std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, Chai
   return tiling;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

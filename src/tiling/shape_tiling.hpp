@@ -7,7 +7,7 @@
 #include "tiling/node_boxes.hpp"
 #include "tiling/planar_map.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The tiling of a body alone in the plane: the geodesics of its chains, in the role of P or of Q. Where the other body
 /// does not come near, the tiling of a pair is the same.
@@ -24,4 +24,4 @@ struct ShapeTiling {
 /// Nothing if the displaced boundary is not simple.
 std::unique_ptr<const ShapeTiling> tile_shape(const SharedPolygon& polygon, ChainNode root);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -2,7 +2,7 @@
 
 #include "tiling/geodesic_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 StaticTiling build_tiling(const Placement& placement) {
   StaticTiling result;
@@ -20,4 +20,4 @@ StaticTiling build_tiling(const Placement& placement) {
   return result;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

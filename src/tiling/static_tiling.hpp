@@ -7,7 +7,7 @@
 #include "tiling/planar_map.hpp"
 #include "tiling/root_faces.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 struct StaticTiling {
   PlanarMap map;
@@ -20,4 +20,4 @@ struct StaticTiling {
 /// first vertex on its convex hull.
 StaticTiling build_tiling(const Placement& placement);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace taut {
+namespace taut::internal {
 
 /// An ordered sequence with O(log n) insertion after a known element, removal, and binary search by a predicate.
 /// Elements are slots; `edge` is the caller's business and may be replaced in place.
@@ -118,4 +118,4 @@ class SweepStatus {
   std::uint32_t random_ = 2463534242u;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "base/budget.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 BoxTree::BoxTree(std::span<const SweptBox> boxes, std::span<const int> groups) {
   if (boxes.empty()) return;
@@ -115,4 +115,4 @@ void BoxTree::each_of(const Entry& entry, std::uint32_t first, std::uint32_t las
   }
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 
 #include "world/swept_box.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Boxes in one array in the order of the tree, the halves of a run being its children: nothing is allocated for a
 /// question but by its caller, and the tree is as large as the boxes.
@@ -61,4 +61,4 @@ class BoxTree {
   std::vector<Entry> entries_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

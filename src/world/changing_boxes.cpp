@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace taut {
+namespace taut::internal {
 
 ChangingBoxes::ChangingBoxes(std::vector<int> bodies, std::vector<SweptBox> boxes)
     : bodies_(std::move(bodies)), boxes_(std::move(boxes)) {}
@@ -66,4 +66,4 @@ void ChangingBoxes::make_tree() {
   tree_.emplace(boxes_);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -7,7 +7,7 @@
 
 #include "world/box_tree.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A tree over the boxes as they once were, and beside it those that came, changed or went since. Once these are many,
 /// the tree is made anew: so a change costs little, however many boxes there are. No tree is made before a question.
@@ -35,4 +35,4 @@ class ChangingBoxes {
   std::unordered_map<int, std::optional<SweptBox>> since_;  ///< what holds instead; none for a body that went
 };
 
-}  // namespace taut
+}  // namespace taut::internal

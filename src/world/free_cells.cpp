@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Boundaries are drawn wider by this on all sides; coordinates are at most 1.
@@ -105,4 +105,4 @@ void FreeCells::outlines_in(const SweptBox& box, std::vector<int>& bodies) const
   bodies.erase(std::unique(bodies.begin() + begin, bodies.end()), bodies.end());
 }
 
-}  // namespace taut
+}  // namespace taut::internal

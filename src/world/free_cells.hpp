@@ -10,7 +10,7 @@
 #include "world/box_tree.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// A grid over bodies at rest. A cell is free if no boundary comes near it and no body is around its middle, covered if
 /// one is. Boundaries
@@ -59,4 +59,4 @@ class FreeCellsOnce {
   std::unique_ptr<const FreeCells> cells_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -5,7 +5,7 @@
 #include "base/budget.hpp"
 #include "world/box_tree.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b) {
   const auto size = [&](int k) { return plan.bodies()[static_cast<std::size_t>(k)].rings->diagonal(); };
@@ -43,4 +43,4 @@ void MeetingBoxes::each(const std::vector<int>& groups, const std::function<void
   });
 }
 
-}  // namespace taut
+}  // namespace taut::internal

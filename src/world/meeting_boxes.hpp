@@ -7,7 +7,7 @@
 
 #include "world/swept_box.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// Over half of the window that the boxes are for, would those of the two bodies be much shorter?
 bool is_long(const WorldPlan& plan, int a, const SweptBox& box_a, int b, const SweptBox& box_b);
@@ -34,4 +34,4 @@ class MeetingBoxes {
   std::vector<SweptBox> boxes_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

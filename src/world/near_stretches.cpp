@@ -6,7 +6,7 @@
 
 #include "world/meeting_boxes.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// Each stretch has a beginning of its own, which costs as much as some time on the way.
@@ -43,4 +43,4 @@ void NearStretches::cover(const std::vector<int>& bodies, double from, double to
   cover(rest, middle, to, depth + 1);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "taut/check.hpp"
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// For each pair the stretches of time outside of which the two bodies' boxes are apart: what has to look at all of a
 /// scene's time, and not only up to a first contact, need not follow a pair through the rest. The world's time is
@@ -28,4 +28,4 @@ class NearStretches {
   std::map<std::pair<int, int>, std::vector<TimeInterval>> stretches_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

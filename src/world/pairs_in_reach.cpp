@@ -6,7 +6,7 @@
 #include "base/budget.hpp"
 #include "world/box_tree.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 /// A lower bound of the distance of two boxes.
@@ -58,4 +58,4 @@ double CoarseBoxes::distance(int a, int b) const {
   return least;
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -6,7 +6,7 @@
 
 #include "world/swept_box.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// The boxes of all bodies over the coarse windows of a world's time.
 class CoarseBoxes {
@@ -24,4 +24,4 @@ class CoarseBoxes {
   std::vector<std::vector<SweptBox>> windows_;  ///< of each window, the boxes of all bodies; of a layout, one window
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -61,4 +61,4 @@ double coarse_boundary(const WorldPlan& plan, int k) {
   return k == coarse_windows ? plan.end() : std::min(plan.end(), plan.start() + length * k / coarse_windows);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,7 +3,7 @@
 
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// In internal coordinates. Infinite where the motion is singular.
 struct SweptBox {
@@ -40,4 +40,4 @@ inline constexpr int coarse_windows = 16;
 /// Where window k of these begins, and the one before ends.
 double coarse_boundary(const WorldPlan& plan, int k);
 
-}  // namespace taut
+}  // namespace taut::internal

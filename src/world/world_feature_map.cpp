@@ -2,7 +2,7 @@
 
 #include "pair/overlap_witness.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 std::optional<Point> common_point(const WorldPlan& world, int a, int b) {
   const PairPlan plan = world.pair(a, b);
@@ -13,4 +13,4 @@ std::optional<Point> common_point(const WorldPlan& world, int a, int b) {
   return common_point(plan, {chain(0), chain(1)}, world.segments(plan).front(), world.start());
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -3,9 +3,9 @@
 
 #include "world/world_plan.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 /// As common_point() of a pair (src/pair/overlap_witness.hpp), at the world's start.
 std::optional<Point> common_point(const WorldPlan& world, int a, int b);
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -8,7 +8,7 @@
 #include "motion/pieces.hpp"
 #include "taut/shape.hpp"
 
-namespace taut {
+namespace taut::internal {
 namespace {
 
 int index_of(const Scene& scene, const std::map<std::string, int>& by_name, const std::string& name) {
@@ -264,4 +264,4 @@ MotionSegments WorldPlan::segments(int first, int second, double from) const {
   return make_segments(without_first(p, common), without_first(q, common), from, end_);
 }
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -14,7 +14,7 @@
 #include "relative/make_segments.hpp"
 #include "taut/check.hpp"
 
-namespace taut {
+namespace taut::internal {
 
 using SharedRings = std::shared_ptr<const RingSet>;
 
@@ -97,4 +97,4 @@ class WorldPlan {
   IgnoredPairs ignored_;
 };
 
-}  // namespace taut
+}  // namespace taut::internal

@@ -22,6 +22,7 @@
 #include "taut/shape.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;

@@ -25,6 +25,7 @@
 #include "taut/io.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr std::array<EngineChoice, 3> engines{EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::either};

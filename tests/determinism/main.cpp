@@ -26,6 +26,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::determinism {
+using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;

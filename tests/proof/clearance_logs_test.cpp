@@ -20,6 +20,7 @@
 #include "taut/motions.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct ClearanceCounts {

@@ -10,6 +10,7 @@
 #include "taut/error.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr std::size_t magic_size = 8;

@@ -9,6 +9,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 struct CurveLog {
   struct Side {

@@ -8,6 +8,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 std::string sha256_of(const std::string& text) {

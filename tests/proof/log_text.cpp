@@ -7,6 +7,7 @@
 #include "proof/format.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr std::size_t fixed_header = 8 + 32 + 1 + 1;

@@ -26,6 +26,7 @@
 #include "taut/motions.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct SeparationCounts {

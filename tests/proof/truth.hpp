@@ -8,6 +8,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 /// What is true of a scene, by both engines where it has no curves.
 struct Truth {

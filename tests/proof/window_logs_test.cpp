@@ -21,6 +21,7 @@
 #include "world/swept_box.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr std::size_t before_windows = 42, box_bytes = 16;

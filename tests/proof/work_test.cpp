@@ -8,6 +8,7 @@
 #include "taut/proof.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Two combs, one of which trembles in the slots of the other.

@@ -13,6 +13,7 @@
 #include "taut/motions.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// What the body did up to t, and that motion from then on.

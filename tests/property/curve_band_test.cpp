@@ -15,6 +15,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using curve::BandedPart;

@@ -15,6 +15,7 @@
 #include "taut/validate.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 namespace fs = std::filesystem;

@@ -19,6 +19,7 @@
 #include "taut/shape.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct Worked {

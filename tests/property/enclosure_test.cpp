@@ -15,6 +15,7 @@
 #include "taut/check.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using exact::BodyMotion;

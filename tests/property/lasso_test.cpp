@@ -15,6 +15,7 @@
 #include "tiling/static_tiling.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;

@@ -11,6 +11,7 @@
 #include "support/small_world.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 bool within_some(const std::vector<TimeInterval>& stretches, double t) {

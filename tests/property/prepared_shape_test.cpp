@@ -29,6 +29,7 @@
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct JoinCounts {

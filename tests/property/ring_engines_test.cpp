@@ -14,6 +14,7 @@
 #include "taut/check.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct RingCounts {

@@ -18,6 +18,7 @@
 #include "world/world_plan.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using proof::EdgeRange;

@@ -15,6 +15,7 @@
 #include "taut/io.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using spacetime::SpacetimeResult;

@@ -10,6 +10,7 @@
 #include "taut/check.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr Family moving_families[] = {Family::apart, Family::intertwined, Family::nested, Family::corridor,

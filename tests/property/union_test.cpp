@@ -20,6 +20,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// How often a ring winds around a point, by angles.

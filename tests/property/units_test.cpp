@@ -13,6 +13,7 @@
 #include "taut/intervals.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 void rescale(Coefficients& c, int lengths, int times) {

@@ -20,6 +20,7 @@
 #include "tiling/static_tiling.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A body at this place and turn, from which it moves on as random motions do.

@@ -10,6 +10,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 constexpr int damages = 12;

@@ -28,6 +28,7 @@
 #include "world_examination.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A writer that also counts which stage answered.

@@ -9,6 +9,7 @@
 #include "kinetic/failure_solver.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 struct Tally {
   std::uint64_t scenes = 0, free = 0, contact = 0, at_start = 0, invalid = 0, events = 0, proofs = 0;

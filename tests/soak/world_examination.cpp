@@ -22,6 +22,7 @@
 #include "world/world_plan.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Enclosures of one instant, whose computations may differ by rounding.

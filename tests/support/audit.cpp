@@ -8,6 +8,7 @@
 #include "tiling/prepared_tiling.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 std::string face_name(ChainNode n) {

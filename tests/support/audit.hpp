@@ -12,6 +12,7 @@
 #include "world/world_plan.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 /// What was seen over many runs.
 struct AuditCounts {

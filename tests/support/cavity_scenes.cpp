@@ -10,6 +10,7 @@
 #include "taut/error.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 const char* to_string(Cavity cavity) {
   switch (cavity) {
@@ -103,11 +104,11 @@ Cell around_and_inside(Rng& rng, bool grid) {
   if (highest_x(pair.p) <= highest_x(pair.q)) std::swap(pair.p, pair.q);
   Polygon both = pair.p;
   both.insert(both.end(), pair.q.begin(), pair.q.end());
-  const Bounds bounds = taut::bounds(both);
+  const Bounds bounds = taut::internal::bounds(both);
   const double size = std::max(bounds.hi.x - bounds.lo.x, bounds.hi.y - bounds.lo.y);
   const double margin = std::ceil(size * rng.real(0.05, 0.5));
   const Polygon hole = around_island(pair.p, bounds, margin);
-  const Bounds b = taut::bounds(hole);
+  const Bounds b = taut::internal::bounds(hole);
   return {{{box(b.lo.x - margin, b.lo.y - margin, b.hi.x + margin, b.hi.y + margin), {hole}}}, {{pair.q, {}}}, size};
 }
 

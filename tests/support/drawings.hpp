@@ -9,6 +9,7 @@
 #include "io/number_text.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 /// The entities of a DXF drawing, one after the other.
 class DxfText {

@@ -5,6 +5,7 @@
 #include "world/world_plan.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 std::vector<PairAnswer> every_pair(const Scene& scene, const Answer& answer) {
   const WorldPlan plan(scene);

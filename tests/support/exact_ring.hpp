@@ -7,6 +7,7 @@
 #include "geometry/displacement.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 using Integer = boost::multiprecision::cpp_int;
 

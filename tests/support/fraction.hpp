@@ -8,6 +8,7 @@
 #include "numeric/wide_float.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 using Fraction = mpq_class;
 

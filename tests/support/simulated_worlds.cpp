@@ -8,6 +8,7 @@
 #include "motion/pose.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 Answer fresh_answer(const Scene& scene, Touch touch) {
   CheckOptions options;

@@ -7,6 +7,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using Array = BlockArray<std::uint32_t>;

@@ -12,6 +12,7 @@
 #include "support/rng.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using testing::Rng;

@@ -22,6 +22,7 @@
 #include "tiling/static_tiling.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using Chain = std::vector<VertexId>;

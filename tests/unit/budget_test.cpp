@@ -19,6 +19,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// Of the work, and of the processor time that it may take until it has stopped: another program may slow it down, and

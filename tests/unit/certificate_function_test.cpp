@@ -16,6 +16,7 @@
 #include "unit/sliding_square.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 MotionPiece random_piece(Rng& rng) {

@@ -11,6 +11,7 @@
 #include "support/rng.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using Ring = std::vector<DisplacedPoint>;

@@ -15,6 +15,7 @@
 #include "taut/outline.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::string disc(double x, double y, double r) {

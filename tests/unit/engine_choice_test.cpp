@@ -8,6 +8,7 @@
 #include "taut/check.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 Answer free_answer(double end = 10) {

@@ -14,6 +14,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using testing::effort;
@@ -40,7 +41,7 @@ struct ExactPoint {
   void follow(const JointMotion& motion, const Values& values) {
     const long double value = values[static_cast<std::size_t>(motion.joint)];
     if (const auto* revolute = std::get_if<Revolute>(&motion.kind)) {
-      const JointAngle angle = angle_of(motion);
+      const JointAngle angle = joint_angle_of(motion);
       const long double a = angle.slope * value + angle.offset, c = std::cos(a), s = std::sin(a);
       const long double dx = x - revolute->pivot.x, dy = y - revolute->pivot.y;
       x = revolute->pivot.x + c * dx - s * dy;

@@ -15,6 +15,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 Polygon block(double x, double y, double w, double h) { return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}; }

@@ -15,6 +15,7 @@
 #include "taut/io.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A pair on a curved way or turning, on a grid by turns, so that much coincides.

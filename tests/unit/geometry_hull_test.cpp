@@ -11,6 +11,7 @@
 #include "geometry/predicates.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::vector<Point> random_points(std::mt19937& engine, int count, int range) {

@@ -17,6 +17,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;

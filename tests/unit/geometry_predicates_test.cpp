@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace taut {
+using namespace internal;
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;

@@ -8,6 +8,7 @@
 #include "taut/validate.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 double signed_area(const Polygon& ring) {

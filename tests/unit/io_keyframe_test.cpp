@@ -11,6 +11,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 std::vector<Keyframe> csv(const std::string& text, const ReadLimits& limits = {}) {

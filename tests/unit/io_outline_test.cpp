@@ -10,6 +10,7 @@
 #include "taut/error.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 const Polygon triangle{{0, 0}, {1.5, 0}, {-0.5, 1e3}};

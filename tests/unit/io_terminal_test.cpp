@@ -6,7 +6,7 @@
 #include "io/json_text.hpp"
 #include "io/terminal_text.hpp"
 
-namespace taut::io {
+namespace taut::internal::io {
 namespace {
 
 TEST(TerminalText, ShowsWhatCannotBeSeen) {
@@ -58,4 +58,4 @@ TEST(JsonText, EscapesWhatATerminalWouldObey) {
 }
 
 }  // namespace
-}  // namespace taut::io
+}  // namespace taut::internal::io

@@ -12,6 +12,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 double of_any_size(Rng& rng, double decades) { return rng.sign() * std::pow(10.0, rng.real(-decades, decades)); }

@@ -9,6 +9,7 @@
 #include "support/random_scenes.hpp"
 
 namespace taut::testing {
+using namespace internal;
 
 /// A pair on a straight way, and a triple of its vertices.
 struct LineSetting {

@@ -12,6 +12,7 @@
 #include "unit/sliding_square.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 CosineRotation cosine(const Coefficients& a) { return {a}; }

@@ -9,6 +9,7 @@
 #include "sign/precise_triple.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 TEST(ExactLine, SignsAreThoseOf960Bits) {
@@ -85,7 +86,7 @@ TEST(ExactLine, FailuresAreThoseThatHighPrecisionFinds) {
       ASSERT_EQ(failure.has_value(), root.has_value()) << "seed " << seed;
       if (!failure) continue;
       ++found;
-      taut::refine(f, sign, *root);
+      taut::internal::refine(f, sign, *root);
       EXPECT_LE(failure->lo(), RealMax(root->hi));
       EXPECT_GE(failure->hi(), RealMax(root->lo));
     }

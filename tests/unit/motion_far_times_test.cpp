@@ -14,6 +14,7 @@
 #include "taut/proof.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// The polynomial of t - shift; exact as long as coefficients and shift have few bits.

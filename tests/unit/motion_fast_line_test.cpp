@@ -7,6 +7,7 @@
 #include "relative/taylor_model_cache.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 struct Lines {

@@ -12,6 +12,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using exact::BodyMotion;

@@ -8,6 +8,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 Coefficients small_coefficients(Rng& rng, int n) {

@@ -17,6 +17,7 @@
 #include "unit/sliding_square.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 std::string refusal(const Scene& scene) {

@@ -13,6 +13,7 @@
 #include "taut/validate.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using Quotient = boost::multiprecision::cpp_rational;

@@ -9,6 +9,7 @@
 #include "taut/simulation.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 Polygon box_at(double x, double y, double w, double h) { return {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}; }

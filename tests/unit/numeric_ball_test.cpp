@@ -11,6 +11,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Any magnitude: about 1, often; where doubles are denormal, sometimes.

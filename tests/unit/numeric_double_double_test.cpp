@@ -10,6 +10,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 mpq_class middle_of(const DoubleDouble& x) { return mpq_class(x.leading()) + mpq_class(x.rest()); }

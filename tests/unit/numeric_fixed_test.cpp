@@ -12,6 +12,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 mpq_class rational_of(const Fixed& x) {

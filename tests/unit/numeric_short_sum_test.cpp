@@ -13,6 +13,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Each term is independent of the others, or cancels about what there is so far.

@@ -11,6 +11,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Magnitudes spread over many orders.

@@ -13,6 +13,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Words at random, of zeros, or of ones only: roundings that carry through all of them, sums that cancel, ties.

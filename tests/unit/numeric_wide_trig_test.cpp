@@ -10,6 +10,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A number of MPFR's, far longer than those that are judged.

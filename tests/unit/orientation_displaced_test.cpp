@@ -9,6 +9,7 @@
 #include "support/rng.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 TEST(Displacement, MovesEdgesToOneSide) {

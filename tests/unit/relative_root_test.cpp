@@ -13,6 +13,7 @@
 #include "taut/io.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A comb of four teeth, upwards or downwards, turned about the origin.

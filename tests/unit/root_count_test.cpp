@@ -12,6 +12,7 @@
 #include "numeric/root_isolation.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using Number = Real320;

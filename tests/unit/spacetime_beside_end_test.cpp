@@ -13,7 +13,7 @@
 #include "taut/intervals.hpp"
 #include "taut/io.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 struct Seen {
@@ -190,4 +190,4 @@ TEST(Intervals, GoOnWhereACornerLeavesAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -18,6 +18,7 @@
 #include "tiling/free_triangulation.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 using spacetime::Box;

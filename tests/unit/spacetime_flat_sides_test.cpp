@@ -5,6 +5,7 @@
 #include "taut/check.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A bar with so many teeth that are flat at the top, turned so that the teeth look along (-4, 3); `up` is 1 for teeth

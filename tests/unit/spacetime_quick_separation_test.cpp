@@ -12,7 +12,7 @@
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 using testing::Rng;
@@ -68,4 +68,4 @@ TEST(Glances, WhatTheyShowIsFree) {
 }
 
 }  // namespace
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

@@ -12,7 +12,7 @@
 #include "support/effort.hpp"
 #include "support/rng.hpp"
 
-namespace taut::spacetime {
+namespace taut::internal::spacetime {
 namespace {
 
 using testing::Rng;
@@ -120,4 +120,4 @@ TEST(EvenMotions, EdgesThatCross) {
 }
 
 }  // namespace
-}  // namespace taut::spacetime
+}  // namespace taut::internal::spacetime

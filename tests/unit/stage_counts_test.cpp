@@ -9,6 +9,7 @@
 #include "taut/io.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// A square that passes above another one, so far above it.

@@ -9,6 +9,7 @@
 #include "relative/make_segments.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 /// Of a body that rests and one that turns so, from 0 to 1.

@@ -16,6 +16,7 @@
 #include "tiling/sweep_status.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 TEST(ChainTree, LeavesAndChainsOfEverySize) {

@@ -14,6 +14,7 @@
 #include "taut/check.hpp"
 
 namespace taut::testing {
+using namespace internal;
 namespace {
 
 bool holds(const Ball<double>& narrow, const Ball<Real960>& wide) {
@@ -60,7 +61,7 @@ MotionSegment random_segment(Rng& rng) {
 
 /// The six functions of a model.
 std::array<Jet<Real960>, 6> functions_at(const MotionSegment& segment, double t) {
-  const Frame<Real960> f = frame(segment, Ball<Real960>::exact(t));
+  const internal::Frame<Real960> f = frame(segment, Ball<Real960>::exact(t));
   return {f.for_pp[1], f.for_pp[2], f.for_qq[1], f.for_qq[2], f.for_pp[3], f.for_pp[4]};
 }
 
@@ -191,7 +192,7 @@ TEST(UniformRotation, OtherLegsHaveNone) {
 }
 
 /// A triangle that turns beside a square, or two that turn unevenly fast.
-Scene turning(double turns, double start, bool both) {
+Scene turning_scene(double turns, double start, bool both) {
   Scene scene;
   scene.start = start;
   scene.end = start + turns;
@@ -222,9 +223,9 @@ std::uint64_t work_for(const Scene& scene, EngineChoice engine) {
 TEST(UniformRotation, ATurnCostsNoMoreAmongManyOnes) {
   for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
     for (const bool both : {false, true}) {
-      const std::uint64_t one = work_for(turning(1, 0, both), engine);
-      EXPECT_LT(work_for(turning(2000, 0, both), engine), 2000 * one);
-      EXPECT_LT(work_for(turning(2000, 1e6, both), engine), 2000 * one);
+      const std::uint64_t one = work_for(turning_scene(1, 0, both), engine);
+      EXPECT_LT(work_for(turning_scene(2000, 0, both), engine), 2000 * one);
+      EXPECT_LT(work_for(turning_scene(2000, 1e6, both), engine), 2000 * one);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include "taut/io.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 Scene in_corpus(const char* name) { return read_scene(std::string("tests/corpus/") + name + ".json"); }

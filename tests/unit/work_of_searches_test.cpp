@@ -13,6 +13,7 @@
 #include "taut/proof.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 /// The larger one of both ways of touching.

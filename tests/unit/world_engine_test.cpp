@@ -9,6 +9,7 @@
 #include "taut/motions.hpp"
 
 namespace taut {
+using namespace internal;
 namespace {
 
 Answer world_answer(const Scene& scene, EngineChoice engine, bool all = false, Touch touch = Touch::open) {
