@@ -109,7 +109,7 @@ class Simulation:
     def contact(self) -> Optional[Contact]:
         """The first contact, once the state is "contact"."""
         members = self._core.standing().contact
-        return _contact(json.loads("{" + members[1:] + "}")) if members else None
+        return _contact(json.loads(members)) if members else None
 
     @property
     def pair(self) -> Optional[tuple[str, str]]:

@@ -1,11 +1,10 @@
-// The answer as JSON, with the parts that a plain answer leaves out.
+// Answers as JSON, with the parts that taut/io.hpp leaves out.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "taut/check.hpp"
-#include "taut/proof.hpp"
 #include "taut/scene.hpp"
 
 namespace taut::internal {
@@ -19,27 +18,12 @@ struct AnswerTiming {
 std::string answer_json(const Scene& scene, const Answer& answer, Touch touch,
                         const std::optional<AnswerTiming>& timing);
 
-}  // namespace taut::internal
+namespace io {
 
-namespace taut::internal::io {
-
-/// The members "t" and "contact" of an answer, each with a comma before it.
+/// An object of the members "t" and "contact" of an answer.
 std::string contact_json(const Scene& scene, const Contact& contact);
-/// The names of a pair, and which features meet.
-std::string pair_names_json(const Scene& scene, const std::array<BodyId, 2>& pair);
-std::string features_json(const Scene& scene, const Contact& contact);
-/// Where on a curve: the members "index", of the segment, and "at", and "part" and "ring" where there are several.
-std::string curve_place_json(const Body& body, int part, int ring, int segment, double parameter);
-/// The member "geometry" with a comma before it, if there is one.
-std::string geometry_json(const std::optional<CurveGeometry>& geometry);
-/// The member "coverage" with a comma before it.
-std::string coverage_json(const Coverage& coverage);
-/// The members with which every answer begins: "id", if the scene has one, and "outcome"; with the opening brace.
-std::string verdict_json(const Scene& scene, const char* outcome);
-std::string vertex_json(const Scene& scene, const VertexRef& vertex);
-std::string edge_json(const Scene& scene, const EdgeRef& edge);
-/// Of a proof about a clearance: the members "clearance", and "closer" if bodies come closer, each with a comma before.
-std::string proved_clearance_json(const Scene& scene, const Verified& proved);
 std::string pair_answer_json(const Scene& scene, const PairAnswer& pair);
 
-}  // namespace taut::internal::io
+}  // namespace io
+
+}  // namespace taut::internal

@@ -17,8 +17,6 @@ class TraceWriter {
   std::string line(const TraceEvent& event) const;
 
  private:
-  std::string vertex_text(const VertexRef& vertex) const;
-
   std::vector<std::string> names_;  ///< of the bodies, quoted
 };
 
