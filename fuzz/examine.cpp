@@ -69,7 +69,7 @@ std::string line(const char* touch, const Answer& a) {
 /// The map against the static one, after every event.
 std::string audit_tilings(const Scene& scene, const CheckOptions& options) {
   testing::AuditCounts counts;
-  const Budget scope(nullptr, options.max_seconds);
+  const Budget scope(Limits{options.limits.max_seconds});
   try {
     Session session(scene, options.touch, nullptr);
     while (!session.finished() && session.engine().events() < options.max_events) {
@@ -91,7 +91,7 @@ std::string audit_proof(const Scene& scene, const CheckOptions& options) {
   if (answer.outcome == Outcome::overlap_at_start || (answer.outcome == Outcome::undecided && answer.events == 0))
     return {};
   // Verification sets itself no limits.
-  const Budget scope(nullptr, 4 * options.max_seconds);
+  const Budget scope(Limits{4 * options.limits.max_seconds});
   try {
     const Verified v = verify(scene, log);
     Answer proved;
@@ -141,7 +141,7 @@ std::string audit_query(Simulation& s, double before, const LastEvent& last) {
 }
 
 std::string audit_queries(const Scene& scene, const Answer& answer, const CheckOptions& options) {
-  const Budget scope(nullptr, 4 * options.max_seconds);
+  const Budget scope(Limits{4 * options.limits.max_seconds});
   try {
     LastEvent last_event(scene.start);
     Simulation s(scene, options.touch, &last_event);
@@ -176,7 +176,7 @@ Finding look(const Scene& scene, Touch touch, const Evaluations& looks, std::str
   CheckOptions options;
   options.touch = touch;
   options.max_events = looks.max_events;
-  options.max_seconds = looks.max_seconds;
+  options.limits.max_seconds = looks.max_seconds;
   options.engine = EngineChoice::both;
   const Answer answer = check(scene, options);
   if (report) *report += line(to_string(touch), answer) + '\n';

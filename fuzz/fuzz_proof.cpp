@@ -172,7 +172,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Specimen& specimen = specimens[bytes.u8() % specimens.size()];
   std::istringstream log(log_of(bytes, specimen));
   try {
-    const Budget scope(nullptr, 5);
+    const Budget scope(Limits{5});
     const std::string wrong = specimen.truth.refutation(verify(specimen.scene, log));
     fuzz::require(wrong.empty(), "a proof of what is not so: " + wrong);
   } catch (const ProofError&) {

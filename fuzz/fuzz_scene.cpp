@@ -66,7 +66,7 @@ std::size_t vertices_of(const Scene& scene) {
 /// What a log proves is what check() says, and who overlaps has touched. Limits leave anything open.
 void examine_world(const Scene& scene) {
   CheckOptions options;
-  options.max_seconds = 1;
+  options.limits.max_seconds = 1;
   Answer answers[2];
   for (const Touch touch : {Touch::open, Touch::closed}) {
     options.touch = touch;
@@ -76,7 +76,7 @@ void examine_world(const Scene& scene) {
     if (answer.outcome == Outcome::undecided || proved.outcome == Outcome::undecided) continue;
     fuzz::require(proved.outcome == answer.outcome, "prove() has another outcome");
     if (answer.outcome == Outcome::overlap_at_start) continue;
-    const Budget scope(nullptr, 4);
+    const Budget scope(Limits{4});
     try {
       fuzz::require(verify(scene, log).outcome == answer.outcome, "the log proves something else");
     } catch (const ProofError& error) {
@@ -91,7 +91,7 @@ void examine_world(const Scene& scene) {
 }
 
 /// For validation, in seconds: under the sanitizers, and beside other work. What has no end takes any time.
-constexpr double subdivision_threshold = 30;
+constexpr double patience = 30;
 
 }  // namespace
 
@@ -109,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scene again = parse_scene(written);
     fuzz::require(same(scene, again), "the scene that was written is another one");
     fuzz::require(write_scene(again) == written, "a scene that was read is written differently");
-    const Budget scope(nullptr, subdivision_threshold);
+    const Budget scope(Limits{patience});
     validate(again);
     if (is_world(again) && vertices_of(again) <= 200) examine_world(again);
   } catch (const InputError& error) {

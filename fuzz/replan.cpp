@@ -132,7 +132,7 @@ std::string audit_plan_changes(const Scene& scene, const Answer& whole, const Ch
   const bool joints = std::any_of(scene.bodies.begin(), scene.bodies.end(), moves_on);
   for (const Approach approach : {Approach::repeating, Approach::advancing, Approach::stepping}) {
     if (approach != Approach::repeating && !joints) continue;
-    const Budget scope(nullptr, 4 * options.max_seconds);
+    const Budget scope(Limits{4 * options.limits.max_seconds});
     try {
       Answer answer;
       if (std::string fault = Replanned(scene, options, approach).run(answer); !fault.empty()) return fault;

@@ -6,7 +6,7 @@
 
 #include "base/budget.hpp"
 #include "io/json_text.hpp"
-#include "questions.hpp"
+#include "taut/ask.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 
@@ -35,7 +35,9 @@ EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* scen
   proof_log.clear();
   try {
     const Question asked{question, options, std::string(log, static_cast<std::size_t>(log_size))};
-    api_result = answer_to(asked, parse_scene(scene), proof_log);
+    Reply reply = asked.name == "envelope" ? ask(asked, parse_linkage(scene)) : ask(asked, parse_scene(scene));
+    api_result = std::move(reply.json);
+    proof_log = std::move(reply.log);
   } catch (const InputError& e) {
     api_result = failure("input", e.place(), e.problem(), e.hint());
   } catch (const UndecidedError& e) {

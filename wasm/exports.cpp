@@ -10,8 +10,8 @@
 #include "io/json_text.hpp"
 #include "pair/curved_world.hpp"
 #include "pair/validate_world.hpp"
-#include "questions.hpp"
 #include "recording.hpp"
+#include "taut/ask.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/validate.hpp"
@@ -250,8 +250,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_open(const char* text, const char* name, i
 EMSCRIPTEN_KEEPALIVE const char* taut_ask(const char* question, const char* text, const char* options) {
   return answered([&](Scene& scene) {
     scene = parse_scene(text, "scene");
-    std::string proof;
-    return "{\"answer\":" + answer_to({question, options, {}}, scene, proof) + "}";
+    return "{\"answer\":" + ask({question, options}, scene).json + "}";
   });
 }
 

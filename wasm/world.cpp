@@ -92,7 +92,7 @@ std::string bands_text(const CurvedWorld& curved) {
 World::World(const Scene& scene, Touch touch, double max_seconds) : scene_(scene), touch_(touch) {
   CheckOptions options;
   options.touch = touch;
-  options.max_seconds = max_seconds;
+  options.limits.max_seconds = max_seconds;
   options.tell_touching = false;
   if (!has_curves(scene)) {
     answer_ = check(scene, options);
@@ -121,7 +121,7 @@ std::vector<double> World::tilings(double t) const {
   if (curves_) return numbers;
   const double shown = std::clamp(t, scene_.start, end());
   try {
-    const Budget scope(nullptr, seconds_for_tilings);
+    const Budget scope(Limits{seconds_for_tilings});
     if (!shapes_) shapes_.emplace(scene_);
     for (const io::TilingLine& line :
          io::tiling_lines(*shapes_, poses_at(scene_, shown), tilings_of_near_pairs(scene_, shown, touch_)))

@@ -68,7 +68,7 @@ void write_map(const std::string& file, const CoveredCells& covered) {
 int run_cells(const CellsArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   CellOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const BodyId body = chosen_body(scene, arguments.body);
   const CoveredCells covered = within_file(arguments.scene.path, [&] { return cells(scene, body, options); });
   if (!arguments.pgm.empty()) write_map(arguments.pgm, covered);

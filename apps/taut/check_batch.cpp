@@ -207,8 +207,8 @@ int check_batch(const CheckBatch& batch) {
   if (!batch.resume.empty() && !batch.json)
     throw InputError("--resume", "answers are taken up line by line, and a report has several", "add --json");
   CheckBatch shared = batch;
-  shared.options.stop = stop_on_signals();
-  const std::atomic<bool>& stop = *shared.options.stop;
+  shared.options.limits.stop = stop_on_signals();
+  const std::atomic<bool>& stop = *shared.options.limits.stop;
   const unsigned threads = batch.threads > 0 ? batch.threads : std::max(1u, std::thread::hardware_concurrency());
   const auto start = std::chrono::steady_clock::now();
   Tasks tasks(batch);

@@ -72,7 +72,7 @@ int run_check(const CheckArguments& arguments) {
 int run_margin(const CheckArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const MarginAnswer answer =
       within_file(arguments.scene.source.path, [&] { return check_clearance(scene, arguments.clearance, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, margin_svg(scene, arguments.clearance, answer));

@@ -100,8 +100,8 @@ int run_profile(const ClearanceArguments& arguments) {
   ProfileOptions options = arguments.profile;
   options.relative = arguments.options.relative;
   options.all_pairs = arguments.options.all_pairs;
-  options.max_seconds = arguments.options.max_seconds;
-  options.stop = stop_on_signals();
+  options.limits.max_seconds = arguments.options.limits.max_seconds;
+  options.limits.stop = stop_on_signals();
   const DistanceProfile answer =
       within_file(arguments.scene.source.path, [&] { return distance_profile(scene, options); });
   if (!arguments.csv.empty()) write_output(arguments.csv, profile_csv(scene, answer));
@@ -115,7 +115,7 @@ int run_profile(const ClearanceArguments& arguments) {
 int run_clearance(const ClearanceArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   ClearanceOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const Clearance answer = within_file(arguments.scene.source.path, [&] { return clearance(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, clearance_svg(scene, answer));
   if (arguments.svg != "-")
@@ -133,7 +133,7 @@ void add_clearance(const Command& app, Action& action) {
       .value("X");
   const auto pairs = [arguments](const std::string& which) { arguments->options.all_pairs = which == "all"; };
   command.add_choice("--pairs", {"first", "all"}, pairs, "first: the pair that comes closest; all: every pair");
-  command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
+  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "give up after S seconds")
       .value("S")
       .not_negative();
   const Option profile =

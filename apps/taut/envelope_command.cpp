@@ -66,7 +66,7 @@ std::string title_of(const EnvelopeArguments& arguments) {
 int run_envelope(const EnvelopeArguments& arguments) {
   const Linkage linkage = load_linkage(arguments.scene.source);
   EnvelopeOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const Envelope answer = within_file(arguments.scene.source.path, [&] { return envelope(linkage, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, envelope_svg(linkage, answer));
   if (!arguments.html.empty())
@@ -96,7 +96,7 @@ void add_envelope(const Command& app, Action& action) {
                   "write a page to FILE that shows the bodies at the combination under the pointer")
       .value("FILE");
   command.add_option("--template", arguments->template_path, "with --html: the page to fill in").value("FILE");
-  command.add_option("--max-seconds", arguments->options.max_seconds, "stop dividing after S seconds")
+  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "stop dividing after S seconds")
       .value("S")
       .not_negative();
   command.add_flag("--json", arguments->json, "print one JSON object");

@@ -101,7 +101,7 @@ std::string text_of_answer(const Scene& scene, double t, const Range& answer) {
 int run_intervals(const IntervalArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const Intervals answer = within_file(arguments.scene.source.path, [&] { return intervals(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, intervals_svg(scene, answer, options.touch));
   // What goes to standard output is one thing.
@@ -114,7 +114,7 @@ int run_intervals(const IntervalArguments& arguments) {
 int run_range(const IntervalArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const Range answer = within_file(arguments.scene.source.path, [&] { return range(scene, arguments.from, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, range_svg(scene, arguments.from, answer));
   if (arguments.svg != "-")
@@ -126,7 +126,7 @@ int run_range(const IntervalArguments& arguments) {
 void add_question(const Command& command, IntervalArguments& arguments) {
   add_asked_scene(command, arguments.scene);
   add_touch(command, arguments.options.touch);
-  command.add_option("--max-seconds", arguments.options.max_seconds, "give up after S seconds")
+  command.add_option("--max-seconds", arguments.options.limits.max_seconds, "give up after S seconds")
       .value("S")
       .not_negative();
   command.add_flag("--json", arguments.json, "print one JSON object");

@@ -44,7 +44,7 @@ int run_prove_clearance(const ProveArguments& arguments) {
   const double clearance = *arguments.clearance;
   io::AtomicFile file(arguments.output);
   CheckOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const MarginAnswer answer =
       within_file(arguments.scene.path, [&] { return prove_clearance(scene, clearance, file.stream(), options); });
   const bool proof = answer.outcome == Outcome::free || answer.outcome == Outcome::contact ||

@@ -31,7 +31,7 @@ void add_engine(const Command& command, EngineChoice& engine) {
 
 void add_limits(const Command& command, CheckOptions& options) {
   command.add_option("--max-events", options.max_events, "give up (undecided) after N events").value("N");
-  command.add_option("--max-seconds", options.max_seconds, "give up (undecided) after S seconds")
+  command.add_option("--max-seconds", options.limits.max_seconds, "give up (undecided) after S seconds")
       .value("S")
       .not_negative();
 }

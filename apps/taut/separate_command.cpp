@@ -104,7 +104,7 @@ std::string in_words(const Scene& scene, const Separation& answer) {
 int run_separate(const SeparateArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   SeparateOptions options = arguments.options;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   const Separation answer = within_file(arguments.scene.path, [&] { return separate(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, separation_svg(scene, answer));
   // What goes to standard output is one thing.
@@ -125,7 +125,7 @@ void add_separate(const Command& app, Action& action) {
                   "move bodies as far as S, in the scene's units (without: any distance)")
       .value("S")
       .positive();
-  command.add_option("--max-seconds", arguments->options.max_seconds, "give up after S seconds")
+  command.add_option("--max-seconds", arguments->options.limits.max_seconds, "give up after S seconds")
       .value("S")
       .not_negative();
   command.add_flag("--json", arguments->json, "print one JSON object");

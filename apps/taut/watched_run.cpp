@@ -16,7 +16,7 @@ Answer watched_run(const Scene& scene, const std::string& path, CheckOptions opt
                    const std::function<Answer(const Scene&, const CheckOptions&)>& run) {
   Progress progress(scene);  // wiped when this function ends, however it does
   if (!options.tracer) options.tracer = &progress;
-  options.stop = stop_on_signals();
+  options.limits.stop = stop_on_signals();
   return within_file(path, [&] { return run(scene, options); });
 }
 

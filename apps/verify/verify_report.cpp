@@ -116,7 +116,7 @@ int report_failure(const Scene& scene, bool json, bool refuted, const std::strin
 int report_log(const VerifyArguments& arguments, const Scene& scene) {
   const bool json = arguments.json;
   try {
-    const Budget scope(nullptr, arguments.max_seconds);
+    const Budget scope(Limits{arguments.max_seconds});
     const Verified verified = verify_file(scene, arguments.proof);
     const bool met = is_met(arguments.expected, scene, verified);
     if (json) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <string>
 #include <vector>
 
 #include "taut/feature.hpp"
+#include "taut/limits.hpp"
 #include "taut/scene.hpp"
 
 namespace taut {
@@ -16,8 +16,7 @@ namespace taut {
 struct CellOptions {
   double resolution = 0;  ///< the side of a cell, in units of the scene; must be given
   Point origin = {};
-  /// Stop soon after this becomes true; may be null. Not owned.
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// What cells() found.

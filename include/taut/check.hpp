@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "taut/coverage.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
+#include "taut/limits.hpp"
 #include "taut/scene.hpp"
 #include "taut/tracer.hpp"
 
@@ -84,10 +84,6 @@ struct CheckOptions {
   EngineChoice engine = EngineChoice::usual;
   /// Stop with `undecided` after this many events (of the kinetic engine).
   std::uint64_t max_events = UINT64_MAX;
-  /// Stop with `undecided` after this much wall time, in seconds (for each engine; for both together with `either`).
-  double max_seconds = 1e300;
-  /// Stop with `undecided` soon after this becomes true, from a signal handler, say; may be null. Not owned.
-  const std::atomic<bool>* stop = nullptr;
   /// Where open touching gives `free` only by what is below the resolution of doubles, ask for closed touching as well,
   /// to say whether the bodies touch: see Answer::touching.
   bool tell_touching = true;
@@ -106,6 +102,8 @@ struct CheckOptions {
   /// (EngineChoice::kinetic); may be null. Not owned. Of a scene with curves, events are those of the
   /// polygons that stand for them, run after run.
   Tracer* tracer = nullptr;
+  /// The wall time is that of each engine; with `either`, of both together.
+  Limits limits = {};
 };
 
 /// What is known of one pair of bodies.

@@ -41,8 +41,7 @@ struct ClearanceOptions {
   /// precision does not tell whether a margin is kept, or a limit was reached. At least 1e-12.
   double relative = 1e-9;
   bool all_pairs = false;
-  double max_seconds = 1e300;
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// The least distance of the closures of any two bodies that are asked about, over the scene's time: 0 if they touch or
@@ -138,8 +137,7 @@ struct ProfileOptions {
   /// So many times is a stretch halved, of each curve, in search of the greatest distance.
   int halvings = 20000;
   bool all_pairs = false;
-  double max_seconds = 1e300;
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// The distance of bodies over the scene's time. Each bracket is certain: at instants and from below by branch and

@@ -89,8 +89,7 @@ struct Envelope {
 struct EnvelopeOptions {
   /// Cells no side of which is longer than this share of its joint's range are not divided any more. In [1e-6, 1].
   double tolerance = 1e-3;
-  double max_seconds = 1e300;
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// Divides all combinations of joint values into cells that are free, that collide, and small ones of which that is not

@@ -1,7 +1,6 @@
 // What a planner asks, a hundred thousand times a second: may a robot be here, may it go from here to there?
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,10 +27,7 @@ struct MapQueryOptions {
   Touch touch = Touch::open;
   /// Do links meet each other, too? Links and their parents never do: they share a joint.
   bool links_meet = true;
-  /// A question that takes longer is `undecided`, in seconds of wall time.
-  double max_seconds = 1e300;
-  /// As in CheckOptions.
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// Answers without names and text, for many of them.

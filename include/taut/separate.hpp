@@ -79,8 +79,7 @@ struct Separation {
 struct SeparateOptions {
   /// How far bodies move, in the scene's units; > 0. Infinite: any distance.
   double travel = std::numeric_limits<double>::infinity();
-  double max_seconds = 1e300;
-  const std::atomic<bool>* stop = nullptr;
+  Limits limits = {};
 };
 
 /// Bodies stand as at the start of the scene's time, whatever they do later, and one of them is moved straight, without

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -118,17 +117,14 @@ enum class SimulationState : std::uint8_t {
   untested,          ///< the end of the scene was reached, and no pair was tested at any time: see coverage()
 };
 
-/// How to simulate. Limits mean what they mean in CheckOptions.
+/// How to simulate. The wall time is that of one call, the constructor's included; beyond it the state is `undecided`.
 struct SimulationOptions {
   Touch touch = Touch::open;
   /// Become `undecided` where there may be an event after this many.
   std::uint64_t max_events = UINT64_MAX;
-  /// Become `undecided` where one call, the constructor's among them, takes more wall time than this, in seconds.
-  double max_seconds = 1e300;
-  /// Become `undecided` soon after this becomes true; may be null. Not owned.
-  const std::atomic<bool>* stop = nullptr;
   /// Told of every event; may be null. Not owned.
   Tracer* tracer = nullptr;
+  Limits limits = {};
 };
 
 /// The external relative geodesic triangulation of two moving polygons, kept up to date event by event; or a world of

@@ -17,36 +17,56 @@
 //     }
 //   }
 //
-// taut/check.hpp       the question and its answer
-// taut/proof.hpp       the answer with a proof, and the check of a proof
-// taut/static_map.hpp  one body among many that rest, asked often
-// taut/map_query.hpp   what a planner asks of it, with memory of its own: places, straight ways, chains of links
-// taut/cells.hpp       which cells of a grid a moving body touches
-// taut/grid.hpp        occupancy grids of robots as bodies
-// taut/simulation.hpp  the same, online: step, advance, look at the tiling, change a motion plan
-// taut/warm_check.hpp  one question after another about the same shapes, from places near the last ones
-// taut/separate.hpp    in which directions bodies come apart, and in which order
-// taut/envelope.hpp    for which combinations of joint values bodies keep apart
-// taut/separator.hpp   curves with the fewest edges between the bodies
-// taut/outline.hpp     outlines with curves, and polygons within and around them
-// taut/scene.hpp       bodies, motions, time
-// taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
-// taut/pose.hpp        where a body is at one instant, for drawing
-// taut/shape.hpp       shapes that come again, prepared once
-// taut/validate.hpp    is the input valid?
-// taut/io.hpp          scene files, outlines, pictures
-// taut/feature.hpp     how bodies, vertices and edges are named
-// taut/error.hpp       everything that is thrown
+// What there is, by what it is for:
+//
+// Questions about a scene
+//   taut/check.hpp       when do bodies first collide, if ever?
+//   taut/clearance.hpp   how close do they come? do they keep a distance? how far apart are they over time?
+//   taut/intervals.hpp   when do they overlap? how far can they go from an instant, both ways?
+//   taut/separate.hpp    in which directions do bodies come apart, and in which order?
+//   taut/envelope.hpp    for which combinations of joint values do bodies keep apart?
+//   taut/cells.hpp       which cells of a grid does a moving body touch?
+//   taut/proof.hpp       the answers with a proof, and the check of a proof
+//   taut/coverage.hpp    which pairs of bodies an answer is about
+//   taut/limits.hpp      when a question gives up
+//   taut/ask.hpp         all of this as text: a name, options and an answer in JSON
+//
+// Objects with memory
+//   taut/static_map.hpp  one body among many that rest, asked often
+//   taut/map_query.hpp   what a planner asks of such a map: places, straight motions, chains of links
+//   taut/warm_check.hpp  one question after another about the same shapes, from places near the last ones
+//   taut/simulation.hpp  the motion online: step, advance, change a motion, look at the tiling
+//
+// Scenes
+//   taut/scene.hpp       bodies, motions, time
+//   taut/motions.hpp     motions as people write them: keyframes, velocities, sweeps
+//   taut/outline.hpp     outlines with curves, and polygons within and around them
+//   taut/shape.hpp       shapes that come again, prepared once
+//   taut/grid.hpp        occupancy grids of robots as bodies
+//   taut/pose.hpp        where a body is at one instant, for drawing
+//   taut/feature.hpp     how bodies, vertices and edges are named
+//   taut/validate.hpp    is the input valid?
+//   taut/io.hpp          scene files, outlines, answers as JSON, pictures
+//   taut/error.hpp       everything that is thrown
+//
+// From the paper
+//   taut/separator.hpp   curves with the fewest edges between the bodies
+//   taut/tracer.hpp      the events of a run
 #pragma once
 
+#include "taut/ask.hpp"
 #include "taut/cells.hpp"
 #include "taut/check.hpp"
+#include "taut/clearance.hpp"
+#include "taut/coverage.hpp"
 #include "taut/envelope.hpp"
 #include "taut/error.hpp"
 #include "taut/feature.hpp"
 #include "taut/geometry.hpp"
 #include "taut/grid.hpp"
+#include "taut/intervals.hpp"
 #include "taut/io.hpp"
+#include "taut/limits.hpp"
 #include "taut/map_query.hpp"
 #include "taut/motion.hpp"
 #include "taut/motions.hpp"

@@ -29,7 +29,7 @@ std::string cells(const SceneText& text, const std::string& body, double resolut
     taut::CellOptions how;
     how.resolution = resolution;
     how.origin = {x, y};
-    how.stop = &stop;
+    how.limits.stop = &stop;
     return taut::cells_json(scene, id, taut::cells(scene, id, how));
   });
 }

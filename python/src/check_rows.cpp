@@ -27,7 +27,7 @@ class Questioner {
 }  // namespace
 
 void check_rows(const RowScenes& scenes, const taut::CheckOptions& options, std::size_t threads, AnswerRow* answers) {
-  each_row(scenes.size(), threads, *options.stop, [&]() -> RowWork {
+  each_row(scenes.size(), threads, *options.limits.stop, [&]() -> RowWork {
     // Shared, since what a function holds must be copyable.
     const auto scene = std::make_shared<taut::Scene>(scenes.blank());
     const auto questioner = std::make_shared<Questioner>(options);

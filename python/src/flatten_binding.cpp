@@ -27,7 +27,7 @@ std::vector<taut::Part> flat_parts(const taut::Body& body, double tolerance, tau
 py::list flatten(const SceneText& text, double tolerance, bool outer) {
   const taut::CurveSide side = outer ? taut::CurveSide::outer : taut::CurveSide::inner;
   const auto flat = attended<PartsOfBodies>([&](const std::atomic<bool>& stop) {
-    const taut::internal::Budget scope(&stop, 1e300);
+    const taut::internal::Budget scope(taut::Limits{.stop = &stop});
     PartsOfBodies bodies;
     const taut::Scene scene = text.read();
     for (const taut::Body& body : scene.bodies) bodies.push_back(flat_parts(body, tolerance, side));

@@ -24,7 +24,7 @@ class Template {
  public:
   Template(const SceneText& text, std::size_t rows) : rows_(rows) {
     taut::Scene scene = attended<taut::Scene>([&](const std::atomic<bool>& stop) {
-      const taut::internal::Budget scope(&stop, 1e300);
+      const taut::internal::Budget scope(taut::Limits{.stop = &stop});
       taut::Scene read = text.read();
       prepare_bodies(read);
       return read;

@@ -35,7 +35,7 @@ struct MapMover {
 
 taut::StaticMap map_of(const SceneText& text, double reach) {
   return attended<taut::StaticMap>([&](const std::atomic<bool>& stop) {
-    const taut::internal::Budget scope(&stop, 1e300);
+    const taut::internal::Budget scope(taut::Limits{.stop = &stop});
     return taut::StaticMap(text.read().bodies, reach);
   });
 }
@@ -43,7 +43,7 @@ taut::StaticMap map_of(const SceneText& text, double reach) {
 /// The scene's only body.
 MapMover mover_of(const taut::StaticMap& map, const SceneText& text) {
   return attended<MapMover>([&](const std::atomic<bool>& stop) {
-    const taut::internal::Budget scope(&stop, 1e300);
+    const taut::internal::Budget scope(taut::Limits{.stop = &stop});
     taut::Body body = text.read().bodies.at(0);
     taut::StaticMap::Mover mover = map.prepare(body);
     return MapMover{std::move(mover), std::move(body)};

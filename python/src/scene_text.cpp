@@ -32,11 +32,9 @@ taut::CheckOptions check_options(const RunOptions& given, const std::atomic<bool
                                          {"either", EngineChoice::either},
                                          {"usual", EngineChoice::usual}});
   options.all_pairs = chosen<bool>("pairs", given.pairs, {{"first", false}, {"all", true}});
-  if (given.max_seconds) options.max_seconds = *given.max_seconds;
+  if (given.max_seconds) options.limits.max_seconds = *given.max_seconds;
   if (given.max_events) options.max_events = *given.max_events;
-  options.fit = given.fit;
-  options.time_tolerance = given.time_tolerance;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   return options;
 }
 

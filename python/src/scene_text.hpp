@@ -27,8 +27,6 @@ struct RunOptions {
   std::string touch, engine, pairs;
   std::optional<double> max_seconds;
   std::optional<std::uint64_t> max_events;
-  double fit = 0;  ///< 0: bodies as they are given
-  double time_tolerance = 1e-9;
 };
 
 /// Throws InputError for a word that has no meaning. `stop` must outlive the result.

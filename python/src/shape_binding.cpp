@@ -48,7 +48,7 @@ Shape shape_of(const py::sequence& given, const std::string& name) {
     for (const py::handle& hole : part[1].cast<py::sequence>()) parts.back().holes.push_back(ring_of(hole, name));
   }
   return attended<Shape>([&](const std::atomic<bool>& stop) {
-    const taut::internal::Budget scope(&stop, 1e300);
+    const taut::internal::Budget scope(taut::Limits{.stop = &stop});
     return make_shape(parts, name);
   });
 }

@@ -87,8 +87,8 @@ class LiveSimulation {
       taut::SimulationOptions limits;
       limits.touch = how.touch;
       limits.max_events = how.max_events;
-      limits.max_seconds = how.max_seconds;
-      limits.stop = &stop_;
+      limits.limits.max_seconds = how.limits.max_seconds;
+      limits.limits.stop = &stop_;
       scene_ = text.read();
       simulation_.emplace(scene_, limits);
       return true;

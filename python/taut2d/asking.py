@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
-from . import _taut2d
 from ._numbers import number
 from .answers import Answer, Proof, Verified, answer_from_json, verified_from_json
 from .directions import Separation, separation_from_json
 from .errors import InputError
 from .margins import MarginAnswer, MarginProof, margin_from_json
-from .options import run_options, scene_text, seconds
+from .options import ask, scene_text
 from .questions import (Clearance, DistanceProfile, Intervals, Range, clearance_from_json, intervals_from_json,
                         profile_from_json, range_from_json)
 from .scene import Scene, _plain_places
@@ -40,9 +39,10 @@ def check(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", pair
     everywhere, unless ``max_seconds`` ends it. Raises InputError if the scene or an option is not valid, InternalError
     for a defect of taut, KeyboardInterrupt on Ctrl-C.
     """
-    options = run_options(touch, engine, pairs, max_seconds, max_events, fit, time_tolerance)
     with _plain_places():
-        return answer_from_json(_taut2d.check(scene_text(scene), options), scene)
+        answer, _, _ = ask("check", scene_text(scene), touch=touch, engine=engine, pairs=pairs, max_seconds=max_seconds,
+                           max_events=max_events, fit=fit, time_tolerance=time_tolerance)
+        return answer_from_json(answer, scene)
 
 
 def intervals(scene: Scene, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Intervals:
@@ -51,9 +51,9 @@ def intervals(scene: Scene, *, touch: Touch = "open", max_seconds: Optional[floa
     ``touch``: with "open", an instant at which bodies only touch is no interval; with "closed" it is one.
     ``max_seconds``: pairs that are not done by then are listed as undecided. Errors are those of check().
     """
-    options = run_options(touch, "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return intervals_from_json(_taut2d.intervals(scene_text(scene), options))
+        answer, _, _ = ask("intervals", scene_text(scene), touch=touch, max_seconds=max_seconds)
+        return intervals_from_json(answer)
 
 
 def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Optional[float] = None) -> Range:
@@ -61,9 +61,10 @@ def range(scene: Scene, around: float, *, touch: Touch = "open", max_seconds: Op
 
     Raises InputError if the instant is outside of the scene's time, or bodies overlap then; else as check().
     """
-    options = run_options(touch, "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return range_from_json(_taut2d.range(scene_text(scene), number(around, "around"), options))
+        at: dict[str, Any] = {"from": number(around, "around")}
+        answer, _, _ = ask("range", scene_text(scene), touch=touch, max_seconds=max_seconds, **at)
+        return range_from_json(answer)
 
 
 def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first",
@@ -74,9 +75,9 @@ def clearance(scene: Scene, *, tolerance: float = 1e-9, pairs: Pairs = "first",
     ``pairs``: "first": of the pair that comes closest; "all": of each pair, in Clearance.pairs. Errors are those of
     check().
     """
-    options = run_options("open", "spacetime", pairs, max_seconds, None)
     with _plain_places():
-        return clearance_from_json(_taut2d.clearance(scene_text(scene), number(tolerance, "tolerance"), options))
+        answer, _, _ = ask("clearance", scene_text(scene), tolerance=tolerance, pairs=pairs, max_seconds=max_seconds)
+        return clearance_from_json(answer)
 
 
 def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e-9, pairs: Pairs = "first",
@@ -88,12 +89,12 @@ def distance_profile(scene: Scene, instants: int = 101, *, tolerance: float = 1e
     are short. ``pairs``: "first": at each time the least distance of all pairs; "all": then each pair's, too. Errors are
     those of check().
     """
-    options = run_options("open", "spacetime", pairs, max_seconds, None)
     if not 2 <= instants <= 1000000:
         raise InputError("instants", f"{instants} instants were asked for", "2 to 1000000 can be")
     with _plain_places():
-        return profile_from_json(
-            _taut2d.distance_profile(scene_text(scene), int(instants), number(tolerance, "tolerance"), options))
+        answer, _, _ = ask("distance_profile", scene_text(scene), instants=instants, tolerance=tolerance, pairs=pairs,
+                           max_seconds=max_seconds)
+        return profile_from_json(answer)
 
 
 def check_clearance(scene: Scene, clearance: float, *, touch: Touch = "open", pairs: Pairs = "first",
@@ -105,9 +106,10 @@ def check_clearance(scene: Scene, clearance: float, *, touch: Touch = "open", pa
     each pair on its own, in MarginAnswer.pairs. "free" is proved, and so is the time of a contact. Errors are those of
     check().
     """
-    options = run_options(touch, "spacetime", pairs, max_seconds, None)
     with _plain_places():
-        return margin_from_json(_taut2d.check_clearance(scene_text(scene), number(clearance, "clearance"), options))
+        answer, _, _ = ask("check_clearance", scene_text(scene), clearance=number(clearance, "clearance"), touch=touch,
+                           pairs=pairs, max_seconds=max_seconds)
+        return margin_from_json(answer)
 
 
 def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optional[float] = None) -> Separation:
@@ -117,10 +119,9 @@ def separate(scene: Scene, *, travel: Optional[float] = None, max_seconds: Optio
     (in the scene's units, > 0; None: any distance), and must overlap nothing on the way, where touching is allowed, at
     the travel's end, too. Of two bodies, the second one moves. Errors are those of check().
     """
-    options = run_options("open", "spacetime", "first", max_seconds, None)
     with _plain_places():
-        return separation_from_json(_taut2d.separate(scene_text(scene), None if travel is None else number(travel, "travel"),
-                                                      options))
+        answer, _, _ = ask("separate", scene_text(scene), travel=travel, max_seconds=max_seconds)
+        return separation_from_json(answer)
 
 
 def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_seconds: Optional[float] = None,
@@ -133,9 +134,9 @@ def prove(scene: Scene, *, touch: Touch = "open", engine: Engine = "usual", max_
     and proofs about these. Other options and errors are those of check(). An
     undecided run proves what it has done.
     """
-    options = run_options(touch, engine, "first", max_seconds, max_events)
     with _plain_places():
-        answer, log, name = _taut2d.prove(scene_text(scene), options)
+        answer, log, name = ask("prove", scene_text(scene), touch=touch, engine=engine, max_seconds=max_seconds,
+                                max_events=max_events)
     return Proof(answer_from_json(answer, scene), log, name)
 
 
@@ -143,9 +144,9 @@ def prove_clearance(scene: Scene, clearance: float, *, touch: Touch = "open",
                     max_seconds: Optional[float] = None) -> MarginProof:
     """As check_clearance(), with a log that proves the answer, in memory. Options and errors are those of
     check_clearance()."""
-    options = run_options(touch, "spacetime", "first", max_seconds, None)
     with _plain_places():
-        answer, log, name = _taut2d.prove_clearance(scene_text(scene), number(clearance, "clearance"), options)
+        answer, log, name = ask("prove_clearance", scene_text(scene), clearance=number(clearance, "clearance"),
+                                touch=touch, max_seconds=max_seconds)
     return MarginProof(margin_from_json(answer), log, name)
 
 
@@ -164,6 +165,6 @@ def verify(scene: Scene, proof: Union[Proof, MarginProof, bytes, str, os.PathLik
     else:
         with open(proof, "rb") as file:
             log = file.read()
-    limit = seconds(max_seconds)
     with _plain_places():
-        return verified_from_json(_taut2d.verify(scene_text(scene), log, limit))
+        found, _, _ = ask("verify", scene_text(scene), log=log, max_seconds=max_seconds)
+        return verified_from_json(found)

@@ -13,7 +13,7 @@ from ._numbers import number, point
 from ._verdict import Verdict, bodies_text, names
 from .answers import Coverage, _pair
 from .errors import InputError
-from .options import run_options
+from .options import ask
 from .pictures import _new_axes
 from .scene import Body, Scene, _body_from_json, _plain_places, _scene_text
 from .words import AtRest, CellState, QuestionOutcome
@@ -179,7 +179,7 @@ def envelope(linkage: Linkage, *, tolerance: float = 1e-3, cells: bool = False,
     if not isinstance(linkage, Linkage):
         raise InputError("linkage", f"expected a Linkage, found {type(linkage).__name__}",
                          "Linkage.load(path) reads a file, and Linkage(bodies, joints) makes one")
-    options = run_options("open", "spacetime", "first", max_seconds, None)
     with _plain_places():
         text = _scene_text(linkage.to_json(), "scene", linkage.folder)
-        return _envelope_from_json(_taut2d.envelope(text, number(tolerance, "tolerance"), bool(cells), options))
+        answer, _, _ = ask("envelope", text, tolerance=tolerance, cells=cells, max_seconds=max_seconds)
+        return _envelope_from_json(answer)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+import json
+from collections.abc import Callable
+from typing import Any, Optional, TypeVar
 
 from . import _taut2d
 from ._numbers import number
@@ -20,23 +22,56 @@ def seconds(limit: Optional[float]) -> Optional[float]:
     return found
 
 
-def run_options(touch: Touch, engine: Engine, pairs: Pairs, max_seconds: Optional[float],
-                max_events: Optional[int], fit: Optional[float] = None, time_tolerance: float = 1e-9) -> _taut2d.RunOptions:
-    for name, value in (("touch", touch), ("engine", engine), ("pairs", pairs)):
-        if not isinstance(value, str):
-            raise InputError(name, f"expected a word, found {type(value).__name__}")
-    if max_events is not None:
-        try:
-            max_events = min(max_events.__index__(), 2**64 - 1)
-        except AttributeError as error:
-            raise InputError("max_events", f"expected a whole number, found {type(max_events).__name__}") from error
-        if max_events < 0:
-            raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
-    shrink = 0.0 if fit is None else number(fit, "fit")
-    if fit is not None and not shrink > 0:
+_Word = TypeVar("_Word", bound=str)
+
+
+def _word(value: _Word, name: str) -> _Word:
+    if not isinstance(value, str):
+        raise InputError(name, f"expected a word, found {type(value).__name__}")
+    return value
+
+
+def _events(limit: Any) -> Optional[int]:
+    if limit is None:
+        return None
+    try:
+        events = min(int(limit.__index__()), 2**64 - 1)
+    except AttributeError as error:
+        raise InputError("max_events", f"expected a whole number, found {type(limit).__name__}") from error
+    if events < 0:
+        raise InputError("max_events", "the limit is negative", "give a number of events, 0 or more")
+    return events
+
+
+def _fit(distance: Any) -> Optional[float]:
+    if distance is None:
+        return None
+    shrink = number(distance, "fit")
+    if not shrink > 0:
         raise InputError("fit", "it is not a positive number", "None leaves bodies as they are")
-    return _taut2d.RunOptions(touch, engine, pairs, seconds(max_seconds), max_events, shrink,
-                              number(time_tolerance, "time_tolerance"))
+    return shrink
+
+
+def run_options(touch: Touch, engine: Engine, pairs: Pairs, max_seconds: Optional[float],
+                max_events: Optional[int]) -> _taut2d.RunOptions:
+    """Options of check() for functions that ask it many times."""
+    return _taut2d.RunOptions(_word(touch, "touch"), _word(engine, "engine"), _word(pairs, "pairs"), seconds(max_seconds),
+                              _events(max_events))
+
+
+_checked: dict[str, Callable[[Any], Any]] = {
+    "max_seconds": seconds, "max_events": _events, "fit": _fit,
+    "travel": lambda value: None if value is None else number(value, "travel"), "instants": int, "cells": bool,
+    "touch": lambda value: _word(value, "touch"), "engine": lambda value: _word(value, "engine"),
+    "pairs": lambda value: _word(value, "pairs"),
+}
+
+
+def ask(name: str, text: _taut2d.SceneText, *, log: bytes = b"", **options: Any) -> tuple[str, bytes, str]:
+    """One question to the library: the answer as JSON, and of a proof its log and the name of its scene. Options that are
+    None are left out; the others are numbers unless they have a form of their own."""
+    checked = {key: _checked[key](value) if key in _checked else number(value, key) for key, value in options.items()}
+    return _taut2d.ask(text, name, json.dumps({key: value for key, value in checked.items() if value is not None}), log)
 
 
 def scene_text(scene: Any, place: str = "scene") -> _taut2d.SceneText:

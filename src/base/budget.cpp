@@ -18,9 +18,8 @@ std::uint64_t after(std::uint64_t work, std::uint64_t more) {
 
 }  // namespace
 
-Budget::Budget(const std::atomic<bool>* stop, double max_seconds)
-    : stop_(stop), limited_(max_seconds < for_ever), outer_(innermost) {
-  const std::chrono::duration<double> limit(std::max(max_seconds, 0.0));
+Budget::Budget(const Limits& limits) : stop_(limits.stop), limited_(limits.max_seconds < for_ever), outer_(innermost) {
+  const std::chrono::duration<double> limit(std::max(limits.max_seconds, 0.0));
   if (limited_) deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
   innermost = this;
 }

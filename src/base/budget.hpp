@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "taut/limits.hpp"
+
 namespace taut::internal {
 
 /// Thrown by checkpoint() where the present scope asks for it.
@@ -18,8 +20,8 @@ class Budget {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `stop` may be null. The limit counts from now, in seconds.
-  Budget(const std::atomic<bool>* stop, double max_seconds);
+  /// The seconds count from now.
+  explicit Budget(const Limits& limits);
   /// For about so much work from now: the same every time. What has begun by then may go on for as much as `overtime`.
   explicit Budget(std::uint64_t effort, std::uint64_t overtime = 0);
   ~Budget();

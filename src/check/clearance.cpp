@@ -162,7 +162,7 @@ class ClearanceSearch {
 Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   if (!(options.relative >= 1e-12)) throw InputError("tolerance", "it is below 1e-12", "doubles do not tell more");
   if (has_curves(scene)) return clearance_of_curves(scene, options);
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   Clearance answer;
   try {
     const std::string stopped = what_stops([&] {

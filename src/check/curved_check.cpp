@@ -51,12 +51,12 @@ class CurvedCheck {
   CurvedWorld take_world() { return std::move(world_); }
 
  private:
-  double seconds_left() const { return options_.max_seconds - seconds_since(began_); }
+  double seconds_left() const { return options_.limits.max_seconds - seconds_since(began_); }
 
   Answer ask(CurveSide side, double from, double to) {
     CheckOptions options = options_;
     options.tell_touching = false;
-    options.max_seconds = seconds_left();
+    options.limits.max_seconds = seconds_left();
     Scene scene = world_.polygons(side);
     scene.start = from;
     scene.end = to;
@@ -188,7 +188,7 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   for (PairAnswer& pair : *answer.pairs) {
     if (pair.outcome == Outcome::free) continue;
     std::vector<BodyId> ids;
-    all.max_seconds = options.max_seconds - seconds_since(began);
+    all.limits.max_seconds = options.limits.max_seconds - seconds_since(began);
     const Answer own = check_curved_or_plain(scene_of_pair(scene, pair.bodies, ids), all);
     pair = {pair.bodies, own.outcome, own.contact, own.outcome == Outcome::free ? scene.end : own.free_until,
             own.reason};

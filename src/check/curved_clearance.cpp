@@ -24,8 +24,8 @@ Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, C
   CheckOptions own;
   own.touch = Touch::closed;
   own.engine = EngineChoice::spacetime;
-  own.max_seconds = options.max_seconds;
-  own.stop = options.stop;
+  own.limits.max_seconds = options.limits.max_seconds;
+  own.limits.stop = options.limits.stop;
   const Answer answer = check_curved(scene, own);
   if (!answer.contact) return found;
   if (answer.pair) found.nearest->pair = *answer.pair;
@@ -99,7 +99,7 @@ class ClearanceBracket {
 
  private:
   Clearance ask(CurveSide side) {
-    own_.max_seconds = options_.max_seconds - seconds_since(began_);
+    own_.limits.max_seconds = options_.limits.max_seconds - seconds_since(began_);
     Clearance answer = clearance(world_.polygons(side), own_);
     answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
     return answer;
@@ -117,13 +117,13 @@ class ClearanceBracket {
     const Budget limit(times_the_work * (work_spent() - work_before_));
     const double jump = largest_jump(world_.polygons(CurveSide::outer));
     CheckOptions how;
-    how.stop = options_.stop;
+    how.limits.stop = options_.limits.stop;
     double share = 0.5;
     for (int k = 0; k < most_margins; ++k, share /= 2) {
       const double margin = nearest.hi * (1 - share);
       // What is known already need not be asked.
       if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
-      how.max_seconds = options_.max_seconds - seconds_since(began_);
+      how.limits.max_seconds = options_.limits.max_seconds - seconds_since(began_);
       if (!keeps(margin, how)) return;
       nearest.lo = (margin - jump) * (1 - 0x1p-50);
     }

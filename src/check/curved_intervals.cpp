@@ -76,7 +76,7 @@ class CurvedIntervals {
  private:
   Intervals ask(CurveSide side) const {
     CheckOptions options = options_;
-    options.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds -= seconds_since(began_);
     Scene polygons = world_.polygons(side);
     polygons.ignore.insert(polygons.ignore.end(), dormant_.begin(), dormant_.end());
     return intervals(polygons, options);
@@ -114,7 +114,7 @@ class CurvedIntervals {
     scene.start = std::max(scene.start, from);
     scene.end = std::min(scene.end, to);
     CheckOptions options = options_;
-    options.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds -= seconds_since(began_);
     Intervals found = CurvedIntervals(scene, options, wanted_, false).run();
     if (found.intervals.size() != 1 || !found.undecided.empty()) return std::nullopt;
     OverlapInterval decided = found.intervals[0];

@@ -38,7 +38,7 @@ class CurvedProfile {
   }
 
  private:
-  double seconds_left() const { return options_.max_seconds - seconds_since(began_); }
+  double seconds_left() const { return options_.limits.max_seconds - seconds_since(began_); }
 
   /// Everything, coarsely.
   DistanceProfile whole() {
@@ -46,10 +46,10 @@ class CurvedProfile {
     own.relative = coarse_ / 4;
     own.halvings = std::min(options_.halvings, most_halvings);
     for (int search = 0;; ++search) {
-      own.max_seconds = seconds_left();
+      own.limits.max_seconds = seconds_left();
       DistanceProfile outer = distance_profile(world_.polygons(CurveSide::outer), own);
       if (!outer.reason.empty()) return outer;
-      own.max_seconds = seconds_left();
+      own.limits.max_seconds = seconds_left();
       DistanceProfile inner = distance_profile(world_.polygons(CurveSide::inner), own);
       if (!inner.reason.empty()) return inner;
       CurvedWorld::Halvings marks = world_.no_halvings();
@@ -67,10 +67,10 @@ class CurvedProfile {
     own.relative = std::max(relative / 4, 1e-12);
     own.instants = options_.instants * looks - (looks - 1);
     for (;;) {
-      own.max_seconds = seconds_left();
+      own.limits.max_seconds = seconds_left();
       const DistanceProfile outer = distances_at_instants(world_.polygons(CurveSide::outer), own);
       if (!outer.reason.empty()) return outer;
-      own.max_seconds = seconds_left();
+      own.limits.max_seconds = seconds_left();
       DistanceProfile inner = distances_at_instants(world_.polygons(CurveSide::inner), own);
       if (!inner.reason.empty()) return inner;
       CurvedWorld::Halvings marks = world_.no_halvings();

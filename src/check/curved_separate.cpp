@@ -50,7 +50,7 @@ class CurvedSeparation {
  private:
   Separation ask(CurveSide side) const {
     SeparateOptions options = options_;
-    options.max_seconds -= seconds_since(began_);
+    options.limits.max_seconds -= seconds_since(began_);
     Separation answer = separate(world_.polygons(side), options);
     answer.geometry = CurveGeometry{world_.tolerance(), world_.segments()};
     return answer;

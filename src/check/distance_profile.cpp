@@ -142,15 +142,15 @@ void validate_profile(const ProfileOptions& options) {
 DistanceProfile profile_of_polygons(const Scene& scene, const ProfileOptions& options, bool only_instants) {
   CheckOptions closed;
   closed.touch = Touch::closed;
-  closed.max_seconds = options.max_seconds;
-  closed.stop = options.stop;
+  closed.limits.max_seconds = options.limits.max_seconds;
+  closed.limits.stop = options.limits.stop;
   const Intervals touching = intervals(scene, closed);
   DistanceProfile answer;
   answer.outcome = touching.outcome;
   answer.reason = touching.reason;
   answer.coverage = touching.coverage;
   if (touching.outcome == Outcome::undecided || touching.outcome == Outcome::untested) return answer;
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   const auto search = [&] { answer = ProfileSearch(scene, options, only_instants).run(touching); };
   answer.reason = what_stops(search);
   answer.outcome = answer.reason.empty() ? touching.outcome : Outcome::undecided;

@@ -66,7 +66,7 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
     };
     PortfolioEngine *decided = &winner, *left = other;
     if (other && leaves_touching_open(winner.run(), options) && settles()) std::swap(decided, left);
-    const Question again = [&](const Scene& s, const CheckOptions& o) {
+    const CheckFunction again = [&](const Scene& s, const CheckOptions& o) {
       return answer_in_turns(s, o, {winner.engine(), longer});
     };
     Answer answer = with_touching(decided->run(), scene, options, again);

@@ -56,7 +56,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   // Of two plain polygons it is all of the time that is looked at, in one walk.
   const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
   const bool plain = !is_world(scene);
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   Intervals answer;
   answer.coverage = plan.coverage(near.pairs().size());
   if (answer.coverage.is_empty()) {
@@ -109,7 +109,7 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (t > scene.start) {
     CheckOptions rest = options;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
-    rest.max_seconds -= spent.count();
+    rest.limits.max_seconds -= spent.count();
     before = intervals_within(scene, scene.start, t, rest);
   }
   Range range;

@@ -52,7 +52,7 @@ class Timer {
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher, NearStart* near = nullptr)
-      : scene_(scene), options_(options), watcher_(watcher), near_(near), scope_(options.stop, options.max_seconds) {
+      : scene_(scene), options_(options), watcher_(watcher), near_(near), scope_(options.limits) {
     answer_.engine = EngineName::kinetic;
     answer_.free_until = scene.start;
     speak_of_two(answer_);

@@ -112,7 +112,7 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   reason.clear();
   const std::string stopped = what_stops([&] {
     std::optional<Budget> scope;
-    if (options.stop || options.max_seconds < 1e9) scope.emplace(options.stop, options.max_seconds);
+    if (options.limits.stop || options.limits.max_seconds < 1e9) scope.emplace(options.limits);
     // Questions are short: those that come after the flag was set do not begin.
     if (scope) scope->check();
     found = ask();

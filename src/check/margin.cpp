@@ -210,7 +210,7 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
   if (!(clearance > 0 && std::isfinite(clearance)))
     throw InputError("clearance", "it is not a positive number", "check() asks whether bodies touch");
   if (has_curves(scene)) return check_clearance_of_curves(scene, clearance, options);
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   MarginAnswer answer;
   try {
     validate_world(scene);

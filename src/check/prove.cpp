@@ -16,7 +16,7 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
     throw InputError("fit", "a proof is about bodies as they are given",
                      "prove it without, or shrink the bodies yourself");
   // Engines, one after the other, and what writes a log have limits of their own: together they have this one.
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   if (has_curves(scene)) return prove_curves(scene, log, options);
   if (is_world(scene)) return prove_by_separations(scene, log, options);
   switch (engine_for_two(options)) {

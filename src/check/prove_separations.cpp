@@ -194,7 +194,7 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
 
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
   // What it consists of has limits of its own: together they have this one.
-  const Budget scope(given.stop, given.max_seconds);
+  const Budget scope(given.limits);
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;
   options.all_pairs = false;

@@ -74,11 +74,11 @@ Answer run_either(const Scene& scene, const CheckOptions& options);
 
 /// The answer of a run that is done, for open touching. Where it is `free` by the displacement, `again` is asked with
 /// closed touching: see Answer::touching.
-using Question = std::function<Answer(const Scene&, const CheckOptions&)>;
-Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again);
+using CheckFunction = std::function<Answer(const Scene&, const CheckOptions&)>;
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const CheckFunction& again);
 /// For with_touching(), whose bodies are known to be free: asks `otherwise`, unless boxes show with so little work that
 /// nothing meets, or at once that the bodies rest on each other from the start.
-Question unless_settled_early(std::uint64_t effort, const Question& otherwise);
+CheckFunction unless_settled_early(std::uint64_t effort, const CheckFunction& otherwise);
 /// Will it be asked again?
 bool leaves_touching_open(const Run& run, const CheckOptions& options);
 

@@ -162,7 +162,7 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   if (!(options.travel > 0))
     throw InputError("travel", "bodies move farther than nothing", "give a length > 0, or none for any distance");
   if (has_curves(scene)) return separate_curves(scene, options);
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   Separation answer;
   const std::string stopped = what_stops([&] {
     validate_world(scene);

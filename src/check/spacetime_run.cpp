@@ -121,7 +121,7 @@ class SpacetimeSearch {
 class SpacetimeRun final : public Run {
  public:
   SpacetimeRun(const Scene& scene, const CheckOptions& options, bool apart)
-      : scope_(options.stop, options.max_seconds) {
+      : scope_(options.limits) {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     speak_of_two(answer_);

@@ -199,7 +199,7 @@ Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, 
   time.end = end;
   validate_time(time);
   validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
 }
 

@@ -12,7 +12,7 @@ bool leaves_touching_open(const Run& run, const CheckOptions& options) {
   return run.stages().beyond_doubles() != 0;
 }
 
-Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const Question& again) {
+Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& options, const CheckFunction& again) {
   Answer answer = run.answer();
   if (!leaves_touching_open(run, options)) return answer;
   CheckOptions closed = options;
@@ -33,7 +33,7 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
 /// Many events at one instant, as drawings on a grid have them, ask for more than doubles, and yet most bodies that
 /// have them are far from touching, or touch at once. That is seen soon by boxes, while the tiling would be built
 /// again, and go through all events.
-Question unless_settled_early(std::uint64_t effort, const Question& otherwise) {
+CheckFunction unless_settled_early(std::uint64_t effort, const CheckFunction& otherwise) {
   return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
     // They are free with open touching.
     const std::unique_ptr<Run> boxes = begin_spacetime_apart(scene, options);

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 WorldRun::WorldRun(const Scene& scene, const CheckOptions& options)
-    : scene_(scene), options_(options), scope_(options.stop, options.max_seconds) {
+    : scene_(scene), options_(options), scope_(options.limits) {
   answer_.engine = options.engine == EngineChoice::kinetic ? EngineName::kinetic : EngineName::spacetime;
   answer_.free_until = scene.start;
 }

@@ -288,7 +288,7 @@ class EnvelopeSearch {
 Envelope envelope(const Linkage& linkage, const EnvelopeOptions& options) {
   if (!(options.tolerance >= 1e-6 && options.tolerance <= 1))
     throw InputError("tolerance", "it is not between 1e-6 and 1", "it is a share of each joint's range");
-  const Budget scope(options.stop, options.max_seconds);
+  const Budget scope(options.limits);
   Envelope answer;
   try {
     validate(linkage);

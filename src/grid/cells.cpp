@@ -153,7 +153,7 @@ CoveredCells cells(const Scene& scene, BodyId body, const CellOptions& options) 
     throw InputError("cells", "there is no body " + std::to_string(body), "the first one is 0");
   validate_world(scene);
   try {
-    const Budget scope(options.stop, 1e300);
+    const Budget scope(options.limits);
     return CellSweep(scene, scene.bodies[static_cast<std::size_t>(body)], options).run();
   } catch (const Interrupted& stopped) {
     throw UndecidedError(stopped.reason);

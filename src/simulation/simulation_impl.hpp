@@ -49,7 +49,7 @@ struct Simulation::Impl : private EngineObserver, private Tracer {
   template <class Work>
   void changing(const Work& work) {
     try {
-      const Budget scope(options.stop, options.max_seconds);
+      const Budget scope(options.limits);
       scope.check();
       work();
     } catch (const Undecidable& limit) {

@@ -43,10 +43,10 @@ constexpr double subdivision_threshold = 0.75;
 ///
 /// What an interruption point ends in the middle can be gone on with: stretches that are still to be looked at are
 /// kept, and a pair of boxes leaves the list when it has been looked at.
-template <class Question>
+template <class Query>
 class Walk {
  public:
-  Walk(const TreePair& trees, const MotionSegment& segment, Question& question)
+  Walk(const TreePair& trees, const MotionSegment& segment, Query& question)
       : trees_(trees), segment_(segment), question_(question), polynomial_(segment) {}
 
   /// From the root of both trees, throughout [from, to] of the segment's parameter.
@@ -178,7 +178,7 @@ class Walk {
     const bool of_p = q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius);
     BoxPair left{of_p ? p.left : pair.p, of_p ? pair.q : q.left};
     BoxPair right{of_p ? p.right : pair.p, of_p ? pair.q : q.right};
-    if constexpr (requires { Question::nearer_first; }) {
+    if constexpr (requires { Query::nearer_first; }) {
       if (between_centres(s, right) < between_centres(s, left)) std::swap(left, right);
     }
     todo_.push_back(right);
@@ -192,7 +192,7 @@ class Walk {
 
   TreePair trees_;
   const MotionSegment& segment_;
-  Question& question_;
+  Query& question_;
   TranslationPolynomial polynomial_;
   std::optional<FrameWindow> window_;
   double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a segment that turns, windows begin there

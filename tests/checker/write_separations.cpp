@@ -253,7 +253,7 @@ bool print_world(Rng& rng, const Scene& scene, Touch touch, double clearance, st
   CheckOptions options;
   options.touch = touch;
   options.engine = EngineChoice::spacetime;
-  options.max_seconds = 20;
+  options.limits.max_seconds = 20;
   try {
     if (vertices_in(scene) > most_vertices) return false;
     if (clearance > 0) {

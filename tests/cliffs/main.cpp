@@ -54,7 +54,7 @@ Timed time_of(const Scene& bare, EngineChoice engine, Touch touch, double limit)
   CheckOptions options;
   options.engine = engine;
   options.touch = touch;
-  options.max_seconds = limit;
+  options.limits.max_seconds = limit;
   Timed timed{std::numeric_limits<double>::infinity()};
   double whole = 0;
   for (int round = 0; round < 3 || (round < 20 && whole < 1e-3); ++round) {

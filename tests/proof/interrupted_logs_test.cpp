@@ -29,7 +29,7 @@ TEST(InterruptedLogs, OfTilingsAreValid) {
   for (int k = 0; k < 25; ++k) {
     CheckOptions how;
     how.engine = EngineChoice::kinetic;
-    how.max_seconds = 0.05 + 0.004 * k;
+    how.limits.max_seconds = 0.05 + 0.004 * k;
     std::ostringstream log;
     const Answer answer = prove(scene, log, how);
     ASSERT_NO_FATAL_FAILURE(expect_valid(scene, answer, log.str()));

@@ -212,7 +212,7 @@ TEST(Cells, SingularTurnsAndFaults) {
   const std::atomic<bool> stop{true};
   options = {};
   options.resolution = 0.001;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   EXPECT_THROW(cells(scene, 0, options), UndecidedError);
 }
 

@@ -54,7 +54,7 @@ TEST(Definition, ScenesMadeOfContacts) {
   int invalid = 0;
   CheckOptions options;
   // A contact of high multiplicity with rotation may take long: undecided is no wrong answer.
-  options.max_seconds = 0.1;
+  options.limits.max_seconds = 0.1;
   for (std::uint64_t number = 0; number < effort(1500); ++number) {
     const ContactScene s = contact_scene(number);
     SCOPED_TRACE(s.family + ' ' + std::to_string(number));

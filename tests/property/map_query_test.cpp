@@ -266,7 +266,7 @@ TEST(MapQueries, SlidingAndTouching) {
   EXPECT_TRUE(open.passes({0, 1, 0}, {3, 1, 0}).free());
   // Edges on edges all the way, which nothing but the displacement tells apart, take no longer than that takes.
   MapQueryOptions soon;
-  soon.max_seconds = 1;
+  soon.limits.max_seconds = 1;
   EXPECT_TRUE(MapQuery(map, mover, soon).passes({-1, 1, 0}, {4, 1, 0}).free());
   EXPECT_TRUE(open.at({1, 1, 0}).free());
   EXPECT_FALSE(closed.at({1, 1, 0}).free());
@@ -308,7 +308,7 @@ TEST(MapQueries, RefuseWhatIsNoQuestion) {
             std::string::npos);
   std::atomic<bool> stop{true};
   MapQueryOptions how;
-  how.stop = &stop;
+  how.limits.stop = &stop;
   MapQuery stopped(map, mover, how);
   Motion spin;
   spin.pieces = {{{2}, {3}, AngleRotation{{0, 100000}}}};

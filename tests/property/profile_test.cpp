@@ -148,7 +148,7 @@ TEST(DistanceProfile, ALimitIsSaid) {
   options.instants = 1;
   EXPECT_THROW(distance_profile(profile_scene(turning, 3), options), InputError);
   options.instants = 2;
-  options.max_seconds = 0;
+  options.limits.max_seconds = 0;
   EXPECT_NE(distance_profile(profile_scene(turning, 3), options).reason, "");
 }
 

@@ -186,7 +186,7 @@ TEST(StaticMaps, EdgesOfTheQuestion) {
   EXPECT_EQ((*hit.pair)[1], 1);
   std::atomic<bool> stop{true};
   CheckOptions options;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Motion spin;
   spin.pieces = {{{2}, {1.15}, AngleRotation{{0, 100000}}}};
   const Answer stopped = map.check(mover, spin, 0, 10, options);

@@ -55,7 +55,7 @@ Effort effort_of(const Scene& scene, int question, Touch touch, double clearance
   CheckOptions options;
   options.touch = touch;
   options.tell_touching = false;
-  options.max_seconds = 1;
+  options.limits.max_seconds = 1;
   const std::uint64_t before = work_spent();
   Effort spent;
   if (question < 2) {
@@ -66,14 +66,14 @@ Effort effort_of(const Scene& scene, int question, Touch touch, double clearance
     spent.outcome = std::to_string(found.intervals.size()) + (found.undecided.empty() ? "" : " undecided");
   } else if (question == 3) {
     ClearanceOptions how;
-    how.max_seconds = 1;
+    how.limits.max_seconds = 1;
     spent.outcome = taut::clearance(scene, how).wide;
   } else if (question == 4) {
     spent.outcome = to_string(check_clearance(scene, clearance, options).outcome);
   } else {
     ProfileOptions how;
     how.instants = 5;
-    how.max_seconds = 1;
+    how.limits.max_seconds = 1;
     spent.outcome = distance_profile(scene, how).reason;
   }
   spent.work = work_spent() - before;

@@ -87,7 +87,7 @@ TEST(Corpus, WorldsAndTheirClearances) {
       EXPECT_EQ(verify(scene, log).outcome, answer.outcome);
     }
     ClearanceOptions limited;
-    limited.max_seconds = 20;
+    limited.limits.max_seconds = 20;
     const Clearance got = clearance(scene, limited);
     ASSERT_EQ(got.reason, "");
     EXPECT_GE(got.nearest->lo, want["clearance"]["lo"].get<double>());

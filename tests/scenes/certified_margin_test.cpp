@@ -152,7 +152,7 @@ TEST(Margins, OfACornerThatTurnsInPlace) {
   EXPECT_NEAR(close.first->nearest->hi, 5, 1e-9);
   // No precision tells that; it is said, and soon.
   CheckOptions options;
-  options.max_seconds = 60;
+  options.limits.max_seconds = 60;
   const MarginAnswer open = check_clearance(scene, 5, options);
   EXPECT_EQ(open.outcome, Outcome::undecided);
   EXPECT_NE(open.reason.find("the clearance"), std::string::npos) << open.reason;
@@ -211,7 +211,7 @@ TEST(Margins, AllPairsAndLimits) {
   std::atomic<bool> stop{true};
   Scene spins = falling_square(10);
   spins.bodies[1].motion.pieces = {{{}, {0.51}, AngleRotation{{0, 1e5}}}};
-  options.stop = &stop;
+  options.limits.stop = &stop;
   const MarginAnswer stopped = check_clearance(spins, 2, options);
   EXPECT_EQ(stopped.outcome, Outcome::undecided);
   EXPECT_EQ(stopped.reason, "interrupted");

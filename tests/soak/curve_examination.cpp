@@ -155,7 +155,7 @@ class CurveExamination {
  public:
   CurveExamination(const Scene& scene, double max_seconds, Tally& tally)
       : scene_(scene), chords_(chords_of(scene, away_)), tally_(tally) {
-    options_.max_seconds = max_seconds;
+    options_.limits.max_seconds = max_seconds;
   }
 
   std::string run(std::uint64_t number) {
@@ -233,7 +233,7 @@ class CurveExamination {
 
   std::string distances() {
     ClearanceOptions own;
-    own.max_seconds = options_.max_seconds;
+    own.limits.max_seconds = options_.limits.max_seconds;
     own.relative = 1e-6;
     const Clearance ours = clearance(scene_, own), theirs = clearance(chords_, own);
     if (!ours.nearest || !theirs.nearest || !ours.reason.empty() || !theirs.reason.empty()) return {};
@@ -245,7 +245,7 @@ class CurveExamination {
     profile.instants = 4;
     profile.relative = 1e-6;
     profile.halvings = 20;
-    profile.max_seconds = options_.max_seconds;
+    profile.limits.max_seconds = options_.limits.max_seconds;
     const DistanceProfile over = distance_profile(scene_, profile), of_chords = distance_profile(chords_, profile);
     if (over.curves.empty() || of_chords.curves.empty()) return {};
     for (std::size_t k = 0; k < 4; ++k) {

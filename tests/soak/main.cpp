@@ -111,7 +111,7 @@ std::string examine(const SoakScene& s, std::uint64_t number, const Limits& limi
   ++tally.scenes;
   CheckOptions options;
   options.touch = s.touch;
-  options.max_seconds = limits.seconds;
+  options.limits.max_seconds = limits.seconds;
   std::ostringstream log;
   CountingWriter writer(s.scene, s.touch, log);
   try {

@@ -35,7 +35,7 @@ class QuestionExamination {
     for (const Touch touch : {Touch::open, Touch::closed}) {
       options_.touch = touch;
       options_.engine = EngineChoice::spacetime;
-      options_.max_seconds = max_seconds_;
+      options_.limits.max_seconds = max_seconds_;
       for (const auto ask :
            {&QuestionExamination::consistent, &QuestionExamination::overlaps, &QuestionExamination::ranges,
             &QuestionExamination::standing, &QuestionExamination::backwards}) {
@@ -206,7 +206,7 @@ class QuestionExamination {
   std::string nearest() {
     ClearanceOptions how;
     how.relative = 1e-6;
-    how.max_seconds = max_seconds_;
+    how.limits.max_seconds = max_seconds_;
     const Clearance found = clearance(scene_, how);
     if (!found.reason.empty()) return undecided("clearance", found.reason);
     nearest_ = *found.nearest;
@@ -238,7 +238,7 @@ class QuestionExamination {
     how.instants = rng_.between(2, 9);
     how.relative = 1e-6;
     how.halvings = 200;
-    how.max_seconds = max_seconds_;
+    how.limits.max_seconds = max_seconds_;
     const DistanceProfile found = distance_profile(scene_, how);
     if (!found.reason.empty()) return undecided("profile", found.reason);
     double least = INFINITY;
@@ -253,7 +253,7 @@ class QuestionExamination {
   std::string directions() {
     SeparateOptions how;
     if (rng_.chance(0.5)) how.travel = size_ * std::exp(rng_.real(-2, 2));
-    how.max_seconds = max_seconds_;
+    how.limits.max_seconds = max_seconds_;
     const Separation found = separate(scene_, how);
     if (!found.reason.empty()) return undecided("separate", found.reason);
     if (found.overlap) return {};

@@ -48,7 +48,7 @@ class WorldExamination {
       : rng_(number), world_(world), scene_(scene_of(world)), tally_(tally), judge_(world, 48) {
     options_.engine = EngineChoice::spacetime;
     options_.tell_touching = false;
-    options_.max_seconds = max_seconds;
+    options_.limits.max_seconds = max_seconds;
   }
 
   std::string run() {
@@ -65,7 +65,7 @@ class WorldExamination {
     }
     if (const std::string wrong = touching_no_later(); !wrong.empty()) return wrong;
     if (!rng_.chance(share_of_clearances)) return {};
-    if (const std::string wrong = inconsistency(scene_, options_.touch, options_.max_seconds); !wrong.empty())
+    if (const std::string wrong = inconsistency(scene_, options_.touch, options_.limits.max_seconds); !wrong.empty())
       return wrong;
     if (const std::string wrong = clearances(); !wrong.empty()) return wrong;
     return rng_.chance(share_of_profiles) ? profile() : std::string();
@@ -198,7 +198,7 @@ class WorldExamination {
   /// A run that a limit may end says what the whole run says, or that it is undecided.
   std::string stopped() {
     CheckOptions options = options_;
-    options.max_seconds = rng_.real(0, 1e-3);
+    options.limits.max_seconds = rng_.real(0, 1e-3);
     const Answer answer = check(scene_, options);
     if (answer.outcome != Outcome::undecided && answer.outcome != earliest_.outcome)
       return fmt::format("stopped: {}, not {}", to_string(answer.outcome), to_string(earliest_.outcome));
@@ -326,7 +326,7 @@ class WorldExamination {
     ClearanceOptions options;
     options.all_pairs = true;
     options.relative = 1e-6;
-    options.max_seconds = options_.max_seconds;
+    options.limits.max_seconds = options_.limits.max_seconds;
     const Clearance& answer = clearance_ = clearance(scene_, options);
     if (!answer.reason.empty()) return "clearance: undecided: " + answer.reason;
     if (answer.pairs.size() != all_.pairs->size()) return "clearance: other pairs";
@@ -355,7 +355,7 @@ class WorldExamination {
     ProfileOptions options;
     options.instants = rng_.between(2, 12);
     options.relative = 1e-6;
-    options.max_seconds = options_.max_seconds;
+    options.limits.max_seconds = options_.limits.max_seconds;
     const DistanceProfile answer = distance_profile(two, options);
     if (!answer.reason.empty()) return "profile: undecided: " + answer.reason;
     const std::string wrong = answer.curves.size() == 1 ? judge_.curve_fault(n.pair, answer.curves[0]) : "no curve";

@@ -27,7 +27,7 @@ class ConsistencyJudge {
   ConsistencyJudge(const Scene& scene, Touch touch, double max_seconds) : scene_(scene) {
     options_.touch = touch;
     options_.tell_touching = false;
-    options_.max_seconds = max_seconds;
+    options_.limits.max_seconds = max_seconds;
   }
 
   std::string run() {

@@ -35,7 +35,7 @@ double processor_seconds() {
 void expect_soon(const char* what, const std::function<void()>& work) {
   const double start = processor_seconds();
   try {
-    const Budget scope(nullptr, limit_seconds);
+    const Budget scope(Limits{limit_seconds});
     work();
   } catch (const Interrupted&) {
   } catch (const InputError& error) {
@@ -209,7 +209,7 @@ TEST_P(Interruption, OfTheEngines) {
 TEST_P(Interruption, ByAFlag) {
   const std::atomic<bool> stop{true};
   CheckOptions options;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   const double start = processor_seconds();
   for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
     options.engine = engine;
@@ -229,13 +229,13 @@ TEST_P(Interruption, OfSeparators) {
 
 TEST_P(Interruption, OfProofs) {
   CheckOptions options;
-  options.max_seconds = 0.5;
+  options.limits.max_seconds = 0.5;
   std::ostringstream log;
   const double start = processor_seconds();
   prove(scene(), log, options);
   // One limit for all of it: the engines, one after the other, and the log.
   const double factor = testing::watched ? 10 : 1;
-  EXPECT_LT(processor_seconds() - start, options.max_seconds + factor * soon_seconds);
+  EXPECT_LT(processor_seconds() - start, options.limits.max_seconds + factor * soon_seconds);
   const std::string text = log.str();
   expect_soon("verify", [&] {
     std::istringstream in(text);
@@ -248,7 +248,7 @@ TEST(InterruptionOfBothEngines, WhileShapesArePrepared) {
   for (const Hostile& hostile : hostile_scenes()) {
     if (std::string(hostile.name) != "a cavity") continue;
     const Scene scene = hostile.make();
-    const Budget past(nullptr, 0);
+    const Budget past(Limits{0});
     const Answer answer = run_either(scene, {});
     EXPECT_EQ(answer.outcome, Outcome::undecided);
     EXPECT_EQ(answer.reason, "the time limit was reached");

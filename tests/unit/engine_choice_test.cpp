@@ -80,7 +80,7 @@ TEST(Stop, EveryEngineSaysHowFarItCame) {
        {EngineChoice::kinetic, EngineChoice::spacetime, EngineChoice::both, EngineChoice::either}) {
     CheckOptions options;
     options.engine = engine;
-    options.stop = &stop;
+    options.limits.stop = &stop;
     const Answer stopped = check(scene, options);
     EXPECT_EQ(stopped.outcome, Outcome::undecided);
     EXPECT_EQ(stopped.reason, "interrupted");

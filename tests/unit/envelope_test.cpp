@@ -330,7 +330,7 @@ TEST(Envelope, ALimitLeavesACoarserAnswer) {
   const std::atomic<bool> stop{true};
   EnvelopeOptions options;
   options.tolerance = 1e-5;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   const Envelope answer = envelope(linkage, options);
   EXPECT_EQ(answer.reason, "interrupted");
   EXPECT_GT(answer.undecided, 0);

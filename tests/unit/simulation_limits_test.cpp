@@ -52,9 +52,9 @@ TEST(SimulationLimits, StopsAfterSoManyEventsAsCheckDoes) {
 TEST(SimulationLimits, EnoughEventsChangeNothing) {
   SimulationOptions options;
   options.max_events = 1000000;
-  options.max_seconds = 1000;
+  options.limits.max_seconds = 1000;
   std::atomic<bool> stop{false};
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Simulation simulation(meshing_gears(), options);
   EXPECT_EQ(simulation.advance_to(meshing_gears().end), SimulationState::finished);
   CheckOptions kinetic;
@@ -65,7 +65,7 @@ TEST(SimulationLimits, EnoughEventsChangeNothing) {
 TEST(SimulationLimits, StopsWhenTold) {
   std::atomic<bool> stop{false};
   SimulationOptions options;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Simulation simulation(meshing_gears(), options);
   ASSERT_TRUE(simulation.step());
   stop = true;
@@ -77,12 +77,12 @@ TEST(SimulationLimits, StopsWhenTold) {
 TEST(SimulationLimits, StopsWhileItIsMade) {
   std::atomic<bool> stop{true};
   SimulationOptions options;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Simulation decided(meshing_gears(), options);
   expect_undecided(decided, "interrupted");
   EXPECT_EQ(decided.time(), meshing_gears().start);
-  options.stop = nullptr;
-  options.max_seconds = -1;
+  options.limits.stop = nullptr;
+  options.limits.max_seconds = -1;
   Simulation late(meshing_gears(), options);
   expect_undecided(late, "the time limit was reached");
   EXPECT_EQ(late.certificates(), 0u);
@@ -95,7 +95,7 @@ TEST(SimulationLimits, DoNotTakeBackAContact) {
   const Scene scene = gen::make_gears(hit);
   std::atomic<bool> stop{false};
   SimulationOptions options;
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Simulation simulation(scene, options);
   ASSERT_EQ(simulation.advance_to(scene.end), SimulationState::contact);
   stop = true;
@@ -113,7 +113,7 @@ TEST(SimulationLimits, RefusedInputIsNoMatterOfLimits) {
 TEST(SimulationLimits, EndAWorldWithWhatIsProved) {
   Scene scene = gen::make_planetary({});
   SimulationOptions options;
-  options.max_seconds = 0;
+  options.limits.max_seconds = 0;
   Simulation at_once(scene, options);
   EXPECT_EQ(at_once.state(), SimulationState::undecided);
   EXPECT_EQ(at_once.reason(), "the time limit was reached");
@@ -122,7 +122,7 @@ TEST(SimulationLimits, EndAWorldWithWhatIsProved) {
   EXPECT_THROW(at_once.set_motion(0, {}), UndecidedError);
   std::atomic<bool> stop{false};
   options = {};
-  options.stop = &stop;
+  options.limits.stop = &stop;
   Simulation stopped(scene, options);
   EXPECT_EQ(stopped.advance_to(0.25), SimulationState::running);
   stop = true;

@@ -22,7 +22,7 @@ constexpr double many_seconds = 20;
 
 TEST(WorkOfAClearance, FarFromTheOriginAtAJoint) {
   ClearanceOptions options;
-  options.max_seconds = many_seconds;
+  options.limits.max_seconds = many_seconds;
   const std::uint64_t before = work_spent();
   const Clearance found = clearance(in_corpus("combs_far_from_the_origin_with_a_joint"), options);
   EXPECT_LT(work_spent() - before, 20'000u);
@@ -34,7 +34,7 @@ TEST(WorkOfAClearance, FarFromTheOriginAtAJoint) {
 void expect_profile(const char* name, double greatest, std::uint64_t limit) {
   ProfileOptions options;
   options.instants = 9;
-  options.max_seconds = many_seconds;
+  options.limits.max_seconds = many_seconds;
   const std::uint64_t before = work_spent();
   const DistanceProfile found = distance_profile(in_corpus(name), options);
   EXPECT_LT(work_spent() - before, limit) << name;
@@ -64,7 +64,7 @@ TEST(WorkOfASearch, GivesUpWhereEdgesStayAsNear) {
   const PairInstance search(plan, 0, 1, false);
   spacetime::Nearest nearest;
   nearest.distance = INFINITY;
-  const Budget limit(nullptr, many_seconds);
+  const Budget limit(Limits{many_seconds});
   const std::uint64_t before = work_spent();
   spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), 0, 1.5, {1e-6, 1e-12}, nearest);
   EXPECT_LT(work_spent() - before, 200'000u);
@@ -84,7 +84,7 @@ Scene slivers_beside_infinite_speed() {
 
 TEST(WorkOfAClearance, OfSliversBesideAnInfiniteSpeed) {
   ClearanceOptions options;
-  options.max_seconds = many_seconds;
+  options.limits.max_seconds = many_seconds;
   const std::uint64_t before = work_spent();
   const Clearance found = clearance(slivers_beside_infinite_speed(), options);
   EXPECT_LT(work_spent() - before, 2'000'000u);
@@ -98,7 +98,7 @@ TEST(WorkOfAClearance, WhatALimitLeavesWideIsSaidToBe) {
   int brackets = 0;
   for (const double seconds : {0.003, 0.01, 0.03, 0.1, 0.3}) {
     ClearanceOptions options;
-    options.max_seconds = seconds;
+    options.limits.max_seconds = seconds;
     const Clearance found = clearance(slivers_beside_infinite_speed(), options);
     ASSERT_NE(found.nearest.has_value(), !found.reason.empty());
     if (!found.nearest) continue;

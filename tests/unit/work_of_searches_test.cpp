@@ -23,7 +23,7 @@ std::uint64_t work_of(const Scene& scene, EngineChoice engine) {
     CheckOptions options;
     options.engine = engine;
     options.touch = touch;
-    options.max_seconds = 20;
+    options.limits.max_seconds = 20;
     const std::uint64_t before = work_spent();
     EXPECT_NE(check(scene, options).outcome, Outcome::undecided);
     most = std::max(most, work_spent() - before);
@@ -95,7 +95,7 @@ TEST(WorkOfALog, BesideACosineThatNearlyReachesOne) {
   const Scene scene = read_scene("tests/corpus/ties_beside_a_cosine_that_nearly_reaches_one.json");
   CheckOptions options;
   options.engine = EngineChoice::spacetime;
-  options.max_seconds = 20;
+  options.limits.max_seconds = 20;
   const std::uint64_t before = work_spent();
   std::stringstream log;
   EXPECT_EQ(prove(scene, log, options).outcome, Outcome::free);

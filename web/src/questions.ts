@@ -102,6 +102,8 @@ export type QuestionName = keyof Answers;
 /** What is asked, with the options of each question: {"distance_profile": {"instants": 200}}. */
 export type Asked = { [Name in QuestionName]?: Record<string, unknown> };
 
+/** The questions for which it matters what touching means. */
+const takesTouch = new Set<QuestionName>(["intervals", "range", "check_clearance"]);
 /** How long each question may take at most, in seconds: the page waits. */
 const longestWait = 10;
 /** For so long nothing may change before a question is asked, in milliseconds. */
@@ -183,7 +185,7 @@ export class Questions {
 
   private ask<Name extends QuestionName>(name: Name, scene: Scene): void {
     const touch = this.player.closed ? "closed" : "open";
-    const options = { touch, maxSeconds: longestWait, ...this.asked[name] };
+    const options = { ...this.asked[name], ...(takesTouch.has(name) ? { touch } : {}), max_seconds: longestWait };
     try {
       this.answers[name] = this.player.engine.ask<Answers[Name]>(name, scene, options) as Answers[typeof name];
     } catch (error) {

@@ -411,10 +411,39 @@ export interface SeparationOfMany extends AnySeparation {
 }
 export type SeparationAnswer = SeparationOfTwo | SeparationOfMany;
 
+export interface EnvelopeCell {
+  state: "free" | "colliding" | "undecided";
+  /** By joint. */
+  lo: number[];
+  hi: number[];
+  pair?: Pair;
+}
+export interface EnvelopeAnswer {
+  id?: Id;
+  outcome: Outcome;
+  joints: { name: string; range: Bracket }[];
+  /** A combination at which bodies overlap. */
+  witness: { values: Record<string, number>; pair: Pair } | null;
+  /** Shares of all combinations. */
+  free: number;
+  colliding: number;
+  undecided: number;
+  tolerance: number;
+  reason?: string;
+  cells?: EnvelopeCell[];
+  coverage: Coverage;
+}
+
 /** The first contact, or that there is none. Throws TautError if the scene is not valid, like all functions here. */
 export function check(scene: Scene, options?: Options): Promise<Answer>;
 /** The same with a proof, which is null where nothing was proved. */
 export function prove(scene: Scene, options?: Options): Promise<{ answer: Answer; log: Uint8Array | null }>;
+/** As checkClearance(), with a proof. */
+export function proveClearance(
+  scene: Scene,
+  clearance: number,
+  options?: Pick<Options, "touch" | "maxSeconds">,
+): Promise<{ answer: MarginAnswer; log: Uint8Array | null }>;
 /** Checks a proof, whoever made it. */
 export function verify(scene: Scene, log: Uint8Array, options?: Pick<Options, "maxSeconds">): Promise<Verified>;
 /** How close bodies come, as a certain bracket no wider than `tolerance` (1e-9) times the distance. */
@@ -447,6 +476,12 @@ export function separate(
   scene: Scene,
   options?: Pick<Options, "maxSeconds"> & { travel?: number },
 ): Promise<SeparationAnswer>;
+/** For which combinations of the joints' values the bodies keep apart: `linkage` is a scene with "joints" instead of a
+ * time. Cells shorter than the share `tolerance` (1e-3) of a joint's range are not divided any more. */
+export function envelope(
+  linkage: object | string,
+  options?: Pick<Options, "maxSeconds"> & { tolerance?: number; cells?: boolean },
+): Promise<EnvelopeAnswer>;
 
 /** What taut refuses, or cannot decide. */
 export class TautError extends Error {

@@ -41,13 +41,19 @@ function readOut(module, at) {
   return new TextDecoder().decode(module.HEAPU8.subarray(at, end));
 }
 
+/** As the library spells options: maxSeconds is max_seconds there, and allPairs: true is pairs: "all". */
+function libraryOptions({ allPairs, ...options }) {
+  const named = Object.entries(options).map(([key, value]) => [key.replace(/[A-Z]/g, (c) => `_${c.toLowerCase()}`), value]);
+  return { ...Object.fromEntries(named), ...(allPairs ? { pairs: "all" } : {}) };
+}
+
 async function ask(question, scene, options = {}, log = new Uint8Array()) {
   const module = await load();
   const encode = (text) => new TextEncoder().encode(text);
   const sceneText = typeof scene === "string" ? scene : JSON.stringify(scene);
   if (typeof sceneText !== "string") throw new TypeError("the scene is neither an object nor JSON text");
   if (sceneText.includes("\0")) throw new TypeError("the scene has a NUL character in it");
-  const held = [encode(question), encode(sceneText), encode(JSON.stringify(options)), log].map((b) =>
+  const held = [encode(question), encode(sceneText), encode(JSON.stringify(libraryOptions(options))), log].map((b) =>
     copyIn(module, b),
   );
   try {
@@ -63,11 +69,19 @@ export async function check(scene, options) {
   return (await ask("check", scene, options))[0];
 }
 
-export async function prove(scene, options) {
-  const [answer, module] = await ask("prove", scene, options);
+/** The answer to the last question, with its log. */
+function withLog([answer, module]) {
   const at = module._taut_log();
   const log = module.HEAPU8.slice(at, at + module._taut_log_size());
   return { answer, log: log.length > 0 ? log : null };
+}
+
+export async function prove(scene, options) {
+  return withLog(await ask("prove", scene, options));
+}
+
+export async function proveClearance(scene, clearance, options) {
+  return withLog(await ask("prove_clearance", scene, { ...options, clearance }));
 }
 
 export async function verify(scene, log, options) {
@@ -97,4 +111,8 @@ export async function distanceProfile(scene, options) {
 
 export async function separate(scene, options) {
   return (await ask("separate", scene, options))[0];
+}
+
+export async function envelope(linkage, options) {
+  return (await ask("envelope", linkage, options))[0];
 }

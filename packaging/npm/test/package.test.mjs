@@ -271,6 +271,9 @@ async function answersAbout(scene) {
   out.push(["Answer", answer]);
   if (log) await add("Verified", taut.verify(scene, log));
   await add("Verified", taut.verify(scene, new Uint8Array(9)));
+  const kept = await taut.proveClearance(scene, 0.05, { maxSeconds: 5 });
+  out.push(["MarginAnswer", kept.answer]);
+  if (kept.log) await add("Verified", taut.verify(scene, kept.log));
   for (const options of [{ maxSeconds: 5 }, { maxSeconds: 0 }]) {
     await add("ClearanceAnswer", taut.clearance(scene, { allPairs: true, ...options }));
     await add("IntervalsAnswer", taut.intervals(scene, options));
@@ -293,6 +296,9 @@ test("its types have all members of scenes and answers, and answers have all tha
   const scenes = Object.entries(typedScenes());
   assert.ok(scenes.length > 20, String(scenes.length));
   const constants = scenes.map(([name, scene]) => ["Scene", name, scene]);
+  const lift = readFileSync(join(root, "examples/linkages/lift.json"), "utf8");
+  for (const cells of [false, true])
+    constants.push(["EnvelopeAnswer", "lift", await taut.envelope(lift, { tolerance: 0.05, cells })]);
   const outcomes = new Set();
   for (const [name, scene] of scenes.filter(([n]) => asked.test(n))) {
     for (const [type, answer] of await answersAbout(scene)) {

@@ -1,0 +1,47 @@
+// One question as text: what the command's `--json`, Python and npm have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/check.hpp"
+#include "taut/envelope.hpp"
+#include "taut/limits.hpp"
+#include "taut/scene.hpp"
+
+namespace taut {
+
+/// A question by its name, and what comes with it.
+struct Question {
+  /// One of question_names().
+  std::string name = {};
+  /// A JSON object of options, by the names that the command line has: {"touch": "closed", "max_seconds": 5}. Which
+  /// ones a question takes is described in docs/questions.md; the defaults are those of the command.
+  std::string options = "{}";
+  /// For "verify": the log.
+  std::string log = {};
+  /// Give up soon after this becomes true; may be null. Not owned.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// What ask() returns.
+struct Reply {
+  /// The answer, as the command prints it with `--json`; docs/schema/answer.schema.json describes it.
+  std::string json = {};
+  /// Of "prove" and "prove_clearance": the log; empty where nothing is proved.
+  std::string log = {};
+  /// Of "prove" and "prove_clearance": the name of what the log speaks of, as `taut-verify` states it.
+  std::string scene_sha256 = {};
+};
+
+/// "check", "clearance", "intervals", ..., in the order of the documentation.
+std::vector<std::string> question_names();
+
+/// Answers a question about a scene. Throws InputError for a scene, a name or an option that is not valid, and
+/// UndecidedError or InternalError as the question's own function does.
+Reply ask(const Question& question, const Scene& scene);
+
+/// The same about a linkage: "envelope".
+Reply ask(const Question& question, const Linkage& linkage);
+
+}  // namespace taut

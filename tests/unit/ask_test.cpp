@@ -1,0 +1,101 @@
+// Questions as text say what the functions say, and refuse what they do not know.
+#include "taut/ask.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "taut/clearance.hpp"
+#include "taut/error.hpp"
+#include "taut/intervals.hpp"
+#include "taut/io.hpp"
+#include "taut/proof.hpp"
+#include "taut/separate.hpp"
+
+namespace taut::testing {
+namespace {
+
+Scene falling_hammer() {
+  return parse_scene(R"({"format": "taut-scene/1", "time": [0, 10], "bodies": [
+    {"name": "anvil", "polygon": [[0, 0], [4, 0], [4, 1], [0, 1]]},
+    {"name": "hammer", "polygon": [[1, 5], [3, 5], [2, 6]], "motion": {"y": [0, -0.5]}}]})");
+}
+
+std::string json_of(const std::string& name, const std::string& options = "{}") {
+  return ask({.name = name, .options = options}, falling_hammer()).json;
+}
+
+TEST(Ask, AnswersAsTheFunctions) {
+  const Scene scene = falling_hammer();
+  CheckOptions closed;
+  closed.touch = Touch::closed;
+  closed.engine = EngineChoice::kinetic;
+  EXPECT_EQ(json_of("check", R"({"touch": "closed", "engine": "kinetic"})"),
+            answer_json(scene, check(scene, closed), Touch::closed));
+  EXPECT_EQ(json_of("check_clearance", R"({"clearance": 0.5})"),
+            margin_json(scene, 0.5, check_clearance(scene, 0.5), Touch::open));
+  EXPECT_EQ(json_of("clearance"), clearance_json(scene, clearance(scene)));
+  ProfileOptions three;
+  three.instants = 3;
+  EXPECT_EQ(json_of("distance_profile", R"({"instants": 3})"), profile_json(scene, distance_profile(scene, three)));
+  EXPECT_EQ(json_of("intervals"), intervals_json(scene, intervals(scene), Touch::open));
+  EXPECT_EQ(json_of("range", R"({"from": 1})"), range_json(scene, 1, range(scene, 1), Touch::open));
+  SeparateOptions near;
+  near.travel = 2;
+  EXPECT_EQ(json_of("separate", R"({"travel": 2})"), separation_json(scene, separate(scene, near)));
+}
+
+TEST(Ask, ProvesAndVerifies) {
+  const Scene scene = falling_hammer();
+  for (const auto& [name, options] : {std::pair{"prove", "{}"}, {"prove_clearance", R"({"clearance": 0.5})"}}) {
+    const Reply proof = ask({.name = name, .options = options}, scene);
+    EXPECT_FALSE(proof.log.empty()) << name;
+    EXPECT_EQ(proof.scene_sha256, to_hex(scene_fingerprint(scene, Touch::open)));
+    EXPECT_EQ(ask({.name = "verify", .log = proof.log}, scene).json.substr(0, 13), R"({"valid":true)");
+    std::string damaged = proof.log;
+    damaged.pop_back();
+    EXPECT_EQ(ask({.name = "verify", .log = damaged}, scene).json.substr(0, 14), R"({"valid":false)");
+  }
+}
+
+TEST(Ask, StopsByItsLimits) {
+  const std::atomic<bool> stop{true};
+  const Reply stopped =
+      ask({.name = "check", .options = R"({"engine": "spacetime"})", .stop = &stop}, falling_hammer());
+  EXPECT_NE(stopped.json.find(R"("outcome":"undecided")"), std::string::npos);
+  EXPECT_NE(json_of("clearance", R"({"max_seconds": 0})").find(R"("reason":"the time limit was reached")"),
+            std::string::npos);
+}
+
+/// Where an error is, and what it advises.
+std::pair<std::string, std::string> refusal(const std::string& name, const std::string& options = "{}") {
+  try {
+    json_of(name, options);
+  } catch (const InputError& error) {
+    return {error.place(), error.what()};
+  }
+  ADD_FAILURE() << name << " took " << options;
+  return {};
+}
+
+TEST(Ask, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(refusal("chekc").first, "question");
+  EXPECT_NE(refusal("chekc").second.find("did you mean check?"), std::string::npos);
+  EXPECT_NE(refusal("envelope").second.find("joints"), std::string::npos);
+  EXPECT_EQ(refusal("check", R"({"touch": "ajar"})").first, "touch");
+  EXPECT_EQ(refusal("distance_profile", R"({"instants": 1})").first, "instants");
+  EXPECT_NE(refusal("clearance", R"({"touch": "closed"})").second.find("touch"), std::string::npos);
+  EXPECT_NE(refusal("range").second.find("from"), std::string::npos);
+  EXPECT_NE(refusal("check", R"({"max_second": 1})").second.find("did you mean \"max_seconds\"?"), std::string::npos);
+}
+
+TEST(Ask, NamesEveryQuestionOnce) {
+  std::vector<std::string> names = question_names();
+  EXPECT_EQ(names.front(), "check");
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+}
+
+}  // namespace
+}  // namespace taut::testing
