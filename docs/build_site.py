@@ -4,9 +4,11 @@
 usage: build_site.py TAUT ROOT
 
 The sources are those of the repository, in the same folders, so that every link is right in both places. Made here are
-the command reference (from --help), the page of the schema, and, where `taut view` has its page, viewers of examples.
+the command reference (from --help), the references of Python (from docstrings) and npm (from its types), the page of the
+schema, and, where `./dev web` has built them, the playground and viewers of examples.
 """
 
+import ast
 import html.parser
 import os
 import re
@@ -90,6 +92,60 @@ def schema():
     text = run(taut, "schema")
     write("docs/schema.md", "# Schema of scenes\n\nWhat `taut schema` prints; as a file: "
           "[taut-scene-1.schema.json](taut-scene-1.schema.json).\n\n```json\n%s```\n" % text)
+
+
+def docstring(node, title, level):
+    """The docstring of a class or a function below a heading with its signature; nothing if it has none."""
+    text = ast.get_docstring(node)
+    if not text:
+        return ""
+    if isinstance(node, ast.ClassDef):
+        out = "%s class %s\n\n%s\n\n" % ("#" * level, title, text)
+        members = [m for m in node.body if isinstance(m, ast.FunctionDef) and not m.name.startswith("_")]
+        return out + "".join(docstring(m, "%s.%s" % (title, m.name), level + 1) for m in members)
+    shown = any(isinstance(d, ast.Name) and d.id == "property" for d in node.decorator_list)
+    result = " -> " + ast.unparse(node.returns) if node.returns else ""
+    signature = title + (":" + result[3:] if shown else "(%s)%s" % (ast.unparse(node.args), result))
+    return "%s %s\n\n```python\n%s\n```\n\n%s\n\n" % ("#" * level, title, signature, text)
+
+
+def python_reference():
+    """What taut2d exports, with its docstrings, from the sources: the package need not be built."""
+    package = os.path.join(root, "python/taut2d")
+    defined = {}
+    for name in sorted(os.listdir(package)):
+        if name.endswith(".py"):
+            with open(os.path.join(package, name)) as file:
+                for node in ast.parse(file.read()).body:
+                    if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+                        defined.setdefault(node.name, node)
+    with open(os.path.join(package, "__init__.py")) as file:
+        exported = next(ast.literal_eval(node.value) for node in ast.parse(file.read()).body
+                        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__")
+    names = [name for name in exported if name in defined]
+    kinds = [("Functions", [n for n in names if isinstance(defined[n], ast.FunctionDef)]),
+             ("Classes", [n for n in names if isinstance(defined[n], ast.ClassDef)])]
+    text = "# Python reference\n\nEverything that `import taut2d` has. [From Python](python.md) is the guide.\n\n"
+    for title, members in kinds:
+        text += "## %s\n\n" % title + "".join(docstring(defined[name], name, 3) for name in members)
+    write("docs/python-reference.md", text)
+
+
+def npm_reference():
+    with open(os.path.join(root, "packaging/npm/src/taut.d.ts")) as file:
+        types = file.read()
+    write("docs/npm-reference.md", "# npm reference\n\nThe types of the package. [The npm package](npm.md) is the guide.\n\n"
+          "```ts\n%s```\n" % types)
+
+
+def playground():
+    page = os.path.join(root, "build/web/index.html")
+    if os.path.isfile(page):
+        shutil.copy(page, os.path.join(source, "docs/playground.html"))
+        text = "Open the [playground](playground.html): scenes to edit and to look at, computed in your browser.\n"
+    else:
+        text = "This site was built without the playground: `./dev web` makes it.\n"
+    write("docs/playground.md", "# Playground\n\n" + text)
 
 
 def gallery():
@@ -189,6 +245,9 @@ def check_links():
 lay_out()
 commands()
 schema()
+python_reference()
+npm_reference()
+playground()
 gallery()
 doxygen()
 mkdocs()

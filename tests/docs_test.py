@@ -121,7 +121,7 @@ class Runner:
     def without_python(self, blocks):
         """What can be run where the package is missing."""
         left = [block for block in blocks if block.kind != "python" and
-                not (block.kind == "console" and any(line.startswith("$ python3 ") for line in block.lines))]
+                not (block.kind == "console" and any(line.startswith(("$ python3 ", "$ build/python/")) for line in block.lines))]
         if len(left) < len(blocks):
             print("skipped: %s: %d blocks, since the Python package, numpy or matplotlib is missing (./dev python test)" %
                   (self.path, len(blocks) - len(left)))
@@ -131,12 +131,13 @@ class Runner:
         for name in ("examples", "docs", "include", "tests/checker"):
             shutil.copytree(os.path.join(self.root, name), os.path.join(self.folder, name))
         os.mkdir(os.path.join(self.folder, "bin"))
+        os.makedirs(os.path.join(self.folder, "build/python/venv/bin"))
+        os.symlink("/usr/bin/python3", os.path.join(self.folder, "build/python/venv/bin/python"))
         for name in ("taut", "taut-verify"):
             # A copy: the viewer's page that may have been built is not found from here.
             shutil.copy(os.path.join(os.path.dirname(self.taut), name), os.path.join(self.folder, "bin", name))
         # The one that the package is built for; another one may come first in the path.
         os.symlink("/usr/bin/python3", os.path.join(self.folder, "bin", "python3"))
-        os.makedirs(os.path.join(self.folder, "build"))
         os.symlink(os.path.join(self.folder, "bin"), os.path.join(self.folder, "build/release"))
         # `./dev run` builds, then runs; the build has been done.
         dev = os.path.join(self.folder, "dev")
