@@ -60,6 +60,18 @@ def add_shape(space, rng, kind, layer):
         edges = hatch.paths.add_edge_path()
         edges.add_line((-2, 0), (-1, 0))
         edges.add_arc((-1.5, 0), 0.5, 0, 180, ccw=True)
+    elif kind == "solid":
+        corners = [(0, 0), (rng.uniform(2, 8), -1), (rng.uniform(3, 9), 6), (-1, rng.uniform(2, 8))]
+        # In the order of its corners the third and the fourth change places.
+        space.add_solid([corners[0], corners[1], corners[3], corners[2]][:rng.choice([3, 4])], dxfattribs=attributes)
+    elif kind == "fit spline":
+        points = [(2.0 * i, rng.uniform(1, 6)) for i in range(rng.randint(3, 9))]
+        spline = space.add_spline(points, dxfattribs=attributes)
+        # Without tangents, ezdxf estimates some, as other programs do in ways of their own.
+        spline.dxf.start_tangent, spline.dxf.end_tangent = (1, rng.uniform(0, 1)), (1, rng.uniform(-1, 0))
+        ends = [points[0], (0, -9), (points[-1][0], -9), points[-1]]
+        for a, b in zip(ends, ends[1:]):
+            space.add_line(a, b, dxfattribs=attributes)
     elif kind == "mpolygon":
         polygon = space.add_mpolygon(dxfattribs=attributes)
         polygon.paths.add_polyline_path(star(rng, 7), is_closed=True)
@@ -77,7 +89,8 @@ def add_shape(space, rng, kind, layer):
             space.add_line(a, b, dxfattribs=attributes)
 
 
-KINDS = ["circle", "ellipse", "half ellipse", "arc", "lwpolyline", "polyline", "spline", "rational spline", "hatch", "mpolygon"]
+KINDS = ["circle", "ellipse", "half ellipse", "arc", "lwpolyline", "polyline", "spline", "rational spline",
+         "fit spline", "hatch", "mpolygon", "solid"]
 
 
 def drawing(rng):
@@ -91,6 +104,9 @@ def drawing(rng):
         add_shape(block, rng, kind, "0")
         placed = {"layer": f"layer {i}", "rotation": rng.choice([0, 90, rng.uniform(0, 360)]), "xscale": rng.uniform(0.5, 2)}
         placed["yscale"] = rng.choice([placed["xscale"], -placed["xscale"], rng.uniform(0.5, 2)])
+        if kind == "fit spline":
+            # ezdxf scales the points, and only then draws a curve through them: by other lengths of chords.
+            placed["yscale"] = placed["xscale"]
         if rng.random() < 0.3:
             placed["extrusion"] = (0, 0, -1)
         space.add_blockref(f"B{i}", (rng.uniform(-50, 50), 20), dxfattribs=placed)
@@ -117,6 +133,8 @@ def flattened(entity):
                     else:
                         lines.append([tuple(edge.start)[:2], tuple(edge.end)[:2]])
         return lines
+    if kind == "SOLID":
+        return [[tuple(p)[:2] for p in entity.wcs_vertices(close=True)]]
     if kind == "LINE":
         return [[tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]]]
     # It looks at the middle of a segment only, which an inflection passes through.
@@ -177,11 +195,11 @@ def compare(seed, folder):
         # Both ways, at the corners of the one and of the other.
         for points, others, bound in ((lines, bodies[layer], TOLERANCE + FINE), (bodies[layer], lines, 2 * FINE)):
             worst = max(distance(p, others) for line in points for p in line[:: max(1, len(line) // 40)])
-            assert worst <= bound, f"seed {seed}, {layer} ({KINDS[int(layer[-1])]}): {worst} away"
+            assert worst <= bound, f"seed {seed}, {layer} ({KINDS[int(layer[6:])]}): {worst} away"
         if polygonize:
             wanted, around = area_of(lines)
             assert abs(areas[layer] - wanted) <= around * (TOLERANCE + FINE), (
-                f"seed {seed}, {layer} ({KINDS[int(layer[-1])]}): an area of {areas[layer]} instead of {wanted}")
+                f"seed {seed}, {layer} ({KINDS[int(layer[6:])]}): an area of {areas[layer]} instead of {wanted}")
 
 
 with tempfile.TemporaryDirectory() as name:

@@ -48,6 +48,7 @@ void BodyMaker::add(Drawing drawing) {
   file_.units = drawing.units;
   file_.fineness = drawing.fineness;
   file_.curves = drawing.curves;
+  file_.notes = std::move(drawing.notes);
   file_.skipped = std::move(drawing.skipped);
   file_.chorded = std::move(drawing.chorded);
   if (drawing.layer_names.empty())
@@ -61,6 +62,7 @@ void BodyMaker::add(Drawing drawing) {
     for (Sheet& sheet : drawing.layers[k].sheets)
       if (!sheet.lines) read_sheet(drawing.layers[k], sheet, parts_[k]);
   read_lines(drawing);
+  require_nothing_lost(drawing);
   for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
   if (import_.scene.bodies.size() == before && import_.faults.size() == faults) {
     std::string reasons;

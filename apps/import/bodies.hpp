@@ -2,14 +2,17 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "geometry/segment_strips.hpp"
 #include "import/import.hpp"
 #include "import/outlines.hpp"
 
 namespace taut::drawing {
+using namespace internal;
 
 /// Adds the bodies of one drawing after the other to an import, with names that differ.
 class BodyMaker {
@@ -36,6 +39,7 @@ class BodyMaker {
   void read_set(const Drawing& drawing, const std::vector<std::size_t>& set, std::size_t number,
                 std::vector<Piece>& pieces);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
+  void require_nothing_lost(const Drawing& drawing);
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);
@@ -49,6 +53,8 @@ class BodyMaker {
   OutlineSettings outline_settings() const;
   std::string unused_name(const std::string& wanted);
   void skip(const std::string& place, const std::string& what, const std::string& reason, const std::string& layer);
+  /// The layer on whose material the shape may lie, or that it may bound; nothing if there is none.
+  std::optional<std::size_t> layer_at(const LostShape& shape, const SegmentStrips& edges) const;
   void fail(const std::string& place, const std::string& problem, const std::string& hint) {
     import_.faults.emplace_back(place, problem, hint);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace taut::drawing {
 
@@ -16,6 +17,7 @@ void Drawing::skip(Skipped more) {
   for (Skipped& known : skipped) {
     if (known.what != more.what || known.reason != more.reason || known.layer != more.layer) continue;
     ++known.times;
+    std::move(more.shapes.begin(), more.shapes.end(), std::back_inserter(known.shapes));
     return;
   }
   skipped.push_back(std::move(more));

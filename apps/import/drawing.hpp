@@ -77,12 +77,20 @@ struct Layer {
   std::vector<Sheet> sheets;
 };
 
+/// A shape that was not read, although it may bound material, as texts and dimensions do not.
+struct LostShape {
+  std::string place;
+  std::vector<Point> points;  ///< it lies in their box; if there are none, it may lie anywhere
+  bool filling = false;       ///< it fills what its points go around: that is no hole
+};
+
 /// What did not become part of a body, and why; the first one of its kind and layer.
 struct Skipped {
   std::string place, what, reason;
   std::string layer = {}, handle = {};  ///< of DXF
   bool unread = false;  ///< it was to be seen in the drawing, and may have been meant as a part of a body
   int times = 1;
+  std::vector<LostShape> shapes = {};  ///< of all of its kind and layer
 };
 
 /// A curve that a scene can have, and the points that stand for it between its ends; at least one.
@@ -90,6 +98,12 @@ struct KeptCurve {
   std::vector<Point> inner;
   CurveSegment segment;
 };
+
+/// A shape of which it is not known where it lies.
+inline Skipped lost(const std::string& place, const std::string& what, const std::string& reason,
+                    const std::string& layer = "") {
+  return {place, what, reason, layer, "", true, 1, {{place, {}}}};
+}
 
 /// Curves that became chords.
 struct CurveCounts {
@@ -110,6 +124,7 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<Skipped> skipped;
   CurveCounts curves;
+  std::vector<std::string> notes = {};  ///< decisions that a person should know of
   std::vector<KeptCurve> kept = {};
   std::vector<Chorded> chorded = {};
   std::vector<std::string> layer_names = {};  ///< that options may name; if empty, those of `layers`

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
+#include "import/fit_spline.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {
@@ -56,11 +59,34 @@ Chain ellipse_of(const DxfItem& item, const Affine& where, Flattener& flattener)
   return open_ellipse(item, where, flattener, item.point(10), a, b, from, sweep_between(from, to));
 }
 
+/// Of a direction; programs write (0, 0, 0) for none.
+std::optional<Point> tangent_of(const DxfItem& item, int code) {
+  const Point tangent = item.point(code);
+  if (tangent == Point{}) return std::nullopt;
+  return tangent;
+}
+
+/// A spline without control points. The degree that the entity states does not count: what passes through points is
+/// cubic, as ezdxf documents it (fit_points_to_cad_cv).
+Chain fitted_spline_of(const DxfItem& item, const Affine& where, Flattener& flattener) {
+  const bool closed = (item.integer(70) & 1) != 0;
+  const auto curves = fit_spline({item.points(11), tangent_of(item, 12), tangent_of(item, 13), closed});
+  if (curves.empty())
+    throw InputError(item.place(), "the spline has neither control points nor two points that it passes through",
+                     "turn the spline into a polyline");
+  Chain chain{{where(curves.front().front())}, false, item.place()};
+  for (const auto& curve : curves) {
+    std::vector<ControlPoint> control;
+    for (const Point& p : curve) control.push_back({where(p).x, where(p).y, 1});
+    flattener.bezier(chain.points, control);
+  }
+  chain.closed = closed && chain.points.front() == chain.points.back();
+  return chain;
+}
+
 Chain spline_of(const DxfItem& item, const Affine& where, Flattener& flattener) {
   const std::vector<Point> points = item.points(10);
-  if (points.empty())
-    throw InputError(item.place(), "the spline has no control points, only points that it passes through",
-                     "save the drawing with control points, or turn the spline into a polyline");
+  if (points.empty()) return fitted_spline_of(item, where, flattener);
   const std::vector<double> weights = item.numbers(41);
   if (!weights.empty() && weights.size() != points.size())
     throw InputError(item.place(), "the spline has more or fewer weights than control points",
@@ -88,6 +114,56 @@ std::optional<Affine> own_plane(const DxfItem& item) {
   const double x = item.number(210, 0), y = item.number(220, 0), z = item.number(230, 1);
   if (std::fabs(x) > 1e-9 || std::fabs(y) > 1e-9 || z == 0) return std::nullopt;
   return z > 0 ? Affine{} : scaling(-1, 1);
+}
+
+bool is_annotation(const DxfItem& item) {
+  static const std::set<std::string> types{"TEXT",
+                                           "MTEXT",
+                                           "RTEXT",
+                                           "ARCALIGNEDTEXT",
+                                           "ATTRIB",
+                                           "ATTDEF",
+                                           "DIMENSION",
+                                           "LEADER",
+                                           "MULTILEADER",
+                                           "MLEADER",
+                                           "TOLERANCE",
+                                           "ACAD_TABLE",
+                                           "POINT",
+                                           "XLINE",
+                                           "RAY",
+                                           "VIEWPORT",
+                                           "IMAGE",
+                                           "WIPEOUT",
+                                           "OLEFRAME",
+                                           "OLE2FRAME",
+                                           "PDFUNDERLAY",
+                                           "DWFUNDERLAY",
+                                           "DGNUNDERLAY",
+                                           "PDFREFERENCE",
+                                           "LIGHT",
+                                           "SUN",
+                                           "CAMERA",
+                                           "SECTION",
+                                           "ARC_DIMENSION",
+                                           "LARGE_RADIAL_DIMENSION",
+                                           "GEOPOSITIONMARKER"};
+  return types.count(item.type()) != 0;
+}
+
+std::vector<Point> corners_of(const DxfItem& item, const Affine& where) {
+  static const std::map<std::string, int> last_code{{"LINE", 11},  {"SPLINE", 11}, {"3DFACE", 13},
+                                                    {"MLINE", 11}, {"MESH", 10},   {"VERTEX", 10}};
+  const auto last = last_code.find(item.type());
+  if (last == last_code.end()) return {};
+  std::vector<Point> corners;
+  try {
+    for (int code = 10; code <= last->second; ++code)
+      for (const Point& p : item.points(code)) corners.push_back(where(p));
+  } catch (const InputError&) {
+    return {};
+  }
+  return corners;
 }
 
 std::vector<BulgedVertex> vertices_of(const DxfItem& lwpolyline) {

@@ -13,6 +13,12 @@ namespace taut::drawing {
 /// How the entity's own coordinates lie in the drawing: it may be seen from below. Nothing if it stands on the plane.
 std::optional<Affine> own_plane(const DxfItem& item);
 
+/// Does the entity say something about the drawing, or help to draw it, so that it bounds nothing?
+bool is_annotation(const DxfItem& item);
+
+/// Points in whose box the entity lies; empty if its numbers do not say.
+std::vector<Point> corners_of(const DxfItem& item, const Affine& where);
+
 /// A vertex of a polyline, and a quarter of the tangent of the arc to the next one.
 struct BulgedVertex {
   Point at;

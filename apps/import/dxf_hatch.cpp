@@ -164,6 +164,17 @@ class HatchReader {
 
 }  // namespace
 
+Chain solid_boundary(const DxfItem& item, const Affine& where) {
+  std::vector<Point> corners{item.point(10), item.point(11)};
+  // The third corner lies opposite of the second one; a triangle repeats it, or leaves the fourth one out.
+  if (item.has(13)) corners.push_back(item.point(13));
+  corners.push_back(item.point(12));
+  Chain chain{{}, true, item.place()};
+  for (const Point& p : corners)
+    if (chain.points.empty() || !(where(p) == chain.points.back())) chain.points.push_back(where(p));
+  return chain;
+}
+
 std::vector<Chain> hatch_boundaries(const DxfItem& item, const Affine& where, Flattener& flattener) {
   return HatchReader(item, where, flattener).read();
 }

@@ -1,4 +1,4 @@
-// The boundaries of HATCH and MPOLYGON.
+// The boundaries of HATCH, MPOLYGON, SOLID and TRACE.
 #pragma once
 
 #include <vector>
@@ -11,5 +11,8 @@ namespace taut::drawing {
 
 /// The closed boundaries of a filling. Throws InputError where they cannot be read.
 std::vector<Chain> hatch_boundaries(const DxfItem& item, const Affine& where, Flattener& flattener);
+
+/// The boundary of a SOLID or TRACE, which has three or four corners.
+Chain solid_boundary(const DxfItem& item, const Affine& where);
 
 }  // namespace taut::drawing

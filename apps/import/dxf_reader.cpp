@@ -23,6 +23,7 @@ constexpr std::size_t most_entities = 5000000;
 struct Block {
   Point base;
   std::vector<const DxfItem*> items;
+  bool external = false;  ///< it is in another file
 };
 
 /// A unit of $INSUNITS.
@@ -61,6 +62,13 @@ struct Inherited {
   int color = 7;
 };
 
+std::vector<Point> corners_of(const std::vector<const DxfItem*>& items, const Affine& where) {
+  std::vector<Point> corners;
+  for (const DxfItem* item : items)
+    for (const Point& p : corners_of(*item, where)) corners.push_back(p);
+  return corners;
+}
+
 /// Of a number that no drawing has, what no table knows.
 int whole(double value) { return value > -1e9 && value < 1e9 ? static_cast<int>(value) : -1; }
 
@@ -84,6 +92,11 @@ class DxfReader {
     if (settings_.by != Grouping::automatic && settings_.by != Grouping::layer)
       for (const Layer& layer : drawing_.layers)
         if (!layers_.count(layer.name)) drawing_.layer_names.push_back(layer.name);
+    if (fitted_ > 0)
+      drawing_.notes.push_back(std::to_string(fitted_) + (fitted_ == 1 ? " spline has" : " splines have") +
+                               " no control points, the first one at " + first_fitted_ +
+                               ": cubic through the fit points by chord lengths, and natural at ends without a tangent;"
+                               " other programs may draw another curve");
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
@@ -109,7 +122,7 @@ class DxfReader {
         read_layer(item);
       } else if (section == "BLOCKS" && item.type() == "BLOCK") {
         block = &blocks_[item.text(2)];
-        *block = {item.point(10), {}};
+        *block = {item.point(10), {}, (item.integer(70) & 4) != 0};
       } else if (section == "BLOCKS" && item.type() == "ENDBLK") {
         block = nullptr;
       } else if (section == "BLOCKS" && block) {
@@ -156,7 +169,7 @@ class DxfReader {
       } catch (const InputError& error) {
         // What holds for the whole file stops; what one entity has wrong does not.
         if (error.place() == drawing_.file) throw;
-        skip(item, own.layer, "cannot be read: " + error.problem(), true);
+        lose(item, own.layer, "cannot be read: " + error.problem(), corners_of(item, where));
       }
     }
   }
@@ -189,29 +202,36 @@ class DxfReader {
     if (!wanted(own.layer)) return;
     if (item.integer(60) != 0) return skip(item, own.layer, "is not visible", false);
     const auto plane = own_plane(item);
-    if (!plane) return skip(item, own.layer, "does not lie in the plane of the drawing", true);
+    if (!plane) {
+      const std::string reason = "does not lie in the plane of the drawing";
+      // What stands on the plane is seen as a line.
+      return item.number(230, 1) == 0 ? skip(item, own.layer, reason, true) : lose(item, own.layer, reason, {});
+    }
     // Only these are in coordinates of their own; what else there is, is in those of the world.
-    static const std::set<std::string> in_own_plane{"LWPOLYLINE", "POLYLINE", "ARC",     "CIRCLE",
-                                                    "INSERT",     "HATCH",    "MPOLYGON"};
+    static const std::set<std::string> in_own_plane{"LWPOLYLINE", "POLYLINE", "ARC",   "CIRCLE", "INSERT",
+                                                    "HATCH",      "MPOLYGON", "SOLID", "TRACE"};
     const Affine placed = in_own_plane.count(type) ? where * *plane : where;
     if (type == "INSERT") {
-      for (const DxfItem* attribute : vertices) skip(*attribute, own.layer, "is text", true);
+      for (const DxfItem* attribute : vertices) lose(*attribute, own.layer, "is text", {});
       return insert(item, placed, own, depth);
     }
     if (type == "HATCH" || type == "MPOLYGON") {
       Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_)};
-      if (filling.chains.empty()) return skip(item, own.layer, "has no boundary", true);
+      if (filling.chains.empty()) return lose(item, own.layer, "has no boundary", {});
       return fillings_.push_back(std::move(filling));
     }
+    if (type == "SOLID" || type == "TRACE")
+      return fillings_.push_back({&item, own.layer, group_of(item, own), {solid_boundary(item, placed)}});
     std::optional<Chain> chain;
     if (type == "POLYLINE") {
-      if ((item.integer(70) & (16 | 64)) != 0) return skip(item, own.layer, "is a mesh", true);
+      if ((item.integer(70) & (16 | 64)) != 0) return lose(item, own.layer, "is a mesh", corners_of(vertices, placed));
       chain = polyline(item, vertices, placed);
     } else {
       chain = chain_of(item, placed, flattener_);
       tell_chorded(item, own.layer);
     }
-    if (!chain) return skip(item, own.layer, reason_for(type), true);
+    if (!chain) return lose(item, own.layer, reason_for(type), corners_of(item, placed));
+    if (type == "SPLINE" && !item.has(10) && fitted_++ == 0) first_fitted_ = item.place();
     if (chain->points.size() < 2) return skip(item, own.layer, "has fewer than two points", false);
     Layer& target = drawing_.layer(group_of(item, own));
     if (target.sheets.empty()) target.sheets.push_back({"", Fill::even_odd, {}, true});
@@ -235,8 +255,11 @@ class DxfReader {
     for (const Layer& layer : drawing_.layers) drawn.insert(layer.name);
     for (Filling& filling : fillings_) {
       const DxfItem& item = *filling.item;
-      if (item.type() == "HATCH" && drawn.count(filling.group)) {
-        skip(item, filling.layer, "is a filling on a layer that has lines: these count", false);
+      if (item.type() != "MPOLYGON" && drawn.count(filling.group)) {
+        std::vector<LostShape> shapes;
+        for (Chain& chain : filling.chains) shapes.push_back({item.place(), std::move(chain.points), true});
+        drawing_.skip(skipped(item, filling.layer, "is a filling on a layer that has lines: these count", false,
+                              std::move(shapes)));
         continue;
       }
       drawing_.layer(filling.group).sheets.push_back({"", Fill::even_odd, std::move(filling.chains)});
@@ -265,8 +288,10 @@ class DxfReader {
     const std::string name = item.text(2);
     const auto block = blocks_.find(name);
     if (block == blocks_.end())
-      return skip(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is not in the file", true);
-    if (depth == deepest_block) return skip(item, own.layer, "is within blocks that are more than 16 deep", true);
+      return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is not in the file", {});
+    if (block->second.external)
+      return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is in another file", {});
+    if (depth == deepest_block) return lose(item, own.layer, "is within blocks that are more than 16 deep", {});
     if (depth == 0) own.group = name + (inserted_[name]++ > 0 ? " " + std::to_string(inserted_[name]) : "");
     const int columns = item.integer(70, 1), rows = item.integer(71, 1);
     const Point at = item.point(10), base = block->second.base;
@@ -277,14 +302,27 @@ class DxfReader {
         const Point step = turn.turn({column * item.number(44), row * item.number(45)});
         const Affine copy = where * translation(at.x + step.x, at.y + step.y) * scaled;
         // Empty blocks are counted, too.
-        if (++entities_read_ > most_entities) return skip(item, own.layer, "has too many copies", true);
+        if (++entities_read_ > most_entities) return lose(item, own.layer, "has too many copies", {});
         read_entities(block->second.items, copy, own, depth + 1);
       }
     }
   }
 
+  static Skipped skipped(const DxfItem& item, const std::string& layer, const std::string& reason, bool unread,
+                         std::vector<LostShape> shapes = {}) {
+    return {item.place(), io::excerpt(item.type(), 30), reason, layer, item.text(5), unread, 1, std::move(shapes)};
+  }
+
+  /// What is not to be seen, or has no extent.
   void skip(const DxfItem& item, const std::string& layer, const std::string& reason, bool unread) {
-    drawing_.skip({item.place(), io::excerpt(item.type(), 30), reason, layer, item.text(5), unread});
+    drawing_.skip(skipped(item, layer, reason, unread));
+  }
+
+  /// What is to be seen, and is not read; it lies in the box of the corners, or anywhere.
+  void lose(const DxfItem& item, const std::string& layer, const std::string& reason, std::vector<Point> corners) {
+    std::vector<LostShape> shapes;
+    if (!is_annotation(item)) shapes.push_back({item.place(), std::move(corners)});
+    drawing_.skip(skipped(item, layer, reason, true, std::move(shapes)));
   }
 
   struct Filling {
@@ -302,7 +340,8 @@ class DxfReader {
   std::map<std::string, int> inserted_, colors_;
   std::set<std::string> hidden_, layers_;
   std::vector<Filling> fillings_;
-  std::size_t entities_read_ = 0;
+  std::size_t entities_read_ = 0, fitted_ = 0;
+  std::string first_fitted_;  ///< of splines without control points
 };
 
 }  // namespace

@@ -81,7 +81,8 @@ class KicadReader {
     const std::string kind = item.word.substr(prefix.size());
     if (kind == "text" || kind == "text_box") return skip(item, layer->second, "is text");
     Chain chain{{}, false, place(item)};
-    if (!trace(kind, item, where, chain)) return skip(item, layer->second, "is no line or curve that is read");
+    if (!trace(kind, item, where, chain))
+      return drawing_.skip(lost(place(item), item.word, "is no line or curve that is read", layer->second));
     lines(layer->second, layer->second == "board" ? "" : name).push_back(std::move(chain));
   }
 

@@ -102,10 +102,13 @@ class SvgReader {
     const std::string* link = use.find("href");
     if (!link) link = use.find("xlink:href");
     const auto target = link && !link->empty() && (*link)[0] == '#' ? xml_.by_id(link->substr(1)) : std::nullopt;
+    // Programs show nothing for a name that is not there, and what is there for one of another file.
+    const bool elsewhere = link && !link->empty() && (*link)[0] != '#';
+    if (elsewhere) return lose(use, "clones what is in another file");
     if (!target) return unread(use, "clones what is not in the file");
     const XmlElement& what = xml_.element(*target);
     if (what.name == "symbol" && what.find("viewBox"))
-      return unread(use, "clones a symbol with a viewBox: unlink it in the program that drew it");
+      return lose(use, "clones a symbol with a viewBox: unlink it in the program that drew it");
     Surroundings s = inside(use, true, what);
     if (++s.clones > deepest_clone)
       throw InputError(use.place, "clones are within clones more than 16 deep",
@@ -189,7 +192,7 @@ class SvgReader {
     }
     const std::string property = unread_in_style(element);
     if (!property.empty())
-      drawing_.skip({element.place, "\"" + property + "\" in a style", "is not read: use the attribute", "", "", true});
+      drawing_.skip(lost(element.place, "\"" + property + "\" in a style", "is not read: use the attribute"));
   }
 
   static std::string name_of(const XmlElement& element, bool group) {
@@ -213,7 +216,8 @@ class SvgReader {
 
   void read_shape(const XmlElement& element, const Surroundings& s) {
     if (s.hidden || !s.displayed) return drawing_.skip(element.place, "<" + element.name + ">", "is not visible");
-    if (in_percent(element)) return unread(element, "has a size in percent of the page");
+    if (is_background(element)) return unread(element, "is as large as the page: its background");
+    if (in_percent(element)) return lose(element, "has a size in percent of the page");
     std::vector<Chain> chains = chains_of(element, s.where);
     if (chains.empty()) return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
     Layer& layer = settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
@@ -228,6 +232,11 @@ class SvgReader {
     auto lines = std::find_if(layer.sheets.begin(), layer.sheets.end(), [](const Sheet& x) { return x.lines; });
     if (lines == layer.sheets.end()) lines = layer.sheets.insert(lines, Sheet{"", Fill::even_odd, {}, true});
     for (Chain& chain : chains) lines->chains.push_back(std::move(chain));
+  }
+
+  static bool is_background(const XmlElement& element) {
+    const std::string *width = element.find("width"), *height = element.find("height");
+    return element.name == "rect" && width && height && *width == "100%" && *height == "100%";
   }
 
   static bool in_percent(const XmlElement& element) {
@@ -308,12 +317,18 @@ class SvgReader {
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;
     if (element.name == "style" || element.name == "script" || is_paint(element.name)) return;
     if (element.name == "text") return unread(element, "is text: turn it into paths if it is to be part of a body");
-    if (element.name == "svg") return unread(element, "is a drawing in the drawing: ungroup it");
+    if (element.name == "svg") return lose(element, "is a drawing in the drawing: ungroup it");
     unread(element, "is no path or basic shape");
   }
 
+  /// What bounds nothing.
   void unread(const XmlElement& element, const std::string& reason) {
     drawing_.skip({element.place, "<" + io::excerpt(element.name, 30) + ">", reason, "", "", true});
+  }
+
+  /// What may be a shape, anywhere.
+  void lose(const XmlElement& element, const std::string& reason) {
+    drawing_.skip(lost(element.place, "<" + io::excerpt(element.name, 30) + ">", reason));
   }
 
   const XmlTree& xml_;

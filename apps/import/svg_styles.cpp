@@ -142,7 +142,7 @@ std::map<std::string, StyleSheet::Value> StyleSheet::read_declarations(const std
   each_piece(text, ';', [&](const std::string& piece) {
     const auto [name, given] = declaration_of(piece);
     if (moving_properties().count(name))
-      drawing.skip(style.place, "\"" + name + "\" in a style sheet", "is not read: use the attribute");
+      drawing.skip(lost(style.place, "\"" + name + "\" in a style sheet", "is not read: use the attribute"));
     if (!read_properties().count(name)) return;
     Value value;
     value.text = without_important(given, value.important);

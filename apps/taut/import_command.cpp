@@ -89,11 +89,12 @@ void add_reading_options(const Command& command, drawing::ImportSettings& settin
           "loops up to the size D are cut off (0.1 mm); if it is given, so are crossings of the\nrings of WKT and "
           "GeoJSON")
       .value("D");
-  command.add_choice("--open", {"error", "close", "skip"},
-                     choose<drawing::OpenRings>(settings.open, {{"error", drawing::OpenRings::error},
-                                                                {"close", drawing::OpenRings::close},
-                                                                {"skip", drawing::OpenRings::skip}}),
-                     "what becomes of outlines that stay open (error)");
+  command.add_choice(
+      "--open", {"error", "close", "skip"},
+      choose<drawing::OpenRings>(settings.open, {{"error", drawing::OpenRings::error},
+                                                 {"close", drawing::OpenRings::close},
+                                                 {"skip", drawing::OpenRings::skip}}),
+      "what becomes of outlines that stay open, and of shapes that are not read and may\nbound a body (error)");
 }
 
 /// What becomes a body.

@@ -182,7 +182,8 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     another end or line meet it. ``repair``: loops up to this size are cut off; if it is given, polygons of WKT and
     GeoJSON are mended, too. In units of the scene; None: 0.01, 0.02 and 0.1 mm, in proportion for small and large
     drawings.
-    ``open``: outlines that stay open are an "error", or "close" them by straight lines, or "skip" them.
+    ``open``: outlines that stay open are an "error", or "close" them by straight lines, or "skip" them. Shapes that are
+    not read and may bound a body are an error, unless it is "skip".
     ``by``: what becomes a body: "auto": layers, but contours in material of another layer are its holes; "layer",
     "color", "group" or "nesting". ``layers``: only these. ``merge_layers``: these, or all if True, are one.
     ``scale``: all lengths are multiplied by it. ``curves``: arcs and Bezier curves stay what they are. ``split``: a body

@@ -65,11 +65,10 @@ TEST(ImportPlanar, ReadsWhatWasReported) {
             "pi\xC3\xA9"
             "ce");
   const Import spline = drawing::examine_files({(folder / "fit_spline_stops_import.dxf").string()}, {});
-  ASSERT_EQ(spline.files[0].skipped.size(), 1u);
-  EXPECT_EQ(spline.files[0].skipped[0].what, "SPLINE");
-  EXPECT_EQ(spline.files[0].skipped[0].layer, "0");
-  EXPECT_FALSE(spline.files[0].skipped[0].handle.empty());
-  EXPECT_TRUE(spline.files[0].skipped[0].unread);
+  EXPECT_TRUE(spline.faults.empty());
+  EXPECT_TRUE(spline.files[0].skipped.empty());
+  ASSERT_EQ(spline.files[0].open.size(), 1u);
+  EXPECT_EQ(spline.files[0].open[0].layer, "0");
 }
 
 TEST(ImportPlanar, CountsWhatIsDrawnTwiceOnce) {
@@ -319,8 +318,9 @@ TEST(ImportPlanar, GroupsByColor) {
 TEST(ImportPlanar, ListsWhatIsNotReadAndGoesOn) {
   DxfText odd;
   odd.box({0, 0}, {20, 20}).begin("REGION", "solids").group(5, "2F");
-  odd.begin("SPLINE", "marks").group(71, "3").at(11, {1, 1}).at(11, {2, 3});
+  odd.begin("TEXT", "marks").at(10, {1, 1});
   ImportSettings settings;
+  settings.open = drawing::OpenRings::skip;
   const Import import = examine(odd, settings);
   expect_totals(import, 400, 1, 0);
   ASSERT_EQ(import.files[0].skipped.size(), 2u);

@@ -1,0 +1,86 @@
+// Of BodyMaker: shapes that were not read, and may bound the material of those that were.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/segment_strips.hpp"
+#include "import/bodies.hpp"
+#include "import/body_text.hpp"
+#include "import/open_lines.hpp"
+#include "io/text_file.hpp"
+
+namespace taut::drawing {
+using namespace internal;
+
+namespace {
+
+void add_edges(const Polygon& ring, std::vector<SegmentBox>& boxes) {
+  for (std::size_t i = 0; i < ring.size(); ++i) boxes.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+}
+
+bool in_material(const Part& part, const Point& p) {
+  return roughly_inside(part.outline, p) && std::none_of(part.holes.begin(), part.holes.end(),
+                                                         [&](const Polygon& hole) { return roughly_inside(hole, p); });
+}
+
+}  // namespace
+
+/// A hole may lie wherever material is. What is filled in material, or along its boundary, changes nothing; what goes
+/// beyond it does.
+std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const SegmentStrips& edges) const {
+  const auto any_edge = [&](const SegmentBox& box) {
+    bool any = false;
+    edges.each_near(box, [&](std::size_t) { any = true; });
+    return any;
+  };
+  std::vector<Point> points;  // of a filling: those that are not on a boundary
+  const double near = file_.fineness.join + 2 * file_.fineness.tolerance;
+  for (const Point& p : shape.points)
+    if (!shape.filling || !any_edge(SegmentBox(p, p, near))) points.push_back(p);
+  if (shape.filling && points.empty()) return std::nullopt;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    for (const Named& named : parts_[k]) {
+      if (points.empty()) return k;
+      const SegmentBox box = box_of(points);
+      if (!box_of(named.part.outline).meets(box)) continue;
+      const auto inside =
+          std::count_if(points.begin(), points.end(), [&](const Point& p) { return in_material(named.part, p); });
+      const bool all = inside == static_cast<std::ptrdiff_t>(points.size());
+      if (shape.filling ? inside > 0 && !all : inside > 0 || any_edge(box)) return k;
+    }
+  }
+  return std::nullopt;
+}
+
+/// An outline that was not read leaves a hole filled, or a part out: as open ones do.
+void BodyMaker::require_nothing_lost(const Drawing& drawing) {
+  const bool any = std::any_of(file_.skipped.begin(), file_.skipped.end(),
+                               [](const Skipped& skipped) { return !skipped.shapes.empty(); });
+  if (!any || settings_.open == OpenRings::skip || settings_.strict) return;
+  std::vector<SegmentBox> boxes;
+  for (const std::vector<Named>& parts : parts_) {
+    for (const Named& named : parts) {
+      add_edges(named.part.outline, boxes);
+      for (const Polygon& hole : named.part.holes) add_edges(hole, boxes);
+    }
+  }
+  const SegmentStrips edges(std::move(boxes));
+  for (const Skipped& skipped : file_.skipped) {
+    for (const LostShape& shape : skipped.shapes) {
+      const auto layer = layer_at(shape, edges);
+      if (!layer) continue;
+      fail(shape.place,
+           fmt::format("{} {}{}", skipped.what, skipped.reason,
+                       shape.points.empty()
+                           ? "; where it lies is not known, and it may be a hole or an outline of any body"
+                           : fmt::format("; it lies in material of layer \"{}\", or across its boundary, and may be a "
+                                         "hole or an outline",
+                                         io::excerpt(drawing.layers[*layer].name))),
+           "draw it anew as lines, arcs, polylines or paths, or leave it as it is with --open skip");
+      break;
+    }
+  }
+}
+
+}  // namespace taut::drawing
