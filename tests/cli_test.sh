@@ -131,6 +131,8 @@ is_json_lines
 expect 0 '"parts":2,"holes":1' '' import open.svg --open close --by layer --json -o open.json
 expect 0 '"parts":1,"holes":0' '' import open.svg --layer mark --json -o open.json
 expect 0 '"parts":1,"holes":2,"area":1509\.' '' import open.svg --open close --json -o open.json --merge-layers
+expect 0 '"parts":1,"holes":2,"area":1509\.' '' import --merge-layers open.svg --open close --json -o open.json
+expect 0 '"parts":1,"holes":2,"area":1509\.' '' import --merge-layers=cut,mark open.svg --open close --json -o open.json
 expect 2 '' '--layer: open.svg has no layer "marks"' import open.svg --layer marks
 expect 2 '' 'its layers are: cut, mark' import open.svg --layer marks
 expect 2 '' 'plate.svg:2:[0-9]+: <text> is text' import plate.svg --strict

@@ -1,6 +1,7 @@
 #include "command_line/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -172,9 +173,30 @@ std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int ar
 
 }  // namespace
 
+namespace {
+
+/// The words behind the program's name, last one first, as CLI11 takes them. CLI11 would take the word behind an option
+/// whose value may be left out for the value.
+std::vector<std::string> words_in_reverse(const CLI::App& app, int argc, char** argv) {
+  const CLI::App& command = command_of(app, argc, argv);
+  std::vector<std::string> words;
+  bool options = true;
+  for (int i = 1; i < argc; ++i) {
+    words.emplace_back(argv[i]);
+    options = options && words.back() != "--";
+    const CLI::Option* option = options ? command.get_option_no_throw(words.back()) : nullptr;
+    if (option && option->get_type_size_max() > 0 && option->get_expected_min() == 0)
+      words.back() += "=" + option->get_default_str();
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+}  // namespace
+
 bool Program::parse(int argc, char** argv) {
   try {
-    app_->parse(argc, argv);
+    app_->parse(words_in_reverse(*app_, argc, argv));
     return true;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw UsageError(usage_text(*app_, error, argc, argv));

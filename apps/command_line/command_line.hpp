@@ -36,7 +36,7 @@ class Option {
   Option& positive();
   Option& not_negative();
   Option& existing_folder();
-  /// Without a value, as if this one were given.
+  /// Without a value, as if this one were given. A value stands behind "=": the next word is none.
   Option& or_alone(const std::string& value);
   Option& needs(const Option& other);
   Option& excludes(const Option& other);

@@ -108,8 +108,8 @@ void add_layer_options(const Command& command, ImportArguments& arguments) {
                                               {"nesting", drawing::Grouping::nesting}}),
       "what becomes a body, by itself (layers, but contours in material of another layer\nare its holes)");
   command.add_option("--layer", settings.layers, "read only this layer; may be given more than once").value("NAME");
-  command.add_option("--merge-layers", arguments.merged, "read these layers, or all, as one: NAME,NAME,...")
-      .value("NAMES")
+  command.add_option("--merge-layers", arguments.merged, "read these layers, or all, as one: --merge-layers=A,B")
+      .value("[=NAMES]")
       .or_alone("*");
 }
 
