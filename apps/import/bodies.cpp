@@ -119,6 +119,8 @@ void BodyMaker::read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>&
     skip(sheet.chains[k].place, "subpath", "has filled area on both of its sides", layer.name);
   for (const Repair& repair : outlines.repairs)
     file_.repairs.push_back({"loop", sheet.chains[repair.source].place, layer.name, repair.at, repair.size});
+  for (const auto& [at, source] : outlines.crossings)
+    file_.crossings.push_back({sheet.chains[source].place, layer.name, at});
   for (std::size_t i = 0; i < outlines.regions.size(); ++i)
     add_region(std::move(outlines.regions[i]), sheet.name, sheet.chains[outlines.sources[i]].place, -1, parts);
 }

@@ -11,7 +11,7 @@ namespace {
 class ContourFinder {
  public:
   ContourFinder(const LineGraph& graph, const std::vector<bool>& alive)
-      : graph_(graph), contour_(graph.edges.size(), false) {
+      : graph_(graph), found_{std::vector<bool>(graph.edges.size(), false), {}} {
     // Lines drawn a little beyond a corner go as far as it.
     const auto lives = [&alive](int h) { return alive[static_cast<std::size_t>(h / 2)]; };
     for (const std::vector<int>& walk : graph.walks) {
@@ -22,19 +22,20 @@ class ContourFinder {
     }
   }
 
-  std::vector<bool> find() {
+  Contours find() {
     gather_ends();
     std::vector<bool> used(walks_.size(), false);
     for (const auto& [node, here] : ends_) {
       for (const std::size_t start : here)
         if (!used[start / 2]) follow(start, used);
     }
-    return std::move(contour_);
+    return std::move(found_);
   }
 
  private:
-  void mark(const std::vector<int>& walk) {
-    for (const int h : walk) contour_[static_cast<std::size_t>(h / 2)] = true;
+  void add(std::vector<int> ring) {
+    for (const int h : ring) found_.edges[static_cast<std::size_t>(h / 2)] = true;
+    found_.rings.push_back(std::move(ring));
   }
 
   /// Of open strands: 2s is the start of strand s, 2s + 1 its end. Of those that run along the same edges, one counts.
@@ -44,7 +45,7 @@ class ContourFinder {
       const std::vector<int>& walk = walks_[s];
       if (walk.empty()) continue;
       if (node_at(2 * s) == node_at(2 * s + 1)) {
-        mark(walk);
+        add(walk);
         continue;
       }
       if (graph_.edge(walk.front()).times > 1) {
@@ -64,30 +65,62 @@ class ContourFinder {
 
   /// From strand to strand, as long as two ends meet.
   void follow(std::size_t start, std::vector<bool>& used) {
-    std::vector<std::size_t> ring;
+    std::vector<std::size_t> ring;  // the ends at which it enters strands
     std::size_t end = start;
     do {
-      ring.push_back(end / 2);
+      ring.push_back(end);
       const std::size_t exit = end ^ 1;
       const std::vector<std::size_t>& meeting = ends_[node_at(exit)];
       if (meeting.size() != 2) break;
       end = meeting[0] == exit ? meeting[1] : meeting[0];
       if (end != start) continue;
-      for (const std::size_t s : ring) mark(walks_[s]);
+      add(halves_along(ring));
     } while (end != start && ring.size() <= walks_.size());
-    for (const std::size_t s : ring) used[s] = true;
+    for (const std::size_t e : ring) used[e / 2] = true;
+  }
+
+  std::vector<int> halves_along(const std::vector<std::size_t>& ring) const {
+    std::vector<int> halves;
+    for (const std::size_t end : ring) {
+      const std::vector<int>& walk = walks_[end / 2];
+      if (end % 2 == 0)
+        halves.insert(halves.end(), walk.begin(), walk.end());
+      else
+        for (std::size_t k = walk.size(); k-- > 0;) halves.push_back(walk[k] ^ 1);
+    }
+    return halves;
   }
 
   const LineGraph& graph_;
-  std::vector<bool> contour_;
+  Contours found_;
   std::vector<std::vector<int>> walks_;           ///< the living part of each strand
   std::map<int, std::vector<std::size_t>> ends_;  ///< of strands, at each node
 };
 
 }  // namespace
 
-std::vector<bool> contour_edges(const LineGraph& graph, const std::vector<bool>& alive) {
+Contours contours_of(const LineGraph& graph, const std::vector<bool>& alive) {
   return ContourFinder(graph, alive).find();
+}
+
+std::vector<std::pair<int, std::size_t>> self_meetings(const LineGraph& graph, const Contours& contours) {
+  std::vector<std::pair<int, std::size_t>> meetings;
+  std::vector<int> edges, nodes;
+  for (std::size_t r = 0; r < contours.rings.size(); ++r) {
+    edges.clear();
+    for (const int h : contours.rings[r]) edges.push_back(h / 2);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    nodes.clear();
+    for (const int e : edges) nodes.insert(nodes.end(), {graph.origin(2 * e), graph.target(2 * e)});
+    std::sort(nodes.begin(), nodes.end());
+    for (std::size_t i = 2; i < nodes.size(); ++i) {
+      if (nodes[i] != nodes[i - 2]) continue;
+      meetings.emplace_back(nodes[i], r);
+      break;
+    }
+  }
+  return meetings;
 }
 
 }  // namespace taut::drawing

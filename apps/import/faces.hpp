@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/subdivision.hpp"
+#include "import/contours.hpp"
 #include "import/drawing.hpp"
 #include "import/line_graph.hpp"
 
@@ -25,10 +26,11 @@ struct FaceMap {
 using FaceKeys = std::vector<int>;
 
 /// Of lines: what a block of closed contours encloses differs from what surrounds the block, so that contours in each
-/// other are outlines, holes and islands in turn. All faces of a block are alike: contours that cross, or have edges in
-/// common, divide material into parts, or are one hole. Other lines only divide; outside of all contours, what they
-/// enclose is material. `contour` has the edges of closed contours. Each face of material has a number of its own.
-FaceKeys keys_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const std::vector<bool>& contour,
+/// other are outlines, holes and islands in turn. All faces that a contour of the block goes around are alike: contours
+/// that cross, or have edges in common, divide material into parts, or are one hole. Faces between them that no contour
+/// goes around are like what surrounds the block. Other lines only divide; outside of all contours, what they enclose
+/// is material. Each face of material has a number of its own.
+FaceKeys keys_of_lines(const LineGraph& graph, const std::vector<bool>& alive, const Contours& contours,
                        const FaceMap& faces);
 
 /// How contours go around a face.

@@ -39,6 +39,12 @@ struct RepairReport {
   double size = 0;
 };
 
+/// A contour that crosses or touches itself, more widely than what is cut off.
+struct CrossingReport {
+  std::string place, layer;
+  Point at;
+};
+
 /// What became of a file.
 struct FileReport {
   std::string file, format, units;
@@ -48,6 +54,7 @@ struct FileReport {
   std::vector<OpenReport> open;
   std::vector<RingReport> closed, suspicious;
   std::vector<RepairReport> repairs;
+  std::vector<CrossingReport> crossings;
   std::size_t repeated = 0;        ///< segments that were drawn more than once
   std::vector<std::string> notes;  ///< decisions that a person should know of
   std::vector<Skipped> skipped;
@@ -88,8 +95,8 @@ Drawing read_drawing(std::string text, const std::string& file, const ImportSett
 std::string report_text(const Import& import, const ImportSettings& settings);
 /// The same as a JSON object on one line, with everything that report_text() abridges.
 std::string report_json(const Import& import, const ImportSettings& settings);
-/// A picture: bodies grey, what stays open red, gaps and repairs marked. Marks have ids: "open-F-K", "gap-F-K" and
-/// "repair-F-K" are number K in the report of file F.
+/// A picture: bodies grey, what stays open red, gaps and repairs marked. Marks have ids: "open-F-K", "gap-F-K",
+/// "repair-F-K" and "crossing-F-K" are number K in the report of file F.
 std::string report_svg(const Import& import);
 
 }  // namespace taut::drawing

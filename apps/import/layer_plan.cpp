@@ -62,7 +62,8 @@ class Planner {
     std::vector<std::size_t> common;
     for (std::size_t k = 0; k < layers_.size(); ++k)
       if (!crossing_.count(set_[k])) common.push_back(k);
-    if (!common.empty()) plan.sets.push_back(std::move(common));
+    plan.common = !common.empty();
+    if (plan.common) plan.sets.push_back(std::move(common));
     for (const std::size_t root : crossing_) {
       index[root] = plan.sets.size();
       plan.sets.emplace_back();
@@ -138,6 +139,43 @@ LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSetting
     return plan;
   }
   return Planner(layers, settings).plan();
+}
+
+void adopt_holes(std::vector<LineLayer>& layers, LayerPlan& plan, const OutlineSettings& settings) {
+  if (!plan.common || plan.sets.size() < 2) return;
+  std::vector<std::vector<Region>> material(plan.sets.size());
+  for (std::size_t s = 1; s < plan.sets.size(); ++s) {
+    std::vector<Chain> chains;
+    for (const std::size_t k : plan.sets[s])
+      chains.insert(chains.end(), layers[k].chains.begin(), layers[k].chains.end());
+    material[s] = outlines_of_lines(chains, settings).regions;
+  }
+  const auto set_around = [&](const Chain& chain) {
+    std::size_t found = 0;
+    for (std::size_t s = 1; s < material.size(); ++s) {
+      const bool within = std::any_of(material[s].begin(), material[s].end(), [&](const Region& region) {
+        return std::all_of(chain.points.begin(), chain.points.end(),
+                           [&](const Point& p) { return roughly_inside(region.part, p); });
+      });
+      if (within && found != 0) return std::size_t{0};
+      if (within) found = s;
+    }
+    return found;
+  };
+  const std::vector<std::size_t> common = plan.sets.front();
+  for (const std::size_t k : common) {
+    std::map<std::size_t, std::vector<Chain>> adopted;
+    std::vector<Chain> left;
+    for (Chain& chain : layers[k].chains) {
+      const std::size_t s = set_around(chain);
+      (s == 0 ? left : adopted[s]).push_back(std::move(chain));
+    }
+    layers[k].chains = std::move(left);
+    for (auto& [s, chains] : adopted) {
+      plan.sets[s].push_back(layers.size());
+      layers.push_back({layers[k].layer, std::move(chains), layers[k].name});
+    }
+  }
 }
 
 }  // namespace taut::drawing

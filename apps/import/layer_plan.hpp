@@ -24,11 +24,16 @@ struct LayerCrossing {
 struct LayerPlan {
   std::vector<std::vector<std::size_t>> sets;  ///< indices of line layers that are read together
   std::vector<LayerCrossing> crossings;        ///< of layers that are therefore read apart
+  bool common = false;                         ///< is the first set of layers that cross no other one?
 };
 
 /// Layers that have parts of one outline are read together: an end of a line in one of them meets a line of another
 /// one. Then all layers are, so that contours of one are holes in what another one encloses; but layers that cross each
 /// other are different bodies, and read apart.
 LayerPlan plan_layers(const std::vector<LineLayer>& layers, const OutlineSettings& settings);
+
+/// Lines of the common set that lie in material of one of the layers that cross are holes in it: they are read with it,
+/// as layers of their own at the end of `layers`. Those in material of several stay where they are.
+void adopt_holes(std::vector<LineLayer>& layers, LayerPlan& plan, const OutlineSettings& settings);
 
 }  // namespace taut::drawing

@@ -52,6 +52,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
     plan = plan_layers(lines, settings);
   else
     for (std::size_t k = 0; k < lines.size(); ++k) plan.sets.push_back({k});
+  adopt_holes(lines, plan, settings);
   std::vector<Piece> pieces;
   for (std::size_t s = 0; s < plan.sets.size(); ++s) {
     std::vector<Chain> chains;
@@ -139,6 +140,8 @@ void BodyMaker::take_report(const Outlines& outlines, const std::vector<Chain>& 
   for (const Repair& repair : outlines.repairs)
     file_.repairs.push_back({repair.kind == Repair::Kind::loop ? "loop" : "sliver", chains[repair.source].place,
                              layers[repair.source], repair.at, repair.size});
+  for (const auto& [at, source] : outlines.crossings)
+    file_.crossings.push_back({chains[source].place, layers[source], at});
   file_.repeated += outlines.repeated;
   for (const std::size_t k : outlines.idle)
     skip(chains[k].place, "line", "divides nothing: on both of its sides is the same", layers[k]);

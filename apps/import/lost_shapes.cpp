@@ -19,11 +19,6 @@ void add_edges(const Polygon& ring, std::vector<SegmentBox>& boxes) {
   for (std::size_t i = 0; i < ring.size(); ++i) boxes.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
 }
 
-bool in_material(const Part& part, const Point& p) {
-  return roughly_inside(part.outline, p) && std::none_of(part.holes.begin(), part.holes.end(),
-                                                         [&](const Polygon& hole) { return roughly_inside(hole, p); });
-}
-
 }  // namespace
 
 /// A hole may lie wherever material is. What is filled in material, or along its boundary, changes nothing; what goes
@@ -45,7 +40,7 @@ std::optional<std::size_t> BodyMaker::layer_at(const LostShape& shape, const Seg
       const SegmentBox box = box_of(points);
       if (!box_of(named.part.outline).meets(box)) continue;
       const auto inside =
-          std::count_if(points.begin(), points.end(), [&](const Point& p) { return in_material(named.part, p); });
+          std::count_if(points.begin(), points.end(), [&](const Point& p) { return roughly_inside(named.part, p); });
       const bool all = inside == static_cast<std::ptrdiff_t>(points.size());
       if (shape.filling ? inside > 0 && !all : inside > 0 || any_edge(box)) return k;
     }

@@ -198,4 +198,9 @@ bool roughly_inside(const Polygon& ring, const Point& p) {
   return inside;
 }
 
+bool roughly_inside(const Part& part, const Point& p) {
+  return roughly_inside(part.outline, p) && std::none_of(part.holes.begin(), part.holes.end(),
+                                                         [&](const Polygon& hole) { return roughly_inside(hole, p); });
+}
+
 }  // namespace taut::drawing

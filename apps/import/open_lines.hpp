@@ -39,5 +39,7 @@ std::vector<Closure> find_closures(std::vector<OpenLine>& lines);
 
 /// Is p inside of a ring that may cross itself, by the even-odd rule? In doubles: near the ring it may err.
 bool roughly_inside(const Polygon& ring, const Point& p);
+/// Is p in the part, and in none of its holes?
+bool roughly_inside(const Part& part, const Point& p);
 
 }  // namespace taut::drawing

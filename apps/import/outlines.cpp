@@ -48,7 +48,9 @@ class OutlineMaker {
     mend();
     if (!any_alive()) return std::move(out_);
     const FaceMap faces(graph_, alive_);
-    finish(faces, keys_of_lines(graph_, alive_, contour_edges(graph_, alive_), faces));
+    const Contours contours = contours_of(graph_, alive_);
+    find_crossings(contours);
+    finish(faces, keys_of_lines(graph_, alive_, contours, faces));
     return std::move(out_);
   }
 
@@ -62,6 +64,7 @@ class OutlineMaker {
     FaceKeys keys;
     for (const Turns& turns : turns_around(graph_, faces))
       keys.push_back((fill == Fill::nonzero ? turns.winding != 0 : turns.times % 2 != 0) ? 1 : 0);
+    find_crossings(contours_of(graph_, alive_));
     finish(faces, keys);
     return std::move(out_);
   }
@@ -168,6 +171,12 @@ class OutlineMaker {
     join();
     prune(true);
     find_closures(out_.open);
+  }
+
+  /// What is larger than a loop that is cut off.
+  void find_crossings(const Contours& contours) {
+    for (const auto& [node, ring] : self_meetings(graph_, contours))
+      out_.crossings.emplace_back(graph_.point(node), graph_.edge(contours.rings[ring].front()).source);
   }
 
   void mend() {

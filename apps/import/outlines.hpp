@@ -23,10 +23,11 @@ struct Outlines {
   std::vector<std::pair<std::size_t, Closure>>
       closed;  ///< rings that were closed by straight lines, and a chain of each
   std::vector<Repair> repairs;
-  std::vector<std::size_t> empty;  ///< chains that are on no ring
-  std::vector<std::size_t> idle;   ///< chains that bound nothing: on both of their sides is the same
-  std::size_t repeated = 0;        ///< edges that were drawn more than once, counted as often as they were too many
-  std::size_t cuts = 0;            ///< edges with a part on either side
+  std::vector<std::pair<Point, std::size_t>> crossings;  ///< where a contour meets itself, and a chain of it
+  std::vector<std::size_t> empty;                        ///< chains that are on no ring
+  std::vector<std::size_t> idle;  ///< chains that bound nothing: on both of their sides is the same
+  std::size_t repeated = 0;       ///< edges that were drawn more than once, counted as often as they were too many
+  std::size_t cuts = 0;           ///< edges with a part on either side
   Point first_cut;
 };
 

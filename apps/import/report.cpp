@@ -107,6 +107,10 @@ std::string file_text(const FileReport& file) {
                        repair.what == "sliver" ? "join" : "repair",
                        repair.what == "sliver" ? file.fineness.join : file.fineness.repair);
   });
+  s += named_lines("crossing", file.crossings, [&file](const CrossingReport& crossing) {
+    return fmt::format("a contour meets itself at {}, {}{}: what it encloses is divided there (--repair {:.3g})",
+                       spot(crossing.at), crossing.place, layer_text(crossing.layer), file.fineness.repair);
+  });
   s += named_lines("closed", file.closed, [](const RingReport& ring) {
     return fmt::format("an outline at {}{} by {}, {:.3g} in all", ring.place, layer_text(ring.layer),
                        counted(ring.gaps.size(), "straight line", "straight lines"), rounded_up(ring.gap_length));
@@ -163,6 +167,10 @@ std::string repair_json(const RepairReport& repair) {
                      io::number_text(repair.size), place_json(repair.place, repair.layer));
 }
 
+std::string crossing_json(const CrossingReport& crossing) {
+  return fmt::format("{{\"at\":{},{}}}", point_json(crossing.at), place_json(crossing.place, crossing.layer));
+}
+
 std::string skipped_json(const Skipped& s) {
   return fmt::format("{{\"what\":{},{},\"handle\":{},\"reason\":{},\"unread\":{},\"times\":{}}}",
                      io::string_text(s.what), place_json(s.place, s.layer), io::string_text(s.handle),
@@ -187,10 +195,11 @@ std::string file_json(const FileReport& file) {
                    io::number_text(longest));
   if (file.kept > 0) s += fmt::format(",\"kept\":{}", file.kept);
   if (!file.chorded.empty()) s += ",\"as_chords\":" + array_of(file.chorded, chorded_json);
-  s += fmt::format(",\"repeated\":{},\"gaps\":{},\"repairs\":{},\"closed\":{},\"suspicious\":{},\"open\":{}",
-                   file.repeated, array_of(file.gaps, gap_json), array_of(file.repairs, repair_json),
-                   array_of(file.closed, ring_json), array_of(file.suspicious, ring_json),
-                   array_of(file.open, open_json));
+  s += fmt::format(
+      ",\"repeated\":{},\"gaps\":{},\"repairs\":{},\"crossings\":{},\"closed\":{},\"suspicious\":{},\"open\":{}",
+      file.repeated, array_of(file.gaps, gap_json), array_of(file.repairs, repair_json),
+      array_of(file.crossings, crossing_json), array_of(file.closed, ring_json), array_of(file.suspicious, ring_json),
+      array_of(file.open, open_json));
   return s + fmt::format(",\"notes\":{},\"skipped\":{}}}",
                          array_of(file.notes, [](const std::string& n) { return io::string_text(n); }),
                          array_of(file.skipped, skipped_json));

@@ -110,6 +110,9 @@ class ReportPicture {
     for (std::size_t k = 0; k < file.repairs.size(); ++k)
       s += mark(id("repair", k), file.repairs[k].at, repair_color,
                 fmt::format("a {} of {:.3g}: {}", file.repairs[k].what, file.repairs[k].size, file.repairs[k].place));
+    for (std::size_t k = 0; k < file.crossings.size(); ++k)
+      s += mark(id("crossing", k), file.crossings[k].at, open_color,
+                "a contour meets itself: " + file.crossings[k].place);
     return s;
   }
 

@@ -39,7 +39,7 @@ from .asking import (check, check_clearance, clearance, distance_profile, interv
 from .asking import range as range
 from .cells import Cells, cells
 from .directions import BodyDirections, DirectionArc, RemovalStep, Separation, VertexAtEdge
-from .drawings import Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
+from .drawings import Crossing, Drawing, DrawingBody, DrawingFile, Gap, OpenLine, Repair, Skipped, read_drawing
 from .errors import InputError, InternalError, TautError, UndecidedError
 from .flattening import flatten
 from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
@@ -60,7 +60,7 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage", "Crossing",
     "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "Drawing", "DrawingBody",
     "DrawingFile", "EdgeRef", "Envelope", "EnvelopeCell", "EnvelopeWitness", "Gap", "GeojsonFile", "Geometry",
     "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage",

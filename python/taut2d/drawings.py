@@ -54,6 +54,15 @@ class Repair:
 
 
 @dataclass(frozen=True)
+class Crossing:
+    """A contour that crosses or touches itself, more widely than what is cut off."""
+
+    at: _Point
+    place: str
+    layer: str
+
+
+@dataclass(frozen=True)
 class Skipped:
     """What did not become part of a body, and why. ``unread``: it was drawn, and may have been meant to. ``times``: how
     many there are of the kind; the place and the handle are the first one's."""
@@ -84,6 +93,7 @@ class DrawingFile:
     gaps: Tuple[Gap, ...]
     open: Tuple[OpenLine, ...]
     repairs: Tuple[Repair, ...]
+    crossings: Tuple[Crossing, ...]
     notes: Tuple[str, ...]
     skipped: Tuple[Skipped, ...]
 
@@ -140,6 +150,7 @@ def _file(value: dict[str, Any]) -> DrawingFile:
         tuple(Gap(_place(g["from"]), _place(g["to"]), float(g["width"]), g["place"], g["layer"]) for g in value["gaps"]),
         tuple(_open_line(line) for line in value["open"]),
         tuple(Repair(r["what"], _place(r["at"]), float(r["size"]), r["place"], r["layer"]) for r in value["repairs"]),
+        tuple(Crossing(_place(c["at"]), c["place"], c["layer"]) for c in value["crossings"]),
         tuple(value["notes"]),
         tuple(Skipped(s["what"], s["reason"], s["place"], s["layer"], s["handle"], s["unread"], s["times"])
               for s in value["skipped"]))

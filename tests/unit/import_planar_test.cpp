@@ -119,6 +119,54 @@ TEST(ImportPlanar, CutsCrossingContoursIntoTheAreasBetweenThem) {
   expect_totals(examine(cross), 400 - 36, 1, 1);
 }
 
+/// Four bars that make a frame, by overlapping or by touching: its gap is in none of them.
+TEST(ImportPlanar, LeavesGapsBetweenContoursEmpty) {
+  for (const double overlap : {0.0, 10.0}) {
+    DxfText frame;
+    const auto bar = [&](const Point& low, const Point& high) {
+      frame.polyline({low, {high.x, low.y}, high, {low.x, high.y}}, true);
+    };
+    bar({0, 0}, {100, 20});
+    bar({0, 80}, {100, 100});
+    bar({0, 20 - overlap}, {20, 80 + overlap});
+    bar({80, 20 - overlap}, {100, 80 + overlap});
+    EXPECT_EQ(totals_of(examine(frame)).area, 6400);
+    bar({40, 40}, {60, 60});
+    bar({45, 45}, {55, 55});
+    const Import island = examine(frame);
+    EXPECT_EQ(totals_of(island).area, 6700);
+    EXPECT_EQ(totals_of(island).holes, 1u);
+    // As a hole in a plate it is cut out, and what is in its gap stays.
+    bar({-10, -10}, {110, 110});
+    EXPECT_EQ(totals_of(examine(frame)).area, 120 * 120 - 6700);
+  }
+}
+
+/// What its lines go around twice is within a contour, too.
+TEST(ImportPlanar, FillsStarsThatCrossThemselves) {
+  std::vector<Point> star;
+  for (int k = 0; k < 5; ++k)
+    star.push_back({10 * std::sin(k * 2.5132741228718345), 10 * std::cos(k * 2.5132741228718345)});
+  DxfText text;
+  const Import import = examine(text.polyline(star, true));
+  EXPECT_EQ(totals_of(import).parts, 6u);
+  ASSERT_EQ(import.files[0].crossings.size(), 1u);
+}
+
+TEST(ImportPlanar, ListsContoursThatCrossThemselves) {
+  DxfText text;
+  text.polyline({{0, 0}, {10, 10}, {10, 0}, {0, 10}}, true, "bow").box({20, 0}, {30, 10}, "plain");
+  const Import import = examine(text);
+  expect_totals(import, 150, 3, 0);
+  ASSERT_EQ(import.files[0].crossings.size(), 1u);
+  EXPECT_EQ(import.files[0].crossings[0].at, (Point{5, 5}));
+  EXPECT_EQ(import.files[0].crossings[0].layer, "bow");
+  EXPECT_NE(drawing::report_text(import, {}).find("crossing: a contour meets itself at (5, 5)"), std::string::npos);
+  EXPECT_NE(drawing::report_json(import, {}).find("\"crossings\":[{\"at\":[5,5]"), std::string::npos);
+  const Import filled = examine("<svg><path d='M0 0L10 10 10 0 0 10Z'/></svg>", "d.svg");
+  EXPECT_EQ(filled.files[0].crossings.size(), 1u);
+}
+
 TEST(ImportPlanar, DoesNotFillHolesThroughWhichLinesRun) {
   DxfText plate;
   plate.box({0, 0}, {20, 20}).box({5, 5}, {9, 9}).box({12, 5}, {16, 9});
@@ -284,14 +332,30 @@ TEST(ImportPlanar, KeepsLayersThatCrossApart) {
   const Import import = examine(crossing);
   expect_totals(import, 475, 2, 0);
   EXPECT_EQ(import.bodies.size(), 2u);
-  // Is the small one a hole in the base, or a body on it?
-  crossing.circle({5, 5}, 2, "pin");
-  const Import unclear = examine(crossing);
-  ASSERT_EQ(unclear.faults.size(), 1u);
-  EXPECT_NE(unclear.faults[0].hint().find("--by layer"), std::string::npos);
+  crossing.box({4, 4}, {8, 8}, "pin").box({5, 5}, {6, 6}, "pin");
+  // A hole in the base, as it would be if nothing crossed, and an island in it; and a body beside them.
+  crossing.box({40, 0}, {42, 2}, "pin");
+  const Import with_hole = examine(crossing);
+  expect_totals(with_hole, 475 - 16 + 1 + 4, 4, 1);
+  EXPECT_EQ(with_hole.files[0].notes.size(), 2u);
   ImportSettings settings;
   settings.by = drawing::Grouping::layer;
-  expect_totals(examine(crossing, settings), 475 + 4 * 3.14159265, 3, 0, 0.2);
+  expect_totals(examine(crossing, settings), 475 + 16 - 1 + 4, 4, 1);
+}
+
+TEST(ImportPlanar, RefusesAContourInMaterialOfTwoLayersThatCross) {
+  for (const bool within_both : {true, false}) {
+    DxfText unclear;
+    unclear.box({0, 0}, {20, 20}, "base").box({15, 5}, {30, 10}, "arm");
+    // In both of them, or around them.
+    if (within_both)
+      unclear.box({16, 6}, {18, 8}, "pin");
+    else
+      unclear.box({-10, -10}, {40, 40}, "frame");
+    const Import import = examine(unclear);
+    ASSERT_EQ(import.faults.size(), 1u);
+    EXPECT_NE(import.faults[0].hint().find("--by layer"), std::string::npos);
+  }
 }
 
 TEST(ImportPlanar, GroupsByColor) {

@@ -185,6 +185,7 @@ export interface DrawingReport {
     gaps: { width: number; from: [number, number]; place: string }[];
     open: { from: [number, number]; to: [number, number]; place: string }[];
     repairs: { what: string; size: number; at: [number, number]; place: string }[];
+    crossings: { at: [number, number]; place: string }[];
     notes: string[];
     skipped: { what: string; place: string; layer: string; reason: string; times: number }[];
   }[];
@@ -195,7 +196,7 @@ export interface DrawingReport {
 export interface ReadDrawing {
   scene: Scene | null;
   report: DrawingReport;
-  /** SVG, whose marks have ids: gap-0-K, open-0-K and repair-0-K. */
+  /** SVG, whose marks have ids: gap-0-K, open-0-K, repair-0-K and crossing-0-K. */
   picture: string;
 }
 

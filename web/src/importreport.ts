@@ -77,6 +77,9 @@ export class ImportReport {
       ...list("Cut off", file.repairs, (repair, k) =>
         item(`repair-0-${k}`, `a ${repair.what} of ${roundText(repair.size)} at ${point(repair.at)}`),
       ),
+      ...list("Contours that meet themselves", file.crossings, (crossing, k) =>
+        item(`crossing-0-${k}`, `at ${point(crossing.at)}: several parts`),
+      ),
       ...list("Notes", file.notes, (note) => h("li", {}, note)),
       ...list("Skipped", file.skipped, ({ what, reason, place, times }) =>
         h("li", {}, `${what} ${reason}, ${place}${times > 1 ? `, and ${times - 1} more` : ""}`),
