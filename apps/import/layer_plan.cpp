@@ -19,6 +19,7 @@ namespace {
 struct LayerSegment {
   Point a, b;
   std::size_t layer;
+  const Chain* chain;
 };
 
 double distance_to(const LayerSegment& s, const Point& p) {
@@ -45,7 +46,7 @@ class Planner {
       for (const Chain& chain : layers[k].chains) {
         const std::size_t n = chain.points.size();
         for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
-          segments_.push_back({chain.points[i], chain.points[(i + 1) % n], k});
+          segments_.push_back({chain.points[i], chain.points[(i + 1) % n], k, &chain});
           boxes.emplace_back(segments_.back().a, segments_.back().b);
         }
       }
@@ -76,17 +77,10 @@ class Planner {
 
  private:
   bool join_where_ends_meet() {
-    std::map<std::size_t, std::vector<Chain>> chains;
-    for (std::size_t k = 0; k < layers_.size(); ++k) {
-      std::vector<Chain>& all = chains[set_[k]];
-      all.insert(all.end(), layers_[k].chains.begin(), layers_[k].chains.end());
-    }
     bool any = false;
-    for (const auto& entry : chains) {
-      const std::size_t root = entry.first;
-      if (settled_.count(root)) continue;
-      settled_.insert(root);
-      for (const Point& end : loose_ends(entry.second, settings_)) {
+    for (std::size_t root = 0; root < layers_.size(); ++root) {
+      if (set_[root] != root || !settled_.insert(root).second) continue;
+      for (const Point& end : loose_ends(lines_with_ends(root), settings_)) {
         strips_->each_near(SegmentBox(end, end, settings_.join), [&](std::size_t s) {
           if (set_[segments_[s].layer] == set_[root] || distance_to(segments_[s], end) > settings_.join) return;
           join(root, segments_[s].layer);
@@ -95,6 +89,28 @@ class Planner {
       }
     }
     return any;
+  }
+
+  /// The set's open lines, and what else of it is so near to one of their ends that they may meet it.
+  std::vector<Chain> lines_with_ends(std::size_t root) const {
+    constexpr double near = 16;  // ends move by as much as settings_.join, several times
+    std::set<const Chain*> wanted;
+    for (std::size_t k = 0; k < layers_.size(); ++k) {
+      if (set_[k] != root) continue;
+      for (const Chain& chain : layers_[k].chains) {
+        if (chain.closed || chain.points.empty()) continue;
+        wanted.insert(&chain);
+        for (const Point& end : {chain.points.front(), chain.points.back()})
+          strips_->each_near(SegmentBox(end, end, near * settings_.join), [&](std::size_t s) {
+            if (set_[segments_[s].layer] == root) wanted.insert(segments_[s].chain);
+          });
+      }
+    }
+    std::vector<Chain> lines;
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+      for (const Chain& chain : layers_[k].chains)
+        if (wanted.count(&chain)) lines.push_back(chain);
+    return lines;
   }
 
   void join(std::size_t a, std::size_t b) {
