@@ -72,6 +72,7 @@ class CsvReader {
       return;
     }
     position_ = begin;
+    if (name.find(';') != std::string::npos) fail_semicolons();
     if (known) fail("the column \"" + name + "\" appears twice", "keep one of the two");
     const std::string near = nearest_word(name, {"angle_deg"});
     // It is not quoted: the file may be any.
@@ -83,6 +84,7 @@ class CsvReader {
     Keyframe keyframe;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (k > 0 && !take_comma()) {
+        if (position_ < text_.size() && text_[position_] == ';') fail_semicolons();
         fail("expected " + std::to_string(columns_.size()) + " numbers as in the header, found " + std::to_string(k),
              "separate the numbers by commas");
       }
@@ -93,6 +95,13 @@ class CsvReader {
       fail("more numbers than columns in the header", "write one number for each column");
     end_line();
     return keyframe;
+  }
+
+  /// As spreadsheets write where the comma is the sign of decimals.
+  [[noreturn]] void fail_semicolons() const {
+    fail("the columns are separated by semicolons",
+         "separate them by commas, and write decimals with a point: t,x,y (spreadsheets have this in the settings of "
+         "their export as CSV)");
   }
 
   double read_field() {
