@@ -49,6 +49,12 @@ offers 'a$b *.json' taut check a
 offers gears taut gen ''
 offers --teeth1 taut gen gears --te
 offers fish taut completion ''
+offers lid taut demo ''
+offers_not scene.json taut demo ''
+offers --force taut demo --
+offers scene.json taut check ''
+offers_not --touch taut check ''
+offers scene.json taut import --merge-layers ''
 
 # Every command and option that --help knows is in all of them.
 commands="$("$taut" --help | sed -n '/^Subcommands/,/^$/s/^  \([a-z]\+\) .*/\1/p') completion man"
@@ -77,6 +83,7 @@ if command -v fish >/dev/null; then
   HOME="$folder" fish --no-config -c 'source taut.fish; complete -C "taut check --touch c"' | grep '^closed' >/dev/null || fail "fish: --touch"
   HOME="$folder" fish --no-config -c 'source taut.fish; complete -C "taut che"' | grep '^check' >/dev/null || fail "fish: check"
   HOME="$folder" fish --no-config -c 'source taut.fish; complete -C "taut gen gears --te"' | grep '^--teeth1' >/dev/null || fail "fish: gen gears"
+  HOME="$folder" fish --no-config -c 'source taut.fish; complete -C "taut demo l"' | grep '^lid' >/dev/null || fail "fish: demo"
 else
   echo "fish is not here: its completions were looked at, but not loaded"
 fi

@@ -23,7 +23,8 @@ OptionModel option_model(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) model.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
   if (model.names.empty()) model.positional = option.get_name();
-  if (option.get_items_expected_max() > 0) model.value = option.get_option_text();
+  // A value that may be left out stands in the option's own word: none follows.
+  if (option.get_items_expected_max() > 0 && option.get_expected_min() > 0) model.value = option.get_option_text();
   if (model.value.find('|') != std::string::npos) model.choices = split(model.value, '|');
   model.description = option.get_description();
   return model;

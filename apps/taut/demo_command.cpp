@@ -142,7 +142,9 @@ void add_demo(const Command& app, Action& action, const std::string& program) {
   const Command command = app.add_command("demo", "Write a scene to try, a page to look at, and say what to type next");
   const auto arguments = std::make_shared<DemoArguments>();
   arguments->program = program;
-  command.add_option("NAME", arguments->name, "which one; without it, they are listed").value(" ");
+  std::string names;
+  for (const Demo& demo : demos) names += (names.empty() ? "" : "|") + std::string(demo.name);
+  command.add_option("NAME", arguments->name, "which one; without it, they are listed").value(names);
   command.add_option("-d,--directory", arguments->folder, "write to FOLDER instead of this one").value("FOLDER");
   command.add_flag("--force", arguments->force, "write over files that are there");
   command.footer("Example:\n  taut demo lid\n");

@@ -20,13 +20,18 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return s;
 }
 
+std::vector<std::string> options_of(const CommandModel& command) {
+  std::vector<std::string> words;
+  for (const OptionModel& option : command.options) words.insert(words.end(), option.names.begin(), option.names.end());
+  return words;
+}
+
+/// What may stand where no option does: inner commands, or the words for an argument. If there are none, it is a file.
 std::vector<std::string> words_of(const CommandModel& command) {
   std::vector<std::string> words;
   for (const CommandModel& inner : command.commands) words.push_back(inner.word());
-  for (const OptionModel& option : command.options) {
-    words.insert(words.end(), option.names.begin(), option.names.end());
+  for (const OptionModel& option : command.options)
     if (!option.positional.empty()) words.insert(words.end(), option.choices.begin(), option.choices.end());
-  }
   return words;
 }
 
@@ -78,9 +83,12 @@ std::string bash(const std::vector<const CommandModel*>& all) {
   s += "    esac\n  done\n  case \"$command\" in\n";
   for (const CommandModel* command : all) {
     s += fmt::format("    \"{}\")\n{}", command->name, bash_values(*command));
-    s += fmt::format("      COMPREPLY=($(compgen -W \"{}\" -- \"$word\"))\n", joined(words_of(*command)));
-    if (command->commands.empty()) s += "      [[ $word == -* ]] || _taut_files\n";
-    s += "      ;;\n";
+    const std::string words = joined(words_of(*command));
+    const auto offer = [](const std::string& from) {
+      return fmt::format("COMPREPLY=($(compgen -W \"{}\" -- \"$word\"))", from);
+    };
+    s += fmt::format("      if [[ $word == -* ]]; then {}; else {}; fi\n      ;;\n",
+                     offer(joined(options_of(*command))), words.empty() ? "COMPREPLY=(); _taut_files" : offer(words));
   }
   return s + "  esac\n}\ncomplete -o filenames -F _taut taut\n";
 }
@@ -163,6 +171,8 @@ std::string fish(const std::vector<const CommandModel*>& all) {
       s += fmt::format("complete -c taut -f -n {} -a {} -d {}\n", condition, inner.word(),
                        fish_quoted(inner.description));
     for (const OptionModel& option : command->options) {
+      if (option.names.empty() && !option.choices.empty())
+        s += fmt::format("complete -c taut -f -n {} -a {}\n", condition, fish_quoted(joined(option.choices)));
       if (option.names.empty()) continue;
       s += fmt::format("complete -c taut -n {}", condition);
       for (const std::string& name : option.names)
