@@ -140,7 +140,7 @@ std::vector<testing::BadInput> bad_dxf() {
       {"knots", dxf_of(spline + "40 0 40 1"), "d.dxf", "3 control points has 2 knots", "closed"},
       {"falling_knots", dxf_of(spline + "40 0 40 0 40 1 40 0 40 1 40 1"), "d.dxf", "decrease", "closed"},
       {"weights", dxf_of(spline + "40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0 41 1"), "d.dxf", "not positive", "closed"},
-      {"fit_points", dxf_of("0 SPLINE 8 a 71 2 11 0 21 0"), "d.dxf", "only points that it passes", "closed"},
+      {"fit_points", dxf_of("0 SPLINE 8 a 71 2 11 0 21 0"), "d.dxf", "neither control points nor two points", "closed"},
   };
 }
 
