@@ -223,6 +223,7 @@ expect 1 '^anvil,hammer,0,' '' clearance --profile 5 --csv - hit.json
 [ "$(wc -l <out)" = 6 ] || { echo "FAILED: a profile of 5 instants has other lines"; failures=$((failures + 1)); }
 expect 1 '^PROFILE' '' clearance --profile 5 --svg profile.svg hit.json
 grep -q 'class="distance"' profile.svg || { echo "FAILED: profile.svg"; failures=$((failures + 1)); }
+expect 1 'CONTACT' 'note: --time-tolerance changes nothing' check hit.json --time-tolerance 1e-6
 expect 2 '' '--profile' clearance --csv - hit.json
 expect 2 '' '--profile' clearance --profile 1 hit.json
 expect 2 '' 'cannot both go to standard output' clearance --profile 5 --csv - --svg - hit.json

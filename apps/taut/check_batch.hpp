@@ -30,6 +30,7 @@ struct CheckBatch {
   std::string resume;  ///< a file that answers are appended to, and are taken up from; empty: standard output
   CheckOptions options;
   bool json = false, timing = false;
+  bool time_tolerance = false;  ///< was it given?
 
   SceneSource source_of(const std::string& path) const { return {path, allow_outside, at_rest}; }
 };

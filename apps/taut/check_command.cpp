@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -25,12 +26,17 @@ struct CheckArguments {
   AskedScene scene;
   CheckOptions options;
   bool json = false, timing = false;
-  double clearance = 0;  ///< 0: none was asked for
-  std::string svg = {};  ///< a picture of the answer about a clearance
+  bool time_tolerance = false;  ///< was it given?
+  double clearance = 0;         ///< 0: none was asked for
+  std::string svg = {};         ///< a picture of the answer about a clearance
 };
 
 CheckArguments single(const CheckBatch& batch) {
-  return {{batch.source_of(batch.paths.front()), batch.allow_untested}, batch.options, batch.json, batch.timing};
+  return {{batch.source_of(batch.paths.front()), batch.allow_untested},
+          batch.options,
+          batch.json,
+          batch.timing,
+          batch.time_tolerance};
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -44,10 +50,21 @@ void print_disagreement(const Scene& scene, Touch touch, const EngineDisagreemen
              write_scene(scene));
 }
 
+/// Nobody is to believe that the answer would be another one without it.
+void note_time_tolerance(const Scene& scene, const CheckArguments& arguments) {
+  const bool curved =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return !body.curves.empty(); });
+  if (arguments.time_tolerance && !curved)
+    fmt::print(stderr,
+               "taut: note: --time-tolerance changes nothing, since no body has curves: the times of polygons "
+               "are as exact as doubles\n");
+}
+
 int run_check(const CheckArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = load_scene(arguments.scene.source);
   const double read_seconds = seconds_since(start);
+  note_time_tolerance(scene, arguments);
   Answer answer;
   try {
     answer = watched_run(scene, arguments.scene.source.path, arguments.options, check);
@@ -74,7 +91,7 @@ int run_margin(const CheckArguments& arguments) {
   CheckOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   const MarginAnswer answer =
-      within_file(arguments.scene.source.path, [&] { return check_clearance(scene, arguments.clearance, options); });
+      watched(scene, arguments.scene.source.path, [&] { return check_clearance(scene, arguments.clearance, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, margin_svg(scene, arguments.clearance, answer));
   // What goes to standard output is one thing.
   if (arguments.svg != "-")
@@ -149,10 +166,12 @@ void add_check(const Command& app, Action& action) {
       .add_option("--fit", arguments->options.fit,
                   "shrink bodies by E to 2 E first: overlaps by rounding are none then")
       .value("E");
-  command
-      .add_option("--time-tolerance", arguments->options.time_tolerance,
-                  "how well to tell the time of a contact of curves, as a share of the scene's time (1e-9)")
-      .value("X");
+  const Option time_tolerance =
+      command
+          .add_option("--time-tolerance", arguments->options.time_tolerance,
+                      "how well to tell the time of a contact of curves, as a share of the scene's time (1e-9);\n"
+                      "times of polygons are as exact as doubles, whatever it is")
+          .value("X");
   const auto clearance = std::make_shared<std::optional<double>>();
   const Option margin =
       command
@@ -163,7 +182,8 @@ void add_check(const Command& app, Action& action) {
       .value("FILE")
       .needs(margin);
   command.footer(check_footer);
-  command.on_chosen([&action, arguments, clearance, shard, svg] {
+  command.on_chosen([&action, arguments, clearance, shard, svg, time_tolerance] {
+    arguments->time_tolerance = time_tolerance.given();
     action = [arguments, clearance, shard, svg] {
       if (!shard->empty()) arguments->shard = shard_of(*shard);
       if (*clearance) return margin_of(*arguments, **clearance, *svg);
