@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/progress.hpp"
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
 #include "io/text_file.hpp"
@@ -151,6 +152,7 @@ class DxfReader {
                      int depth) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       const DxfItem& item = *items[i];
+      if (entities_read_ % 256 == 0) report_parts("entities read", entities_read_);
       if (++entities_read_ > most_entities)
         throw InputError(drawing_.file, "blocks within blocks make more than 5000000 entities",
                          "explode the blocks that are wanted");

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/progress.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
 #include "geometry/touching_rings.hpp"
@@ -108,6 +109,9 @@ class OutlineMaker {
   bool any_alive() const { return std::find(alive_.begin(), alive_.end(), true) != alive_.end(); }
 
   void join() {
+    std::size_t points = 0;
+    for (const Strand& strand : strands_) points += strand.points.size();
+    report_parts("points of lines", points);
     graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);
     for (int k = 0; k < most_joinings && close_gaps(strands_, graph_, settings_.join, out_.gaps); ++k)
       graph_ = split_at_crossings(strands_, settings_.most_cuts, settings_.file);

@@ -1,6 +1,7 @@
 #include "check_batch.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +19,7 @@
 #include "io/regular_file.hpp"
 #include "io/terminal_text.hpp"
 #include "io/text_file.hpp"
+#include "progress.hpp"
 #include "report.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
@@ -216,12 +218,17 @@ int check_batch(const CheckBatch& batch) {
   WorstCode worst;
   output.take_up(tasks, worst);
   std::uint64_t scenes = 0;
+  // Answers that scroll by say as much.
+  std::optional<ProgressLine> progress;
+  if (!batch.resume.empty() || isatty(STDOUT_FILENO) == 0) progress.emplace();
   run_batch(
       threads, [&] { return output.next(tasks, stop); }, [&](const BatchTask& task) { return answer(task, shared); },
       [&](const BatchResult& result) {
         if (output.write(result, stop)) ++scenes;
+        if (progress) progress->meter().set("scenes", scenes, batch.lines ? 0 : batch.paths.size());
         worst.note(result.code);
       });
+  progress.reset();
   output.expect_written();
   if (stop) {
     fmt::print(stderr, "taut: stopped; {}\n",

@@ -103,7 +103,7 @@ int run_profile(const ClearanceArguments& arguments) {
   options.limits.max_seconds = arguments.options.limits.max_seconds;
   options.limits.stop = stop_on_signals();
   const DistanceProfile answer =
-      within_file(arguments.scene.source.path, [&] { return distance_profile(scene, options); });
+      watched(scene, arguments.scene.source.path, [&] { return distance_profile(scene, options); });
   if (!arguments.csv.empty()) write_output(arguments.csv, profile_csv(scene, answer));
   if (!arguments.svg.empty()) write_output(arguments.svg, profile_svg(scene, answer));
   // What goes to standard output is one thing.
@@ -116,7 +116,7 @@ int run_clearance(const ClearanceArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   ClearanceOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
-  const Clearance answer = within_file(arguments.scene.source.path, [&] { return clearance(scene, options); });
+  const Clearance answer = watched(scene, arguments.scene.source.path, [&] { return clearance(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, clearance_svg(scene, answer));
   if (arguments.svg != "-")
     print_text(arguments.json ? clearance_json(scene, answer) + "\n" : clearance_text(scene, answer));

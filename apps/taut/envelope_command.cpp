@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "coverage_text.hpp"
@@ -67,7 +68,9 @@ int run_envelope(const EnvelopeArguments& arguments) {
   const Linkage linkage = load_linkage(arguments.scene.source);
   EnvelopeOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
+  std::optional<Progress> progress(std::in_place);
   const Envelope answer = within_file(arguments.scene.source.path, [&] { return envelope(linkage, options); });
+  progress.reset();
   if (!arguments.svg.empty()) write_output(arguments.svg, envelope_svg(linkage, answer));
   if (!arguments.html.empty())
     write_envelope_page(linkage, answer, {options.tolerance, title_of(arguments), arguments.template_path},

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "import/import.hpp"
 #include "io/terminal_text.hpp"
+#include "progress.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -53,7 +54,9 @@ int run_import(ImportArguments arguments) {
   require_size("--repair", settings.repair, true);
   settings.merge_all = arguments.merged == "*";
   if (!settings.merge_all) settings.merged = names_in(arguments.merged);
+  std::optional<Progress> progress(std::in_place);
   const drawing::Import import = drawing::examine_files(arguments.files, settings);
+  progress.reset();
   // What is wrong is seen best in the picture: it is written in any case, and so is the report.
   if (!arguments.svg.empty()) write_output(arguments.svg, report_svg(import));
   if (arguments.json)

@@ -102,7 +102,7 @@ int run_intervals(const IntervalArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
-  const Intervals answer = within_file(arguments.scene.source.path, [&] { return intervals(scene, options); });
+  const Intervals answer = watched(scene, arguments.scene.source.path, [&] { return intervals(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, intervals_svg(scene, answer, options.touch));
   // What goes to standard output is one thing.
   if (arguments.svg != "-")
@@ -115,7 +115,8 @@ int run_range(const IntervalArguments& arguments) {
   const Scene scene = load_scene(arguments.scene.source);
   CheckOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
-  const Range answer = within_file(arguments.scene.source.path, [&] { return range(scene, arguments.from, options); });
+  const Range answer =
+      watched(scene, arguments.scene.source.path, [&] { return range(scene, arguments.from, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, range_svg(scene, arguments.from, answer));
   if (arguments.svg != "-")
     print_text(arguments.json ? range_json(scene, arguments.from, answer, options.touch) + "\n"

@@ -46,7 +46,7 @@ int run_prove_clearance(const ProveArguments& arguments) {
   CheckOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
   const MarginAnswer answer =
-      within_file(arguments.scene.path, [&] { return prove_clearance(scene, clearance, file.stream(), options); });
+      watched(scene, arguments.scene.path, [&] { return prove_clearance(scene, clearance, file.stream(), options); });
   const bool proof = answer.outcome == Outcome::free || answer.outcome == Outcome::contact ||
                      (answer.outcome == Outcome::undecided && answer.free_until > scene.start);
   if (proof) file.commit();

@@ -105,7 +105,7 @@ int run_separate(const SeparateArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   SeparateOptions options = arguments.options;
   options.limits.stop = stop_on_signals();
-  const Separation answer = within_file(arguments.scene.path, [&] { return separate(scene, options); });
+  const Separation answer = watched(scene, arguments.scene.path, [&] { return separate(scene, options); });
   if (!arguments.svg.empty()) write_output(arguments.svg, separation_svg(scene, answer));
   // What goes to standard output is one thing.
   if (arguments.svg != "-")

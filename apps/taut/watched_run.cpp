@@ -1,7 +1,6 @@
 #include "watched_run.hpp"
 
 #include "interrupt.hpp"
-#include "progress.hpp"
 
 namespace taut::cli {
 
@@ -14,10 +13,8 @@ void add_run(const Command& command, SceneSource& scene, CheckOptions& options) 
 
 Answer watched_run(const Scene& scene, const std::string& path, CheckOptions options,
                    const std::function<Answer(const Scene&, const CheckOptions&)>& run) {
-  Progress progress(scene);  // wiped when this function ends, however it does
-  if (!options.tracer) options.tracer = &progress;
   options.limits.stop = stop_on_signals();
-  return within_file(path, [&] { return run(scene, options); });
+  return watched(scene, path, [&] { return run(scene, options); });
 }
 
 }  // namespace taut::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include "command_line/command_line.hpp"
 
+#include "progress.hpp"
 #include "scene_argument.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
@@ -24,7 +25,14 @@ auto within_file(const std::string& path, const Work& work) {
   }
 }
 
-/// What `run` answers. Ctrl-C ends it with an answer, and progress is shown on a terminal, unless there is a tracer.
+/// The same, and meanwhile a terminal shows how far it is.
+template <class Work>
+auto watched(const Scene& scene, const std::string& path, const Work& work) {
+  const Progress progress(scene);
+  return within_file(path, work);
+}
+
+/// What `run` answers. Ctrl-C ends it with an answer, and progress is shown on a terminal.
 Answer watched_run(const Scene& scene, const std::string& path, CheckOptions options,
                    const std::function<Answer(const Scene&, const CheckOptions&)>& run);
 

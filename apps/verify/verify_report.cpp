@@ -11,6 +11,7 @@
 #include "io/answer_json.hpp"
 #include "io/json_text.hpp"
 #include "io/regular_file.hpp"
+#include "progress.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
 #include "taut/motions.hpp"
@@ -95,6 +96,7 @@ std::string valid_json(const Scene& scene, const Verified& v, const Expectation&
 }
 
 Verified verify_file(const Scene& scene, const std::string& log) {
+  const Progress progress;
   if (log == "-") return verify(scene, std::cin);
   io::open_regular_file(log);  // says what is wrong
   std::ifstream file(log, std::ios::binary);

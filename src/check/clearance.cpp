@@ -6,6 +6,7 @@
 
 #include "base/budget.hpp"
 #include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "check/run.hpp"
@@ -74,6 +75,7 @@ class ClearanceSearch {
     for (;;) {
       for (const BoxedPair& pair : new_pairs(reach)) {
         if (!options_.all_pairs && pair.bound > tolerance_.least(best_)) return;
+        report_parts("pairs", searched_.size());
         searched_.emplace(pair.a, pair.b);
         search(pair);
       }

@@ -6,6 +6,7 @@
 
 #include "base/budget.hpp"
 #include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
@@ -64,9 +65,12 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
     answer.reason = why_untested(answer.coverage);
     return answer;
   }
-  for (const auto& [pair, stretches] : near.pairs())
+  std::uint64_t searched = 0;
+  for (const auto& [pair, stretches] : near.pairs()) {
+    report_parts("pairs", searched++, near.pairs().size());
     search_pair(plan, pair.first, pair.second, plain ? throughout : stretches, options.touch == Touch::open, plain,
                 answer);
+  }
   conclude(answer);
   return answer;
 }

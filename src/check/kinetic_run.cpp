@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/budget.hpp"
+#include "base/progress.hpp"
 #include "check/run_watcher.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/placement.hpp"
@@ -118,6 +119,8 @@ class KineticRun final : public Run {
     if (events >= options_.max_events)
       return "the limit of " + std::to_string(options_.max_events) + " events was reached";
     if (events % 64 != 0) return {};
+    report_parts("events", events);
+    report_time(session_->engine().proved_until());
     try {
       scope_.check();
     } catch (const Interrupted& limit) {

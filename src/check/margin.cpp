@@ -3,6 +3,7 @@
 
 #include "base/budget.hpp"
 #include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "check/curved_questions.hpp"
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
@@ -36,8 +37,10 @@ class MarginSearch {
     if (plan_.coverage(0).is_empty()) return untested();
     const std::vector<std::pair<int, int>> near = CoarseBoxes(plan_).pairs_within(margin_);
     answer_.coverage = plan_.coverage(near.size());
+    std::uint64_t asked = 0;
     for (const auto& [a, b] : near) {
       checkpoint();
+      report_parts("pairs", asked++, near.size());
       ask(a, b);
     }
     take_first();

@@ -6,6 +6,7 @@
 
 #include "base/budget.hpp"
 #include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
@@ -47,7 +48,10 @@ class SeparationSearch {
     answer.overlap = overlap();
     const int n = static_cast<int>(standing_.size());
     if (!answer.overlap) {
-      for (int body = n == 2 ? 1 : 0; body < n; ++body) answer.bodies.push_back(directions(body));
+      for (int body = n == 2 ? 1 : 0; body < n; ++body) {
+        report_parts("bodies", answer.bodies.size(), standing_.size());
+        answer.bodies.push_back(directions(body));
+      }
       if (n > 2) take_apart(answer);
     }
     answer.outcome = answer.overlap      ? SeparationOutcome::overlap_at_start
@@ -64,6 +68,7 @@ class SeparationSearch {
   std::optional<std::array<BodyId, 2>> overlap() const {
     const int n = static_cast<int>(standing_.size());
     for (int a = 0; a < n; ++a) {
+      report_parts("bodies held against the others", static_cast<std::uint64_t>(a), standing_.size());
       for (int b = a + 1; b < n; ++b) {
         checkpoint();
         if (ignored_.has(a, b)) continue;
@@ -120,7 +125,9 @@ class SeparationSearch {
   /// A body that can leave can leave later as well, since fewer are in its way: the first one that can is as good as
   /// any.
   void take_apart(Separation& answer) {
+    const std::size_t all = left_.size();
     while (left_.size() > 1) {
+      report_parts("bodies taken away", all - left_.size(), all);
       bool taken = false;
       for (std::size_t i = 0; i < left_.size() && !taken; ++i) {
         const BodyDirections can = directions(left_[i]);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/budget.hpp"
+#include "base/progress.hpp"
 #include "check/run.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
@@ -85,6 +86,7 @@ class SpacetimeSearch {
     stages_ = stages_at_start_;
     stages_ += found.stages;
     answer.free_until = std::clamp(segments_[found.segment].time(found.lo), scene_.start, scene_.end);
+    report_time(answer.free_until);
     if (found.outcome == SpacetimeResult::free) {
       conclude_free(scene_.end, answer);
     } else if (found.outcome == SpacetimeResult::contact) {

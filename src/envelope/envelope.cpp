@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/budget.hpp"
+#include "base/progress.hpp"
 #include "envelope/cell_pair.hpp"
 #include "pair/ignored_pairs.hpp"
 #include "pair/untested.hpp"
@@ -84,6 +85,8 @@ class EnvelopeSearch {
     try {
       while (!queue_.empty()) {
         checkpoint();
+        report_parts("cells", answer_.cells.size());
+        report_share(answer_.free + answer_.colliding + answer_.undecided);
         look(queue_.front());
         queue_.pop_front();
       }

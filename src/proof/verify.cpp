@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/budget.hpp"
+#include "base/progress.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/validate_world.hpp"
@@ -52,7 +53,10 @@ class Verifier {
     result_.touch = header_.touch;
     result_.fingerprint = header_.fingerprint;
     try {
-      while (record()) checkpoint();
+      for (std::uint64_t records = 0; record(); ++records) {
+        checkpoint();
+        if (records % 64 == 0) report_parts("records", records);
+      }
     } catch (const ProofError& error) {
       throw ProofError("event " + std::to_string(result_.events) + ", before byte " + std::to_string(in_.offset()) +
                        ": " + error.what());

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "base/progress.hpp"
 #include "world/meeting_boxes.hpp"
 
 namespace taut::internal {
@@ -61,7 +62,10 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
                         int depth) {
   if (over(from)) return;
   // Pairs that windows around this one have settled come after it.
-  if (!above || !above->any()) proved_ = std::max(proved_, from);
+  if (!above || !above->any()) {
+    proved_ = std::max(proved_, from);
+    report_time(proved_);
+  }
   const double middle = from + (to - from) / 2;
   const bool divisible = from < middle && middle < to && depth < most_halvings;
   DormantCertificates here{above, {}};
@@ -84,7 +88,11 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
     cover(middle, to, rest, &here, depth + 1);
   }
   std::sort(now.begin(), now.end());
-  for (const auto& [a, b] : now) settle(pair(a, b), from, to);
+  to_settle_ += now.size();
+  for (const auto& [a, b] : now) {
+    report_parts("pairs in a stretch of time", dormant_++, to_settle_);
+    settle(pair(a, b), from, to);
+  }
 }
 
 /// The pair's first contact within the window, if there is one that matters.

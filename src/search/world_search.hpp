@@ -53,6 +53,7 @@ class WorldSearch {
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;
+  std::uint64_t dormant_ = 0, to_settle_ = 0;  ///< pairs in windows, for who waits
 };
 
 }  // namespace taut::internal
