@@ -41,10 +41,8 @@ class TilingPicture {
   }
 
   std::string draw() {
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-        canvas_.width(), canvas_.height());
+    out_ = io::svg_tag(canvas_.width(), canvas_.height(), "font-family=\"sans-serif\" font-size=\"13\"") +
+           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     draw_title();
     if (options_.faces) draw_faces();
     draw_bodies();

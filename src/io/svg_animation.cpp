@@ -35,12 +35,10 @@ class Animation {
         loop_(options.seconds + options.pause) {}
 
   std::string draw() const {
-    std::string out = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"sans-serif\" font-size=\"13\">\n"
-        "<style>.still{{display:none}}@media (prefers-reduced-motion:reduce){{.moving{{display:none}}.still{{display:"
-        "inline}}}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-        canvas_.width(), canvas_.height());
+    std::string out =
+        io::svg_tag(canvas_.width(), canvas_.height(), "font-family=\"sans-serif\" font-size=\"13\"") +
+        "<style>.still{display:none}@media (prefers-reduced-motion:reduce){.moving{display:none}.still{display:"
+        "inline}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     const std::string title =
         io::escape_xml(options_.title.empty() ? io::excerpt(scene_.bodies[0].name + " and " + scene_.bodies[1].name, 80)
                                               : options_.title);

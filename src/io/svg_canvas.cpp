@@ -52,6 +52,13 @@ Point SvgCanvas::pixel(const Point& p) const {
 
 std::string pixel_text(const Point& pixel) { return short_decimal(pixel.x) + "," + short_decimal(pixel.y); }
 
+std::string svg_tag(double width, double height, const std::string& more) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "style=\"max-width:100%;max-height:100vh\" {2}>\n",
+      width, height, more);
+}
+
 std::string outline_path(const std::vector<Point>& pixels) {
   std::string s;
   for (const Point& p : pixels) s += (s.empty() ? "M" : "L") + pixel_text(p);

@@ -32,6 +32,9 @@ class SvgCanvas {
 /// The room above a picture for its title.
 inline constexpr double title_height = 30;
 
+/// The beginning of a picture of so many pixels, which is no larger than the window that shows it; `more` are further
+/// attributes.
+std::string svg_tag(double width, double height, const std::string& more);
 /// "x,y" with two decimals: finer than any screen shows, and short.
 std::string pixel_text(const Point& pixel);
 /// A closed outline as the data of a path.

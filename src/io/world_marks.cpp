@@ -119,11 +119,11 @@ Point middle_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, c
 }  // namespace
 
 std::string world_head(const SvgCanvas& canvas, const std::string& title, const std::string& style) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"sans-serif\" font-size=\"13\">\n{2}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
-      "<title>{3}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{3}</text>\n",
-      canvas.width(), canvas.height(), style, escape_xml(title));
+  return svg_tag(canvas.width(), canvas.height(), "font-family=\"sans-serif\" font-size=\"13\"") +
+         fmt::format(
+             "{0}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
+             "<title>{1}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{1}</text>\n",
+             style, escape_xml(title));
 }
 
 std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width) {
