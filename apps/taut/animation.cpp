@@ -56,6 +56,7 @@ std::string animation(const Scene& scene, Touch touch, AnimateOptions options) {
   const std::optional<Contact> contact = first_contact(scene, touch);
   options.contact = contact ? &*contact : nullptr;
   options.ending = ending(scene, contact);
+  options.free = !contact;
   const double end = contact ? contact->time.lo : scene.end;
   std::string svg;
   for (int count = most_frames; count >= fewest_frames; count /= 2) {

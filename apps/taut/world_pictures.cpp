@@ -71,6 +71,7 @@ std::string world_animation(const Scene& scene, const Answer& answer, const Draw
     options.tilings = [&](double t) { return tilings_of_near_pairs(scene, t, how.touch); };
   options.draw = marked(answer, options.draw);
   options.ending = ending_of(scene, answer);
+  options.free = answer.outcome == Outcome::free;
   std::string svg;
   for (;; options.frames /= 2) {
     svg = animate_world_svg(scene, end_of(scene, answer), options);

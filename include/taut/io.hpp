@@ -132,6 +132,7 @@ struct AnimateOptions {
   std::string ending = {};  ///< shown with the last frame: how it ends, in words
   /// Mark this contact on the last frame, if given.
   const Contact* contact = nullptr;
+  bool free = false;  ///< it was proved that nothing meets: the bar of time is green, and not grey
 };
 /// An SVG picture that moves, without script: bodies and the edges between them, from the first frame (a tiling at an
 /// instant, as Simulation::tiling() gives it) to the last at an even pace, then from the beginning. At least two
@@ -183,6 +184,7 @@ struct WorldAnimateOptions {
   std::string ending = {};     ///< shown with the last frame: how it ends, in words
   /// The tilings to draw at an instant; asked for each frame. None are drawn without it.
   std::function<std::vector<NearTiling>(double)> tilings = {};
+  bool free = false;  ///< it was proved that nothing meets: the bar of time is green, and not grey
 };
 /// The same as a picture that moves, without script, from the scene's start to `end` at an even pace, then from the
 /// beginning. Who prefers reduced motion sees the last frame.

@@ -54,6 +54,7 @@ using FeatureTuple = std::tuple<int, int, int, int>;
 /// What the last frame of a picture that moves shows besides the bodies.
 struct Ending {
   std::string words;
+  bool free = false;
   /// Vertex, edge, point and normal.
   std::optional<std::tuple<FeatureTuple, FeatureTuple, std::pair<double, double>, std::pair<double, double>>> contact;
   std::optional<std::array<int, 2>> overlap;
@@ -70,6 +71,7 @@ std::string animation(const taut::Scene& scene, double end, const Ending& ending
   constexpr std::size_t large = 200000;
   taut::WorldAnimateOptions options;
   options.ending = ending.words;
+  options.free = ending.free;
   if (ending.contact) {
     const auto& [vertex, edge, point, normal] = *ending.contact;
     options.draw.contacts.push_back({{end, end},
@@ -97,6 +99,7 @@ void bind_pictures(py::module_& module) {
   py::class_<Ending>(module, "Ending")
       .def(py::init())
       .def_readwrite("words", &Ending::words)
+      .def_readwrite("free", &Ending::free)
       .def_readwrite("contact", &Ending::contact)
       .def_readwrite("overlap", &Ending::overlap);
   module.def("animation", [](const SceneText& text, double end, const Ending& ending) {

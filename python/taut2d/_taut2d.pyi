@@ -88,6 +88,7 @@ def cells(text: SceneText, body: str, resolution: float, x: float, y: float) -> 
 def read_linkage(text: SceneText) -> None: ...
 class Ending:
     words: str
+    free: bool
     contact: Optional[tuple[Any, Any, tuple[float, float], tuple[float, float]]]
     overlap: Optional[list[int]]
 

@@ -22,7 +22,7 @@ def _picture(scene: Scene, end: float, ending: _taut2d.Ending) -> str:
         svg = _taut2d.animation(scene._text(), end, ending)
     # An image of its own: names in it do not meet those in other pictures of the page.
     data = base64.b64encode(svg.encode("utf-8")).decode("ascii")
-    return f'<img alt="the motion" style="width: 640px; max-width: 100%" src="data:image/svg+xml;base64,{data}"/>'
+    return f'<img alt="the motion" style="max-width: min(640px, 100%); max-height: 480px" src="data:image/svg+xml;base64,{data}"/>'
 
 
 def _refused(error: TautError) -> str:
@@ -78,6 +78,7 @@ def html_of_answer(answer: Answer) -> str:
     end, contact, _ = instant(scene, answer)
     ending = _taut2d.Ending()
     ending.words = _words(answer)
+    ending.free = answer.outcome == "free"
     if contact is not None:
         ending.contact = _contact_for(scene, contact)
     elif answer.outcome == "overlap_at_start" and answer.pair is not None:

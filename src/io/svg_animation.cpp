@@ -168,7 +168,7 @@ class Animation {
     const double y = canvas_.height() - 20, whole = canvas_.width() - 2 * io::SvgCanvas::margin;
     const double length = scene_.end - scene_.start;
     const double reached = length > 0 ? whole * (frames_.back().time - scene_.start) / length : whole;
-    const char* colour = options_.contact ? io::contact_colour : io::reflex_colour;
+    const char* colour = options_.contact ? io::contact_colour : io::bar_colour(options_.free);
     return loop().bar(moving, io::SvgCanvas::margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 

@@ -14,5 +14,7 @@ inline constexpr const char* separator_colour = "#6a2fb5";
 inline constexpr const char* gone_colour = "#8a8a8a";
 inline constexpr const char* come_colour = "#d7191c";
 inline constexpr const char* contact_colour = "#d7191c";
+/// Of the bar of time of a motion in which nothing is marked: green is a claim, for which somebody has to have asked.
+inline const char* bar_colour(bool proved_free) { return proved_free ? reflex_colour : tiling_colour; }
 
 }  // namespace taut::internal::io

@@ -172,7 +172,7 @@ class WorldAnimation {
     const double length = scene_.end - scene_.start;
     const double reached = length > 0 ? whole * (end_ - scene_.start) / length : whole;
     const bool hit = !options_.draw.contacts.empty() || !options_.draw.overlaps.empty();
-    const char* colour = hit ? io::contact_colour : io::reflex_colour;
+    const char* colour = hit ? io::contact_colour : io::bar_colour(options_.free);
     return loop().bar(moving, io::SvgCanvas::margin, whole, y, reached, colour, io::escape_xml(options_.ending));
   }
 

@@ -156,6 +156,10 @@ TEST(SvgWorldAnimation, MovesChildrenWithTheirParents) {
   EXPECT_TRUE(well_formed(svg));
   EXPECT_NE(svg.find("free &lt;all&gt;"), std::string::npos);
   EXPECT_NE(svg.find("prefers-reduced-motion"), std::string::npos);
+  // Green is a claim.
+  EXPECT_EQ(svg.find("#138a4e"), std::string::npos);
+  options.free = true;
+  EXPECT_NE(animate_world_svg(scene, 1, options).find("#138a4e"), std::string::npos);
   std::vector<std::string> ends;
   for (const std::string& element : animations(svg)) {
     const auto values = split(attribute(element, "values"), ';'), times = split(attribute(element, "keyTimes"), ';');
