@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
@@ -36,7 +37,10 @@ int run_view(const ViewArguments& arguments) {
     throw InputError("--at", fmt::format("{} is outside the scene's time [{}, {}]", *at, scene.start, scene.end),
                      "choose an instant within");
   }
-  write_viewer(scene, arguments.options, arguments.output);
+  ViewerOptions options = arguments.options;
+  if (options.title.empty() && arguments.scene.path != "-")
+    options.title = std::filesystem::path(arguments.scene.path).stem().string();
+  write_viewer(scene, options, arguments.output);
   return exit_free;
 }
 
@@ -56,7 +60,7 @@ void add_view(const Command& app, Action& action) {
       .within(2, 1000000)
       .value("N");
   command.add_flag("--separate", ask.separate, "ask in which directions they come apart: a rose for each body");
-  command.add_option("--title", arguments->options.title, "of the page (the bodies' names)").value("TEXT");
+  command.add_option("--title", arguments->options.title, "of the page (the file's name)").value("TEXT");
   command
       .add_option("--template", arguments->options.template_path,
                   "the page to put the scene into, instead of the one that\n`./dev web` builds")

@@ -29,13 +29,13 @@ export class Camera {
     this.height = height;
   }
 
-  /** Shows the box, with some room around it. */
-  fit(box: Box): void {
+  /** Shows the box, with some room around it, and `right` pixels more on the right. */
+  fit(box: Box, right = 0): void {
     const margin = Math.min(44, 0.08 * Math.min(this.width, this.height));
     const w = Math.max(box.highX - box.lowX, 1e-300);
     const h = Math.max(box.highY - box.lowY, 1e-300);
-    this.scale = Math.min((this.width - 2 * margin) / w, (this.height - 2 * margin) / h);
-    this.x = (box.lowX + box.highX) / 2;
+    this.scale = Math.min((this.width - right - 2 * margin) / w, (this.height - 2 * margin) / h);
+    this.x = (box.lowX + box.highX) / 2 + right / 2 / this.scale;
     this.y = (box.lowY + box.highY) / 2;
   }
 

@@ -33,8 +33,10 @@ const paths = {
   last: "M3 4l6 6-6 6zM10 4l6 6-6 6zM16.2 4H18v12h-1.8z",
   plus: "M9 4h2v5h5v2h-5v5H9v-5H4V9h5z",
   minus: "M4 9h12v2H4z",
-  fit: "M3 3h5v2H5v3H3zM12 3h5v5h-2V5h-3zM3 12h2v3h3v2H3zM15 12h2v5h-5v-2h3z",
-  theme: "M10 2a8 8 0 1 0 0 16zM10 4a6 6 0 0 1 0 12z",
+  // A frame around what is in it; full screens have open corners.
+  fit: "M2.5 4h15v12h-15zM4.2 5.7v8.6h11.6V5.7zM7 8h6v4H7z",
+  // A disc, half of it dark.
+  theme: "M10 2a8 8 0 1 1 0 16 8 8 0 0 1 0-16zM10 3.8a6.2 6.2 0 1 0 0 12.4z",
   help: "M10 2a8 8 0 1 1 0 16 8 8 0 0 1 0-16zm0 1.8a6.2 6.2 0 1 0 0 12.4 6.2 6.2 0 0 0 0-12.4zM9.2 13.2h1.7v1.7H9.2zM10 5.4c1.8 0 3 1.1 3 2.6 0 1.1-.6 1.7-1.3 2.2-.6.4-.8.7-.8 1.3v.5H9.2v-.7c0-1.2.6-1.8 1.3-2.3.5-.4.7-.6.7-1 0-.6-.5-1-1.2-1s-1.3.4-1.3 1.2H7c0-1.7 1.2-2.8 3-2.8z",
 } as const;
 export type Icon = keyof typeof paths;

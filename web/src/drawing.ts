@@ -63,7 +63,7 @@ export class Painter {
 
   /** Two bodies and the tiling between them. */
   private drawPair(frame: Frame, layers: Layers, colours: Colours): void {
-    const shape = this.update(frame);
+    const shape = layers.proof ? this.update(frame) : null;
     if (shape && layers.faces) this.drawFaces(shape, colours);
     for (const b of [0, 1]) this.drawBody(frame, b, layers, colours);
     if (shape) {

@@ -1,6 +1,6 @@
 // The page of `taut envelope --html`: a map of all combinations of joint values, and the linkage at the one that the
 // pointer is on.
-import { h } from "./dom";
+import { h, iconButton } from "./dom";
 import { CellIndex, placementOf, type Cell, type CellState, type EnvelopePage, type LinkedBody } from "./linkage";
 import { roundText } from "./words";
 
@@ -18,8 +18,11 @@ class EnvelopeViewer {
   private readonly state = h("span", { class: "state", role: "status" });
   private readonly sliders: HTMLInputElement[];
   private readonly outputs: HTMLOutputElement[];
+  private readonly labels: SVGTextElement[];
   /** A click keeps the pose; another one lets it follow the pointer again. */
   private kept = false;
+  /** How high letters are in the picture, in its units. */
+  private letter = 1;
 
   constructor(private readonly data: EnvelopePage) {
     this.values = this.joints.map(
@@ -27,6 +30,7 @@ class EnvelopeViewer {
     );
     this.cells = new CellIndex(data.envelope.cells, this.joints);
     this.pictures = data.bodies.map((body, k) => this.pictureOf(body, k));
+    this.labels = data.bodies.map((body) => this.labelOf(body));
     this.outputs = this.joints.map(() => h("output"));
     this.sliders = this.joints.map(({ name, range }, k) => {
       const step = (range[1] - range[0]) / 1000;
@@ -53,13 +57,26 @@ class EnvelopeViewer {
     const controls = this.joints.map(({ name }, k) =>
       h("label", { class: "joint" }, name, this.sliders[k]!, this.outputs[k]!),
     );
+    const help =
+      "Move over the map to see the bodies there. A click keeps the pose, another one lets it go. Arrow keys move the point, with Shift in small steps.";
     return h(
       "div",
       { class: "envelope" },
-      h("header", {}, h("h1", {}, this.data.title ?? "All combinations"), h("span", {}, this.sharesText())),
+      h(
+        "header",
+        {},
+        h("h1", {}, this.data.title ?? "All combinations"),
+        h("span", { class: "shares" }, ...this.shares()),
+        h(
+          "button",
+          { type: "button", id: "copy", title: "The joint values as JSON", onclick: () => void this.copy() },
+          "Copy pose",
+        ),
+        iconButton("theme", "Light or dark", () => this.toggleTheme(), "t"),
+      ),
       h("div", { class: "map" }, this.canvas),
       h("div", { class: "pose" }, this.svg),
-      h("div", { class: "controls" }, this.state, ...controls),
+      h("div", { class: "controls" }, this.state, ...controls, h("p", { class: "help" }, help)),
     );
   }
 
@@ -69,21 +86,58 @@ class EnvelopeViewer {
     this.data.bodies.forEach((body, k) => {
       const { x, y, c, s } = placementOf(this.data.bodies, body, this.values);
       this.pictures[k]!.setAttribute("transform", `matrix(${c} ${s} ${-s} ${c} ${x} ${y})`);
+      this.place(this.labels[k]!, body, { x, y, c, s });
       this.pictures[k]!.classList.toggle("meets", cell?.state === "colliding" && !!cell.pair?.includes(body.name));
     });
     this.joints.forEach((_, k) => {
       this.sliders[k]!.value = String(this.values[k]);
-      this.outputs[k]!.value = roundText(this.values[k]!, 6);
+      this.outputs[k]!.value = roundText(this.values[k]!, 6) + (this.inDegrees(k) ? "°" : "");
     });
     this.state.className = `state ${cell?.state ?? "undecided"}`;
     this.state.replaceChildren(h("i"), stateText(cell));
     this.drawMap();
   }
 
-  private sharesText(): string {
-    const { free, colliding, undecided } = this.data.envelope;
-    const percent = (share: number) => `${roundText(100 * share, 3)} %`;
-    return `free ${percent(free)}, colliding ${percent(colliding)}, undecided ${percent(undecided)}`;
+  /** The legend of the map, with how much of it there is of each kind. */
+  private shares(): HTMLElement[] {
+    const states: CellState[] = ["free", "colliding", "undecided"];
+    return states.map((state) => {
+      const percent = `${roundText(100 * this.data.envelope[state], 3)} %`;
+      return h("span", { class: `state ${state}` }, h("i"), `${state} ${percent}`);
+    });
+  }
+
+  private async copy(): Promise<void> {
+    const pose = Object.fromEntries(this.joints.map(({ name }, k) => [name, this.values[k]]));
+    await navigator.clipboard.writeText(JSON.stringify(pose));
+  }
+
+  private toggleTheme(): void {
+    const { dataset } = document.documentElement;
+    dataset.theme = dataset.theme === "dark" ? "light" : "dark";
+    this.show();
+  }
+
+  /** Does the joint turn bodies, and shift none? */
+  private inDegrees(k: number): boolean {
+    const motions = this.data.bodies.flatMap(({ motion }) => (motion?.joint === k ? [motion] : []));
+    return motions.length > 0 && motions.every(({ pivot }) => pivot !== undefined);
+  }
+
+  private labelOf(body: LinkedBody): SVGTextElement {
+    const label = document.createElementNS(svgSpace, "text");
+    label.textContent = body.name;
+    return label;
+  }
+
+  /** Above the middle of the body's highest vertices there. */
+  private place(label: SVGTextElement, body: LinkedBody, at: { x: number; y: number; c: number; s: number }): void {
+    const points = body.parts.flat(2).map(([u, v]) => [at.x + at.c * u - at.s * v, at.y + at.s * u + at.c * v]);
+    const top = points.reduce((most, [, y]) => Math.max(most, y!), -Infinity);
+    const highest = points.flatMap(([x, y]) => (y! > top - 0.1 * this.letter ? [x!] : []));
+    label.setAttribute("x", String(highest.reduce((sum, x) => sum + x, 0) / highest.length));
+    label.setAttribute("y", String(-top - 0.3 * this.letter));
+    label.setAttribute("font-size", String(this.letter));
   }
 
   private pictureOf(body: LinkedBody, k: number): SVGGElement {
@@ -122,7 +176,8 @@ class EnvelopeViewer {
     const least = (all: number[]) => all.reduce((a, b) => Math.min(a, b));
     const most = (all: number[]) => all.reduce((a, b) => Math.max(a, b));
     const [left, right, low, high] = [least(xs), most(xs), least(ys), most(ys)];
-    const room = 0.04 * Math.max(right - left, high - low);
+    const room = 0.06 * Math.max(right - left, high - low);
+    this.letter = 0.027 * Math.max(right - left, high - low);
     this.svg.setAttribute(
       "viewBox",
       [left - room, -high - room, right - left + 2 * room, high - low + 2 * room].join(" "),
@@ -130,7 +185,7 @@ class EnvelopeViewer {
     const upwards = document.createElementNS(svgSpace, "g");
     upwards.setAttribute("transform", "scale(1 -1)");
     upwards.append(...this.pictures);
-    this.svg.replaceChildren(upwards);
+    this.svg.replaceChildren(upwards, ...this.labels);
   }
 
   private listen(): void {
@@ -147,6 +202,9 @@ class EnvelopeViewer {
       event.preventDefault();
       const [lo, hi] = this.joints[step[0]!]!.range;
       this.set(step[0]!, this.values[step[0]!]! + (step[1]! * (hi - lo)) / (event.shiftKey ? 1000 : 100));
+    });
+    document.addEventListener("keydown", (event) => {
+      if (event.key === "t" && !event.ctrlKey && !event.metaKey && !event.altKey) this.toggleTheme();
     });
     new ResizeObserver(() => this.show()).observe(this.canvas);
   }
@@ -216,26 +274,42 @@ class EnvelopeViewer {
     g.strokeStyle = style.getPropertyValue("--line");
     g.font = "12px system-ui, sans-serif";
     g.strokeRect(margin.left, margin.top, width, height);
-    const ticks = 4;
-    for (let i = 0; i <= ticks; ++i) {
-      const at = (k: number) => {
-        const [lo, hi] = this.joints[k]!.range;
-        return roundText(lo + ((hi - lo) * i) / ticks, 4);
-      };
-      g.textAlign = "center";
-      g.fillText(at(0), margin.left + (width * i) / ticks, margin.top + height + 16);
-      g.textAlign = "right";
-      if (this.joints[1]) g.fillText(at(1), margin.left - 6, margin.top + height - (height * i) / ticks + 4);
+    const share = (k: number, value: number): number => {
+      const [lo, hi] = this.joints[k]!.range;
+      return (value - lo) / (hi - lo);
+    };
+    const name = (k: number): string => this.joints[k]!.name + (this.inDegrees(k) ? " (deg)" : "");
+    g.textAlign = "center";
+    for (const value of roundTicks(this.joints[0]!.range)) {
+      const x = margin.left + width * share(0, value);
+      g.strokeRect(x, margin.top + height, 0, 4);
+      g.fillText(roundText(value, 6), x, margin.top + height + 17);
+    }
+    g.fillText(name(0), margin.left + width / 2, margin.top + height + 36);
+    if (!this.joints[1]) return;
+    g.textAlign = "right";
+    for (const value of roundTicks(this.joints[1].range)) {
+      const y = margin.top + height * (1 - share(1, value));
+      g.strokeRect(margin.left - 4, y, 4, 0);
+      g.fillText(roundText(value, 6), margin.left - 7, y + 4);
     }
     g.textAlign = "center";
-    g.fillText(this.joints[0]!.name, margin.left + width / 2, margin.top + height + 34);
-    if (!this.joints[1]) return;
     g.save();
     g.translate(14, margin.top + height / 2);
     g.rotate(-Math.PI / 2);
-    g.fillText(this.joints[1].name, 0, 0);
+    g.fillText(name(1), 0, 0);
     g.restore();
   }
+}
+
+/** Some five round numbers in a range. */
+function roundTicks([lo, hi]: [number, number]): number[] {
+  const raw = (hi - lo) / 5;
+  const unit = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((k) => k * unit).find((s) => s >= raw)!;
+  const ticks: number[] = [];
+  for (let k = Math.ceil(lo / step - 1e-9); k * step <= hi + 1e-9 * step; ++k) ticks.push(k * step);
+  return ticks;
 }
 
 function stateText(cell: Cell | undefined): string {

@@ -5,6 +5,8 @@ import type { Edge, MapEvent, Replay } from "./replay";
 import type { Shape } from "./shapes";
 
 export interface Layers {
+  /** The map of the space between the bodies: all of what is below, but vertices and bands. */
+  proof: boolean;
   faces: boolean;
   tiling: boolean;
   corners: boolean;

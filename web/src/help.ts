@@ -9,6 +9,7 @@ const keys: [string, string][] = [
   ["+ − 0", "zoom in, zoom out, show everything"],
   ["w a s d", "move the view"],
   ["z", "zoom to the event or the contact; once more, to where curves are bands"],
+  ["p", "show the proof, or the bodies alone"],
   ["f e c v b", "faces, edges of the tiling, corners, vertices, bands around curves"],
   ["t", "light or dark"],
   ["?", "this list"],
@@ -26,7 +27,7 @@ export function helpDialog(moreKeys: [string, string][]): HTMLDialogElement {
     h(
       "p",
       {},
-      "Bold edges join the two bodies. Only corners at such an edge can fail; each has a certificate, whose " +
+      "With the proof, bold edges join the two bodies. Only corners at such an edge can fail; each has a certificate, whose " +
         "failure is an event. While no corner fails, the bodies cannot touch.",
     ),
     h("form", { method: "dialog" }, h("button", {}, "Close")),

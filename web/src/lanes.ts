@@ -141,7 +141,7 @@ function pairsOf(answer: IntervalsAnswer): string[] {
 
 function write({ c, colours }: Place, text: string, at = 12, left = edge): void {
   c.strokeStyle = colours.paper;
-  c.lineWidth = 3;
+  c.lineWidth = 5;
   c.lineJoin = "round";
   c.strokeText(text, left, at);
   c.fillStyle = colours.muted;

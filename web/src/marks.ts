@@ -199,21 +199,29 @@ export class Marks {
   names(frame: Frame, colours: Colours): void {
     const c = this.context;
     c.font = "600 13px system-ui, sans-serif";
-    let first: { x: number; y: number; width: number } | null = null;
+    const outlines = [0, 1].map((b) =>
+      [...frame.figures[b].outline(4 / this.camera.scale)].map((i) => pixelOf(this.camera, frame, b, i)),
+    );
+    const taken: Label[] = [];
     for (const b of [0, 1]) {
-      let top: [number, number] = [0, Infinity];
-      for (const i of frame.figures[b].outline(4 / this.camera.scale)) {
-        const p = pixelOf(this.camera, frame, b, i);
-        if (p[1] < top[1]) top = p;
-      }
       const width = c.measureText(frame.names[b]).width;
-      const x = Math.min(Math.max(top[0] - width / 2, 10), Math.max(10, this.camera.width - width - 58));
-      let y = Math.min(Math.max(top[1] - 9, 20 + 18 * b), this.camera.height - 40 - 18 * b);
-      const meets = first && x < first.x + first.width + 8 && x + width + 8 > first.x && Math.abs(y - first.y) < 18;
-      if (first && meets) y = first.y > 38 ? first.y - 18 : first.y + 18;
-      first ??= { x, y, width };
-      this.text(frame.names[b], x, y, colours.bodyLine[b], colours.paper);
+      const places = labelPlaces(outlines[b], width).map(([x, y]) => this.within(x, y, width));
+      const free = (place: Label): boolean =>
+        !taken.some((t) => meet(t, place)) && !outlines.some((outline) => covers(outline, place));
+      const besideOther = (place: Label): boolean => !covers(outlines[1 - b], place);
+      const place = places.find(free) ?? places.find(besideOther) ?? places[0];
+      taken.push(place);
+      this.text(frame.names[b], place.x, place.y, colours.bodyLine[b], colours.paper);
     }
+  }
+
+  /** Left of the buttons for the view, and above the scale. */
+  private within(x: number, y: number, width: number): Label {
+    return {
+      x: Math.min(Math.max(x, 10), Math.max(10, this.camera.width - width - 58)),
+      y: Math.min(Math.max(y, 20), this.camera.height - 40),
+      width,
+    };
   }
 
   scaleBar(colours: Colours): void {
@@ -242,4 +250,58 @@ export class Marks {
     c.fillStyle = colour;
     c.fillText(text, x, y);
   }
+}
+
+/** A line of text: where it begins, on its base line. */
+interface Label {
+  x: number;
+  y: number;
+  width: number;
+}
+
+const ascent = 11;
+const descent = 4;
+
+const meet = (a: Label, b: Label): boolean =>
+  a.x < b.x + b.width + 8 && b.x < a.x + a.width + 8 && Math.abs(a.y - b.y) < ascent + descent + 3;
+
+/** Above, below, and beside an outline. */
+function labelPlaces(outline: [number, number][], width: number): [number, number][] {
+  const most = (of: (p: [number, number]) => number): [number, number] =>
+    outline.reduce((best, p) => (of(p) > of(best) ? p : best));
+  const top = most(([, y]) => -y);
+  const bottom = most(([, y]) => y);
+  const left = most(([x]) => -x);
+  const right = most(([x]) => x);
+  return [
+    [top[0] - width / 2, top[1] - 9],
+    [bottom[0] - width / 2, bottom[1] + ascent + 7],
+    [left[0] - width - 9, left[1] + 4],
+    [right[0] + 9, right[1] + 4],
+  ];
+}
+
+/** Does the label lie on the outline, or on what it goes around? */
+function covers(outline: [number, number][], { x, y, width }: Label): boolean {
+  const inLabel = (u: number, v: number): boolean =>
+    u > x - 3 && u < x + width + 3 && v > y - ascent && v < y + descent;
+  const corners: [number, number][] = [
+    [x, y - ascent],
+    [x + width, y - ascent],
+    [x, y + descent],
+    [x + width, y + descent],
+  ];
+  const inside = corners.map(() => false);
+  for (let i = 0, j = outline.length - 1; i < outline.length; j = i++) {
+    const [ax, ay] = outline[i];
+    const [bx, by] = outline[j];
+    corners.forEach(([u, v], k) => {
+      if (ay > v !== by > v && u < ax + ((v - ay) / (by - ay)) * (bx - ax)) inside[k] = !inside[k];
+    });
+    // Sides that cross a label this small pass its middle line or end in it, nearly always.
+    const steps = Math.min(200, Math.ceil((Math.abs(bx - ax) + Math.abs(by - ay)) / 8));
+    for (let k = 0; k <= steps; ++k)
+      if (inLabel(ax + ((bx - ax) * k) / (steps || 1), ay + ((by - ay) * k) / (steps || 1))) return true;
+  }
+  return inside.some(Boolean);
 }

@@ -20,6 +20,9 @@ export interface Tool {
   frame(): Frame | null;
 }
 
+/** The buttons for the view lie on the right: nothing that is shown does. */
+const roomForButtons = 36;
+
 export class Stage {
   readonly camera = new Camera();
   readonly canvas = h("canvas", { class: "picture", tabindex: 0, role: "img" });
@@ -27,7 +30,7 @@ export class Stage {
   /** The vertex below the pointer. */
   private readonly readout = h("output", { class: "readout", id: "readout" });
   readonly painter: Painter;
-  layers: Layers = { faces: true, tiling: true, corners: true, vertices: false, bands: true };
+  layers: Layers = { proof: false, faces: true, tiling: true, corners: true, vertices: false, bands: true };
   theme: ThemeChoice = "auto";
   faults: FaultMarks[] = [];
   /** Where bodies are closest, if that is now. */
@@ -106,7 +109,7 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (width === 0 || !this.player.scene) return;
     this.camera.resize(width, height);
-    this.camera.fit(this.extent());
+    this.camera.fit(this.extent(), roomForButtons);
     this.redraw();
   }
 

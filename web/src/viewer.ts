@@ -1,6 +1,7 @@
 // The page of `taut view`: one scene, kept in the page itself.
 import { h } from "./dom";
 import { Engine, TautError, inParts, type Scene } from "./engine";
+import { saveFile } from "./openandsave";
 import { Player } from "./player";
 import type { Asked } from "./questions";
 import { Workbench } from "./workbench";
@@ -20,6 +21,17 @@ async function main(): Promise<void> {
   const workbench = new Workbench(player);
   workbench.title = data.title ?? null;
   workbench.questions.asked = data.ask ?? {};
+  const name = data.title ?? "scene";
+  const tool = (id: string, label: string, title: string, action: () => void): HTMLElement =>
+    h("button", { type: "button", id, title, onclick: action }, label);
+  workbench.headerTools.append(
+    tool("export", "Save scene", "The scene as a file for taut", () =>
+      saveFile(JSON.stringify(data.scene, null, 1), `${name}.json`, "application/json"),
+    ),
+    tool("svg", "Save SVG", "The instant shown as a picture", () =>
+      saveFile(player.engine.svg(player.t), `${name}.svg`, "image/svg+xml"),
+    ),
+  );
   player.open(inParts(data.scene), data.touch === "closed", data.at);
   document.body.replaceChildren(workbench.element);
   workbench.opened();

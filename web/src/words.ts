@@ -83,6 +83,24 @@ export function ringText({ part = 0, ring = 0 }: { part?: number; ring?: number 
   return (ring > 0 ? `hole ${ring} of ` : "") + (parts > 1 ? `part ${part} of ` : "");
 }
 
+/** By how much the bodies of a contact are turned then; empty if they are not. */
+export function turnedText(player: {
+  scene: Scene;
+  status: { answer: Answer };
+  known: number;
+  engine: { poses(t: number): { c: number; s: number }[] };
+}): string {
+  const { contact } = player.status.answer;
+  if (!contact) return "";
+  const poses = player.engine.poses(player.known);
+  const turned = [...new Set([contact.vertex.body, contact.edge.body])].flatMap((name) => {
+    const pose = poses[player.scene.bodies.findIndex((body) => body.name === name)];
+    const degrees = pose ? (Math.atan2(pose.s, pose.c) * 180) / Math.PI : 0;
+    return Math.abs(degrees) < 1e-9 ? [] : [`${name} by ${roundText(degrees, 6)}°`];
+  });
+  return turned.length > 0 ? `Turned there: ${turned.join(", ")}.` : "";
+}
+
 function featureText(feature: Feature, body: Body, edge: boolean): string {
   const parts = partsOf(body);
   const { part = 0, ring = 0, index, at } = feature;

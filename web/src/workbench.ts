@@ -14,7 +14,7 @@ import { Lanes } from "./lanes";
 import { QuestionPanel } from "./questionpanel";
 import { Questions } from "./questions";
 import { isDark } from "./theme";
-import { clockText, explanation, headline, aboutTilings, roundText } from "./words";
+import { clockText, explanation, headline, aboutTilings, roundText, turnedText } from "./words";
 
 export class Workbench {
   readonly stage: Stage;
@@ -48,8 +48,21 @@ export class Workbench {
   private readonly lanes: Lanes;
   private readonly questionPanel: QuestionPanel;
   private readonly clock = h("output", { class: "clock", id: "clock", for: "time" });
+  private readonly proofSwitch = h(
+    "button",
+    {
+      type: "button",
+      id: "proof",
+      "aria-pressed": "false",
+      title: "The map of the space between the bodies, whose events are the proof (p)",
+      onclick: () => this.showProof(!this.stage.layers.proof),
+    },
+    "Show the proof",
+  );
   private readonly help: HTMLDialogElement;
   private readonly legend: Legend;
+  /** Panels about the map between the bodies, which is the proof. */
+  private readonly proofParts: HTMLDetailsElement[] = [];
   readonly tree: BodyTree;
   /** Below the tree of bodies the playground puts what changes it. */
   readonly bodiesPart: HTMLElement;
@@ -91,11 +104,15 @@ export class Workbench {
       section("Answer", this.answerChip, this.answerText),
       section("Questions", this.questionPanel.element),
       this.bodiesPart,
+    );
+    this.proofParts.push(
       section("Event", this.eventText.element),
       section("Counts over time", this.counts, plotCanvas),
       section("Events", this.events.element),
       section("Picture", this.legend.element),
     );
+    for (const part of this.proofParts) part.open = false;
+    this.side.append(...this.proofParts);
     this.transport = this.transportBar();
     this.element = h(
       "div",
@@ -105,6 +122,7 @@ export class Workbench {
         {},
         this.titleLine,
         this.headerTools,
+        this.proofSwitch,
         iconButton("theme", "Light or dark", () => this.toggleTheme(), "t"),
         iconButton("help", "Keys", () => this.help.showModal(), "?"),
       ),
@@ -128,6 +146,15 @@ export class Workbench {
 
   redraw(): void {
     this.dirty = true;
+  }
+
+  /** The motion is what is seen first; the proof is there for those who ask for it. */
+  showProof(on: boolean): void {
+    if (this.stage.layers.proof === on) return;
+    this.stage.layers.proof = on;
+    this.proofSwitch.setAttribute("aria-pressed", String(on));
+    for (const part of this.proofParts) part.open = on;
+    this.redraw();
   }
 
   /** A scene was opened. */
@@ -176,6 +203,8 @@ export class Workbench {
     this.drew = true;
     this.dirty = false;
     const { player, stage } = this;
+    // An event that was stepped to is one of the map.
+    if (player.selected >= 0) this.showProof(true);
     if (player.finished && !this.fittedFinal) {
       this.fittedFinal = true;
       // Not while something is being edited: the picture would move away below the pointer.
@@ -225,15 +254,27 @@ export class Workbench {
     const running = !player.finished;
     const { answer } = player.status;
     const text = this.invalid ? "No valid scene" : player.failure ? "Failed" : headline(answer, running);
-    if (this.answerChip.textContent !== text) this.answerChip.textContent = text;
+    if (this.answerChip.textContent !== text) this.answerChip.replaceChildren(this.headlineElement(text));
     this.answerChip.dataset.outcome = this.invalid ? "invalid" : running ? "running" : answer.outcome;
     let lines = player.failure ? [player.failure] : explanation(answer, player.scene, player.status.freeUntil, running);
-    if (player.world && !player.failure) lines = [...lines, aboutTilings(player.world.bands !== undefined)];
+    if (!player.failure) lines = [...lines, turnedText(player)];
+    const curved = player.world?.bands !== undefined;
+    if (player.world && !player.failure && (curved || this.stage.layers.proof))
+      lines = [...lines, aboutTilings(curved)];
     if (this.invalid) lines = ["The scene has to be mended before there is an answer."];
     setLines(this.answerText, lines);
     const names = player.scene.bodies.map((b) => b.name);
     const shown = names.length > 6 ? `${names.length} bodies` : names.join(" and ");
     this.stage.canvas.setAttribute("aria-label", `${shown} at t = ${clockText(player.t, player.scene)}. ${text}`);
+  }
+
+  /** What is said of an instant leads there. */
+  private headlineElement(text: string): Node {
+    const { player } = this;
+    if (player.status.answer.outcome !== "contact" || this.invalid || player.failure)
+      return document.createTextNode(text);
+    const action = (): void => player.seek(player.known);
+    return h("button", { type: "button", title: "Show this instant", onclick: action }, text);
   }
 
   private showCounts(): void {
@@ -267,6 +308,7 @@ export class Workbench {
     const text = player.atContact || player.selected >= 0 ? roundText(player.t, 16) : clockText(player.t, player.scene);
     this.clock.textContent = `t = ${text}`;
     this.clock.dataset.t = String(player.t);
+    this.clock.title = `t = ${text}`;
     slider.setAttribute("aria-valuetext", `t = ${text}`);
     setIcon(this.playButton, player.playing ? "pause" : "play", player.playing ? "Pause" : "Play", "Space");
   }
@@ -340,6 +382,12 @@ export class Workbench {
     }
   }
 
+  /** A part of the proof; all of it, if none is to be seen yet. */
+  private toggleOfProof(layer: "faces" | "tiling" | "corners"): void {
+    if (this.stage.layers.proof) this.legend.toggle(layer);
+    else this.showProof(true);
+  }
+
   private key(e: KeyboardEvent): void {
     const target = e.target as HTMLElement;
     if (!this.player.scene || this.help.open || e.ctrlKey || e.metaKey || e.altKey) return;
@@ -361,9 +409,10 @@ export class Workbench {
       a: () => stage.pan(60, 0),
       d: () => stage.pan(-60, 0),
       z: () => this.zoomToMarks(),
-      f: () => this.legend.toggle("faces"),
-      e: () => this.legend.toggle("tiling"),
-      c: () => this.legend.toggle("corners"),
+      p: () => this.showProof(!stage.layers.proof),
+      f: () => this.toggleOfProof("faces"),
+      e: () => this.toggleOfProof("tiling"),
+      c: () => this.toggleOfProof("corners"),
       v: () => this.legend.toggle("vertices"),
       b: () => this.legend.toggle("bands"),
       t: () => this.toggleTheme(),
@@ -378,7 +427,7 @@ export class Workbench {
   }
 }
 
-function section(title: string, ...children: Node[]): HTMLElement {
+function section(title: string, ...children: Node[]): HTMLDetailsElement {
   const details = h(
     "details",
     { open: true, class: `part part-${title.toLowerCase().split(" ")[0]}` },

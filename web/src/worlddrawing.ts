@@ -24,7 +24,8 @@ export class WorldPainter {
   draw(frame: Frame, world: WorldLooks, layers: Layers, colours: Colours): number {
     const shown = world.order.filter((b) => !frame.hidden.has(b) && b < frame.shapes.length);
     let vertices = 0;
-    if (layers.tiling && frame.tilings && frame.hidden.size === 0) this.tilings(frame.tilings(), colours);
+    if (layers.proof && layers.tiling && frame.tilings && frame.hidden.size === 0)
+      this.tilings(frame.tilings(), colours);
     for (const b of shown) vertices += this.body(frame, b, world, layers, colours);
     for (const b of shown) this.number(frame, b, world);
     for (const pair of frame.overlaps) this.overlap(frame, pair, colours);

@@ -51,6 +51,8 @@ test("the page of a scene with curves has the command's answer, in words and mar
     const text = await page.textContent("#answer");
     assert.ok(text.includes(`Curves known to ${answer.geometry.tolerance.toPrecision(3)}`), text);
     assert.match(text, /no tiling/);
+    assert.ok(await page.isHidden("#proof"));
+    await page.click(".part-picture > summary");
     assert.ok(await page.isVisible("#layer-bands"), "there is a box for bands");
     if (answer.outcome === "contact") {
       assert.equal(await shownTime(page), answer.t[0], name);

@@ -23,7 +23,7 @@ async function open(name, options = {}) {
   return page;
 }
 
-const said = (page) => page.$eval(".state", (e) => [e.classList[1], e.textContent]);
+const said = (page) => page.$eval(".controls .state", (e) => [e.classList[1], e.textContent]);
 const values = (page) => page.evaluate(() => window.envelope.values);
 
 test("the pose under the pointer is what the command says of it", async () => {
@@ -91,4 +91,21 @@ test("bodies are drawn where the joints put them", async () => {
     found.forEach((x, k) => assert.ok(Math.abs(x - expected[k]) < 1e-12, transform));
   }
   assert.equal(turned[0], still[0]);
+});
+
+test("the page has names, a legend with shares, round ticks, and a look to choose", async () => {
+  const page = await open("loader", { permissions: ["clipboard-read", "clipboard-write"] });
+  const names = await page.$$eval(".pose text", (all) => all.map((e) => e.textContent));
+  assert.deepEqual(names, ["tractor", "ground", "arm", "bucket"]);
+  const shares = await page.$$eval(".shares .state", (all) => all.map((e) => e.textContent));
+  assert.match(shares.join(", "), /^free [\d.]+ %, colliding [\d.]+ %, undecided [\d.]+ %$/);
+  assert.match(await page.textContent(".joint output"), /°$/);
+  await page.keyboard.press("t");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  await screenshot(page, "envelope-dark");
+  await page.click("#copy");
+  const pose = JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+  assert.deepEqual(Object.keys(pose), ["lift", "tilt"]);
+  assert.deepEqual(page.problems, []);
+  await page.close();
 });

@@ -69,6 +69,10 @@ test("scrubbing to the contact shows the command line's time and witness", async
     assert.equal(await shownTime(page), answer.t[0], name);
     const headline = /t = (.+?)(   \(angle .*)?$/m.exec(run("check", "--engine", "kinetic", scene))[1];
     assert.equal(await page.textContent("#headline"), `Contact at t = ${headline}`);
+    await page.keyboard.press("Home");
+    await page.click("#headline button");
+    await settled(page);
+    assert.equal(await shownTime(page), answer.t[0], "the headline leads there");
     const { vertex, edge } = answer.contact;
     const text = await page.textContent("#answer");
     assert.match(
@@ -87,6 +91,10 @@ test("scrubbing to the contact shows the command line's time and witness", async
 test("before the contact nothing is marked", async () => {
   const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
   assert.equal(await pixelsOf(page, "#c4161c"), 0);
+  assert.equal(await pixelsOf(page, "#b8106f"), 0, "bodies alone");
+  await page.click("#proof");
+  await settled(page);
+  assert.equal(await page.getAttribute("#proof", "aria-pressed"), "true");
   assert.ok((await pixelsOf(page, "#b8106f")) > 60, "edges between the bodies are drawn");
   await page.close();
 });
@@ -284,6 +292,7 @@ test("the keyboard alone suffices", async () => {
   assert.ok((await scale()) > before);
   await page.keyboard.press("0");
   assert.equal(await scale(), before);
+  await page.keyboard.press("p");
   await page.keyboard.press("f");
   assert.equal(await page.isChecked("#layer-faces"), false);
   await page.keyboard.press("f");
@@ -439,8 +448,36 @@ test("names are text, never markup", async () => {
     },
   ]);
   const page = await openPage(browser, viewPage(file, "markup"));
-  assert.equal(await page.textContent("h1"), `${name} and two`);
+  assert.equal(await page.textContent("h1"), "markup");
+  assert.ok((await page.getAttribute(".picture", "aria-label")).startsWith(`${name} and two`));
   assert.equal(await page.evaluate(() => window.hit), undefined);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test("the scene and the picture are saved, and names lie on no body", async () => {
+  const page = await openPage(browser, viewPage("examples/lid.json", "lid"));
+  for (const [button, name] of [
+    ["#export", "lid.json"],
+    ["#svg", "lid.svg"],
+  ]) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    assert.equal(download.suggestedFilename(), name);
+  }
+  // The lid lies on the bin: its name is above it, and that of the bin beside it.
+  const places = await page.evaluate(() => {
+    const context = document.querySelector(".picture").getContext("2d");
+    const drawn = [];
+    const fillText = context.fillText.bind(context);
+    context.fillText = (text, x, y) => (drawn.push([text, x, y]), fillText(text, x, y));
+    window.taut.stage.draw();
+    const inBody = (x, y) => {
+      const [r, g, b] = context.getImageData(x, y, 1, 1).data;
+      return r > 150 && g < 130 && b < 90;
+    };
+    return drawn.filter(([text]) => text === "bin").map(([, x, y]) => inBody(x - 6, y - 4));
+  });
+  assert.deepEqual(places, [false]);
   assert.deepEqual(page.problems, []);
   await page.close();
 });
