@@ -665,14 +665,14 @@ expect 2 '' 'no/lid.json: cannot write' demo lid -d no
 
 # Pages. The template is a stand-in here; the browser tests use the true one.
 echo '<script type="application/json">@TAUT-DATA@</script><script>page</script>' >page.html
-expect 0 '^<script type="application/json">\{"touch":"open","scene":\{"format":"taut-scene/1",' '' view free.json --template page.html
+expect 0 '^<script type="application/json">\{"touch":"open","title":"free","scene":\{"format":"taut-scene/1",' '' view free.json --template page.html
 expect 0 '\{"touch":"closed","at":2.5,"title":"a \\"title\\"","scene"' '' view free.json --template page.html --touch closed --at 2.5 --title 'a "title"'
-expect 0 '"touch":"open","ask":\{"intervals":\{\},"clearance":\{\},"distance_profile":\{"instants":50\},"separate":\{\}\},"scene"' '' \
+expect 0 '"touch":"open","title":"free","ask":\{"intervals":\{\},"clearance":\{\},"distance_profile":\{"instants":50\},"separate":\{\}\},"scene"' '' \
   view free.json --template page.html --intervals --clearance --profile 50 --separate
-expect 0 '"at":1,"ask":\{"separate":\{\}\},"scene"' '' view free.json --template page.html --separate --at 1
+expect 0 '"at":1,"title":"free","ask":\{"separate":\{\}\},"scene"' '' view free.json --template page.html --separate --at 1
 expect 2 '' 'profile' view free.json --template page.html --profile 1
 expect 0 '' '' view free.json --template page.html -o a.html
-"$taut" view - --template page.html <free.json >b.html
+"$taut" view - --template page.html --title free <free.json >b.html
 cmp -s a.html b.html || { echo "FAILED: the same scene gives different pages"; failures=$((failures + 1)); }
 sed 's|anvil|</script><!--anvil|' free.json >evil.json
 expect 0 'name":"\\u003c/script>\\u003c!--anvil"' '' view evil.json --template page.html
