@@ -3,8 +3,19 @@
 
 usage: docs_test.py TAUT ROOT [--update] [FILE ...]
 
-CONTRIBUTING.md ("Documentation") has the rules that blocks follow. --update writes what the commands print into the
-files, in place of what they show.
+--update writes what the commands print into the files, in place of what they show. A block is one of these; blocks of
+other kinds, and indented ones, are errors:
+
+console  each line after "$ " is run by bash (taut, taut-verify and "./dev run" are there), in a folder that looks like the
+         repository; its output must be the lines below, where measured times are masked and a line "..." stands for any
+         lines
+json     a scene, or a motion: must fit the schema and be decided
+cpp      must be part of a program in examples/, which a test runs
+cmake    configures a project with taut as a subdirectory
+csv, text, python  written to a file if the line before is <!-- file: NAME -->; Python and what runs it are skipped where
+         `./dev python` has not built the package
+
+<!-- skip: REASON --> in the line before leaves a block out.
 """
 
 import difflib
