@@ -37,7 +37,6 @@ class ClearanceOnSegment {
                      const ClearanceTolerance& tolerance, Nearest& best)
       : shortest(shortest_of_all * (segment.end - segment.start)),
         geometry_(geometry),
-        segment_(segment),
         index_(index),
         tolerance_(tolerance),
         best_(best),
@@ -45,6 +44,7 @@ class ClearanceOnSegment {
 
   static constexpr bool nearer_first = true;  ///< it may spare the other
   const double shortest;
+  double distance_of_interest() const { return tolerance_.least(best_.distance); }
   bool begins(double) const { return true; }
   BoxDecision look(const StretchOfTime& time, const BoxNode& p, const BoxNode& q) {
     if (looks_left_ == 0) return BoxDecision::done;
@@ -56,7 +56,7 @@ class ClearanceOnSegment {
     if (farther(s, p.box, q.box, towards, tolerance_.least(best_.distance))) return BoxDecision::done;
     if (!leaf && motion(s, p.box, q.box) <= subdivision_threshold * (p.box.radius + q.box.radius))
       return BoxDecision::divided;
-    if (leaf && is_resolved(s, p.box, q.box, towards)) return BoxDecision::done;
+    if (leaf && is_resolved(time, p.box, q.box, towards)) return BoxDecision::done;
     if (time.divisible && !(leaf && --looks_left_ == 0)) return BoxDecision::deferred;
     if (!leaf && looks_left_ > 0 && best_.unresolved > 0) return BoxDecision::divided;
     best_.unresolved = 0;
@@ -68,9 +68,10 @@ class ClearanceOnSegment {
   /// shorter stretches would not help, and what is certain is noted. Neither would they where next to nothing moves: on
   /// a bridge, say, all over which bodies may nearly touch. Nor where the tolerance is less than doubles tell: bodies
   /// that slide on each other, a little apart, would be followed by steps as short as that.
-  bool is_resolved(const Stretch& s, const Box& p, const Box& q, Vector towards) {
+  bool is_resolved(const StretchOfTime& time, const Box& p, const Box& q, Vector towards) {
+    const Stretch& s = time.bounds;
     const double error = s.in_p.error;
-    const bool is_short = s.r <= shortest_of_clearance * (segment_.end - segment_.start);
+    const bool is_short = s.r <= shortest_of_clearance * time.scale;
     const bool is_rounding = error <= error_of_rounding * s.in_p.reach;
     const bool beyond_doubles =
         s.rest <= share_that_shrinks * error && best_.distance - tolerance_.least(best_.distance) <= error;
@@ -99,7 +100,6 @@ class ClearanceOnSegment {
   }
 
   const PairGeometry& geometry_;
-  const MotionSegment& segment_;
   std::size_t index_;
   ClearanceTolerance tolerance_;
   Nearest& best_;

@@ -54,6 +54,7 @@ class ContactOnSegment {
   }
 
   const double shortest;
+  double distance_of_interest() const { return 0; }
   bool begins(double start) {
     leaf_windows_.clear();
     if (best_) return start < best_->hi;

@@ -35,6 +35,7 @@ class MarginOnSegment {
   double proved() const { return proved_; }
 
   const double shortest;
+  double distance_of_interest() const { return margin_; }
   bool begins(double start) {
     if (best_) return start < best_->hi;
     proved_ = start;

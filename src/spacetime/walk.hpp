@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "base/budget.hpp"
+#include "spacetime/any_rotation.hpp"
 #include "spacetime/box_separation.hpp"
 
 namespace taut::internal::spacetime {
@@ -21,6 +23,7 @@ struct StretchOfTime {
   const Stretch& bounds;
   double start, end;
   bool divisible;  ///< into halves, in which the same pairs are looked at again
+  double scale;    ///< about how long the motion keeps its character: of a segment that turns, the window's length
 };
 
 /// What becomes of two boxes in a stretch.
@@ -39,6 +42,7 @@ constexpr double subdivision_threshold = 0.75;
 ///   bool begins(double start)                            a stretch begins; false if nothing in it matters any more
 ///   BoxDecision look(const StretchOfTime&, const BoxNode& p, const BoxNode& q)
 ///   double shortest                                      of the stretches' lengths, that are halved
+///   double distance_of_interest()                        pairs of boxes that stay farther apart need no look
 /// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
 ///
 /// What an interruption point ends in the middle can be gone on with: stretches that are still to be looked at are
@@ -55,6 +59,7 @@ class Walk {
     to_ = to;
     begun_ = false;
     levels_.clear();
+    spans_.assign(1, {to, {{0, 0}}});
     go_on();
   }
   /// After an interruption: the rest of it.
@@ -90,6 +95,15 @@ class Walk {
 
  private:
   static constexpr double length_of_instant = 0x1p-20, shortest_instant = 0x1p-45;
+  /// A part of the whole that takes more windows than this is bounded as a whole first, with so many pairs of boxes.
+  static constexpr double many_windows = 16;
+  static constexpr std::size_t most_pairs = 32;
+
+  /// A part of the whole up to `end`, and the pairs of boxes that may meet in it.
+  struct Span {
+    double end;
+    std::vector<BoxPair> pairs;
+  };
 
   /// Motions seldom change their character: what fitted the last one will do.
   void next_window(double start, double from, double to) {
@@ -105,14 +119,60 @@ class Walk {
       return true;
     }
     if (!(reached_ < to_) || !question_.begins(reached_)) return false;
-    next_window(reached_, from_, to_);
-    begin_at_root(reached_, window_->end());
+    if (!skip() || !question_.begins(reached_)) return false;
+    const Span& span = spans_.back();
+    next_window(reached_, from_, span.end);
+    begin_at(span.pairs, reached_, window_->end());
     reached_ = window_->end();
     return true;
   }
-  void begin_at_root(double from, double to) {
-    pairs_.assign(1, {0, 0});
-    levels_.assign(1, {from, to, 0, 1});
+  /// Moves on to the next span that needs windows; false if there is none.
+  bool skip() {
+    while (!spans_.empty()) {
+      Span& span = spans_.back();
+      const double middle = reached_ + (span.end - reached_) / 2;
+      if (!(reached_ < span.end)) {
+        spans_.pop_back();
+      } else if (segment_.bridge || !window_ || !(span.end - reached_ > many_windows * window_->fitting_length()) ||
+                 !(reached_ < middle && middle < span.end)) {
+        return true;
+      } else {
+        checkpoint();
+        keep_near(span.pairs, AnyRotation(segment_, reached_, span.end));
+        if (span.pairs.empty()) {
+          reached_ = span.end;
+        } else {
+          spans_.push_back({middle, span.pairs});
+        }
+      }
+    }
+    return false;
+  }
+  /// Drops pairs that stay far from each other, and divides others while there are few.
+  void keep_near(std::vector<BoxPair>& pairs, const AnyRotation& motion) {
+    const double distance = question_.distance_of_interest();
+    for (bool divided = true; divided;) {
+      divided = false;
+      todo_.clear();
+      for (const BoxPair& pair : pairs) {
+        const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
+        if (motion.farther(p.box, q.box, distance)) continue;
+        if ((p.count == 1 && q.count == 1) || pairs.size() > most_pairs) {
+          todo_.push_back(pair);
+          continue;
+        }
+        const auto [left, right] = halves_of(pair, p, q);
+        todo_.insert(todo_.end(), {left, right});
+        divided = true;
+      }
+      pairs.swap(todo_);
+    }
+    todo_.clear();
+  }
+  void begin_at_root(double from, double to) { begin_at({{0, 0}}, from, to); }
+  void begin_at(const std::vector<BoxPair>& pairs, double from, double to) {
+    pairs_ = pairs;
+    levels_.assign(1, {from, to, 0, pairs_.size()});
     stretch_.reset();
   }
   Stretch stretch(double from, double to) {
@@ -158,7 +218,8 @@ class Walk {
   void look(const Level& level) {
     const bool divisible =
         stretch_->r > question_.shortest && level.start < level.middle() && level.middle() < level.end;
-    const StretchOfTime time{*stretch_, level.start, level.end, divisible};
+    const double scale = segment_.translation || !window_ ? segment_.end - segment_.start : window_->length();
+    const StretchOfTime time{*stretch_, level.start, level.end, divisible, scale};
     for (;;) {
       if (todo_.empty()) {
         if (next_ == level.last) return;
@@ -173,11 +234,15 @@ class Walk {
       if (decision == BoxDecision::divided) divide(pair, p, q, *stretch_);
     }
   }
-  /// The larger one, with what comes first on top.
-  void divide(const BoxPair& pair, const BoxNode& p, const BoxNode& q, const Stretch& s) {
+  /// Of the larger box.
+  static std::array<BoxPair, 2> halves_of(const BoxPair& pair, const BoxNode& p, const BoxNode& q) {
     const bool of_p = q.count == 1 || (p.count > 1 && p.box.radius >= q.box.radius);
-    BoxPair left{of_p ? p.left : pair.p, of_p ? pair.q : q.left};
-    BoxPair right{of_p ? p.right : pair.p, of_p ? pair.q : q.right};
+    return {BoxPair{of_p ? p.left : pair.p, of_p ? pair.q : q.left},
+            BoxPair{of_p ? p.right : pair.p, of_p ? pair.q : q.right}};
+  }
+  /// With what comes first on top.
+  void divide(const BoxPair& pair, const BoxNode& p, const BoxNode& q, const Stretch& s) {
+    auto [left, right] = halves_of(pair, p, q);
     if constexpr (requires { Query::nearer_first; }) {
       if (between_centres(s, right) < between_centres(s, left)) std::swap(left, right);
     }
@@ -197,6 +262,7 @@ class Walk {
   std::optional<FrameWindow> window_;
   double from_ = 0, to_ = 0, reached_ = 0;  ///< of the whole; of a segment that turns, windows begin there
   bool begun_ = false;                      ///< the only part of a translation
+  std::vector<Span> spans_;                 ///< what is left of a segment that turns, the next one last
   std::vector<Level> levels_;
   std::optional<Stretch> stretch_;  ///< of the last level, if it has begun
   std::size_t next_ = 0;            ///< of its pairs

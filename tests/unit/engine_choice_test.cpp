@@ -159,7 +159,7 @@ TEST(Either, SaysWhatThatEngineSaysByItself) {
 
 /// Runs that are left and taken up again.
 TEST(Either, ManyShortTurnsAreOneLongOne) {
-  const Scene scene = gen::make_rotor({});
+  const Scene scene = gen::make_gears({});
   const CheckOptions options;
   for (const auto begin : {+[](const Scene&s, const CheckOptions&o) { return begin_kinetic(s, o); }, begin_spacetime}) {
     const auto whole = begin(scene, options);
