@@ -93,9 +93,14 @@ Intervals intervals_within(const Scene& scene, double start, double end, const C
 
 }  // namespace
 
-/// Time is cut at t, so that each half says of that very instant whether bodies overlap: ends of intervals may be
-/// brackets that hold it, and bodies that part and meet again there do both in one double.
 namespace {
+
+/// Of both halves: the coarser polygons, and the most edges.
+std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry>& before,
+                                               const std::optional<CurveGeometry>& after) {
+  if (!before || !after) return before ? before : after;
+  return CurveGeometry{std::max(before->tolerance, after->tolerance), std::max(before->segments, after->segments)};
+}
 
 /// Of all of the time: a pair may rest, and not be tested, on one side of the instant only.
 Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
@@ -105,6 +110,8 @@ Coverage coverage_of_range(const Scene& scene, const Intervals& before, const In
 
 }  // namespace
 
+/// Time is cut at t, so that each half says of that very instant whether bodies overlap: ends of intervals may be
+/// brackets that hold it, and bodies that part and meet again there do both in one double.
 Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");
@@ -117,7 +124,7 @@ Range range(const Scene& scene, double t, const CheckOptions& options) {
     before = intervals_within(scene, scene.start, t, rest);
   }
   Range range;
-  range.geometry = after.geometry;
+  range.geometry = geometry_of_range(before.geometry, after.geometry);
   range.coverage = coverage_of_range(scene, before, after);
   if (range.coverage.is_empty()) {
     range.outcome = Outcome::untested;

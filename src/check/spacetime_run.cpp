@@ -122,8 +122,7 @@ class SpacetimeSearch {
 
 class SpacetimeRun final : public Run {
  public:
-  SpacetimeRun(const Scene& scene, const CheckOptions& options, bool apart)
-      : scope_(options.limits) {
+  SpacetimeRun(const Scene& scene, const CheckOptions& options, bool apart) : scope_(options.limits) {
     answer_.engine = EngineName::spacetime;
     answer_.free_until = scene.start;
     speak_of_two(answer_);

@@ -99,6 +99,7 @@ class MapRun {
     try {
       const Answer touching = asked(false);
       answer.touching = touching.contact;
+      answer.run_seconds += touching.run_seconds;
       answer.touching_undecided = touching.reason;
     } catch (const InputError& refused) {
       answer.touching_undecided = refused.what();
