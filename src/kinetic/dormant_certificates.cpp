@@ -7,16 +7,17 @@
 namespace taut::internal {
 namespace {
 
-/// With fewer certificates, looking at each is cheaper than a region.
+/// With fewer certificates, evaluating each is cheaper than a region.
 constexpr std::size_t few_certificates = 64;
-/// On a bridge, whose frames are made of four poses each, a region takes as long as so many certificates.
+/// On a bridge, each frame is computed from four poses, and testing a region costs as much as this many certificates.
 constexpr std::size_t many_certificates = 2048;
-/// A region is kept if it settles this share of the active set.
+/// A region is kept if it makes this share of the active set dormant.
 constexpr double good_share = 0.75;
-/// A better one is looked for where this share or more is left open, once that has cost several times the active set.
+/// If a region leaves this share or more open, a better region is tried once the open certificates have cost several
+/// times the active set.
 constexpr double open_share = 0.0625;
 constexpr std::size_t subdivision_threshold = 4;
-/// A sample of this size must settle this share for all to be looked at.
+/// All certificates are tested only if this share of a sample of this size is dormant in the region.
 constexpr std::size_t sample_size = 64;
 constexpr double worthwhile_share = 0.6;
 constexpr int regions_per_segment = 4;
@@ -85,7 +86,7 @@ DormantCertificates::Due DormantCertificates::look(const MotionSegment& segment,
   return Due::as_marked;
 }
 
-/// Few, once there is a region.
+/// Rebuilds the list of open certificates. Once there is a region, they are few.
 void DormantCertificates::list_open() {
   open_.clear();
   listed_.assign(certificates_.size(), false);
@@ -94,8 +95,8 @@ void DormantCertificates::list_open() {
   }
 }
 
-/// A region around the motion from t on, as long as that settles enough certificates: if possible, one that holds the
-/// last region, too.
+/// Chooses a region around the motion from t on, provided that it makes enough certificates dormant. If possible, the
+/// region also contains the last one.
 bool DormantCertificates::choose(const MotionSegment& segment, double t, std::size_t active) {
   if (active < few_certificates || regions_left_ == 0) return false;
   if (skip_ > 0) {
@@ -124,7 +125,8 @@ bool DormantCertificates::accept_with_last(const FrameRange& way, std::size_t ac
   return accept(both, good_share, active);
 }
 
-/// A region that leaves much open is replaced by one around what the motion has really seen, if that is much better.
+/// If the region leaves many certificates open, replaces it by one around the motion actually seen, if that is much
+/// better.
 bool DormantCertificates::improve(const MotionSegment& segment, double t, std::size_t active) {
   const double left = static_cast<double>(open_.size()) / static_cast<double>(active);
   if (!seen_ || left < open_share || spent_ < subdivision_threshold * active) return false;
@@ -136,7 +138,7 @@ bool DormantCertificates::improve(const MotionSegment& segment, double t, std::s
   return true;
 }
 
-/// Does a sample of the active set say that the region is worth a look at all?
+/// Does a sample of the active set suggest that testing the region is worthwhile?
 bool DormantCertificates::worth_trying(const FrameRange& region) const {
   std::size_t settled = 0, seen = 0;
   for (std::size_t k = 0; k < sample_size; ++k) {
@@ -148,7 +150,7 @@ bool DormantCertificates::worth_trying(const FrameRange& region) const {
   return static_cast<double>(settled) >= worthwhile_share * static_cast<double>(seen);
 }
 
-/// Makes it the region if it settles this share of the active set.
+/// Makes this the current region if it makes the given share of the active set dormant.
 bool DormantCertificates::accept(const FrameRange& region, double share, std::size_t active) {
   if (!worth_trying(region)) return false;
   count_work(certificates_.size());

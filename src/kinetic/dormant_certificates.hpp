@@ -1,10 +1,10 @@
-// Certificates that need no look: those that hold wherever the motion stays in a region around where it is.
+// Dormant certificates: those that need no evaluation while the motion stays in a region around its current position.
 //
-// When a segment begins, every certificate of the active set is due: the functions of time are new ones. But most
-// certificates hold by far. So there is a region, a range of each of the frame functions, and the certificates that
-// hold all over it are settled. They are due again only when the motion leaves the region, which one bound on the
-// motion tells for all. A motion that is changed again and again in the same place, or that goes to and fro, costs
-// little more than the certificates that are not settled.
+// When a segment begins, every certificate of the active set is due, because its function of time is a new one. But
+// most certificates hold by a wide margin. Therefore the engine keeps a region: a range for each of the frame
+// functions. The certificates that hold everywhere in the region are dormant. They become due again only when the
+// motion leaves the region, and a single bound on the motion decides this for all of them. A motion that changes
+// repeatedly in the same place, or that oscillates, then costs little more than the certificates that are not dormant.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@
 
 namespace taut::internal {
 
-/// Which certificates are settled, and until when. The engine adds certificates and says when a segment begins or ends;
-/// this chooses regions, keeps those that serve well, and gives up looking for them where none does.
+/// Records which certificates are dormant, and until when. The engine adds certificates and reports when a segment
+/// begins or ends. This class chooses regions, keeps those that serve well, and stops trying where none does.
 class DormantCertificates {
  public:
   DormantCertificates(const PairGeometry& geometry, const std::vector<Certificate>& certificates)
@@ -25,39 +25,40 @@ class DormantCertificates {
 
   void reserve(std::size_t room);
   std::size_t bytes() const { return dormant_.capacity() + open_.capacity() * sizeof(CertificateId); }
-  /// There is one certificate more.
+  /// Adds one certificate.
   void add() {
     dormant_.push_back(false);
     listed_.push_back(false);
   }
-  /// The certificate is scheduled: it is not settled from now on.
+  /// The certificate is scheduled, and from now on it is not dormant.
   void unsettle(CertificateId id);
 
-  /// As if no segment had been seen.
+  /// Resets to the state in which no segment has been seen.
   void forget();
-  /// Some regions may be tried on each segment.
+  /// Allows a limited number of regions to be tried on each segment.
   void begin_segment();
-  /// One that is passed once, with so many certificates: no region is looked for unless these are so many that it costs
-  /// less than they do.
+  /// Begins a segment that is traversed only once, with this many active certificates. A region is tried only if the
+  /// certificates are so many that a region costs less than they do.
   void begin_passage(std::size_t active);
-  /// The motion went from the segment's start to `until`: what it has seen is the best guess of what it will.
+  /// The motion went from the segment's start to `until`. The range that it has covered is the best prediction of its
+  /// future range.
   void note_motion(const MotionSegment& segment, double until);
 
-  /// What the engine has to do after look().
+  /// The action that the engine must take after look().
   enum class Due : unsigned char {
-    nothing,     ///< all is as it was
-    unknown,     ///< that has not been seen yet; never what look() says
+    nothing,     ///< nothing has changed
+    unknown,     ///< not determined yet; look() never returns this
     those_open,  ///< the certificates of open() are due
-    as_marked,   ///< is_dormant() is new: those were_dormant() and are no more are due, too
+    as_marked,   ///< is_dormant() is new; certificates that were_dormant() and no longer are dormant are due, too
   };
-  /// Sees which certificates are settled from t on, of `active` ones. `all_due`: none is scheduled yet. May be
-  /// interrupted before it begins.
+  /// Determines which of the `active` certificates are dormant from t on. `all_due`: none is scheduled yet. An
+  /// interruption is possible only before it begins.
   Due look(const MotionSegment& segment, double t, std::size_t active, bool all_due);
   bool is_dormant(CertificateId id) const { return dormant_[id.value]; }
   bool was_dormant(CertificateId id) const { return dormant_before_[id.value]; }
-  /// Those that are not settled; some may be gone.
+  /// The certificates that are not dormant. Some of them may have been removed.
   const std::vector<CertificateId>& open() const { return open_; }
-  /// When the motion leaves the region, on the present segment.
+  /// The time at which the motion leaves the region on the current segment.
   double until() const { return until_; }
 
  private:
@@ -76,11 +77,11 @@ class DormantCertificates {
   std::vector<CertificateId> open_;
   std::vector<bool> listed_;  ///< by certificate: it is in open_
   std::optional<FrameRange> region_;
-  std::optional<FrameRange> seen_;  ///< where the motion has been since there is a region
+  std::optional<FrameRange> seen_;  ///< the range of the motion since the region was chosen
   std::size_t spent_ = 0;           ///< certificates scheduled since the region was chosen
   double until_ = never;
-  int regions_left_ = 0;         ///< on the present segment
-  int failures_ = 0, skip_ = 0;  ///< segments on which no region was found, and for how many none is looked for
+  int regions_left_ = 0;         ///< on the current segment
+  int failures_ = 0, skip_ = 0;  ///< segments without a region, and segments still to be skipped
 };
 
 }  // namespace taut::internal

@@ -8,8 +8,8 @@
 namespace taut::internal {
 namespace {
 
-/// In units of checkpoint(): of a certificate that is looked at, and of an event with its repair.
-/// Where functions are lines, all of that costs half.
+/// In units of checkpoint(): the work of evaluating a certificate, and of an event with its repair. Where all functions
+/// are lines, the cost is half of that.
 constexpr std::uint64_t work_of_evaluation = 3, work_of_event = 10, work_of_event_on_lines = 5;
 
 }  // namespace
@@ -54,7 +54,8 @@ void Engine::drop_corner(HalfedgeId h) {
   --active_;
 }
 
-/// Sees which certificate the corner has now; invalid if it has none, or one that goes on as it is.
+/// Determines the certificate that the corner has now. The result is invalid if the corner has none, or if its
+/// certificate continues unchanged.
 CertificateId Engine::certificate_to_start(HalfedgeId h, const Now& now) {
   const Corner at = corner(h);
   if (!is_mixed(at)) {
@@ -64,7 +65,7 @@ CertificateId Engine::certificate_to_start(HalfedgeId h, const Now& now) {
   const CertificateId id = certificate_of_.get(h.value);
   if (!id.valid()) return add_certificate(h, at);
   Certificate& c = certificates_[id.value];
-  // The corners of a vanished triangle live on in the face across: same half-edge, same vertices, other sign.
+  // The corners of a vanished triangle survive in the face across: same half-edge, same vertices, opposite sign.
   if (c.u == at.u && c.v == at.v && c.w == at.w && !now.concerns(at.u, at.v, at.w)) return {};
   c.u = at.u;
   c.v = at.v;
@@ -74,7 +75,7 @@ CertificateId Engine::certificate_to_start(HalfedgeId h, const Now& now) {
 
 namespace {
 
-/// Puts a certificate where its bound belongs, also if a search for that is left in the middle.
+/// Moves a certificate to the position of its bound in the queue, even if the search for the bound is interrupted.
 class Requeue {
  public:
   Requeue(EventQueue& queue, CertificateId id) : queue_(queue), id_(id) {}
@@ -89,7 +90,7 @@ class Requeue {
 
 }  // namespace
 
-/// Makes sure that the earliest failure up to `limit` is isolated and certainly the earliest: next_.
+/// Ensures that the earliest failure up to `limit` is isolated and certainly the earliest, and stores it in next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
     work_kept_ = work_spent();
@@ -110,14 +111,14 @@ bool Engine::find_next(double limit) {
   return false;
 }
 
-/// Is the head of the queue, isolated, certainly the earliest failure? If something might still come before it, that
-/// is moved or enclosed better, and the answer is no: look again.
+/// Is the isolated certificate at the head of the queue certainly the earliest failure? If another one might still come
+/// before it, that one is moved or enclosed more tightly, and the result is false: the caller must test again.
 bool Engine::certainly_first(CertificateId head) {
   Certificate& first = certificates_[head.value];
   CertificateId rival;
   queue_.visit_rivals(first.hi, [&](CertificateId id) {
     const Certificate& c = certificates_[id.value];
-    // The queue is ordered by exact lower bounds: what comes after one that comes later comes later, too.
+    // The queue is ordered by exact lower bounds. If a certificate comes later than the head, so do all that follow it.
     if (solver_.known_before(first, c)) return EventQueue::Visit::past;
     const auto in = [&first](VertexId x) { return x == first.u || x == first.v || x == first.w; };
     const bool same = in(c.u) && in(c.v) && in(c.w);  // the same failure, seen at another corner
@@ -219,8 +220,8 @@ void Engine::enter_segment() {
   check_dormant(segment().start, true);
 }
 
-/// Sees to it that every certificate is settled or scheduled from t on. `all_due`: none is scheduled yet; otherwise
-/// those that were not settled are.
+/// Ensures that every certificate is dormant or scheduled from t on. `all_due`: none is scheduled yet; otherwise those
+/// that were not dormant already are.
 void Engine::check_dormant(double t, bool all_due) {
   sweep_ = {DormantCertificates::Due::unknown, all_due, t, 0};
   finish_sweep();
@@ -256,8 +257,8 @@ void Engine::schedule(CertificateId id, double t) {
   queue_.update(id);
 }
 
-/// The corner of the failed face that the rule for convex corners speaks of. If the face is a triangle, all three of
-/// its corners fail at once, and the rule wants one whose vertex is not the middle one.
+/// The corner of the failed face to which the rule for convex corners applies. If the face is a triangle, all three of
+/// its corners fail at once, and the rule requires one whose vertex is not the middle one.
 HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three) {
   middle = solver_.middle(c.u, c.v, c.w, now);
   const HalfedgeId h = c.corner, n = map_.next(h);
@@ -267,7 +268,7 @@ HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& midd
   return n;
 }
 
-/// Nothing is changed before everything is known that the repair hangs on.
+/// Changes nothing until everything on which the repair depends is known.
 void Engine::process(CertificateId id, double limit) {
   Certificate& c = certificates_[id.value];
   repaired_.now = solver_.event(c);
@@ -286,8 +287,8 @@ void Engine::process(CertificateId id, double limit) {
   const bool collides = report.repair == Repair::collision;
   if (collides) solver_.tighten(c);
   ++events_;
-  // Enclosures of events that nearly coincide overlap: time does not go back. Nor does it pass the limit, by which the
-  // failure is known to come, though its enclosure may reach further.
+  // Enclosures of events that nearly coincide overlap, but time must not go back. Nor may it pass the limit: the
+  // failure is known to occur by then, although its enclosure may extend further.
   parameter_ = std::max(parameter_, collides ? c.lo : std::min(now.hi, limit));
   if (collides) {
     contact_ = FoundContact{report.hitting, map_.origin(report.hit), c.lo, c.hi, solver_.known_precisely(c)};
@@ -299,7 +300,7 @@ void Engine::process(CertificateId id, double limit) {
   finish_event();
 }
 
-/// The corners that a repair may have changed.
+/// Collects the corners that a repair may have changed.
 void Engine::take_up(const RepairReport& report) {
   if (report.removed.valid()) {
     drop_corner(report.removed);
@@ -322,7 +323,7 @@ void Engine::finish_event() {
     queue_.update(id);
   }
   max_active_ = std::max(max_active_, active_);
-  // The observer may be stopped, too: then it is told again.
+  // The observer may be interrupted, too. It is then notified again.
   if (observer_) observer_->on_event(repaired_.event);
   repaired_.open = false;
 }

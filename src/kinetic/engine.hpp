@@ -1,4 +1,4 @@
-// The kinetic simulation: certificates of the active set, events in certified order, repairs.
+// The kinetic simulation: certificates of the active set, events in certified order, and repairs.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ namespace taut::internal {
 
 /// One processed event, for observers.
 struct EngineEvent {
-  double lo = 0, hi = 0;  ///< of the segment's parameter
+  double lo = 0, hi = 0;  ///< in the segment's parameter
   const MotionSegment* segment = nullptr;
   std::size_t segment_index = 0;
   VertexId u, v, w;
-  HalfedgeId corner;  ///< enters the corner that the repair went by
+  HalfedgeId corner;  ///< enters the corner that determined the repair
   RepairReport report;
   bool three_corners = false;
   ChainNode face;  ///< of the failed corner, before the repair
@@ -36,23 +36,23 @@ class EngineObserver {
 
 enum class EngineState : unsigned char { running, finished, contact, overlap };
 
-/// What is known of the bodies alone, displaced as in the pair; null where nothing is.
+/// Known tilings of the single bodies, displaced as in the pair. A pointer is null if the tiling is not known.
 struct KnownTilings {
   const ShapeTiling *p = nullptr, *q = nullptr;
-  /// Or the whole tiling at the start, which is the placement at that parameter of another segment, too. Then the first
-  /// segment may be a bridge.
+  /// Alternatively, the whole tiling at the start. The start is also the placement at that parameter of another
+  /// segment. The first segment may then be a bridge.
   const PlanarMap* map = nullptr;
   const MotionSegment* placed = nullptr;
   double parameter = 0;
 };
 
-/// Follows a sequence of segments. Allocates nothing per event once its buffers have grown.
+/// Follows a sequence of segments. Once its buffers have grown, it allocates nothing per event.
 ///
-/// It may be left in the middle of an event, by an exception of a long search's interruption point, and be taken up
-/// again: what is done by then is kept, and only the search is made anew.
+/// An exception thrown by a checkpoint of a long search may interrupt it in the middle of an event, and it can be
+/// resumed. All work completed by then is kept, and only the interrupted search is repeated.
 class Engine {
  public:
-  /// Builds the tiling at the start of the first segment (not a bridge).
+  /// Builds the tiling at the start of the first segment, which must not be a bridge.
   Engine(PairGeometry geometry, MotionSegments segments, EngineObserver* observer = nullptr,
          const KnownTilings& known = {});
   Engine(const Engine&) = delete;
@@ -68,27 +68,29 @@ class Engine {
   /// The parameter of the current segment up to which everything is proved and processed.
   double parameter() const { return parameter_; }
   double time() const { return segment().time(parameter_); }
-  /// Between events: a time before which no certificate fails, as far as is known now. Everything up to it is proved.
+  /// Valid between events: a time before which, as far as is known now, no certificate fails. Everything up to it is
+  /// proved.
   double proved_until() const;
-  /// The same in the middle of an event, after an exception.
+  /// The corresponding time in the middle of an event, after an exception.
   double reached() const { return segment().time(reached_); }
-  /// work_spent() when what is done now was begun: all before that is kept if it is stopped.
+  /// The value of work_spent() when the current operation began. All work before that is kept if the operation is
+  /// interrupted.
   std::uint64_t work_kept() const { return work_kept_; }
 
-  /// Processes the next event whose failure time is at most t; false if there is none (then the engine stands at t),
-  /// or after a contact.
+  /// Processes the next event whose failure time is at most t. Returns false after a contact, or if there is no such
+  /// event; in the latter case the engine has advanced to t.
   bool step(double t);
   /// An enclosure of the time of the next event up to t, if there is one.
   std::optional<std::pair<double, double>> next_event(double t);
-  /// After next_event found one: the certificate that will fail.
+  /// The certificate that will fail next. Requires that next_event() found one.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
-  /// At the end of its segments: a question begins, of which what came before is no part. Events and certificates are
+  /// Begins a new query at the end of the segments. What came before is not part of it: events and certificates are
   /// counted from here.
   void begin_question(MotionSegments segments);
-  /// From now on it is told of events; may be null.
+  /// Sets the observer that is notified of events from now on; may be null.
   void watch(EngineObserver* observer) { observer_ = observer; }
   const std::shared_ptr<const MotionSegment>& held_segment() const { return segment_; }
-  /// Replaces all segments from the present on; the first one must start at time().
+  /// Replaces all segments from the current time on. The first new segment must start at time().
   void replan(MotionSegments segments);
 
   std::uint64_t events() const { return events_; }
@@ -134,7 +136,7 @@ class Engine {
   void check_dormant(double t, bool all_due);
   void finish_sweep();
   void schedule(CertificateId id, double t);
-  /// Is nothing half done? Otherwise the queue does not know all that is due.
+  /// Is no operation half done? Otherwise the queue lacks some of the certificates that are due.
   bool is_whole() const { return !repaired_.open && sweep_.due == DormantCertificates::Due::nothing; }
   void make_whole() {
     if (sweep_.due != DormantCertificates::Due::nothing) finish_sweep();
@@ -144,7 +146,7 @@ class Engine {
   PairGeometry geometry_;
   MotionSegments segments_;
   std::size_t current_ = 0;
-  std::shared_ptr<const MotionSegment> segment_;  ///< that segment
+  std::shared_ptr<const MotionSegment> segment_;  ///< the segment number current_
   EngineObserver* observer_;
   PlanarMap map_;
   FailureSolver solver_;
@@ -153,7 +155,7 @@ class Engine {
   BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
   DormantCertificates dormant_;
-  /// Certificates that are due at t: those from number `next` on are not scheduled yet.
+  /// Certificates that are due at t. Those from number `next` on are not scheduled yet.
   struct Sweep {
     DormantCertificates::Due due = DormantCertificates::Due::nothing;
     bool all_due = false;
@@ -161,7 +163,7 @@ class Engine {
     std::size_t next = 0;
   };
   Sweep sweep_;
-  /// The last event, while certificates of its corners are still to be started.
+  /// The last event, while some certificates of its corners have not been started yet.
   struct Repaired {
     bool open = false;
     EngineEvent event;
@@ -174,7 +176,7 @@ class Engine {
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time
   EngineState state_ = EngineState::running;
-  bool passing_ = false;  ///< to where the question begins
+  bool passing_ = false;  ///< moving to the place where the query begins
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;

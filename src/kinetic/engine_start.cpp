@@ -1,4 +1,4 @@
-// How an engine begins: a tiling, built or known, and the certificates of its corners.
+// How an engine starts: a tiling, built or known, and the certificates of its corners.
 #include <algorithm>
 
 #include "base/budget.hpp"
@@ -9,7 +9,7 @@ namespace taut::internal {
 
 namespace {
 
-/// In units of checkpoint(): of a vertex of a tiling that is built from nothing, and of every start.
+/// In units of checkpoint(): the work per vertex of a tiling built from scratch, and the work of every start.
 constexpr std::uint64_t work_of_vertex = 16, work_of_start = 80;
 
 }  // namespace
@@ -63,13 +63,14 @@ void Engine::take_map(const KnownTilings& known) {
   begin(Placement(geometry_, *known.placed, known.parameter, Positions::on_demand));
 }
 
-/// With the certificates of the map at that placement.
+/// Starts with the certificates of the map at that placement.
 void Engine::begin(const Placement& placement) {
-  // Edges that a start has removed again may have numbers beyond those that a tiling needs.
+  // Edges that the start has removed again may have numbers beyond those that a tiling needs.
   certificate_of_.reset(std::max<std::size_t>(4 * std::size_t{geometry_.size()} + 16, map_.halfedge_count()));
-  // An edge of both bodies is in four corners, most of which have two such edges. This leaves room to double the active
-  // set before anything is allocated again: few events of few motions do. A small map has no corners for more; and more
-  // than a small question needs would be asked of the system, and given back, by each.
+  // An edge between the two bodies is in four corners, most of which have two such edges. This leaves room for the
+  // active set to double before anything more is allocated; the events of few motions need more. A small map does not
+  // have corners for more. Beyond the needs of a small query, memory would be requested from the system and returned by
+  // every query.
   reserve_certificates(std::min(4 * mixed_edges() + 128, 4 * std::size_t{geometry_.size()} + 64));
   add_certificates(placement);
   at_start_ = placement.stages();
@@ -79,7 +80,7 @@ void Engine::begin(const Placement& placement) {
   try {
     enter_segment();
   } catch (const Interrupted&) {
-    // What is made by now would be lost. The first step goes on with it, or is stopped.
+    // The work done so far would be lost. The first step continues it, or is interrupted.
   }
   solver_.reserve(active_);
 }
@@ -96,7 +97,7 @@ std::size_t Engine::mixed_edges() const {
   return count;
 }
 
-/// Of all corners with a PQ edge.
+/// Adds the certificates of all corners with a PQ edge.
 void Engine::add_certificates(const Placement& placement) {
   map_.for_each_changed_edge([&](HalfedgeId edge, VertexId from, VertexId to) {
     if (!geometry_.same_body(from, to)) add_certificates_beside(edge, placement);

@@ -1,4 +1,4 @@
-// The order of failure times: a tournament of certificates.
+// The order of failure times: a tournament tree of certificates.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,15 @@
 
 namespace taut::internal {
 
-/// Certificates ordered by exact lower bounds of their failure times: the double `lo`, or within one double the
-/// multi-precision enclosure. Events that coincide in the input differ only there.
+/// Certificates ordered by exact lower bounds of their failure times. The bound is the double `lo`, or within one
+/// double the multi-precision enclosure. Events that coincide in the input differ only there.
 ///
-/// A complete binary tree with a leaf for every certificate, in which every node holds the earlier of its two children.
-/// Bounds change far more often than they come first, and they mostly change from one late time to another: such a
-/// change ends at the first node that another one wins, and nothing but the nodes on the way is written.
+/// A complete binary tree has a leaf for every certificate, and every node holds the earlier of its two children.
+/// Bounds change far more often than they come first, and mostly from one late time to another. Such a change ends at
+/// the first node that another certificate wins, and only the nodes on the path to it are written.
 class EventQueue {
  public:
-  /// What a visitor of rivals wants to see next.
+  /// The nodes that a visitor of rivals wants to visit next.
   enum class Visit : std::uint8_t {
     on,    ///< the others
     past,  ///< only those that do not come after this one
@@ -34,11 +34,11 @@ class EventQueue {
       : certificates_(&certificates), pool_(&pool) {}
 
   bool empty() const { return leaves_ == 0 || keys_[root_] == rank_of_never; }
-  /// The earliest; requires that there is one.
+  /// The earliest certificate. Requires a nonempty queue.
   CertificateId top() const { return CertificateId(ids_[root_]); }
   std::size_t bytes() const { return 2 * capacity_ * (sizeof(std::int64_t) + sizeof(std::uint32_t)); }
 
-  /// Makes room for this many certificates. The memory is touched only when they are there.
+  /// Makes room for this many certificates. The memory is not touched until they are added.
   void reserve(std::size_t certificates) {
     if (certificates <= capacity_) return;
     const std::size_t capacity = std::bit_ceil(certificates);
@@ -54,20 +54,20 @@ class EventQueue {
     capacity_ = capacity;
     if (leaves_ > 0) root_ = capacity_ / leaves_;
   }
-  /// Takes out all that are in it.
+  /// Removes all certificates.
   void clear() {
     if (leaves_ > 0) clear(root_);
   }
-  /// Puts the certificate where its `lo` belongs; one that never fails is left out.
+  /// Moves the certificate to the position of its `lo`. A certificate that never fails is left out.
   void update(CertificateId id) { set(id, (*certificates_)[id.value].lo); }
   void remove(CertificateId id) {
     if (id.value < leaves_ && keys_[leaf(id)] != rank_of_never) set(id, never);
   }
-  /// Calls visit(id) for those but the first whose keys are `until` at most, until it says stop.
+  /// Calls visit(id) for every certificate but the first whose key is at most `until`, until the visitor returns stop.
   template <class Visitor>
   void visit_rivals(double until, const Visitor& visit) const {
-    // Of a subtree, smaller ones beside the way from its root to its winner are left to look at: as many as it has
-    // levels, and the smallest is next.
+    // Within a subtree, the candidates are the siblings of the nodes on the path from its root to its winner. There are
+    // as many as the subtree has levels, and the smallest one is visited next.
     const std::int64_t last = rank(until);
     std::array<std::size_t, 64> open;
     std::size_t count = 0;
@@ -88,7 +88,7 @@ class EventQueue {
   }
 
  private:
-  static constexpr std::int64_t rank_of_never = 0x7ff0000000000000;  // of infinity
+  static constexpr std::int64_t rank_of_never = 0x7ff0000000000000;  // the rank of infinity
 
   std::size_t leaf(CertificateId id) const { return capacity_ + id.value; }
 
@@ -100,14 +100,14 @@ class EventQueue {
     if (pa < 0) return true;
     return (*pool_)[static_cast<std::size_t>(pa)].begins_before((*pool_)[static_cast<std::size_t>(pb)]);
   }
-  /// A number in the order of the key.
+  /// An integer with the order of the key.
   static std::int64_t rank(double key) {
-    const double one_zero = key + 0.0;  // of the two
+    const double one_zero = key + 0.0;  // maps -0 to +0
     std::int64_t bits;
     std::memcpy(&bits, &one_zero, sizeof bits);  // std::bit_cast is not in every library yet
     return bits ^ ((bits >> 63) & INT64_MAX);
   }
-  /// Does the certificate `other` with that key come before `id`?
+  /// Does the certificate `other`, with its key, come before `id`?
   bool before(std::int64_t other_key, std::uint32_t other, std::int64_t key, std::uint32_t id) const {
     if (other_key == key && key != rank_of_never) return breaks_tie(other, id);
     return other_key < key;
@@ -122,7 +122,7 @@ class EventQueue {
     std::uint32_t winner = id.value;
     keys[node] = key;
     ids[node] = winner;
-    // As far as it wins itself,
+    // Go up as far as the certificate itself wins,
     for (; node != root && !before(keys[node ^ 1], ids[node ^ 1], key, winner); node /= 2) {
       keys[node / 2] = key;
       ids[node / 2] = winner;
@@ -130,7 +130,7 @@ class EventQueue {
     if (node == root) return;
     key = keys[node ^ 1];
     winner = ids[node ^ 1];
-    // and then as far as it won before. Which of two wins there cannot be foreseen: no branch hangs on it.
+    // and then as far as it won before. The winner of a comparison there is unpredictable, so no branch depends on it.
     for (node /= 2; ids[node] != winner; node /= 2) {
       keys[node] = key;
       ids[node] = winner;
@@ -143,7 +143,8 @@ class EventQueue {
       winner = loses ? other_id : winner;
     }
   }
-  /// Doubles the number of leaves until there are `count`: what was the root is then the first half of a larger tree.
+  /// Doubles the number of leaves until there are at least `count`. The former root becomes the first half of a larger
+  /// tree.
   void grow(std::size_t count) {
     reserve(count);
     if (leaves_ == 0) {
@@ -173,7 +174,7 @@ class EventQueue {
 
   const std::vector<Certificate>* certificates_;
   const std::vector<PreciseTime>* pool_;
-  /// Node i has the children 2i and 2i + 1. Leaf number k is node capacity_ + k; those in use are the first leaves_.
+  /// Node i has the children 2i and 2i + 1. Leaf number k is node capacity_ + k. The first leaves_ leaves are in use.
   std::unique_ptr<std::int64_t[]> keys_;
   std::unique_ptr<std::uint32_t[]> ids_;
   std::size_t capacity_ = 0, leaves_ = 0;  ///< powers of two

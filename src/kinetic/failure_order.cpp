@@ -1,4 +1,4 @@
-// Which of two failures comes first, and what a failure is as the present.
+// The order of two failures, and a failure as the current instant.
 #include <algorithm>
 #include <cmath>
 
@@ -20,12 +20,12 @@ bool FailureSolver::known_before(const Certificate& a, const Certificate& b) con
   return at(a).certainly_before(at(b));
 }
 
-/// One stage further for one certificate.
+/// Refines one certificate by one stage.
 void FailureSolver::sharpen(Certificate& c, Stage stage) {
   if (c.precise < 0) precise_slot(c) = PreciseTime::between(c.lo, c.hi);
   PreciseTime& t = pool_[static_cast<std::size_t>(c.precise)];
   precise_of(c).refine(c.sign, t, stage);
-  t.stage = std::max(t.stage, stage);  // what a stage could not improve, it will not improve next time either
+  t.stage = std::max(t.stage, stage);  // what a stage could not improve now, it will not improve next time either
   c.lo = t.floor();
   c.hi = std::min(t.ceiling(), segment().end);
 }

@@ -11,10 +11,10 @@
 namespace taut::internal {
 namespace {
 
-/// How many cells beyond its own a new certificate is followed. Most die before long.
+/// The number of cells beyond its own for which a new certificate is followed. Most certificates die early.
 constexpr int cells_for_new = 1;
 
-/// Is (u, v, w) the event's corner up to turning around?
+/// Is (u, v, w) the event's corner up to cyclic rotation?
 bool same_order(const Now& now, VertexId u, VertexId v) {
   return (u == now.u && v == now.v) || (u == now.v && v == now.w) || (u == now.w && v == now.u);
 }
@@ -71,7 +71,7 @@ void FailureSolver::start(Certificate& c, double t) {
   if (!fast_.follow(c, now, c.lo)) advance_hard(c, c.lo);
 }
 
-/// If the line's bounds tell that its sign at t is the certificate's.
+/// Succeeds if the bounds of the line show that its sign at t is that of the certificate.
 bool FailureSolver::start_on_line(Certificate& c, double t) {
   const FastLine line = fast_.line_of(c.function);
   const int sign = line.sign_over(t, t);
@@ -80,7 +80,7 @@ bool FailureSolver::start_on_line(Certificate& c, double t) {
   return fast_.follow_line(c, line, t);
 }
 
-/// If they tell the sign at the present.
+/// Succeeds if the bounds of the line determine the sign at `now`.
 bool FailureSolver::start_on_line(Certificate& c, const Now& now) {
   const FastLine line = fast_.line_of(c.function);
   const int sign = line.sign_over(now.lo, now.hi);
@@ -107,7 +107,7 @@ void FailureSolver::advance_from(Certificate& c, double t) {
 }
 
 void FailureSolver::advance_hard(Certificate& c, double t) {
-  // Doubles may see no value, but a slope. Exact lines need no more than that.
+  // In doubles, the slope may have a sign where the value has none. Exact lines need no more than the slope.
   if (!clock_.straight() && fast_.follow_from_zero(c, Instant::exactly(t), false)) return;
   if (!c.function.level1) {
     FastFunction next;
@@ -123,10 +123,10 @@ void FailureSolver::advance_hard(Certificate& c, double t) {
   advance_precise(c, precise_of(c), PreciseTime::between(t, t));
 }
 
-/// Searches the rest of the segment at high precision; the certificate's sign holds just after `from`.
+/// Searches the rest of the segment at high precision. The certificate's sign holds just after `from`.
 void FailureSolver::advance_precise(Certificate& c, const PreciseTriple& function, const PreciseTime& from) {
   if (pass_turn(c, from)) return memory_.stages.add(Stage::fixed);
-  // Events may crowd closer to the end of the segment than doubles can tell.
+  // Events may accumulate closer to the end of the segment than doubles can distinguish.
   const double t = from.last().floor();
   if (t >= segment().end) return holds_until(c, segment().end);
   const double to = clock_.cell(std::max(t, segment().start)).end;
@@ -141,8 +141,8 @@ void FailureSolver::advance_to(Certificate& c, const PreciseTriple& function, co
   }
 }
 
-/// Towards an instant of infinite speed segments become shorter and shorter. A search that is made from that instant
-/// takes about as long for all of the time beside it as for one of them.
+/// Towards an instant of infinite speed, cells become shorter and shorter. A search from that instant takes about as
+/// long for the whole neighbourhood as for one cell.
 bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& function, const PreciseTime& from,
                                        double segment_end) {
   const double to = end_of_neighbourhood(segment(), from.last().floor());
@@ -151,14 +151,14 @@ bool FailureSolver::advance_beside_end(Certificate& c, const PreciseTriple& func
     advance_to(c, function, from, to);
     return true;
   } catch (const Undecidable&) {
-    // Something later, which may not matter.
+    // The undecidable event is a later one, which may not matter.
     hopeless_beside_end_ = true;
     return false;
   }
 }
 
-/// Where the function nearly touches zero, as those of symmetric mechanisms do, its turn tells. The certificate's sign
-/// holds just after `from`. False if that is not so.
+/// Where the function nearly touches zero, as for symmetric mechanisms, its extremum decides. The certificate's sign
+/// holds just after `from`. Returns false if the extremum does not decide.
 bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
   if (c.function.level1 || from.floor() < segment().start || from.ceiling() > segment().end) return false;
   const std::optional<PlaceOfTurn> place = fast_.turn_near(c.function, from.floor());
@@ -170,7 +170,7 @@ bool FailureSolver::pass_turn(Certificate& c, const PreciseTime& from) {
   return true;
 }
 
-/// False if it is not known whether the failure comes on the segment.
+/// Returns false if it is not known whether the failure comes on the segment.
 bool FailureSolver::isolate_on_segment(Certificate& c, const PreciseTime& t) {
   const PreciseTime end = PreciseTime::between(segment().end, segment().end);
   if (end.certainly_before(t)) {
@@ -219,7 +219,7 @@ void FailureSolver::start_at(Certificate& c, Now& now) {
   if (!fast_.follow_from_zero(c, now, false)) advance_precise(c, precise_of(c), precise_now(now));
 }
 
-/// By the certificate's function as it stands, if that shows a sign at the present.
+/// Uses the certificate's function as it stands. Returns false if that shows no sign at `now`.
 bool FailureSolver::start_in_doubles(Certificate& c, const Now& now) {
   if (clock_.straight() && start_on_line(c, now)) return true;
   const LocalExpansion here = fast_.expansion(c.function, now.at);

@@ -1,4 +1,4 @@
-// When does a certificate fail? Lower bounds first, isolation only when it matters.
+// Determines when a certificate fails: lower bounds first, isolation only when needed.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,20 @@
 
 namespace taut::internal {
 
-/// The present: a double, or the failure time of a certificate.
+/// The current instant: a double, or the failure time of a certificate.
 struct Now : Instant {
-  double at = 0;              ///< in [lo, hi], where the motion is known already, if there is such an instant
-  double monotone_until = 0;  ///< of an event: its function is monotone until then
-  /// What the solver has found, which it forgets once the certificate is gone, or filled when first needed.
+  double at = 0;              ///< in [lo, hi]; an instant where the motion is known already, if any
+  double monotone_until = 0;  ///< for an event: its function is monotone until then
+  /// The precise time found by the solver, copied because the solver discards it with the certificate; or filled on
+  /// first use.
   std::optional<PreciseTime> precise;
 };
 
-/// When certificates fail, on one segment: bounds first, which are moved on when somebody asks, enclosures when a
-/// failure is near. Each question goes through the stages: doubles (FastRoots), where the form is a line in doubles,
-/// too (FastLine); the same on the part that is linear in the displacement, where the rest is zero; then PreciseTriple,
-/// which has exact lines, forms about an instant, and multi-precision.
+/// Determines when certificates fail on one segment. It computes lower bounds first, advances them on demand, and
+/// encloses a failure when it is near. Each query passes through the following stages. The first is doubles (FastRoots,
+/// and FastLine where the certificate function is also a line in doubles). The second is the same on the part that is
+/// linear in the displacement, where the rest is zero. The last is PreciseTriple, which has exact lines, certificate
+/// functions expanded about an instant, and multi-precision.
 class FailureSolver {
  public:
   explicit FailureSolver(const PairGeometry& geometry) : geometry_(geometry) {}
@@ -35,7 +37,7 @@ class FailureSolver {
     pool_.reserve(64 + certificates);
     pool_free_.reserve(64 + certificates);
   }
-  /// For a segment that is not straight.
+  /// Required for a segment that is not straight.
   void reserve_cells() {
     clock_.reserve_cells();
     memory_.reserve_expansions();
@@ -52,7 +54,7 @@ class FailureSolver {
   const StageCounts& stages() const { return memory_.stages; }
   const std::vector<PreciseTime>& pool() const { return pool_; }
 
-  /// A certificate that cannot fail.
+  /// Marks a certificate that cannot fail.
   void rest(Certificate& c) {
     release(c);
     c.kind = RootKind::not_before;
@@ -60,28 +62,28 @@ class FailureSolver {
   }
   /// Starts a certificate whose sign is known to hold at t.
   void start(Certificate& c, double t);
-  /// Starts a new certificate just after `now`; finds its sign.
+  /// Starts a new certificate just after `now` and determines its sign.
   void start_at(Certificate& c, Now& now);
-  /// Pushes the lower bound of a certificate forward, or encloses its failure: first as the bounds tell, then as well
-  /// as doubles can. Not for isolated ones.
+  /// Advances the lower bound of a certificate, or encloses its failure: first as far as the bounds allow, then as
+  /// tightly as doubles can. Not for isolated ones.
   void advance(Certificate& c);
-  /// Drops what the pool holds for it.
+  /// Frees the pool entry of the certificate.
   void release(Certificate& c);
 
   /// Is the isolated failure of `a` certainly before that of `b`, as far as is known now?
   bool known_before(const Certificate& a, const Certificate& b) const;
-  /// Of two isolated failures whose enclosures overlap, encloses the less precise one better (or both): the queue must
-  /// be told. Throws Undecidable if no stage is left.
+  /// Given two isolated failures whose enclosures overlap, refines the less precise one, or both. The caller must
+  /// update the queue. Throws Undecidable if no stage is left.
   void separate(Certificate& a, Certificate& b);
-  /// Does the isolated failure come no later than t (inside its enclosure)?
+  /// Does the isolated failure come no later than t, which is inside its enclosure?
   bool fails_by(Certificate& c, double t);
-  /// Of three vertices that are collinear now, the middle one.
+  /// The middle one of three vertices that are collinear at `now`.
   VertexId middle(VertexId u, VertexId v, VertexId w, Now& now);
-  /// The present as the failure of c.
+  /// The failure of c as the current instant.
   Now event(const Certificate& c) const;
-  /// The isolated failure of c, where a stage beyond doubles has looked at it.
+  /// The isolated failure of c, if a stage beyond doubles has refined it.
   std::optional<PreciseTime> known_precisely(const Certificate& c) const;
-  /// The failure time of c within a few ulps.
+  /// Refines the failure time of c to within a few ulps.
   void tighten(Certificate& c);
 
  private:
@@ -104,7 +106,7 @@ class FailureSolver {
   void sharpen(Certificate& c, Stage stage);
   PreciseTime& precise_slot(Certificate& c);
   static PreciseTime& precise_now(Now& now);
-  /// The sign of a form at `now`: fast if possible, else precise.
+  /// The sign of a certificate function at `now`: in doubles if possible, else precisely.
   int sign_now(const CertificateFunction& function, Now& now);
   int precise_sign(const CertificateFunction& function, Now& now);
 

@@ -8,13 +8,14 @@
 namespace taut::internal {
 namespace {
 
-/// Straight ways between two turns of a body pass through smaller copies of it: no more than by a few percent.
+/// Between two rotations of a body, straight displacements pass through copies of it that are smaller by a few percent
+/// at most.
 constexpr double least_cosine = 0.95;
 
-/// On a bridge, whose frame is made of four poses whenever it is asked for, an event costs so much more than is
+/// On a bridge, the frame is computed from four poses at each evaluation. An event costs this much more than is
 /// counted.
 constexpr std::uint64_t work_of_bridged_event = 100;
-/// Of two squares, both ways take microseconds.
+/// For two squares, both approaches take microseconds.
 constexpr std::uint64_t least_limit = 256;
 
 bool is_small_turn(const MotionSegment& from, double since, const MotionSegment& to, double until) {
@@ -46,7 +47,7 @@ std::unique_ptr<Engine> NearStart::engine(const PairGeometry& geometry, const Mo
   return engine;
 }
 
-/// The engine of the last placement at the new one, which is where the segment starts.
+/// Moves the engine of the last placement to the new one, which is the start of the segment.
 std::unique_ptr<Engine> NearStart::moved(const PairGeometry& geometry, const MotionSegment& to) const {
   const MotionSegment& from = *last_->segment;
   const bool far = from.far() || to.far();

@@ -11,17 +11,17 @@ namespace taut::internal {
 
 enum class Gone : unsigned char { none, first, second };
 
-/// What a repair did, and the corners that may have changed: each named by its first half-edge.
+/// The action of a repair, and the corners that it may have changed. Each corner is named by its first half-edge.
 struct RepairReport {
   Repair repair = Repair::collision;
-  /// Of the two edges of the corner, the one that goes (or would, if it were not a polygon's).
+  /// The edge of the corner that is removed (or would be, if it were not a polygon edge).
   Gone gone = Gone::none;
   bool pinch_rule = false;
   std::array<HalfedgeId, 6> corners{};
   std::uint32_t corner_count = 0;
-  /// The edge that went for good, if one did (its half-edges are dead).
+  /// The edge that was removed permanently, if any; its half-edges are dead.
   HalfedgeId removed;
-  /// On a collision: the vertex, and the polygon's own half-edge that it hit.
+  /// For a collision: the vertex, and the polygon's own half-edge that it hit.
   VertexId hitting;
   HalfedgeId hit;
 

@@ -1,16 +1,17 @@
+// Repairs at a convex corner that has closed.
 #include "kinetic/repair.hpp"
 
 namespace taut::internal {
 namespace {
 
-/// After a corner at the root closed: an edge with faces of P on both its sides is now run in both directions by
-/// RCH(P).
+/// Called after a corner at the root closed: RCH(P) now traverses an edge with faces of P on both sides in both
+/// directions.
 void mark_pinch(PlanarMap& map, ChainNode face, HalfedgeId uv) {
   if (face != node::root && face != node::infinite_face) return;
   if (node::in_p(map.node(uv)) && node::in_p(map.node(PlanarMap::twin(uv)))) map.set_pinch(uv, true);
 }
 
-/// A triangle vanishes: the face across the edge that goes gets the two others.
+/// A triangle vanishes. The face across the removed edge gets the two other edges.
 RepairReport without_triangle(PlanarMap& map, HalfedgeId gone, RepairReport report) {
   const HalfedgeId a = map.next(gone), b = map.next(a), across = PlanarMap::twin(gone);
   const HalfedgeId p = map.previous(across), n = map.next(across);
@@ -25,7 +26,7 @@ RepairReport without_triangle(PlanarMap& map, HalfedgeId gone, RepairReport repo
   return report;
 }
 
-/// The far end comes first: h = w -> u, next = u -> v. The edge u -> w goes, w -> v comes.
+/// The far end comes first: h = w -> u, next = u -> v. The edge u -> w is removed, and w -> v is added.
 RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
   RepairReport report;
   report.gone = Gone::first;
@@ -49,7 +50,7 @@ RepairReport far_end_first(PlanarMap& map, HalfedgeId wu, HalfedgeId uv) {
   return report;
 }
 
-/// The near end comes first: h = v -> u, next = u -> w. The edge u -> w goes, v -> w comes.
+/// The near end comes first: h = v -> u, next = u -> w. The edge u -> w is removed, and v -> w is added.
 RepairReport near_end_first(PlanarMap& map, HalfedgeId vu, HalfedgeId uw) {
   RepairReport report;
   report.gone = Gone::second;

@@ -1,3 +1,4 @@
+// Repairs at a reflex corner that has straightened.
 #include "base/errors.hpp"
 #include "kinetic/repair.hpp"
 #include "tiling/root_faces.hpp"
@@ -5,7 +6,7 @@
 namespace taut::internal {
 namespace {
 
-/// The node that stands for the face on the left of h in the joined tree.
+/// The tree node that represents the face on the left of h in the joined tree.
 ChainNode tree_node(const PlanarMap& map, HalfedgeId h, ChainNode infinite_as) {
   const ChainNode n = map.node(h);
   return n == node::infinite_face ? infinite_as : n;
@@ -18,7 +19,7 @@ void unpinch(PlanarMap& map, HalfedgeId h) {
   }
 }
 
-/// Case (b): B comes between. The edge v -> w goes, u -> w comes; u -> v now bounds B.
+/// Case (b): B comes between. The edge v -> w is removed, and u -> w is added. The edge u -> v now bounds B.
 RepairReport replace_second(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
   RepairReport report;
   report.repair = Repair::reflex_right;
@@ -36,7 +37,7 @@ RepairReport replace_second(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
   return report;
 }
 
-/// Case (c): A comes between. The edge u -> v goes, u -> w comes; v -> w now bounds A.
+/// Case (c): A comes between. The edge u -> v is removed, and u -> w is added. The edge v -> w now bounds A.
 RepairReport replace_first(PlanarMap& map, HalfedgeId uv, HalfedgeId vw) {
   RepairReport report;
   report.repair = Repair::reflex_left;

@@ -51,14 +51,14 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   const RingSet &p = *plan_.rings[0], &q = *plan_.rings[1];
   Run run;
   run.rings = rings;
-  // The rules at the root want the polygon with the larger diameter as P; a container's box is larger than what it
-  // contains.
+  // The rules at the root require the polygon with the larger diameter as P. The box of a container is larger than its
+  // contents.
   if (q.rings()[rings.q].ring > 0) {
     run.exchanged = true;
   } else if (p.rings()[rings.p].ring == 0) {
     run.exchanged = diameter_of(Role::q, rings.q) > diameter_of(Role::p, rings.p);
   }
-  // A container is about what is in it: there is nothing far from it to be kept.
+  // A container surrounds its contents, so no faces far from it are worth keeping.
   const bool contained = p.rings()[rings.p].ring > 0 || q.rings()[rings.q].ring > 0;
   KnownTilings known;
   if (rings_recur_ && !contained) known = {tiling_of(run, Role::p), tiling_of(run, Role::q)};
@@ -83,7 +83,7 @@ RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
         arrived = false;
         break;
       }
-      // What comes after a contact that is known does not matter.
+      // Events after a known contact do not matter.
       const double limit = contact_ ? std::min(t, segments_[0][contact_->segment].time(contact_->contact.hi)) : t;
       const std::uint64_t before = engine.events();
       if (!engine.step(limit) && engine.events() == before) break;
@@ -116,7 +116,7 @@ std::optional<std::pair<double, double>> RingEngines::next_event(double t) {
   return first;
 }
 
-/// From a vertex of two rings, or the edge from it, to that of the two bodies.
+/// Maps a vertex of the two rings, or the edge that starts there, to that of the two bodies.
 std::optional<VertexId> RingEngines::named(const Run& run, VertexId v, bool edge) const {
   const PairGeometry& two = run.engine->geometry();
   const Role role = two.role_of(v);
@@ -127,7 +127,7 @@ std::optional<VertexId> RingEngines::named(const Run& run, VertexId v, bool edge
   return VertexId(geometry_.first(run.in_pair(role)) + *k);
 }
 
-/// The slit's walls are no features, and can only be met where a vertex was displaced into the mouth.
+/// The walls of the slit are not features. They can be met only where a vertex was displaced into the mouth.
 VertexId RingEngines::in_pair(const Run& run, VertexId v, bool edge) const {
   const std::optional<VertexId> k = named(run, v, edge);
   if (!k) throw Undecidable{"what a vertex in the slit of a hole meets"};

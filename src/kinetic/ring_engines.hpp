@@ -1,4 +1,4 @@
-// Two bodies of rings in the kinetic engine: one engine for each two rings that can meet.
+// Two bodies of rings in the kinetic engine: one engine for each pair of rings that can meet.
 #pragma once
 
 #include <array>
@@ -13,36 +13,36 @@
 
 namespace taut::internal {
 
-/// The tiling is between two simple polygons. Which of two parts' rings can meet is settled where they start, and does
-/// not change before they do: so the first contact of two bodies is the earliest of those of such pairs of rings, each
-/// with an engine of its own. A hole that has the other body's part in it takes part as the container around it.
+/// The tiling is between two simple polygons. The start decides which rings of two parts can meet, and this does not
+/// change before they do. So the first contact of two bodies is the earliest contact of these pairs of rings, each with
+/// its own engine. A hole that contains a part of the other body takes part as the container around it.
 class RingEngines {
  public:
-  /// Segments of the pair in its roles, and with the roles exchanged: a pair of rings has P and Q by what is larger.
+  /// Segments of the pair in its roles, and with the roles exchanged. In a pair of rings, the size determines P and Q.
   using BothSegments = std::array<MotionSegments, 2>;
 
-  /// Builds the tilings at the start of the segments. The plan and the geometry are those of bodies of rings, and must
-  /// outlive this, as must the observer, who may be null. Throws Undecidable.
+  /// Builds the tilings at the start of the segments. The plan and the geometry must be those of bodies of rings. They
+  /// must outlive this object, as must the observer, which may be null. Throws Undecidable.
   RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
               EngineObserver* observer = nullptr);
 
-  /// Do the bodies overlap at the start of the segments? Then no more can be asked.
+  /// Do the bodies overlap at the start of the segments? If so, no other query is allowed.
   bool overlap() const { return overlap_; }
-  /// If they do, and it was seen by a vertex of one in the other, that vertex of the pair's geometry.
+  /// If they overlap and a vertex of one inside the other showed it, that vertex of the pair's geometry.
   const std::optional<VertexId>& inside() const { return inside_; }
 
   enum class Arrival : unsigned char { there, contact, on_the_way };
-  /// Up to t, or to the contact. After so many events it is left on the way. Throws Undecidable, and what interrupts
-  /// it.
+  /// Advances to t, or to the contact. Stops on the way after the given number of events. Throws Undecidable, and any
+  /// interruption.
   Arrival advance(double t, std::uint64_t events = UINT64_MAX);
-  /// Everything up to there is proved.
+  /// Everything up to this time is proved.
   double reached() const;
-  /// The same at the present, between events: no failure is due before.
+  /// The corresponding time at present, between events: no failure is due before it.
   double proved_until() const;
   /// An enclosure of the time of the next event up to t.
   std::optional<std::pair<double, double>> next_event(double t);
 
-  /// In the terms of the pair's geometry and of its segments.
+  /// A contact in terms of the pair's geometry and segments.
   struct Found {
     FoundContact contact;
     std::size_t segment = 0;
@@ -59,10 +59,10 @@ class RingEngines {
   std::size_t size() const { return runs_.size(); }
   Engine& engine(std::size_t k) { return *runs_[k].engine; }
   RingMeeting meeting(std::size_t k) const { return runs_[k].rings; }
-  /// The vertex of the pair's geometry that a vertex of that engine's is; nothing for the box and the slit around a
-  /// hole.
+  /// The vertex of the pair's geometry that corresponds to a vertex of that engine; none for the box and the slit
+  /// around a hole.
   std::optional<VertexId> named_vertex(std::size_t k, VertexId v) const { return named(runs_[k], v, false); }
-  /// Does a hole take part in it?
+  /// Does a hole take part in this engine?
   bool is_contained(std::size_t k) const;
 
  private:
@@ -71,7 +71,7 @@ class RingEngines {
     bool exchanged = false;  ///< P of the pair plays Q
     std::unique_ptr<Engine> engine;
 
-    /// The role in the pair of bodies, of that in the pair of rings.
+    /// Maps a role in the pair of rings to the role in the pair of bodies.
     Role in_pair(Role role) const { return exchanged ? other(role) : role; }
   };
   template <class Count>
@@ -85,7 +85,7 @@ class RingEngines {
     return run.in_pair(role) == Role::p ? run.rings.p : run.rings.q;
   }
   const LoneRing& ring_of(const Run& run, Role role) const;
-  /// Of a ring, squared and scaled; found once.
+  /// The squared, scaled diameter of a ring; computed once.
   double diameter_of(Role role, std::size_t ring);
   const ShapeTiling* tiling_of(const Run& run, Role role) const;
   void begin(const RingMeeting& rings, EngineObserver* observer);
@@ -97,14 +97,14 @@ class RingEngines {
   const PairPlan& plan_;
   const PairGeometry& geometry_;
   bool inwards_;
-  bool rings_recur_ = false;  ///< in several pairs each, so that what is known of one alone is worth knowing
+  bool rings_recur_ = false;  ///< each ring is in several pairs, so its own tiling is worth keeping
   BothSegments segments_;
   std::vector<Run> runs_;
   bool overlap_ = false;
   std::optional<VertexId> inside_;
   StageCounts at_start_;
   std::optional<Found> contact_;
-  std::array<std::vector<double>, 2> diameters_;  ///< of the rings of both; negative where not known yet
+  std::array<std::vector<double>, 2> diameters_;  ///< of the rings of both bodies; negative if not known yet
 };
 
 }  // namespace taut::internal

@@ -91,7 +91,7 @@ void Session::note_contact() {
 
 void Session::set_motion(BodyId body, const Motion& motion) {
   if (body < 0 || body > 1) throw InputError("", "there is no body " + std::to_string(body), "bodies are 0 and 1");
-  // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old plan.
+  // Events that nearly coincide with the last one, and the rest of a bridge, belong to the old motion.
   while (step(engine_->time())) {
   }
   if (contact_) return;

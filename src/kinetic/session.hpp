@@ -1,4 +1,5 @@
-// One question about one scene: validated, scaled, displaced, with an engine, and the way back to the user's terms.
+// One query about one scene: validation, scaling, displacement, an engine, and the translation back to the user's
+// terms.
 #pragma once
 
 #include <memory>
@@ -12,36 +13,36 @@
 
 namespace taut::internal {
 
-/// The engine and the translation of its findings.
+/// The engine and the translation of its results.
 class Session : private EngineObserver {
  public:
-  /// The observer is told of events before the tracer; either may be null. Throws InputError.
-  /// `near` has what was kept of the last question, if anything, and takes in this one's start; may be null.
+  /// The observer is notified of events before the tracer; either may be null. Throws InputError. `near` holds the
+  /// tiling kept from the last query, if any, and stores the start of this one; may be null.
   Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr,
           NearStart* near = nullptr);
 
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
-  /// The scene's time.
+  /// The time interval of the scene.
   double start() const { return start_; }
   double end() const { return end_; }
   const std::optional<Contact>& contact() const { return contact_; }
-  /// Of a contact at the start: how the outward shapes overlap.
+  /// For a contact at the start: how the outward shapes overlap.
   const std::optional<StartOverlap>& touching() const { return touching_; }
   bool overlap_at_start() const { return overlap_at_start_; }
-  /// Was the tiling made from that of the question before?
+  /// Was the tiling derived from that of the previous query?
   bool began_near() const { return began_near_; }
-  /// Inside both bodies, if they overlap at the start and such a point was found.
+  /// A point inside both bodies, if they overlap at the start and such a point was found.
   const std::optional<Point>& overlap_point() const { return overlap_point_; }
-  /// Nothing left to do: contact, overlap, or the end.
+  /// Is there nothing left to do, because of a contact, an overlap, or the end?
   bool finished() const;
-  /// As Engine::step, and notes a contact.
+  /// Like Engine::step(), and records a contact.
   bool step(double t);
-  /// Changes a body's plan from the present on. Throws InputError and changes nothing.
+  /// Changes a body's motion from the current time on. Throws InputError and changes nothing.
   void set_motion(BodyId body, const Motion& motion);
-  /// An internal vertex in the user's terms.
+  /// The input vertex of an internal vertex.
   VertexRef input_vertex(VertexId v) const;
-  /// World position of a vertex at the engine's present, in the input's units (rounded).
+  /// World position of a vertex at the engine's current time, in the input's units (rounded).
   Point world(VertexId v) const;
   const PairPlan& plan() const { return plan_; }
 
@@ -59,7 +60,7 @@ class Session : private EngineObserver {
   std::unique_ptr<Engine> engine_;
   std::optional<Contact> contact_;
   std::optional<StartOverlap> touching_;
-  bool inwards_ = true;  ///< the displacement
+  bool inwards_ = true;  ///< the direction of the displacement
   bool overlap_at_start_ = false, began_near_ = false;
   std::optional<Point> overlap_point_;
 };
