@@ -1,11 +1,12 @@
-// Forms: what the engines ask the sign of. Their coefficients are derived here and only here.
+// Certificate functions: the functions whose sign the engines need. Their coefficients are derived here and only here.
 //
-// A form is a polynomial in the positions of vertices of both bodies, seen from one of them, so that on a segment it is
-// a fixed linear combination of the segment's frame functions (FrameOf in motion_segment.hpp). Everything behind it
-// (doubles with bounds, exact lines, balls of any precision, identities, roots) sees the coefficients alone.
+// A certificate function is a polynomial in the positions of vertices of both bodies, in the frame of one of them. On a
+// segment it is a fixed linear combination of the segment's frame functions (FrameOf in motion_segment.hpp). All
+// evaluation code (doubles with bounds, exact lines, balls of any precision, identities, roots) uses the coefficients
+// alone.
 //
-// To ask another question, add its coefficients here, and to the frame the functions that are missing. Distances are
-// made of forms, too: see margin_function.hpp.
+// To add another function, add its coefficients here, and the missing functions to the frame. Distances are made of
+// certificate functions, too: see margin_function.hpp.
 #pragma once
 
 #include <array>
@@ -16,11 +17,11 @@
 
 namespace taut::internal {
 
-/// What is measured: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a), or one of the
+/// The measured quantity: the cross product (b - a) x (c - a), or the dot product (b - a) . (c - a), or one of the
 /// coordinates of c - a in the frame of a's body, for which b does not matter.
 enum class Measure : unsigned char { orientation, projection, offset_x, offset_y };
 
-/// Two vertices a, b of one body and a vertex c of the other, and what is measured of them.
+/// Two vertices a, b of one body and a vertex c of the other, and the quantity measured.
 struct CertificateFunction {
   VertexId a, b, c;
   bool pp = false;  ///< a and b belong to P
@@ -29,7 +30,8 @@ struct CertificateFunction {
   friend bool operator==(const CertificateFunction& x, const CertificateFunction& y) {
     return x.a == y.a && x.b == y.b && x.c == y.c && x.measure == y.measure;
   }
-  /// The orientation of u, v, w, turned cyclically so that the two of one body come first, which changes nothing.
+  /// The orientation of u, v, w, permuted cyclically so that the two vertices of one body come first. The permutation
+  /// does not change the orientation.
   static CertificateFunction of(const PairGeometry& g, VertexId u, VertexId v, VertexId w) {
     if (g.same_body(u, v)) return {u, v, w, g.in_p(u)};
     if (g.same_body(v, w)) return {v, w, u, g.in_p(v)};
@@ -37,15 +39,16 @@ struct CertificateFunction {
   }
   /// Another measure of the same vertices.
   CertificateFunction measured(Measure what) const { return {a, b, c, pp, what}; }
-  /// How far c is along the edge from a, and from b on the way back: negative beyond that end.
+  /// The position of c along the edge, measured from a (along) or from b in the opposite direction (back): negative
+  /// beyond that end.
   CertificateFunction along() const { return {a, b, c, pp, Measure::projection}; }
   CertificateFunction back() const { return {b, a, c, pp, Measure::projection}; }
 };
 
-/// Vertices as they were given, or displaced.
+/// Vertices as given, or displaced.
 enum class Shape : unsigned char { given, displaced };
 
-/// a x b and a . b; sums of doubles have their own.
+/// The products a x b and a . b, for any number type; sums of doubles have their own.
 template <class N>
 N cross(const N& ax, const N& ay, const N& bx, const N& by) {
   return ax * by - ay * bx;
@@ -55,14 +58,14 @@ N dot(const N& ax, const N& ay, const N& bx, const N& by) {
   return ax * bx + ay * by;
 }
 
-/// What the coefficients are made of, in the coordinates of the segment: the edge from a to b, and the points a and c.
-/// N is any kind of number.
+/// The points that determine the coefficients, in the coordinates of the segment: the edge from a to b, and the points
+/// a and c. N is any number type.
 template <class N>
 struct FunctionPoints {
   N ex, ey, ax, ay, cx, cy;
 
-  /// For another measure than the orientation another edge takes the edge's place: for the projection the edge turned
-  /// by -90 degrees, for a coordinate a unit vector.
+  /// A measure other than the orientation replaces the edge: the projection by the edge rotated by -90 degrees, a
+  /// coordinate by a unit vector.
   void measure(Measure what) {
     if (what == Measure::projection) {
       const N turn = ex;
@@ -84,10 +87,12 @@ struct FunctionPoints {
   }
 };
 
-/// For the segment's frame functions; or for D as a polynomial in powers of the absolute time, without a constant.
+/// Coefficients for the segment's frame functions, or for D as a polynomial in powers of the absolute time, without a
+/// constant.
 enum class Origin : unsigned char { frame, powers };
 
-/// The points of a form as the segment sees them, in numbers that doubles are given in exactly (N::exact).
+/// The points of a certificate function in the coordinates of the segment, in a number type that represents doubles
+/// exactly (N::exact).
 template <class N>
 FunctionPoints<N> points_of(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
                             Shape shape, Origin origin = Origin::frame) {
@@ -115,8 +120,8 @@ FunctionPoints<N> points_of(const MotionSegment& segment, const PairGeometry& g,
 }
 
 /// In the frame of a's body, c is at D + (c + i s) (cx + i cy), so that the orientation e x (c - a) is this combination
-/// of 1, D and (c, s): see FrameOf in motion_segment.hpp. In Q's frame everything that comes from D and from the angle
-/// changes sign. Linear in the edge, and in the two points together.
+/// of 1, D and (c, s): see FrameOf in motion_segment.hpp. In Q's frame all terms from D and from the angle change sign.
+/// The coefficients are linear in the edge, and in the two points together.
 template <class N>
 std::array<N, 5> function_coefficients(bool pp, const FunctionPoints<N>& p) {
   const N turned = dot(p.ex, p.ey, p.cx, p.cy);
@@ -124,13 +129,14 @@ std::array<N, 5> function_coefficients(bool pp, const FunctionPoints<N>& p) {
           pp ? turned : -turned};
 }
 
-/// The same where neither body turns, and c is 1: the terms of 1 and c are one, in which differences cancel.
+/// The coefficients where neither body rotates, and c is 1. The terms of 1 and c are combined, so that differences
+/// cancel.
 template <class N>
 std::array<N, 5> translation_coefficients(bool pp, const FunctionPoints<N>& p, const N& zero) {
   return {cross(p.ex, p.ey, N(p.cx - p.ax), N(p.cy - p.ay)), pp ? -p.ey : p.ey, pp ? p.ex : -p.ex, zero, zero};
 }
 
-/// Whichever the segment asks for.
+/// The coefficients that the segment requires.
 template <class N>
 std::array<N, 5> coefficients_on(const MotionSegment& segment, bool pp, const FunctionPoints<N>& p, const N& zero) {
   return segment.translation ? translation_coefficients(pp, p, zero) : function_coefficients(pp, p);

@@ -1,11 +1,11 @@
-// Contact at the start, where nothing has moved yet.
+// Contact at the start, before any motion.
 //
-// Shapes displaced inwards, for open touching, overlap only where the bodies do. Those displaced outwards, for closed
-// touching, also overlap where bodies touch, and no more: then the inward shapes are apart. Whether shapes overlap, and
-// how, every engine finds out in its own way; what it means is said here, for all of them.
+// Shapes displaced inwards, for open touching, overlap only where the bodies do. Shapes displaced outwards, for closed
+// touching, also overlap where the bodies merely touch; in that case the inward shapes do not overlap. Each engine
+// determines in its own way whether and how shapes overlap. This file interprets the result for all of them.
 //
-// Others make no such difference. A placement of a robot is blocked, and a clearance not kept, by bodies that touch as
-// by bodies that overlap; and polygons around curves overlap where the curves touch, or come near.
+// Other queries make no such distinction. Bodies that touch block a placement of a robot and violate a clearance just
+// as overlapping bodies do. Polygons around curves overlap where the curves touch, or come near.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct StartContact {
   Contact contact;
 };
 
-/// How the outlines overlap at t: where none of their edges cross, by a vertex that is known to be inside.
+/// How the outlines overlap at t. If none of their edges cross, the result is a vertex that is known to be inside.
 inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const MotionSegment& segment, double t,
                                         const std::optional<VertexId>& inside = {}) {
   if (const auto crossing = crossing_edges(Placement(geometry, segment, t)))
@@ -30,8 +30,8 @@ inline StartOverlap overlap_of_outlines(const PairGeometry& geometry, const Moti
   return {false, {}, {}, *inside};
 }
 
-/// Of displaced shapes that overlap at t, `how()` tells how: the contact of their bodies, or nothing if these overlap,
-/// too. `overlap(geometry)` tells whether shapes that are displaced otherwise do.
+/// For displaced shapes that overlap at t: the contact of their bodies, or nothing if the bodies overlap, too. `how()`
+/// returns how the shapes overlap. `overlap(geometry)` returns whether shapes with another displacement overlap.
 template <class How, class Overlap>
 std::optional<StartContact> contact_at_start(const FeatureMap& witness, const MotionSegment& segment, double t,
                                              const How& how, const Overlap& overlap) {

@@ -11,12 +11,12 @@
 namespace taut::internal {
 namespace {
 
-/// The edge from its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
+/// The edge, given by its first vertex, and the vertex. A body lies to the left of its edges, so outside is negative.
 CertificateFunction function_of(const PairGeometry& g, const FoundContact& found) {
   return {found.edge, g.next(found.edge), found.vertex, g.in_p(found.edge)};
 }
 
-/// The slope of the vertex's side of the edge, all over the ball; the displacement is too small to matter.
+/// The slope of the vertex's side of the edge over the whole ball. The displacement is too small to matter.
 Ball<double> slope_over(const MotionSegment& segment, const FastFunction& f, const Ball<double>& t) {
   // Coefficients are rounded by less than this share of their magnitudes' bounds.
   constexpr double rounding = 0x1p-45;
@@ -28,11 +28,11 @@ Ball<double> slope_over(const MotionSegment& segment, const FastFunction& f, con
   return sum;
 }
 
-/// Around the contact, by a few units in the last place.
+/// A neighbourhood of the contact of a few units in the last place.
 struct Neighbourhood {
   double unit;
   double least_slope;  ///< not positive if the slope may be 0
-  double displaced;    ///< what the displacement adds to the function
+  double displaced;    ///< the displacement's contribution to the function
 
   Neighbourhood(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found)
       : unit(std::max(std::fabs(found.lo), std::fabs(found.hi)) * 0x1p-53) {
@@ -41,8 +41,8 @@ struct Neighbourhood {
     least_slope = std::fabs(slope.mid) - slope.rad;
     displaced = f.floor_error;
   }
-  /// Does the displacement move the contact by far less than a unit in the last place? By the mean value theorem it
-  /// moves it by no more than what it adds to the function over the least slope around.
+  /// Does the displacement move the contact by far less than a unit in the last place? By the mean value theorem, it
+  /// moves it by no more than its contribution to the function divided by the least slope in the neighbourhood.
   bool is_steep() const { return least_slope * unit > 0x1p12 * displaced; }
 };
 
@@ -50,7 +50,7 @@ bool is_steep(const PairGeometry& geometry, const MotionSegment& segment, const 
   return segment.bridge || Neighbourhood(geometry, segment, found).is_steep();
 }
 
-/// The side of the vertex at one instant: negative outside, 0 if even the highest precision does not tell.
+/// The side of the vertex at one instant: negative outside, 0 if even the highest precision does not decide.
 class Side {
  public:
   Side(const MotionSegment& segment, const PairGeometry& geometry, const FoundContact& found)
@@ -65,8 +65,8 @@ class Side {
   PreciseTriple function_;
 };
 
-/// Goes from `from` to `end` by steps that grow, until `reached` holds, and then back to where it begins to hold. The
-/// result is a place at which it does, or `end`.
+/// Goes from `from` to `end` by growing steps until `reached` holds, and then bisects to where it begins to hold. The
+/// result is a place at which it holds, or `end`.
 template <class Reached>
 double first_place(double from, double end, const Reached& reached) {
   const double span = std::fabs(end - from), towards = end < from ? -1 : 1;

@@ -1,4 +1,4 @@
-// The time of a contact, said so that it is true of the bodies as they were given.
+// The time of a contact, stated so that it holds for the bodies as given.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace taut::internal {
 
-/// An enclosure of the segment's parameter, for displaced bodies or for those given.
-/// Does the vertex come to the edge from outside, or leave it to there?
+/// An enclosure of the segment's parameter, for displaced bodies or for the given ones. Passage: does the vertex come
+/// to the edge from outside, or leave it to the outside?
 enum class Passage : unsigned char { enters, leaves };
 
 struct ContactBracket {
@@ -20,27 +20,27 @@ struct ContactBracket {
 
 /// Engines answer for displaced bodies. Where the vertex meets the edge with some speed, the displacement moves the
 /// contact by far less than a unit in the last place, and the enclosure found is the bracket. Where it does not (a root
-/// of order m moves by about delta^(1/m)), the other displacement gives the other end:
+/// of order m moves by about delta^(1/m)), the opposite displacement gives the other end:
 ///
-///   found for bodies displaced inwards: from when the vertex was last outside of the edge's line, for bodies
-///   displaced outwards, or inside, for those displaced inwards;
-///   found for bodies displaced outwards: to when the vertex is first inside, for bodies displaced inwards, or outside
-///   again, for those displaced outwards.
+///   found for bodies displaced inwards: the bracket begins when the vertex was last outside of the edge's line, for
+///   bodies displaced outwards, or inside, for those displaced inwards;
+///   found for bodies displaced outwards: the bracket ends when the vertex is first inside, for bodies displaced
+///   inwards, or outside again, for those displaced outwards.
 ///
 /// Where the vertex leaves, the same holds with time reversed. The given vertex is on its side of the given edge's line
-/// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. Ends are
-/// sought on the segment of the contact alone. `geometry` is displaced as `inwards` says.
+/// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. The ends
+/// are searched for on the segment of the contact alone. `geometry` is displaced as `inwards` says.
 ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards,
                                const MotionSegment& segment, const FoundContact& found,
                                Passage passage = Passage::enters);
 
-/// How far the contact of the bodies as given may be from the one found, in time: a bound, or infinity where the
+/// A bound, in time, of the distance between the contact of the given bodies and the one found. Infinity if the
 /// displacement moves it by more than a small part of a unit in the last place.
 double displacement_sway(const PairGeometry& geometry, const MotionSegment& segment, const FoundContact& found);
 
-/// The bracket of anything that is outside before and inside after, or the other way round: given its side (negative
-/// outside, 0 if unknown) at any instant of the segment, for bodies displaced as those that [lo, hi] was found for, and
-/// for the others.
+/// The bracket of any event that is outside before and inside after, or the reverse. `here` and `there` return its side
+/// (negative outside, 0 if unknown) at any instant of the segment: `here` for bodies displaced like those for which
+/// [lo, hi] was found, `there` for the others.
 ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const MotionSegment& segment,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage = Passage::enters);

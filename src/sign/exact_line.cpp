@@ -29,7 +29,8 @@ ExactLine::ExactLine(const MotionSegment& segment, const PairGeometry& g, const 
   if (exact_) slope_.take(slope.sum());
 }
 
-/// Adds slope * time: exactly as far as it matters at this precision. False if that is not possible.
+/// Adds slope * time, exactly except for terms that are negligible at this precision. Returns false if that is not
+/// possible.
 template <std::size_t Terms>
 bool ExactLine::add_change(NearlyExact<Terms>& value, double time) const {
   for (std::size_t i = slope_.size(); i-- > 0;) {
@@ -56,7 +57,7 @@ int ExactLine::sign_over(const PreciseTime& t) const {
   const double slope = std::fabs(slope_.approximate()), width = t.width_of_sums();
   const ShortSum& first = t.sum_lo();
   for (std::size_t k = first.size();; --k) {
-    // Parts from k on are in; what the others add to the instant is less than twice the largest of them.
+    // Parts from k on are included. The others change the instant by less than twice the largest of them.
     const double open = k > 0 ? 2 * std::fabs(first.part(k - 1)) : 0;
     if (std::fabs(value.sum.approximate()) > (value.error + slope * (open + width)) * (1 + 0x1p-40)) {
       return value.sum.sign();

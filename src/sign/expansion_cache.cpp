@@ -57,12 +57,12 @@ const RootOfExpansion* ExpansionCache::root_beside(const FrameExpansion& frame, 
   if (place.root && place.root->error < enough) return &*place.root;
   const RelativeRoot& near = near_of(place, frame, segment, g);
   if (near.slope_sign() == 0) return nullptr;
-  // None of those seen tells more than was asked for then; or more than none.
+  // None of the roots examined gave an error below the one requested then; or there is none at all.
   const bool seen_in_vain = place.enough == enough || (place.enough > enough && !place.root);
   const std::uint64_t most = kept_->roots.size(), seen = seen_in_vain ? place.roots_seen : 0;
   place.roots_seen = roots_noted_;
   place.enough = enough;
-  // What was noted last is nearest.
+  // The root noted last is the nearest.
   for (std::uint64_t k = roots_noted_; k-- > std::max(seen, roots_noted_ - std::min(roots_noted_, most));) {
     const KnownRoot& known = kept_->roots[static_cast<std::size_t>(k % most)];
     if (!near.is_beside(known.function)) continue;

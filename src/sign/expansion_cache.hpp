@@ -1,4 +1,4 @@
-// Forms near an instant at which much happens, made once for all that is asked about them.
+// Certificate functions near an instant of many simultaneous events, expanded once for all queries.
 #pragma once
 
 #include <array>
@@ -12,19 +12,20 @@
 
 namespace taut::internal {
 
-/// A root, and the sign of the slope there and all over a frame's reach.
+/// A root, and the sign of the slope there and over the whole reach of a frame.
 struct RootOfExpansion {
   PreciseTime at;
   int slope_sign = 0;
-  double error = 0;  ///< of its distance from a root that is known to all digits
+  double error = 0;  ///< of its distance from a root that is known to full precision
 };
 
-/// A certificate that begins at such an instant often fails at it, too: its sign is asked for first, then its root, and
-/// to make the form costs as much as either. So the last forms of a segment are kept, each in the one place that its
-/// vertices tell. The last roots are kept with them, for forms that are nearly proportional to theirs.
+/// A certificate that begins at such an instant often fails at it, too. Its sign is evaluated first, then its root, and
+/// the expansion costs as much as either. So the last expansions of a segment are kept, each in the one slot determined
+/// by its vertices. The last roots are kept with them, for certificate functions that are nearly proportional to
+/// theirs.
 class ExpansionCache {
  public:
-  /// Makes room, so that nothing is allocated when it is asked for.
+  /// Makes room, so that later queries allocate nothing.
   void reserve() {
     if (!kept_) kept_ = ThreadLocalPool<Kept>::take();
   }
@@ -32,14 +33,14 @@ class ExpansionCache {
     roots_noted_ = 0;
     is_stale_ = true;
   }
-  /// The form about the frame's instant, valid until the next call. All frames are of the same segment, all forms of
-  /// the same bodies, until it is cleared.
+  /// The function expanded about the frame's instant, valid until the next call. Until the cache is cleared, all frames
+  /// must belong to one segment and all functions to the same bodies.
   const FixedPointExpansion& of(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                                 const CertificateFunction& function);
-  /// Its root within reach, if one that is known tells it with an error below `enough`; valid as long.
+  /// The root within reach, if a known root determines it with an error below `enough`; valid until the next call.
   const RootOfExpansion* root_beside(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                                      const CertificateFunction& function, double enough);
-  /// From now on its root, which is given by sums, is known.
+  /// Records the root of the function, which is given by sums.
   void note_root(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                  const CertificateFunction& function, const PreciseTime& root);
 
@@ -51,8 +52,8 @@ class ExpansionCache {
     FixedPointExpansion expansion;
     RelativeRoot near;
     std::optional<RootOfExpansion> root;
-    std::uint64_t roots_seen = 0;  ///< how many had been noted when one was looked for,
-    double enough = 0;             ///< with such an error
+    std::uint64_t roots_seen = 0;  ///< the number of roots noted at the last search for one,
+    double enough = 0;             ///< and the error requested then
   };
   struct Kept {
     std::array<Place, 128> places;
@@ -65,7 +66,7 @@ class ExpansionCache {
 
   ThreadLocalPool<Kept>::Pointer kept_;
   std::uint64_t roots_noted_ = 0;
-  bool is_stale_ = true;  ///< forms that are kept are of another segment, or of another owner
+  bool is_stale_ = true;  ///< kept expansions belong to another segment, or to another owner
 };
 
 }  // namespace taut::internal

@@ -8,11 +8,11 @@
 namespace taut::internal {
 namespace {
 
-/// Values and derivatives of the frame are wrong by 2^-49 of them, at least: so much more in a magnitude has room for
-/// the displacement.
+/// Values and derivatives of the frame have a relative error of at least 2^-49. Increasing a magnitude by this much
+/// leaves room for the displacement.
 constexpr double displacement_as_rounding = 0x1p54 * displacement_room;
 
-/// A vertex as the segment sees it.
+/// A vertex in the coordinates of the segment.
 Point seen(const MotionSegment& segment, const DisplacedPoint& v, bool of_p) {
   const ExactVector& offset = segment.offset(of_p);
   return {v.x + offset.x, v.y + offset.y};
@@ -31,7 +31,7 @@ FastFunction FastFunction::undisplaced(const MotionSegment& segment, const PairG
   FastFunction f;
   f.pp = function.pp;
   f.take(coefficients_on(segment, function.pp, points, 0.0));
-  // The displacement of a short edge, or of a point near the origin, may be more than what it rounds.
+  // The displacement of a short edge, or of a point near the origin, may exceed its rounding error.
   f.w = std::fabs(points.ex) + std::fabs(points.ey) + displacement_as_rounding;
   const double shift = segment.offset_size() + displacement_as_rounding;
   const double size_a = size_of(pa) + shift, size_c = size_of(pc) + shift;
@@ -53,8 +53,8 @@ FastFunction FastFunction::displacement_part(const MotionSegment& segment, const
   const DisplacedPoint &pa = g.point(function.a), &pb = g.point(function.b), &pc = g.point(function.c);
   constexpr double up = 0x1p200;
   const Point a = seen(segment, pa, function.pp), c = seen(segment, pc, !function.pp);
-  // What the displacement changes in the edge and in the points, each times the rest. The motion's terms have the edge
-  // alone in them.
+  // The displacement's change of the edge and of the points, each multiplied by the other factor. The motion's terms
+  // contain the edge alone.
   FunctionPoints<double> edge{(pb.dx - pa.dx) * up, (pb.dy - pa.dy) * up, a.x, a.y, c.x, c.y};
   FunctionPoints<double> points{pb.x - pa.x, pb.y - pa.y, pa.dx * up, pa.dy * up, pc.dx * up, pc.dy * up};
   edge.measure(function.measure);
@@ -72,7 +72,8 @@ FastFunction FastFunction::displacement_part(const MotionSegment& segment, const
   f.take(sum);
   f.w = std::fabs(edge.ex) + std::fabs(edge.ey);
   f.m0 = f.w * size_a + w * way_a;
-  // And the square of it in the angle's coefficients, where points lie near the origin and edges are short.
+  // Also add the square of the displacement in the angle's coefficients, where points lie near the origin and edges are
+  // short.
   f.m34 = f.w * size_c + w * way_c + displacement_as_rounding * (1 + f.w) * (1 + way_c);
   if (segment.translation) {
     f.m0 += f.m34;
@@ -93,7 +94,8 @@ double FastFunction::root_of(const FrameModel& model, double t) const {
   }
   c[0] += a[0];
   double h = t - model.middle;
-  // By the root of the second order about h, whose distance from the polynomial's is of the third order.
+  // Steps to the root of the second-order expansion about h, which differs from the root of the polynomial in the third
+  // order.
   for (int step = 0; step < 6; ++step) {
     double value = 0, slope = 0, half_second = 0;
     for (int k = model.terms; k-- > 0;) {

@@ -1,4 +1,4 @@
-// A form in doubles with error bounds: the first stage of every evaluation.
+// A certificate function in doubles with error bounds: the first stage of every evaluation.
 #pragma once
 
 #include <array>
@@ -10,21 +10,20 @@
 
 namespace taut::internal {
 
-/// A form as coefficients of the frame functions, in doubles.
-/// Level 0 is the function of the input's points. Where that vanishes identically, level 1 is the part that is linear
-/// in the displacement, scaled by 2^200.
+/// A certificate function as coefficients of the frame functions, in doubles. Level 0 is the function of the input's
+/// points. Where that vanishes identically, level 1 is the part that is linear in the displacement, scaled by 2^200.
 struct FastFunction {
   double a[5];
-  double m0, m34, w;  ///< magnitudes that bound rounding: of a[0]; of a[3], a[4]; of a[1], a[2]
+  double m0, m34, w;  ///< bound rounding: of a[0]; of a[3], a[4]; of a[1], a[2]
   bool pp = false;
   bool level1 = false;
 
   static FastFunction undisplaced(const MotionSegment& segment, const PairGeometry& g,
                                   const CertificateFunction& function);
-  /// The part that is linear in the displacement, scaled as at level 1, whatever level 0 is.
+  /// The part that is linear in the displacement, scaled as at level 1, regardless of level 0.
   static FastFunction displacement_part(const MotionSegment& segment, const PairGeometry& g,
                                         const CertificateFunction& function);
-  /// The next level if level 0 is exactly zero at all times of the segment; false otherwise.
+  /// Stores the next level if level 0 is exactly zero at all times of the segment; otherwise returns false.
   static bool displacement_gradient(const MotionSegment& segment, const PairGeometry& g,
                                     const CertificateFunction& function, FastFunction& result);
 
@@ -47,12 +46,12 @@ struct FastFunction {
                        (std::fabs(a[3]) + rounding * m34) * c.most[2] + (std::fabs(a[4]) + rounding * m34) * c.most[3];
     return sum * (1 + 0x1p-40) + underflow_slack;
   }
-  /// About where the polynomial of a model is zero, by steps of higher order than Newton's from `t` on: a good guess,
-  /// no more.
+  /// An approximate zero of the polynomial of a model, by steps from `t` of higher order than Newton's. It is only a
+  /// good estimate.
   double root_of(const FrameModel& model, double t) const;
-  /// Of a value: covers the displacement at level 0, and its square at level 1. What these change in a derivative is as
-  /// large as the motion is fast: the magnitudes above have room for it, which in no unit of time is too little, or
-  /// much.
+  /// The error of a value that covers the displacement at level 0, and its square at level 1. The displacement's effect
+  /// on a derivative is proportional to the speed of the motion. The magnitudes above have room for it, whatever the
+  /// unit of time.
   double floor_error = 0;
 
  private:

@@ -1,4 +1,4 @@
-// A mixed triple's function on a straight translation, in doubles with error bounds: a line in time.
+// The certificate function of a mixed triple on a straight translation, in doubles with error bounds: a line in time.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ struct FastLine {
   double middle;
   Bounded value, slope;
 
-  /// On a segment whose frame functions at its middle are `side`.
+  /// Requires a segment whose frame functions at its middle are `side`.
   FastLine(const FastFunction& f, const FrameSample& side, double at)
       : middle(at), value(f.value(side)), slope(f.slope(side)) {}
 
@@ -22,19 +22,19 @@ struct FastLine {
     const double rounding = 0x1p-50 * (std::fabs(value.value) + std::fabs(change));
     return {value.value + change, (value.error + slope.error * std::fabs(h)) * (1 + 0x1p-50) + rounding};
   }
-  /// At every instant from lo to hi; 0 if it may change there, or is not known.
+  /// The sign at every instant from lo to hi; 0 if it may change there, or is not known.
   int sign_over(double lo, double hi) const {
     const int sign = sign_at(lo);
     return lo == hi || (sign != 0 && sign_at(hi) == sign) ? sign : 0;
   }
-  /// Is it certainly positive from t, where it is, to `end` (the function times `sign`)?
+  /// Is the function times `sign`, which is positive at t, certainly positive from t to `end`?
   bool holds(int sign, double t, double end) const {
     const double steep = slope.error - sign * slope.value;
     if (steep <= 0) return true;
     const Bounded v = at(t);
     return sign * v.value - v.error > steep * (end - t) * (1 + 0x1p-50);
   }
-  /// If the function times `sign` certainly falls: encloses where it is zero.
+  /// Encloses the zero if the function times `sign` certainly falls; otherwise returns false.
   bool root(int sign, double& lo, double& hi) const {
     const double fall = -sign * slope.value, flat = fall - slope.error, steep = fall + slope.error;
     if (!(flat > 0)) return false;
@@ -50,7 +50,7 @@ struct FastLine {
     const Bounded v = at(t);
     return std::fabs(v.value) > v.error ? (v.value > 0 ? 1 : -1) : 0;
   }
-  /// What the few operations behind middle + h round.
+  /// The rounding error of the few operations in middle + h.
   double slack(double h) const { return 0x1p-51 * (std::fabs(h) + std::fabs(middle + h)) + 0x1p-1060; }
 };
 

@@ -10,7 +10,8 @@
 namespace taut::internal {
 namespace {
 
-/// A double certainly below (above) a finite x, a unit or two in the last place away: without std::nextafter's cases.
+/// A double certainly below (above) a finite x, by a unit or two in the last place. It avoids the special cases of
+/// std::nextafter.
 double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
 double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1060); }
 
@@ -43,7 +44,7 @@ LocalExpansion FastRoots::expansion_with(const FastFunction& f, const FrameSampl
   return now;
 }
 
-/// Those that hold all over the cell.
+/// Takes the bounds that hold over the whole cell.
 void FastRoots::take_bounds(const FastFunction& f, LocalExpansion& expansion, const ModelCell& cell) const {
   expansion.cell = cell;
   if (expansion.local) {
@@ -54,8 +55,8 @@ void FastRoots::take_bounds(const FastFunction& f, LocalExpansion& expansion, co
   }
 }
 
-/// A function that stays positive to the end of a cell: how far it does by the bounds of the wider cells around, so
-/// many of them at most.
+/// Given a function that stays positive to the end of a cell: the time up to which it is positive by the bounds of the
+/// wider cells around it, at most `cells` of them.
 double FastRoots::positive_beyond(const Root& r, const LocalExpansion& now, double value, int cells) {
   const FastFunction& f = r.function;
   const double slope = r.sign * now.slope.value - now.slope.error,
@@ -97,8 +98,8 @@ double FastRoots::lasts(const Root& r, const LocalExpansion& now, double least) 
   return positive_until(least, slope, second, now.third, now.cell.end - now.t);
 }
 
-/// The root's sign holds for `lasting` from now.t on, where its value is `least` at least, and perhaps longer.
-/// False if that is not much longer than until t, by which doubles cannot tell more, or not those about now.t.
+/// The root's sign holds for `lasting` from now.t on, where its value is at least `least`, and perhaps longer. Returns
+/// false if that is not much later than t. Then doubles, or at least those about now.t, cannot show more.
 bool FastRoots::holds_on(Root& r, const LocalExpansion& now, double t, double least, double lasting, int cells) {
   const double limit = now.cell.end - now.t;
   if (lasting >= limit) {  // never true of a NaN
@@ -106,16 +107,16 @@ bool FastRoots::holds_on(Root& r, const LocalExpansion& now, double t, double le
     return true;
   }
   const double next = below(now.t + lasting);
-  // Where the function falls like a high power, or the motion is singular and bounds are loose, steps become short, and
-  // are thousands: one search at high precision is quicker.
+  // Where the function falls like a high power, or the motion is singular and bounds are loose, steps become short and
+  // number thousands. One search at high precision is quicker.
   const bool good = now.cell.sharp || segment().bridge;
   if (!(next > t + (good ? 0x1p-10 : 0x1p-8) * limit + (t - now.t))) return false;
   r.come_after(next, segment().end);
   return true;
 }
 
-/// Brackets the root, which is known to come after `from`, if the function certainly falls to it from now.t or
-/// `from`, whichever is later.
+/// Brackets the root, which is known to come after `from`, if the function certainly falls to it from the later of
+/// now.t and `from`.
 bool FastRoots::isolate(Root& r, const LocalExpansion& now, double from) {
   const double sign = r.sign, t = now.t;
   const double limit = now.cell.end - t;
@@ -141,7 +142,7 @@ bool FastRoots::follow(Root& r, const LocalExpansion& now, double t, int cells) 
   return holds_on(r, now, t, least, h, cells) || isolate_across(r, now, t);
 }
 
-/// A root at the end of a cell, where those of symmetric motions like to be, is within a wider one.
+/// A root at the end of a cell, as is common for symmetric motions, lies inside a wider cell.
 bool FastRoots::isolate_across(Root& r, const LocalExpansion& now, double t) {
   const double end = now.cell.end;
   if (!now.local || end >= segment().end || !(end - t < 0x1p-20 * (end - now.cell.start))) return false;
@@ -154,19 +155,18 @@ bool FastRoots::follow_from_zero(Root& r, const Instant& instant, bool own) {
   LocalExpansion now = expansion(r.function, instant.hi);
   const double width = instant.hi - instant.lo;
   if (!widen(r.function, now, instant.lo, instant.hi)) return false;
-  // Over [instant.lo, instant.hi] the slope is within its bounds here and what the bend adds to them.
+  // Over [instant.lo, instant.hi], the slope is within its bounds here plus the change due to the second derivative.
   const double drift = now.slope_change(width);
   const double slope = r.sign * now.slope.value, error = now.slope.error + drift;
   if (slope > error) {
     const double h = lasts(r, now, 0);
-    // Where the function has not risen above the error of its value by then, the next step would be as short, and so
-    // on.
+    // If the function has not risen above the error of its value by then, the next step would be as short, and so on.
     const bool rises = (slope - error) * h > 4 * now.value.error || h > 0x1p-8 * (now.cell.end - now.t);
     return rises && holds_on(r, now, now.t, 0, h);
   }
   if (-slope > error && !own && isolate(r, now, instant.lo)) {
-    // Reports show this enclosure: it is as short as doubles can make it, or is made so when it matters; an exact line
-    // does that at once.
+    // Reports show this enclosure. It is as short as doubles can make it, or is refined when needed; an exact line does
+    // that at once.
     const bool short_enough = r.hi - r.lo <= 0x1p-44 * std::fabs(r.hi);
     if (short_enough) r.kind = RootKind::isolated;
     return short_enough || !clock_.straight();
@@ -184,7 +184,7 @@ std::optional<PlaceOfTurn> FastRoots::turn_near(const FastFunction& f, double t)
     if (!(at >= start && at < end && std::fabs(at - t) < 0x1p-8 * (end - start))) return std::nullopt;
     now = expansion(f, at);
   }
-  // The bend keeps its sign for so long, and did so from t on.
+  // The second derivative keeps its sign for this long, and has kept it since t.
   const double steady = 0.5 * (std::fabs(now.second.value) - now.second.error), least = 0x1p-6 * (end - start);
   const double lasting = steady > now.third * (end - start) ? end - start : steady / now.third;
   if (!(lasting > least)) return std::nullopt;
@@ -192,20 +192,20 @@ std::optional<PlaceOfTurn> FastRoots::turn_near(const FastFunction& f, double t)
 }
 
 /// Encloses a bracketed root within a few ulps, if doubles can. Most cells have a polynomial that is as good as the
-/// function: a narrow interval about its root, once certified, leaves one step of the general way.
+/// function. Once a narrow interval about the polynomial's root is certified, one step of the general method remains.
 void FastRoots::enclose(Root& r) {
   if (!narrow(r)) newton(r);
 }
 
-/// Takes the interval of some radius about m for the enclosure, where m is a root of the cell's polynomial found
-/// without bounds, if the function has its root there: it has if |f(m)| is less than the radius times the least slope.
-/// Then one step of Newton's. False if the enclosure may still be far wider than doubles allow.
+/// Takes an interval about m as the enclosure, where m is a root of the cell's polynomial found without bounds. The
+/// function has its root in the interval if |f(m)| is less than the radius times the least slope. One Newton step
+/// follows. Returns false if the enclosure may still be far wider than doubles allow.
 bool FastRoots::narrow(Root& r) {
   const double middle = r.lo + (r.hi - r.lo) / 2;
   const ModelCell& cell = clock_.cell(middle);
   if (!cell.sharp || cell.start > r.lo || cell.end < r.hi) return false;
   const double m = r.function.root_of(cell.model, middle);
-  // The interval's ends round; far from time 0 that is not little beside the radius.
+  // The ends of the interval are rounded. Far from time 0, that is not negligible relative to the radius.
   const double radius = 0x1p-34 * (cell.end - cell.start), rounding = 0x1p-52 * std::fabs(m);
   if (!(m - radius > r.lo && m + radius < r.hi && radius > rounding)) return false;
   const LocalExpansion here = expansion(r.function, m);
@@ -216,8 +216,8 @@ bool FastRoots::narrow(Root& r) {
   return newton_step(r, here);
 }
 
-/// Interval Newton. The slope's bounds are taken anew in each step, over the enclosure at hand: bounds of the first
-/// enclosure would leave it converging linearly.
+/// Interval Newton. The slope's bounds are recomputed in each step over the current enclosure: with bounds of the first
+/// enclosure, it would converge only linearly.
 void FastRoots::newton(Root& r) {
   for (int step = 0; step < 30; ++step) {
     const double width = r.hi - r.lo, m = r.lo + width / 2;
@@ -226,8 +226,9 @@ void FastRoots::newton(Root& r) {
   }
 }
 
-/// With the function's course at an instant in the enclosure, about its middle. Where the slope's bounds include zero,
-/// the sign there cuts the enclosure in two. True if what is left is about what the value's error makes of it.
+/// Uses the function's expansion at an instant in the enclosure, near its middle. Where the slope's bounds include
+/// zero, the sign there halves the enclosure. Returns true if the remaining width is about the contribution of the
+/// value's error.
 bool FastRoots::newton_step(Root& r, const LocalExpansion& here) {
   enclosed_about_ = here.t;
   const double sign = r.sign, m = here.t, reach = std::max(m - r.lo, r.hi - m);
@@ -251,7 +252,8 @@ bool FastRoots::newton_step(Root& r, const LocalExpansion& here) {
   return false;
 }
 
-/// Takes the bend over a cell that reaches back to `start` and on to `end`; false if there is none.
+/// Takes the second derivative over a cell that reaches back to `start` and on to `end`; returns false if there is
+/// none.
 bool FastRoots::widen(const FastFunction& f, LocalExpansion& expansion, double start, double end) {
   while (expansion.cell.start > start || expansion.cell.end < end) {
     const ModelCell* cell = clock_.wider(expansion.cell);

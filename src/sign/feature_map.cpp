@@ -19,7 +19,7 @@ struct ReportedPose {
   Vector place(Vector v) const { return origin + axis * v; }
 };
 
-/// Of the frame that the pair's segments are seen from.
+/// The pose of the frame in which the pair's segments are expressed.
 ReportedPose frame_of(const MotionChain& common, double t) {
   if (common.empty()) return {};
   Pose<double> pose = sharp_pose(common[0].at(t), t);
@@ -89,7 +89,7 @@ double FeatureMap::distance(VertexId v, VertexId edge, const MotionSegment& segm
   return length(way.x - share * along.x, way.y - share * along.y);
 }
 
-/// Of the other body.
+/// The nearest edge of the other body.
 VertexId FeatureMap::nearest_edge(VertexId v, const MotionSegment& segment, double t) const {
   const Role role = other(geometry_.role_of(v));
   const std::uint32_t first = geometry_.first(role), last = first + geometry_.count(role);

@@ -1,4 +1,4 @@
-// From what an engine finds back to the user's terms: input indices, input units, world coordinates.
+// Translates the results of an engine to the user's terms: input indices, input units, world coordinates.
 #pragma once
 
 #include "geometry/vector.hpp"
@@ -11,12 +11,12 @@ namespace taut::internal {
 /// How two bodies overlap: two of their edges cross, or an outline of one lies inside the other.
 struct StartOverlap {
   bool crossing = false;
-  VertexId edge_p, edge_q;  ///< by their first vertices, if they cross
-  VertexId inside;          ///< else a vertex of that outline
+  VertexId edge_p, edge_q;  ///< given by their first vertices, if they cross
+  VertexId inside;          ///< otherwise, a vertex of that outline
 };
 
-/// Internal vertices and edges of one pair in the terms of the scene. The geometry is displaced as `inwards` says; it
-/// and the plan must outlive it.
+/// Translates internal vertices and edges of one pair to the terms of the scene. The geometry is displaced as `inwards`
+/// says. It and the plan must outlive this object.
 class FeatureMap {
  public:
   FeatureMap(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
@@ -27,19 +27,20 @@ class FeatureMap {
   VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
   EdgeRef edge(VertexId v) const;
-  /// Where a vertex is at a parameter of a segment, in the frame that the segments are seen from and in internal units
-  /// (rounded). Distances and directions are the world's up to a turn.
+  /// The position of a vertex at a parameter of a segment, in the frame of the segments and in internal units
+  /// (rounded). Distances and directions are the world's up to a rotation.
   Vector in_frame(VertexId v, const MotionSegment& segment, double parameter) const;
   /// A point of that frame in world coordinates, in the input's units (rounded).
   Point world(Vector v, const MotionSegment& segment, double parameter) const;
   Point world(VertexId v, const MotionSegment& segment, double parameter) const {
     return world(in_frame(v, segment, parameter), segment, parameter);
   }
-  /// What an engine found on that segment, as it is true of the bodies given: see contact_bracket().
+  /// The contact found by an engine on that segment, stated so that it holds for the given bodies: see
+  /// contact_bracket().
   Contact contact(const FoundContact& found, const MotionSegment& segment, Passage passage = Passage::enters) const;
   /// The contact at time t of two bodies that touch there, given how their outward shapes overlap. Of two edges that
-  /// cross, the end of one that is nearest to the other is the vertex; a vertex inside is nearest to some edge: such a
-  /// body fits into a hole so closely that all of it touches.
+  /// cross, the vertex is the endpoint of one that is nearest to the other edge. For a vertex inside, the edge is the
+  /// nearest one: such a body fits into a hole so closely that all of it touches.
   Contact contact_of_overlap(const StartOverlap& overlap, const MotionSegment& segment, double t) const;
 
  private:

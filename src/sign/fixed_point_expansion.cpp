@@ -11,25 +11,25 @@ namespace {
 /// In units of checkpoint(), as measured.
 constexpr std::uint64_t work_of_expansion = 22, work_of_root_by_expansion = 30, work_of_sign_by_expansion = 10;
 constexpr double rounded_up = 1 + 0x1p-45;
-/// One more step costs little, and then rounding outwards to doubles costs one unit in the last place at most.
+/// One more step costs little. After it, outward rounding to doubles costs one unit in the last place at most.
 constexpr double much_less = 0x1p-8;
 
-/// The time since `about`, of a sum of doubles, in units of 2^exponent.
+/// The time between `about` and a sum of doubles, in units of 2^exponent.
 FixedBall since(double about, int exponent, const ShortSum& t) {
   FixedBall h = -FixedBall::exact(about);
   for (std::size_t i = t.size(); i-- > 0;) h = h + FixedBall::exact(t.part(i));
   return h.tightened().scaled(-exponent);
 }
 
-/// What to take from h, where the value is v: divided by the slope there to twice a double's digits, a step gains
-/// nearly as many.
+/// The correction to subtract from h, where the value is v. Division by the slope to twice the digits of a double gains
+/// nearly as many digits in a step.
 Fixed newton_step(const Fixed& v, const Fixed& slope) {
   const double steep = slope.approximate(), first = v.approximate() / steep;
   if (!(std::fabs(first) < 1)) return Fixed(std::copysign(1.0, first));
   return Fixed(first) + Fixed((v - Fixed(first) * slope).approximate() / steep);
 }
 
-/// Exactly this number.
+/// The ball of exactly this number.
 FixedBall chosen(const Fixed& h) { return {h, 0, std::fabs(h.approximate()) * rounded_up}; }
 
 }  // namespace
@@ -54,7 +54,7 @@ FixedPointExpansion::FixedPointExpansion(const FrameExpansion& frame, const Moti
   set_steepness();
 }
 
-/// What the slope at the instant tells of that within reach.
+/// Derives bounds of the slope within reach from the slope at the instant.
 void FixedPointExpansion::set_steepness() {
   const double slope = c_[1].about();
   double change = 0;
@@ -64,7 +64,7 @@ void FixedPointExpansion::set_steepness() {
   steep_ = {(std::fabs(slope) - change) / rounded_up, (std::fabs(slope) + change) * rounded_up, slope};
 }
 
-/// Products have a row for each of the first factor's words that is not zero, and steps are short.
+/// Each product has a row for each nonzero word of the first factor, and steps are short.
 FixedBall FixedPointExpansion::value(const FixedBall& h) const {
   FixedBall sum;
   for (std::size_t k = terms_; k-- > 0;) sum = h * sum + c_[k];
@@ -82,7 +82,7 @@ int FixedPointExpansion::sign_over(const PreciseTime& t) const {
   return about > 0 ? 1 : -1;
 }
 
-/// Where the form is monotone within reach: the slope, to about a double's digits.
+/// The slope, to about the digits of a double, where the function is monotone within reach.
 Fixed FixedPointExpansion::slope_near(const Fixed& h) const {
   const double since = h.approximate();
   double second = 0;
@@ -90,7 +90,7 @@ Fixed FixedPointExpansion::slope_near(const Fixed& h) const {
   return c_[1].mid() + Fixed(std::clamp(second * since, -1.0, 1.0));
 }
 
-/// By Newton's steps from the middle on, where the value is v.
+/// Finds the root by Newton steps from the middle, where the value is v.
 template <class SlopeAt>
 std::optional<PreciseTime> FixedPointExpansion::root_within(const Bracket& bracket, FixedBall v,
                                                             const SlopeAt& slope_at, Stage stage, double enough) const {
@@ -119,16 +119,16 @@ std::optional<PreciseTime> FixedPointExpansion::root(int sign, Stage stage, doub
         {Fixed(), 1, steep_}, c_[0], [&](const Fixed& h) { return slope_near(h); }, stage, enough);
   }
   const auto turn = this->turn();
-  // Beyond the reach nothing bounds the slope; the turn itself is in its inner half.
+  // Beyond the reach, nothing bounds the slope. The extremum itself is in the inner half of the reach.
   if (!turn || turn->value_sign == turn->second_sign || !(turn->half_gap < 0.5)) return std::nullopt;
-  // Before the first of the two roots it has the sign of its bend.
+  // Before the first of the two roots, the function has the sign of its second derivative.
   const Bracket bracket = bracket_beside(*turn, sign == turn->second_sign ? -1 : 1);
   if (!falls_from_sign(bracket.steep)) return std::nullopt;
   const auto slope_at = [&](const Fixed& h) { return slope(chosen(h)).mid(); };
   return root_within(bracket, value(chosen(bracket.middle)), slope_at, stage, enough);
 }
 
-/// Around about where a root is, and not as far as the turn.
+/// A bracket around an approximate root that does not extend to the extremum.
 FixedPointExpansion::Bracket FixedPointExpansion::bracket_beside(const Turn& turn, int side) const {
   const Fixed middle = turn.at + Fixed(side * turn.half_gap);
   const double half = turn.half_gap / 4;
@@ -137,7 +137,7 @@ FixedPointExpansion::Bracket FixedPointExpansion::bracket_beside(const Turn& tur
   return {middle, half, {(std::fabs(about) - change) / rounded_up, (std::fabs(about) + change) * rounded_up, about}};
 }
 
-/// The enclosure of what is no farther than `error` from h.
+/// The enclosure of all instants within `error` of h.
 std::optional<PreciseTime> FixedPointExpansion::around(const Fixed& h, double error, Stage stage) const {
   if (!(std::fabs(h.approximate()) * rounded_up + error < 1)) return std::nullopt;
   const FixedBall about = FixedBall::exact(about_);
@@ -150,7 +150,7 @@ std::optional<PreciseTime> FixedPointExpansion::around(const Fixed& h, double er
 FixedBall FixedPointExpansion::slope(const FixedBall& h) const {
   FixedBall sum;
   for (std::size_t k = terms_; k-- > 1;) sum = sum * h + c_[k] * FixedBall::exact(static_cast<double>(k));
-  // Of what the terms leave out.
+  // Covers the slope of the omitted terms.
   sum.widen(static_cast<double>(FrameExpansion::terms) * rest_ * rounded_up);
   return sum;
 }
@@ -173,7 +173,7 @@ std::optional<FixedPointExpansion::Turn> FixedPointExpansion::turn() const {
     h = h + Fixed(std::clamp(-steep / second, -1.0, 1.0));
     if (!(std::fabs(h.approximate()) < 0.5)) return std::nullopt;
   }
-  // The extreme is as much beyond the value here as the slope that is left makes of it.
+  // The extreme value differs from the value here by a bound that follows from the remaining slope.
   FixedBall v = value(chosen(h));
   const double open = std::fabs(steep) + noise;
   if (!(open < 0.25 * least)) return std::nullopt;
@@ -186,7 +186,7 @@ std::optional<FixedPointExpansion::Turn> FixedPointExpansion::turn() const {
 std::optional<PreciseTime> FixedPointExpansion::root_beside(const Turn& turn, int side, Stage stage) const {
   const double error = 0x1p-24 * turn.half_gap;
   const Fixed root = turn.at + Fixed(side * turn.half_gap);
-  // The value has the turn's sign on the near side of the root, and the other one beyond.
+  // The value has the sign of the extreme value on the near side of the root, and the opposite sign beyond.
   const auto sign_at = [&](double h) { return value(chosen(root + Fixed(h))).sign(); };
   if (sign_at(-side * error) != turn.value_sign || sign_at(side * error) != -turn.value_sign) return std::nullopt;
   return around(root, error, stage);

@@ -1,4 +1,4 @@
-// A form near an instant at which much happens at once: see frame_expansion.hpp.
+// A certificate function near an instant of many simultaneous events: see frame_expansion.hpp.
 #pragma once
 
 #include <array>
@@ -10,41 +10,43 @@
 
 namespace taut::internal {
 
-/// The form as a polynomial in the time since the frame's instant, in units of its reach, the displacement included.
-/// Everything is enclosed; what these numbers are too short for is left to other stages.
+/// The function as a polynomial in the time since the frame's instant, in units of its reach, including the
+/// displacement. All values are enclosed. Cases beyond the precision of these numbers are left to other stages.
 class FixedPointExpansion {
  public:
   FixedPointExpansion() = default;
   FixedPointExpansion(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                       const CertificateFunction& function);
 
-  /// At all instants of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not known.
+  /// The sign at all instants of the enclosure, whose ends are sums of doubles; 0 if it may change there, or is not
+  /// known.
   int sign_over(const PreciseTime& t) const;
-  /// The root within the frame's reach, if the form has the sign `sign` before it, and is monotone all over there or
-  /// turns once and has a root on either side; no better enclosed than `enough`. Nothing if that is not known.
+  /// The root within the frame's reach. Requires that the function has the sign `sign` before it, and either is
+  /// monotone over the whole reach or has one extremum with a root on either side. The enclosure need not be tighter
+  /// than `enough`. Nothing if this is not known.
   std::optional<PreciseTime> root(int sign, Stage stage, double enough) const;
 
-  /// Where the function turns: as symmetric mechanisms touch zero without the displacement.
+  /// An extremum of the function; without the displacement, symmetric mechanisms touch zero there.
   struct Turn {
-    Fixed at;            ///< about there, since the frame's instant, in units of its reach
+    Fixed at;            ///< approximate position since the frame's instant, in units of its reach
     int value_sign;      ///< of its extreme value
-    int second_sign;     ///< of its second derivative, all over the reach
-    double half_gap;     ///< about how far from it the roots are, if the two signs differ, in these units
+    int second_sign;     ///< of its second derivative, over the whole reach
+    double half_gap;     ///< approximate distance to the roots, if the two signs differ, in these units
     double second_most;  ///< a bound of the second derivative's magnitude within reach
   };
-  /// The only one within reach, if there is no other for certain, and its value's sign is known.
+  /// The only extremum within reach, if it is certainly the only one and the sign of its value is known.
   std::optional<Turn> turn() const;
   /// The root before it (-1) or after it (1), if the two signs differ.
   std::optional<PreciseTime> root_beside(const Turn& turn, int side, Stage stage) const;
 
  private:
-  /// A double and a bound of its error.
+  /// Bounds of the slope.
   struct Steepness {
     double least, most;   ///< of the slope's magnitude within reach
     double signed_about;  ///< the slope at the frame's instant
   };
 
-  /// The times no farther from `middle` than `half`, and the slope there.
+  /// The times within `half` of `middle`, and the slope there.
   struct Bracket {
     Fixed middle;
     double half;
@@ -62,9 +64,9 @@ class FixedPointExpansion {
   std::optional<PreciseTime> around(const Fixed& h, double error, Stage stage) const;
 
   double about_ = 0;
-  int exponent_ = 0;  ///< of the unit
+  int exponent_ = 0;  ///< of the time unit
   std::array<FixedBall, FrameExpansion::terms> c_;
-  std::size_t terms_ = 0;  ///< those from there on are zero
+  std::size_t terms_ = 0;  ///< terms from this index on are zero
   double rest_ = 0;        ///< a bound of the next coefficient
   Steepness steep_{};
 };

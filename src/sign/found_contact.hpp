@@ -1,4 +1,4 @@
-// What an engine found, in the engine's own terms.
+// A contact found by an engine, in the engine's own terms.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace taut::internal {
 
-/// Where and when a vertex is on an edge of the other polygon: the edge by its first vertex, counterclockwise, and an
-/// enclosure of the segment's parameter.
+/// A vertex that is on an edge of the other polygon, and the time. The edge is given by its first vertex,
+/// counterclockwise, and the time by an enclosure of the segment's parameter.
 struct FoundContact {
   VertexId vertex, edge;
   double lo = 0, hi = 0;
-  /// Where doubles did not tell this instant from others, some of which [lo, hi] may contain: it alone.
+  /// A tighter enclosure of this instant alone, if doubles do not distinguish it from others in [lo, hi].
   std::optional<PreciseTime> at = {};
 };
 

@@ -27,7 +27,7 @@ void take(const std::array<ModelSeries<Real320>, 5>& at, const std::array<ModelS
   }
 }
 
-/// All over the ball that the series are made over.
+/// A sample over the whole ball of the series.
 FrameSample sample_over(const std::array<ModelSeries<double>, 5>& over) {
   std::array<Jet<double>, 5> f;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -37,7 +37,7 @@ FrameSample sample_over(const std::array<ModelSeries<double>, 5>& over) {
   return sample_of(f);
 }
 
-/// Where bodies turn evenly, the coefficients are known.
+/// Where bodies rotate uniformly, the coefficients are known.
 bool take_uniform(const MotionSegment& segment, const UniformRotation& even, FrameExpansion& frame) {
   if (!(even.rest_within(segment, frame.about, frame.exponent) < Fixed::lost_in_product)) return false;
   const UniformRotation::Expansion at = even.expansion(segment, frame.about, frame.exponent);
@@ -45,7 +45,7 @@ bool take_uniform(const MotionSegment& segment, const UniformRotation& even, Fra
     functions[0][0] = FixedBall::exact(1);
     std::array<Jet<double>, 5> over{Jet<double>::constant(1)};
     for (std::size_t i = 1; i < 5; ++i) {
-      const std::size_t from = i < 3 ? first + i - 1 : i + 1;  // as FrameModel has them
+      const std::size_t from = i < 3 ? first + i - 1 : i + 1;  // the order of FrameModel
       functions[i] = at.c[from];
       rest[i] = at.rest[from];
       over[i] = at.over[from];
@@ -76,14 +76,14 @@ bool take_any(const MotionSegment& segment, FrameExpansion& frame) {
   return true;
 }
 
-/// It reaches so far that the terms make up the functions, up to less than the numbers resolve; nowhere, if the motion
-/// is singular there.
+/// The frame about an instant. Its reach is so short that the terms give the functions to within the resolution of the
+/// numbers. The reach is zero if the motion is singular there.
 FrameExpansion frame_about(const MotionSegment& segment, const UniformRotation* even, double about) {
   FrameExpansion made;
   made.about = about;
   const double length = segment.end - segment.start, least = 0x1p-50 * std::max(std::fabs(about), length);
   if (!(length > 0x1p-800 && length < 0x1p60)) return made;
-  // Polynomials of a low degree leave out nothing, other functions mostly nothing at the second length.
+  // Polynomials of a low degree omit nothing. Other functions mostly omit nothing at the second length.
   for (int e = std::ilogb(length) - (segment.translation ? 34 : 37); power_of_two(e) > least; e -= 2) {
     made.exponent = e;
     made.reach = power_of_two(e);

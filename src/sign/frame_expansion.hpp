@@ -1,10 +1,10 @@
-// A segment's frame functions about instants at which much happens at once, to 2^-315 or so.
+// A segment's frame functions about instants of many simultaneous events, to about 2^-315.
 //
 // Parts drawn on a grid, and mechanisms with equal teeth, have many events that only the displacement, or the rounding
-// of their coordinates, tells apart. All of them fall within a few units in the last place of one double. So the
-// frame's Taylor polynomials about that double are made once, in numbers of a fixed length, and serve them all: a form
-// there is a linear combination of these, its root a few steps of Newton's (FixedPointExpansion), at a small part of
-// what a search in floating numbers as long costs.
+// of their coordinates, distinguishes. All of them fall within a few units in the last place of one double. So the
+// frame's Taylor polynomials about that double are computed once, in numbers of a fixed length, and serve all of them.
+// A certificate function there is a linear combination of these polynomials, and its root takes a few Newton steps
+// (FixedPointExpansion). This costs a small part of a search in floating-point numbers of the same length.
 #pragma once
 
 #include <array>
@@ -17,17 +17,17 @@
 
 namespace taut::internal {
 
-/// The functions' Taylor polynomials in the time since `about`, for times no farther from it than `reach`, which is the
-/// unit: so slow motions and fast ones have coefficients of the same sizes, and those of high powers are short.
+/// The functions' Taylor polynomials in the time since `about`, for times within `reach` of it. The reach is the unit
+/// of time, so slow and fast motions have coefficients of the same sizes, and those of high powers are short.
 struct FrameExpansion {
   static constexpr std::size_t terms = model_degree;
 
   double about = 0, reach = 0;
   int exponent = 0;  ///< reach is 2^exponent, or 0
   std::array<std::array<FixedBall, terms>, 5> pp, qq;
-  /// Bounds of the next coefficient: nothing else is left out.
+  /// Bounds of the next coefficient. Nothing else is omitted.
   std::array<double, 5> pp_rest{}, qq_rest{};
-  /// Values and slopes in doubles, with bounds that hold all over the reach.
+  /// Values and slopes in doubles, with bounds that hold over the whole reach.
   FrameSample pp_over, qq_over;
 
   const std::array<std::array<FixedBall, terms>, 5>& functions(bool of_pp) const { return of_pp ? pp : qq; }
@@ -35,10 +35,10 @@ struct FrameExpansion {
   const FrameSample& over(bool of_pp) const { return of_pp ? pp_over : qq_over; }
 };
 
-/// Those of one segment that were asked for last.
+/// The most recently used frame expansions of one segment.
 class FrameExpansionCache {
  public:
-  /// Makes room, so that nothing is allocated when it is asked for.
+  /// Makes room, so that later queries allocate nothing.
   void reserve() {
     if (kept_) return;
     kept_ = ThreadLocalPool<std::vector<FrameExpansion>>::take();
@@ -51,10 +51,10 @@ class FrameExpansionCache {
     if (kept_) kept_->clear();
     next_ = 0;
   }
-  /// One that reaches over [lo, hi], valid until the next call; none where that is too long for it to be of use, on
-  /// straight segments and bridges, which have better ways, and where the motion is singular.
+  /// An expansion that reaches over [lo, hi], valid until the next call. None where [lo, hi] is too long for one to be
+  /// useful, on straight segments and bridges, which have better methods, and where the motion is singular.
   const FrameExpansion* around(double lo, double hi);
-  /// The same, if it was asked for before.
+  /// Like around(), but only an expansion that exists already.
   const FrameExpansion* known(double lo, double hi) const;
 
  private:
@@ -64,7 +64,7 @@ class FrameExpansionCache {
 
   const MotionSegment* segment_ = nullptr;
   ThreadLocalPool<std::vector<FrameExpansion>>::Pointer kept_;
-  std::size_t next_ = 0;  ///< which was replaced last
+  std::size_t next_ = 0;  ///< the expansion that was replaced last
 };
 
 }  // namespace taut::internal

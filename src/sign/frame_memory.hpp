@@ -1,4 +1,4 @@
-// What signs and roots of one segment have in common.
+// Data shared by the signs and roots of one segment.
 #pragma once
 
 #include "numeric/stages.hpp"
@@ -8,8 +8,7 @@
 
 namespace taut::internal {
 
-/// What is remembered of one segment's frame functions, and of which stages told what was asked, on earlier segments,
-/// too.
+/// Cached data of one segment's frame functions, and counts of the stages that decided, also on earlier segments.
 struct FrameMemory {
   FrameExpansionCache expansions;
   ExpansionCache functions;
@@ -17,7 +16,7 @@ struct FrameMemory {
   KeptSearches searches;
   StageCounts stages;
 
-  /// Makes room for what events at one instant need.
+  /// Makes room for the needs of events at one instant.
   void reserve_expansions() {
     expansions.reserve();
     functions.reserve();

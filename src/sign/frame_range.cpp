@@ -8,8 +8,8 @@
 namespace taut::internal {
 namespace {
 
-/// Parts of a segment whose ranges are taken one by one: of curved motions, the range over the whole segment would be
-/// too wide.
+/// The number of parts of a segment whose ranges are computed separately. For curved motions, the range over the whole
+/// segment would be too wide.
 int parts_of(const MotionSegment& segment) {
   if (segment.bridge || (segment.translation && segment.degree <= 1)) return 1;
   return segment.translation ? std::max(8, 2 * segment.degree) : 16;
@@ -17,7 +17,7 @@ int parts_of(const MotionSegment& segment) {
 
 constexpr int most_halvings = 6;
 
-/// Where part k of several begins.
+/// The start of part k of several.
 double part_begin(double from, double to, int k, int parts) { return k == parts ? to : from + (to - from) * k / parts; }
 
 /// The range within r of the middle by Taylor's formula.
@@ -42,7 +42,7 @@ FrameRange FrameRange::over_part(const MotionSegment& segment, double from, doub
     const auto bound = [i, &whole](Side& side, const std::array<Jet<double>, 5>& m,
                                    const std::array<Jet<double>, 5>& o) {
       const Ball<double> v = tighter(o[i].v, second_order(m[i], o[i].dd, whole.rad));
-      // More than the radius by what the ends round.
+      // Exceeds the radius by the rounding of the ends.
       const double reach = v.rad * (1 + 0x1p-50) + std::fabs(v.mid) * 0x1p-52;
       side.lo[i] = known_or(v.mid - reach, -INFINITY);
       side.hi[i] = known_or(v.mid + reach, INFINITY);
@@ -63,8 +63,8 @@ FrameRange FrameRange::around_instants(const MotionSegment& segment, double from
   return seen;
 }
 
-/// Of a curved motion, the range over a long part is too wide: parts are halved until what they say is near what the
-/// motion is seen to do at some instants.
+/// For a curved motion, the range over a long part is too wide. Parts are halved until their ranges are close to the
+/// range observed at some instants.
 FrameRange FrameRange::over(const MotionSegment& segment, double from, double to) {
   const int parts = parts_of(segment);
   if (parts == 1) return over_part(segment, from, to);
@@ -134,7 +134,7 @@ bool FrameRange::contains(const FrameRange& other) const {
 
 bool FrameRange::keeps_sign(const PairGeometry& g, const CertificateFunction& function, int sign) const {
   const DisplacedPoint &a = g.point(function.a), &b = g.point(function.b), &c = g.point(function.c);
-  // No body's coordinates are shifted here, and the frames turn.
+  // No body's coordinates are shifted here, and the frames rotate.
   FunctionPoints<double> p{b.x - a.x, b.y - a.y, a.x, a.y, c.x, c.y};
   p.measure(function.measure);
   const std::array<double, 5> f = function_coefficients(function.pp, p);
@@ -150,7 +150,7 @@ bool FrameRange::keeps_sign(const PairGeometry& g, const CertificateFunction& fu
     error += size[i] * farthest;
     reach += farthest;
   }
-  // 2^-48 covers the rounding; the rest the displacement.
+  // 2^-48 covers the rounding, the second term the displacement.
   return least > 0x1p-48 * error + 0x1p10 * displacement_room * reach;
 }
 

@@ -11,7 +11,7 @@
 namespace taut::internal {
 namespace {
 
-/// The instant, enclosed better from stage to stage.
+/// The instant of a contact, refined stage by stage.
 class ClosingInstant {
  public:
   explicit ClosingInstant(const ContactInstant& instant)
@@ -21,10 +21,10 @@ class ClosingInstant {
                instant.geometry->in_p(instant.contact.edge)}),
         parameter_(instant.contact.at.value_or(PreciseTime::between(instant.contact.lo, instant.contact.hi))) {}
 
-  /// What a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
+  /// An enclosure that a stage cannot improve stays as it is. A vertex is outside before it meets an edge.
   void refine(Stage stage, double enough) { root_.refine(-1, parameter_, stage, enough); }
   const PreciseTime& parameter() const { return parameter_; }
-  /// Of the world.
+  /// The instant in world time.
   PreciseTime time() const {
     return segment_.bridge ? PreciseTime::between(segment_.joint, segment_.joint) : parameter_;
   }
@@ -54,7 +54,7 @@ int order_of(const ContactInstant& a, const ContactInstant& b) {
 
 namespace {
 
-/// A contact that may be the first, with room for what the bodies' displacement moves it by.
+/// A contact that may be the first, with room for its shift due to the bodies' displacement.
 class Rival {
  public:
   Rival(std::size_t index, const ContactCandidate& candidate)
@@ -83,7 +83,7 @@ class Rival {
   std::unique_ptr<ClosingInstant> root_;
 };
 
-/// Leaves out those that come after another one for certain.
+/// Removes those that certainly come after another one.
 template <class Interval>
 void keep_first(std::vector<Interval>& all) {
   const auto ends_first = [](const Interval& a, const Interval& b) { return a.hi() < b.hi(); };

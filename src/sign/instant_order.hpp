@@ -1,4 +1,4 @@
-// Which of several contacts comes first, of whatever pairs of bodies?
+// The order of several contacts, of any pairs of bodies.
 #pragma once
 
 #include <memory>
@@ -9,27 +9,27 @@
 
 namespace taut::internal {
 
-/// A contact that an engine found, of bodies displaced as the geometry is.
+/// A contact found by an engine for bodies displaced as the geometry is.
 struct ContactInstant {
   std::shared_ptr<const MotionSegment> segment;
   const PairGeometry* geometry;
   FoundContact contact;
 };
 
-/// In the world's time: -1 if a is certainly before b, 1 if it is after, 0 if even the highest precision does not tell.
-/// Segments may be those of different pairs; on one bridge its parameter decides, on different ones at one joint
-/// nothing does.
+/// The order in world time: -1 if a is certainly before b, 1 if it is after, 0 if even the highest precision does not
+/// decide. The segments may be those of different pairs. On one bridge, its parameter decides; on different bridges at
+/// one joint, nothing does.
 int order_of(const ContactInstant& a, const ContactInstant& b);
 
-/// One of many contacts of bodies as they were given: enclosed by doubles, and more precisely by what it is the root
-/// of, if that is known.
+/// One of many contacts of bodies as given. Doubles enclose it; if its certificate function is known, its root gives a
+/// more precise enclosure.
 struct ContactCandidate {
   TimeInterval time;
   std::optional<ContactInstant> instant;
 };
 
-/// Of which of them is it not certain that another one comes before? Where doubles leave several, each is enclosed at
-/// high precision, with room for what the displacement moves it by: what is left then differs by less.
+/// The contacts that are not certain to come after another one. Where doubles leave several, each is enclosed at high
+/// precision, with room for its shift due to the displacement. The remaining ones differ by less.
 std::vector<std::size_t> possibly_first(const std::vector<ContactCandidate>& contacts);
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-// Searches that were stopped, or are asked for again.
+// Searches that were interrupted, or are requested again.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@
 
 namespace taut::internal {
 
-/// A search at high precision may take longer than the turn in which it is begun, and nobody knows by how much. It is
-/// gone on with where it was: begun anew in each turn it would take several times as long in all, or never end. The
-/// last ones of a segment are kept at each precision, with what came of them, since what comes after one may be
-/// stopped, too. All of them are of forms of the same bodies, until they are cleared.
+/// A search at high precision may take longer than the time slice in which it begins, by an unknown factor. It is
+/// resumed where it stopped: restarted in each slice, it would take several times as long in all, or never end. The
+/// last searches of a segment are kept at each precision with their results, because the work that follows a search may
+/// be interrupted, too. Until they are cleared, all of them must be of certificate functions of the same bodies.
 class KeptSearches {
  public:
-  /// What is searched.
+  /// The identity of a search.
   struct Key {
     CertificateFunction function;
     int sign = 0;  ///< just after `from`
     RealMax from{};
     double to = 0;
-    int from_end = 0;  ///< 1 or -1 where the function is one of the distance's root from that end of the segment
+    int from_end = 0;  ///< 1 or -1 if the variable is the square root of the distance from that end of the segment
 
     bool operator==(const Key&) const = default;
   };
@@ -36,8 +36,8 @@ class KeptSearches {
   void clear() {
     if (kept_) std::apply([](auto&... kept) { (kept.clear(), ...); }, *kept_);
   }
-  /// As taut::first_sign_change() has it, from a to b, which are what the key says; refine(root) then encloses it
-  /// better. That is begun anew if it is stopped: how it is done hangs on where it begins.
+  /// Like taut::first_sign_change(), from a to b, which are the values of the key; refine(root) then tightens the
+  /// enclosure. If the refinement is interrupted, it restarts, because its course depends on where it begins.
   template <class Real, class Function, class Cut, class Refine>
   std::optional<RootEnclosure<Real>> root(const Key& key, const Function& f, const Real& a, const Real& b,
                                           const Cut& cut, const Refine& refine) {
@@ -45,7 +45,7 @@ class KeptSearches {
     Place<Real>& place = std::get<Kept<Real>>(*kept_).of(key, a, b);
     if (place.sharp) return place.sharp;
     const std::uint64_t before = work_spent();
-    std::uint64_t refining = UINT64_MAX;  // work_spent() when that began
+    std::uint64_t refining = UINT64_MAX;  // work_spent() when the refinement began
     try {
       auto root = place.search.go_on(f, cut);
       if (!root) return std::nullopt;
@@ -63,7 +63,7 @@ class KeptSearches {
   struct Place {
     std::optional<Key> key;
     SignChangeSearch<Real> search;
-    std::optional<RootEnclosure<Real>> sharp;  ///< what came of it, once it has been refined
+    std::optional<RootEnclosure<Real>> sharp;  ///< the result, once it has been refined
   };
   template <class Real>
   class Kept {
@@ -88,10 +88,10 @@ class KeptSearches {
   };
 
   using Kepts = OfEachPrecision<Kept>;
-  std::unique_ptr<Kepts> kept_;  ///< few questions need any
+  std::unique_ptr<Kepts> kept_;  ///< few queries need it
 };
 
-/// The root, kept if `kept` is not null.
+/// The root, stored in `kept` if that is not null.
 template <class Real, class Function, class Cut, class Refine>
 std::optional<RootEnclosure<Real>> sharp_root(KeptSearches* kept, const KeptSearches::Key& key, const Function& f,
                                               const Real& a, const Real& b, const Cut& cut, const Refine& refine) {

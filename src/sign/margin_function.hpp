@@ -1,9 +1,9 @@
-// Is a vertex closer than a margin to an edge's line, or to another vertex? As functions of the segment's parameter,
-// which are positive where it is.
+// Functions of the segment's parameter that are positive where a vertex is closer than a margin to an edge's line, or
+// to another vertex.
 //
 // Neither needs a solver of its own. The distance of a vertex from an edge's line less a margin m is the orientation
-// and m times the edge's length, which rests in its body: a form and a constant. The distance of two vertices is made
-// of the two coordinates of one in the frame of the other, which are forms.
+// and m times the edge's length, which is constant in its body: a certificate function and a constant. The distance of
+// two vertices is computed from the two coordinates of one in the frame of the other, which are certificate functions.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace taut::internal {
 
-/// m |b - a| + (b - a) x (c - a): positive where the vertex is behind the edge's line, or not as far as the margin in
-/// front of it, that is to its right.
+/// m |b - a| + (b - a) x (c - a): positive where the vertex is behind the edge's line, or less than the margin in front
+/// of it, that is to its right.
 template <class Real>
 class LineMargin : public PreciseFunction<Real> {
  public:
@@ -22,7 +22,7 @@ class LineMargin : public PreciseFunction<Real> {
              TaylorFrames* models = nullptr)
       : LineMargin(segment, g, line, length(g, line) * margin, models) {}
 
-  /// Is it certain that it is not even behind the line by more than the margin?
+  /// Is it certain that the vertex is not more than the margin behind the line?
   bool not_behind(const Ball<Real>& t) const { return (room_ * 2 - this->value(t)).sign() > 0; }
 
  private:
@@ -45,7 +45,7 @@ class LineMargin : public PreciseFunction<Real> {
 template <class Real>
 class VertexMargin {
  public:
-  /// a and c are of different bodies.
+  /// The vertices a and c must belong to different bodies.
   VertexMargin(const MotionSegment& segment, const PairGeometry& g, VertexId a, VertexId c, double margin,
                TaylorFrames* models = nullptr)
       : x_(segment, g, {a, a, c, g.in_p(a), Measure::offset_x}, models),
@@ -57,7 +57,7 @@ class VertexMargin {
   Ball<Real> value(const Ball<Real>& t) const { return combined(x_.value(t), y_.value(t)); }
   Jet<Real> telling_range(const Ball<Real>& t) const { return (*this)(t); }
 
-  /// As PreciseFunction has them: a polynomial in the root of the distance from a singular end,
+  /// As in PreciseFunction: the terms of a polynomial in the square root of the distance from a singular end,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
     const BallPolynomial<Real> x = x_.terms_from_end(end, direction), y = y_.terms_from_end(end, direction);
     BallPolynomial<Real> sum;
@@ -65,7 +65,8 @@ class VertexMargin {
     sum[0] = sum[0] + square_;
     return sum;
   }
-  /// whose last term is a range, over all s up to there: of a product that is made of the factors' derivatives there.
+  /// and its last term, which is a range over all s up to `farthest`. It is that of a product, computed from the
+  /// factors' derivatives there.
   Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
     const auto up_to_there = Ball<Real>::between(Real(std::min(farthest, 0.0)), Real(std::max(farthest, 0.0)));
     Ball<Real> sum = Ball<Real>::exact(0);
@@ -91,7 +92,7 @@ class VertexMargin {
       return square_ - sum;
     }
   }
-  /// That of power k of a product.
+  /// The coefficient of power k of a product.
   static Ball<Real> coefficient(const BallPolynomial<Real>& p, const BallPolynomial<Real>& q, std::size_t k) {
     Ball<Real> sum = Ball<Real>::exact(0);
     for (std::size_t i = 0; i <= k; ++i) sum = sum + p[i] * q[k - i];

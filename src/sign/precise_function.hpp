@@ -1,4 +1,4 @@
-// A form as a function of the segment's parameter, at high precision.
+// A certificate function as a function of the segment's parameter, at high precision.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace taut::internal {
 
-/// The function as five coefficients of the segment's frame functions; multi-precision, displacement included.
+/// The function as five coefficients of the segment's frame functions, in multi-precision, including the displacement.
 template <class Real>
 class PreciseFunction {
-  /// What it costs in units of checkpoint(), fitted to instructions counted: a product of numbers three times
-  /// as long is less than three times as much, sines are nine times. A turn needs a sine and a cosine, or a root and a
-  /// quotient; of polynomials a range needs them about another place.
+  /// Costs in units of checkpoint(), fitted to instruction counts. A product of numbers three times as long costs less
+  /// than three times as much, and sines cost nine times as much. A rotation needs a sine and a cosine, or a root and a
+  /// quotient. A range of a polynomial requires its expansion about another place.
   static constexpr std::uint64_t bits = RealTraits<Real>::bits, square = bits * bits / 1024;
   static constexpr std::uint64_t work_of_function = 25, work_of_range = 5 + bits / 4,
                                  work_of_combination = 30 + square / 10;
@@ -37,11 +37,11 @@ class PreciseFunction {
   }
 
  public:
-  /// `models` are those of the segment, and must outlive it; without, the function has its own.
+  /// `models` are those of the segment, and must outlive this object. If null, the function has its own.
   PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
                   TaylorFrames* models = nullptr)
       : PreciseFunction(segment, g, function, Ball<Real>::exact(0), models) {}
-  /// The form and a constant.
+  /// The certificate function plus a constant.
   PreciseFunction(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
                   const Ball<Real>& constant, TaylorFrames* models)
       : segment_(segment), pp_(function.pp), shared_(models) {
@@ -53,7 +53,7 @@ class PreciseFunction {
     } else {
       coefficients_ = coefficients_on(segment, function.pp, p, Ball<Real>::exact(0));
     }
-    // The first of the frame's functions is 1. A sum is rounded, one with nothing too.
+    // The first of the frame's functions is 1. A sum is rounded, even if one summand is zero.
     if (constant.magnitude() > 0) coefficients_[0] = coefficients_[0] + constant;
     if (segment.translation) expand();
     if (segment.bridge) expand_bridge();
@@ -61,9 +61,10 @@ class PreciseFunction {
 
   /// Value and derivatives over the ball t of the segment's parameter.
   Jet<Real> operator()(const Ball<Real>& t) const { return range<Sharpness::best>(t); }
-  /// The same, or a wider one that tells the sign of the value or, over an interval, that of the slope.
+  /// Like the call operator, or a wider range that decides the sign of the value or, over an interval, that of the
+  /// slope.
   Jet<Real> telling_range(const Ball<Real>& t) const { return range<Sharpness::telling>(t); }
-  /// Is the telling range over that ball, which has been asked for, that of an expansion about its middle?
+  /// Is the telling range over that ball, which has been computed before, that of an expansion about its middle?
   bool is_expanded(const Ball<Real>& t) const {
     if constexpr (!std::is_same_v<Real, double>) {
       const TaylorFrame<Real>* const known = is_polynomial() ? nullptr : models().known(t);
@@ -71,7 +72,8 @@ class PreciseFunction {
     }
     return is_polynomial();
   }
-  /// Taylor's formula about the middle of a ball, good all over it, if the telling range there is made of such a one.
+  /// The Taylor expansion about the middle of a ball, valid over the whole ball, if the telling range there comes from
+  /// such an expansion.
   std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& t) const requires(!std::is_same_v<Real, double>) {
     count_work(2 * work_of_range);
     const Ball<Real> middle(t.mid, 0.0);
@@ -80,13 +82,13 @@ class PreciseFunction {
     if (!known) return std::nullopt;
     return expanded(about_middle(*known), since_middle(*known, middle));
   }
-  /// The same as a function of the distance's root from a singular end.
+  /// The value and derivatives as a function of the square root of the distance from a singular end.
   Jet<Real> operator()(const TimeFromEnd<Real>& t) const {
     count_work(work_of_jet());
     const Frame<Real> f = frame(segment_, t);
     return combine(pp_ ? f.for_pp : f.for_qq);
   }
-  /// Taylor's formula in s about a singular end: the terms, but for the last one,
+  /// The terms of the Taylor expansion in s about a singular end, except for the last one,
   BallPolynomial<Real> terms_from_end(double end, double direction) const {
     const auto& f = models().template from_end<Real>().terms(segment_, end, direction);
     count_work(work_of_combination);
@@ -94,11 +96,11 @@ class PreciseFunction {
     for (std::size_t k = 0; k < last_from_end; ++k) sum.push_back(coefficient_of(f, k));
     return sum;
   }
-  /// and the last one, which makes it right for all s from the end to `farthest`.
+  /// and the last term, which makes the expansion valid for all s from the end to `farthest`.
   Ball<Real> last_term_from_end(double end, double direction, double farthest) const {
     return combined(models().template from_end<Real>().last(segment_, end, direction, farthest));
   }
-  /// The value alone, at less than half the price.
+  /// The value alone, at less than half the cost.
   Ball<Real> value(const Ball<Real>& t) const {
     count_work(work_of_value());
     if (is_polynomial()) return polynomial_value(polynomial_, t);
@@ -106,7 +108,7 @@ class PreciseFunction {
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
     return sum_of(v);
   }
-  /// The same, or one that is known to a few digits.
+  /// The value, or one that is known to only a few digits.
   Ball<Real> telling_value(const Ball<Real>& t) const {
     if constexpr (!std::is_same_v<Real, double>) {
       if (const TaylorFrame<Real>* const known = is_polynomial() ? nullptr : models().known(t)) {
@@ -116,7 +118,7 @@ class PreciseFunction {
     }
     return value(t);
   }
-  /// A polynomial made of its terms from an end, over the ball s.
+  /// The range over the ball s of a polynomial given by its terms from an end.
   Jet<Real> telling_range(const BallPolynomial<Real>& from_end, const Ball<Real>& s) const {
     return range_of<Sharpness::telling>(from_end, s, work_of_range);
   }
@@ -136,7 +138,7 @@ class PreciseFunction {
   Jet<Real> range(const Ball<Real>& t) const {
     if (is_polynomial()) return range_of<sharpness>(polynomial_, t, work_of_jet());
     if constexpr (!std::is_same_v<Real, double>) {
-      // Where a range was not enough, that of a part of it hardly ever is, unless it left out much.
+      // If a range did not decide, the range of a part of it hardly ever does, unless the model omitted much.
       if (const TaylorFrame<Real>* const known = models().known(t)) {
         const Jet<Real> range = range_by<sharpness>(*known, t);
         if constexpr (sharpness == Sharpness::telling) {
@@ -152,7 +154,7 @@ class PreciseFunction {
     const Frame<Real> f = frame(segment_, t);
     const Jet<Real> range = combine(pp_ ? f.for_pp : f.for_qq);
     if constexpr (!std::is_same_v<Real, double>) {
-      // By the frame's polynomials about a place nearby (see TaylorFrames); doubles make do with what they have.
+      // Use the frame's polynomials about a place nearby (see TaylorFrames). Doubles do without.
       const TaylorFrame<Real>* const made = t.rad != 0 && !tells(range, t) ? new_model(t) : nullptr;
       if (made) return range_by<sharpness>(*made, t);
     }
@@ -182,14 +184,14 @@ class PreciseFunction {
   static Ball<Real> since_middle(const TaylorFrame<Real>& model, const Ball<Real>& t) {
     return t - Ball<Real>(model.middle, 0.0);
   }
-  /// Null if there is no good one.
+  /// Null if there is no suitable model.
   const TaylorFrame<Real>* new_model(const Ball<Real>& t,
                                      TaylorFrames::Reach reach = TaylorFrames::Reach::several_times) const {
     const TaylorFrame<Real>* const made = models().make(segment_, t, reach);
     if (made) count_work(work_of_series);
     return made;
   }
-  /// Where what the model leaves out hides the sign: one that leaves out less, if it is worth it.
+  /// If the part that the model omits hides the sign: a model that omits less, if it is worth the cost.
   const TaylorFrame<Real>* better_model(const TaylorFrame<Real>& model, const Jet<Real>& range,
                                         const Ball<Real>& t) const {
     if (!model.is_loose_for(t) || !is_hidden_by_last(about_middle_, range.v, since_middle(model, t))) return nullptr;
@@ -208,7 +210,7 @@ class PreciseFunction {
   }
   TaylorFrames& models() const { return shared_ ? *shared_ : own_; }
 
-  /// On a translation the function is a polynomial: its own coefficients show roots that those of x and y hide.
+  /// On a translation the function is a polynomial. Its own coefficients show roots that those of x and y hide.
   void expand() {
     using B = Ball<Real>;
     polynomial_.size = 0;
@@ -225,11 +227,11 @@ class PreciseFunction {
     const FrameOf<ModelSeries<Real>> f = frame_series(segment_, Ball<Real>::exact(0));
     for (std::size_t k = 0; k <= 2; ++k) polynomial_.push_back(coefficient_of(f, k));
   }
-  /// The share of a value that its error is where Newton's steps still gain several bits.
+  /// The relative error of a value at which Newton steps still gain several bits.
   static constexpr double few_digits = 0x1p-16;
   bool is_polynomial() const { return segment_.translation || segment_.bridge; }
-  /// Of a function that is zero at all times before the displacement: the rest, with nothing to cancel. What is linear
-  /// in the edge e0 + e1 and in the points r0 + r1, without e0 r0, is e0 r1 + e1 (r0 + r1).
+  /// For a function that is zero at all times before the displacement: the remaining part, without cancellation. The
+  /// product, linear in the edge e0 + e1 and in the points r0 + r1, without e0 r0, is e0 r1 + e1 (r0 + r1).
   std::array<Ball<Real>, 5> displacement_part(const PairGeometry& g, const CertificateFunction& function,
                                               const FunctionPoints<Ball<Real>>& whole) const {
     using B = Ball<Real>;
@@ -247,7 +249,7 @@ class PreciseFunction {
     points.measure(function.measure);
     std::array<B, 5> sum = function_coefficients(function.pp, edge);
     const std::array<B, 5> more = function_coefficients(function.pp, points);
-    // The motion's terms have the edge alone in them: they are in the first sum.
+    // The motion's terms contain the edge alone, so they are in the first sum.
     for (const std::size_t i : {0, 3, 4}) sum[i] = sum[i] + more[i];
     return sum;
   }
@@ -260,10 +262,10 @@ class PreciseFunction {
   const MotionSegment& segment_;
   bool pp_;
   std::array<Ball<Real>, 5> coefficients_;
-  BallPolynomial<Real> polynomial_;  ///< of a translation, or a bridge
+  BallPolynomial<Real> polynomial_;  ///< for a translation, or a bridge
   TaylorFrames* shared_;
   mutable TaylorFrames own_;
-  mutable std::uint64_t combined_ = 0;  ///< the model of which this was made:
+  mutable std::uint64_t combined_ = 0;  ///< the number of the model from which this was computed:
   mutable BallPolynomial<Real> about_middle_;
 };
 

@@ -1,4 +1,5 @@
-// Instants at one precision, and the first root there of what is made of forms and a margin, which no memory keeps.
+// Instants at one precision, and the first root there of functions combined from certificate functions and a margin,
+// which no cache keeps.
 #pragma once
 
 #include "sign/search_from_end.hpp"
@@ -14,7 +15,8 @@ Ball<Real> ball_of(const PreciseTime& t) {
   return b;
 }
 
-/// The number at this precision; where that would round it, a search from there on might start beyond a root.
+/// The number at this precision. Throws if it would be rounded, because a search from the rounded number might start
+/// beyond a root.
 template <class Real>
 Real exactly(const RealMax& x) {
   const Real rounded(x);
@@ -49,7 +51,7 @@ std::optional<PreciseTime> first_change(const MotionSegment& segment, const Func
   return PreciseTime{RealMax(root->lo), RealMax(root->hi), stage};
 }
 
-/// Shrinks an isolating enclosure; `sign` is that before the root. Throws PrecisionExhausted.
+/// Shrinks an isolating enclosure; `sign` is the sign before the root. Throws PrecisionExhausted.
 template <class Real, class Function>
 PreciseTime refined_change(const MotionSegment& segment, const Function& f, int sign, const PreciseTime& t,
                            Stage stage) {

@@ -13,10 +13,10 @@
 namespace taut::internal {
 namespace {
 
-/// What is known better was not rounded before the displacement, and is good enough to tell ties.
+/// A root known more precisely than this was not rounded before the displacement, and suffices to decide ties.
 constexpr double all_but_displacement = 0x1p-16 * displacement_unit;
 
-/// The slope over an enclosure in doubles, if it is known well enough for Newton's steps to gain many bits each.
+/// The slope over an enclosure in doubles, if it is known well enough that each Newton step gains many bits.
 std::optional<Ball<double>> steady_slope(const PreciseFunction<double>& f, const RealMax& lo, const RealMax& hi) {
   const Ball<double> slope = f(Ball<double>::between(double_floor(lo), double_above(hi))).d;
   if (slope.rad <= 0x1p-24 * std::fabs(slope.mid)) return slope;
@@ -32,7 +32,7 @@ const ExactLine* PreciseTriple::line() const {
   return line_->exact() ? &*line_ : nullptr;
 }
 
-/// The frame about an instant given by sums of doubles, if it is of use there. At a double the frame itself costs less
+/// The frame about an instant given by sums of doubles, if it is useful there. At a double, the frame itself costs less
 /// than polynomials about it.
 const FrameExpansion* PreciseTriple::frame_near(const PreciseTime& t) const {
   if (!memory_ || !t.has_sums()) return nullptr;
@@ -40,8 +40,8 @@ const FrameExpansion* PreciseTriple::frame_near(const PreciseTime& t) const {
   return lo < hi ? memory_->expansions.around(lo, hi) : memory_->expansions.known(lo, hi);
 }
 
-/// The function's root within reach of such an instant, if one of those known so far tells it; before more is tried, as
-/// well as that.
+/// The function's root within reach of such an instant, if one of the known roots determines it. Before more is tried,
+/// any accuracy suffices.
 const RootOfExpansion* PreciseTriple::root_beside(const PreciseTime& t, Stage stage) const {
   if (!memory_ || !t.has_sums()) return nullptr;
   const FrameExpansion* const frame = memory_->expansions.known(t.floor(), t.ceiling());
@@ -49,7 +49,7 @@ const RootOfExpansion* PreciseTriple::root_beside(const PreciseTime& t, Stage st
   return frame ? memory_->functions.root_beside(*frame, segment_, geometry_, function_, enough) : nullptr;
 }
 
-/// It is monotone all over the reach.
+/// The function is monotone over the whole reach.
 int PreciseTriple::sign_beside_root(const PreciseTime& t, Stage stage) const {
   const RootOfExpansion* const root = root_beside(t, stage);
   if (!root) return 0;
@@ -57,7 +57,7 @@ int PreciseTriple::sign_beside_root(const PreciseTime& t, Stage stage) const {
   return !is_first ? 0 : *is_first ? -root->slope_sign : root->slope_sign;
 }
 
-/// By numbers of a fixed length; others may be told from it afterwards.
+/// Computes the root in fixed-point numbers. Other roots may be determined from it afterwards.
 std::optional<PreciseTime> PreciseTriple::root_of_expansion(int sign, const PreciseTime& t, Stage stage,
                                                             double enough) const {
   const FrameExpansion* const frame = frame_near(t);
@@ -67,7 +67,7 @@ std::optional<PreciseTime> PreciseTriple::root_of_expansion(int sign, const Prec
   return root;
 }
 
-/// A root that is known beside a turn, as well as numbers of a fixed length have it.
+/// Refines a root known near an extremum to the precision of fixed-point numbers.
 PreciseTime PreciseTriple::sharpened(int sign, PreciseTime t) const {
   if (const auto sharp = root_of_expansion(sign, t, Stage::precise, 0)) return *sharp;
   t.stage = Stage::precise;
@@ -114,7 +114,7 @@ int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
                     }));
 }
 
-/// Of a function that is a line: when it changes its sign.
+/// For a function that is a line: the time of its sign change.
 PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTime& from, double to) const {
   if (from.stage > Stage::precise) return {};
   const ExactLine* const exact = line();
@@ -128,7 +128,7 @@ PreciseTriple::LineFailure PreciseTriple::line_failure(int sign, const PreciseTi
   return {root->sum_hi().compare(end) <= 0, root};
 }
 
-/// `sign` holds just after `from`.
+/// Requires that `sign` holds just after `from`.
 std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, const PreciseTime& from,
                                                                     double about) const {
   const FrameExpansion* const frame = memory_ ? memory_->expansions.around(about, about) : nullptr;
@@ -141,15 +141,16 @@ std::optional<PreciseTriple::BesideTurn> PreciseTriple::beside_turn(int sign, co
   const auto before = expansion.root_beside(*turn, -1, Stage::beside),
              after = expansion.root_beside(*turn, 1, Stage::beside);
   if (!before || !after) return std::nullopt;
-  // It holds before the first root and after the second one of a valley, and between those of a hill. As it holds just
-  // after `from`, that is not before a hill's first root, and either of a valley's ends tells on which side it is.
+  // In a valley, the sign holds before the first root and after the second one; on a hill, between the two. As it holds
+  // just after `from`, that is not before the first root of a hill, and comparison with a valley's roots shows on which
+  // side of them it is.
   if (!valley) return from.certainly_before(*after) ? std::optional(BesideTurn{after}) : std::nullopt;
   if (before->certainly_before(from)) return BesideTurn{};
   return from.certainly_before(*before) ? std::optional(BesideTurn{before}) : std::nullopt;
 }
 
-/// Where doubles see neither value nor slope, as of a vertex that leaves a corner along an edge's line, but a bend that
-/// lasts.
+/// For the case in which doubles show neither value nor slope, but a second derivative that keeps its sign. An example
+/// is a vertex that leaves a corner along an edge's line.
 std::optional<PreciseTriple::BesideTurn> PreciseTriple::turn_ahead(int sign, const PreciseTime& from, double to) const {
   const double start = from.floor();
   if (from.stage > Stage::precise || start < segment_.start || !(start < to)) return std::nullopt;
@@ -176,8 +177,8 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
   }
   const int end = singular_end(segment_, from, to);
   if (end != 0 && from.stage <= Stage::precise) {
-    // In the distance's root the motion is so smooth that doubles nearly always do. The displacement is in them: at the
-    // end itself, where much is exact, they may tell what only that tells.
+    // In the square root of the distance, the motion is so smooth that doubles nearly always suffice. They include the
+    // displacement: at the end itself, where much is exact, they may decide cases that only the displacement decides.
     const PreciseFunction<double> f(segment_, geometry_, function_);
     if (const auto answer = search_from_end<double>(segment_, f, end, sign, from, to, Stage::doubles)) {
       return *decided_by(Stage::first_order, answer);

@@ -12,29 +12,29 @@
 
 namespace taut::internal {
 
-/// A form on a segment, at any precision.
+/// A certificate function on a segment, at any precision.
 class PreciseTriple {
  public:
-  /// `memory` is of the same segment, if there is one, and must outlive it.
+  /// `memory`, if any, belongs to the same segment and must outlive this object.
   PreciseTriple(const MotionSegment& segment, const PairGeometry& geometry, const CertificateFunction& function,
                 FrameMemory* memory = nullptr)
       : segment_(segment), geometry_(geometry), function_(function), memory_(memory) {}
 
   /// The sign at an instant, at one stage; 0 if undecided there.
   int sign_at(const PreciseTime& t, Stage stage) const;
-  /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that can
-  /// tell. Throws Undecidable.
+  /// The first change of sign in (from.hi, to], where `sign` holds just after `from`, by the first stage that decides.
+  /// Throws Undecidable.
   std::optional<PreciseTime> first_failure(int sign, const PreciseTime& from, double to) const;
-  /// What a turn near zero tells of the time in which the form bends to the same side.
+  /// The consequence of an extremum near zero for the time in which the second derivative keeps its sign.
   struct BesideTurn {
-    std::optional<PreciseTime> failure;  ///< none: it keeps its sign
+    std::optional<PreciseTime> failure;  ///< none if the function keeps its sign
   };
-  /// The same first change of sign, where the form turns about an instant within double precision: the sign of its
-  /// extreme value decides. Nothing where that is not so, or not known. The failure is known beside the turn, and
-  /// better from Stage::precise on.
+  /// The first change of sign as in first_failure(), where the function has an extremum within double precision of an
+  /// instant: the sign of its extreme value decides. Nothing if there is no such extremum, or if it is not known. The
+  /// failure is known relative to the extremum, and more precisely from Stage::precise on.
   std::optional<BesideTurn> beside_turn(int sign, const PreciseTime& from, double about) const;
-  /// Shrinks an isolating enclosure at the given stage, no further than to the width `enough`; `sign` is that before
-  /// the root. False if the stage cannot.
+  /// Shrinks an isolating enclosure at the given stage, but not below the width `enough`. `sign` is the sign before the
+  /// root. Returns false if the stage cannot.
   bool refine(int sign, PreciseTime& t, Stage stage, double enough = 0) const;
 
  private:
@@ -45,7 +45,7 @@ class PreciseTriple {
   LineFailure line_failure(int sign, const PreciseTime& from, double to) const;
   std::optional<BesideTurn> turn_ahead(int sign, const PreciseTime& from, double to) const;
   const ExactLine* line() const;
-  /// The answer, which is counted if there is one.
+  /// Returns the answer, and counts it if there is one.
   template <class Decided>
   Decided decided_by(Stage stage, Decided answer) const {
     if (answer && memory_) memory_->stages.add(stage);
@@ -60,7 +60,8 @@ class PreciseTriple {
   PreciseFunction<Real> function() const {
     return {segment_, geometry_, function_, memory_ ? &memory_->models : nullptr};
   }
-  /// In (from.hi, to], as a function of time, as sharp as this precision has it; kept where there is memory.
+  /// The sign change in (from.hi, to] as a function of time, as tight as this precision allows; stored if there is
+  /// memory.
   template <class Real>
   std::optional<RootEnclosure<Real>> sign_change(const PreciseFunction<Real>& f, int sign, const PreciseTime& from,
                                                  double to) const;
@@ -71,7 +72,7 @@ class PreciseTriple {
   const PairGeometry& geometry_;
   CertificateFunction function_;
   FrameMemory* memory_;
-  mutable std::optional<ExactLine> line_;  ///< made when first asked for
+  mutable std::optional<ExactLine> line_;  ///< constructed on first use
 };
 
 }  // namespace taut::internal

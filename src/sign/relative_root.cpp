@@ -15,15 +15,15 @@ namespace {
 /// In units of checkpoint(), as measured.
 constexpr std::uint64_t work_of_relative_root = 5, work_of_distance = 3, work_of_root_beside = 5;
 constexpr double bound_up = 1 + 0x1p-45;
-/// Residuals of nearly proportional forms are below this share of the coefficients.
+/// Residuals of nearly proportional functions are below this share of the coefficients.
 constexpr double nearly = 0x1p-40;
-/// A part of a sum that an enclosure need not have.
+/// Parts of a sum below this share of the error are left out of an enclosure.
 constexpr double part_that_matters = 0x1p-10;
 
-/// All but the motion's terms, which have the edge alone in them.
+/// All terms but the motion's, which contain the edge alone.
 constexpr std::size_t terms_of_points[] = {0, 3, 4};
 
-/// The first form's edge, and the points of the first from those of the second.
+/// The edge of the first function, and the differences of its points from those of the second.
 template <class N>
 FunctionPoints<N> edge_and_differences(const FunctionPoints<N>& p, const FunctionPoints<N>& o) {
   return {p.ex, p.ey, N(p.ax - o.ax), N(p.ay - o.ay), N(p.cx - o.cx), N(p.cy - o.cy)};
@@ -49,7 +49,7 @@ RelativeRoot::RelativeRoot(const FrameExpansion& frame, const MotionSegment& seg
   rough_ = rounded(given_);
 }
 
-/// By doubles without bounds: if they err, a chance is missed.
+/// Uses doubles without bounds. An error only misses an opportunity.
 bool RelativeRoot::may_be_proportional_to(const MotionSegment& segment, const RelativeRoot& o) const {
   const double size = size_of_edge(rough_), other = size_of_edge(o.rough_);
   if (!(std::fabs(cross(rough_.ex, rough_.ey, o.rough_.ex, o.rough_.ey)) <= nearly * size * other)) return false;
@@ -57,7 +57,8 @@ bool RelativeRoot::may_be_proportional_to(const MotionSegment& segment, const Re
   return std::fabs(c[0]) <= nearly * size && std::fabs(c[3]) <= nearly * size && std::fabs(c[4]) <= nearly * size;
 }
 
-/// Of this form at the other's root, times the larger coordinate of the other's edge: that is y if it is turned.
+/// The value of this function at the other's root, times the larger coordinate of the other's edge. `turned` means that
+/// this is y.
 Bounded RelativeRoot::scaled_value(const FrameSample& over, const MotionSegment& segment, const RelativeRoot& other,
                                    bool turned) const {
   const FunctionPoints<DoubleDouble>&p = given_, &o = other.given_;
@@ -106,7 +107,7 @@ KnownRoot::KnownRoot(const RelativeRoot& of, const FrameExpansion& frame, const 
       width(root.width_of_sums()),
       farthest(std::max(frame.about - root.floor(), root.ceiling() - frame.about) * bound_up) {}
 
-/// Rounded to what matters beside the error.
+/// Rounded to the digits that matter relative to the error.
 PreciseTime KnownRoot::at_distance(const Bounded& h) const {
   count_work(work_of_root_beside);
   ExactSum<ShortSum::capacity - 1> middle;
@@ -116,7 +117,7 @@ PreciseTime KnownRoot::at_distance(const Bounded& h) const {
     middle.add(from.part(left - 1));
   }
   middle.add(h.value);
-  // Parts that do not overlap are less than twice the largest.
+  // Parts that do not overlap sum to less than twice the largest.
   const double room = (h.error + (left > 0 ? 2 * std::fabs(from.part(left - 1)) : 0)) * bound_up;
   ExactSum<ShortSum::capacity> lo, hi;
   lo.take(middle);

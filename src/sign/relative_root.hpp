@@ -1,17 +1,17 @@
-// Roots beside roots: of forms that are nearly proportional.
+// Roots determined from nearby roots: certificate functions that are nearly proportional.
 //
-// Equal teeth, parallel edges and points on one line give forms that are one function but for a factor, the rounding of
-// turned coordinates, and the displacement. Their roots fall on one instant, and what tells them apart is far below its
-// last digit; but of that little, a few digits are enough. So once one of them is known to all its digits, by the
-// numbers of FixedPointExpansion, others are found from it in doubles.
+// Equal teeth, parallel edges and collinear points give certificate functions that are equal except for a factor, the
+// rounding of rotated coordinates, and the displacement. Their roots coincide in doubles, and the differences between
+// them are far below the last digit. But of these differences a few digits suffice. So once one root is known to full
+// precision, by the numbers of FixedPointExpansion, the others are determined from it in doubles.
 //
-// A form's coefficients are linear in its edge e, and in its points v: they are C(e, v). Where m is the larger
-// coordinate of the other form's edge, the two differ by
+// The coefficients of a function are linear in its edge e, and in its points v: they are C(e, v). If m is the larger
+// coordinate of the other function's edge, the two differ by
 //   e'_m C(e, v) - e_m C(e', v') = e'_m C(e, v - v') + C(d, v'),  d = e'_m e - e_m e',
-// and the second coordinate of d is the cross product of the edges. At the other form's root this combination of frame
-// functions is e'_m f alone, and divided by the slope it is how far off the root of f is. Edges and points are
-// differences of coordinates, which doubles nearly always have exactly; so where edges are parallel and points in line,
-// nothing is left of it but what comes from the displacement.
+// and the second coordinate of d is the cross product of the edges. At the root of the other function, this combination
+// of frame functions is e'_m f alone. Divided by the slope, it is the distance to the root of f. Edges and points are
+// differences of coordinates, which are nearly always exact in doubles. So where edges are parallel and points
+// collinear, only the terms of the displacement remain.
 #pragma once
 
 #include <optional>
@@ -25,20 +25,20 @@ namespace taut::internal {
 
 struct KnownRoot;
 
-/// A form within reach of a frame's instant, as that takes it.
+/// A certificate function within reach of a frame's instant.
 class RelativeRoot {
  public:
   RelativeRoot() = default;
   RelativeRoot(const FrameExpansion& frame, const MotionSegment& segment, const PairGeometry& g,
                const CertificateFunction& function);
 
-  /// Of the same segment, and about the same instant?
+  /// Does `o` belong to the same segment, and to the same instant?
   bool is_beside(const RelativeRoot& o) const { return about_ == o.about_ && pp_ == o.pp_; }
-  /// All over the reach; 0 if the slope may change its sign there.
+  /// The sign of the slope over the whole reach; 0 if it may change there.
   int slope_sign() const { return slope_.sign(); }
-  /// Where the form has its only root within reach, seen from that of another one beside it, whose enclosure counts as
-  /// a point. Nothing if the two are not so nearly proportional that this is known far better than a double holds
-  /// instants. The slope has a sign.
+  /// The distance of the function's only root within reach from another root nearby, whose enclosure counts as a point.
+  /// Nothing unless the two functions are so nearly proportional that this is known far more precisely than doubles
+  /// represent instants. Requires that the slope has a sign.
   std::optional<Bounded> distance_from(const FrameExpansion& frame, const MotionSegment& segment,
                                        const KnownRoot& known) const;
 
@@ -51,21 +51,21 @@ class RelativeRoot {
   bool pp_ = false;
   FunctionPoints<DoubleDouble> given_;  ///< before the displacement
   FunctionPoints<double> rough_{};
-  Bounded displaced_{};  ///< the value that the displacement adds, in its unit, all over the reach
-  Bounded slope_{};      ///< all over the reach
+  Bounded displaced_{};  ///< the value that the displacement adds, in its unit, over the whole reach
+  Bounded slope_{};      ///< over the whole reach
 };
 
-/// The root of a form, enclosed from an instant on.
+/// The root of a certificate function, enclosed from an instant on.
 struct KnownRoot {
   RelativeRoot function;
   ShortSum from;
   double width = 0;
-  double farthest = 0;  ///< from the frame's instant
+  double farthest = 0;  ///< distance from the frame's instant
 
   KnownRoot() = default;
-  /// Given by sums.
+  /// Requires a root given by sums.
   KnownRoot(const RelativeRoot& of, const FrameExpansion& frame, const PreciseTime& root);
-  /// Of a form beside it.
+  /// The root of a nearby function.
   PreciseTime at_distance(const Bounded& h) const;
 };
 

@@ -1,8 +1,8 @@
 // The search for a root near a singular end of a segment.
 //
-// Where a cosine reaches 1 or -1 a segment ends, and terms like sqrt(t) cancel there, which ranges in time do not show.
-// In s, the root of the distance from that end (see TimeFromEnd), the motion is smooth: so doubles nearly always do,
-// and where only the displacement tells, Taylor polynomials about the end.
+// A segment ends where a cosine reaches 1 or -1, and terms like sqrt(t) cancel there, which ranges in time do not show.
+// In s, the square root of the distance from that end (see TimeFromEnd), the motion is smooth. So doubles nearly always
+// suffice, and where only the displacement decides, Taylor polynomials about the end do.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +17,18 @@
 
 namespace taut::internal {
 
-/// Where a search of a form is kept, if it is.
+/// The store in which a search of a certificate function is kept, if any.
 struct KeptSearch {
   KeptSearches* searches = nullptr;
   CertificateFunction function{};
 };
 
-/// How many intervals a search may look at. In doubles it succeeds soon, or terms that cancel are all that it sees.
+/// The number of intervals that a search may examine. In doubles, a search succeeds soon, or it sees only terms that
+/// cancel.
 template <class Real>
 inline constexpr int search_budget = std::is_same_v<Real, double> ? 100 : 200000;
 
-/// Of a form, or of what is made of forms (see LineMargin and VertexMargin).
+/// Searches a certificate function, or a function combined from several (see LineMargin and VertexMargin).
 template <class Real, class Function = PreciseFunction<Real>>
 class SearchFromEnd {
  public:
@@ -36,26 +37,26 @@ class SearchFromEnd {
 
   Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
 
-  /// As PreciseTriple::first_failure does, at this precision. Throws PrecisionExhausted.
+  /// Like PreciseTriple::first_failure, at this precision. Throws PrecisionExhausted.
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
     const auto root = search({kept_.function, sign, from, to, direction_ > 0 ? 1 : -1}, first.lower(), last.upper());
     if (!root) return std::nullopt;
-    // The search starts a little before `from`, unless that is the end itself. Where the function falls over an
-    // interval with `from` in it, the root comes after; an interval before it says nothing.
+    // The search starts a little before `from`, unless that is the end itself. If the function falls over an interval
+    // that contains `from`, the root comes after `from`; an interval before it shows nothing.
     if (first.rad > 0 && !(root->hi > first.upper())) throw PrecisionExhausted{};
     const Ball<RealMax> lo = time_at(root->lo), hi = time_at(root->hi);
-    // What the search found within the rounding of `to` may be beyond.
+    // A root found within the rounding of `to` may be beyond it.
     if (hi.upper() > RealMax(to)) throw PrecisionExhausted{};
-    // The rounding of what is near the start must not reach beyond it, where the function is another one.
+    // Rounding near the start must not extend beyond it, where the function is another one.
     return PreciseTime{std::max<RealMax>(lo.lower(), from), hi.upper(), stage};
   }
-  /// Shrinks an isolating enclosure, no further than to the width `enough`. Throws PrecisionExhausted.
+  /// Shrinks an isolating enclosure, but not below the width `enough`. Throws PrecisionExhausted.
   PreciseTime refined(int sign, const PreciseTime& t, Stage stage, double enough) const {
     RootEnclosure<Real> root{root_of_distance(t.lo()).lower(), root_of_distance(t.hi()).upper()};
     const double farthest = RealTraits<Real>::magnitude(direction_ > 0 ? root.hi : root.lo);
     taut::refine(Expanded(*this, direction_ > 0 ? root.hi : root.lo), sign, root, enough / (2 * farthest));
-    // What was rounded outwards may be beyond the enclosure.
+    // Bounds rounded outwards may be beyond the enclosure.
     const RealMax lo = std::max<RealMax>(time_at(root.lo).lower(), t.lo());
     const RealMax hi = std::min<RealMax>(time_at(root.hi).upper(), t.hi());
     if (hi < lo) throw PrecisionExhausted{};
@@ -63,10 +64,10 @@ class SearchFromEnd {
   }
 
  private:
-  /// The function by its Taylor polynomials about the end: one for each range of magnitudes of s, made when it is asked
-  /// for, so that what it leaves out is small beside the first terms, by which ties are decided. Ranges of the function
-  /// itself are far worse there, where terms cancel. Where much is left out nevertheless, far from the end, polynomials
-  /// in time about places nearby tell.
+  /// The function by its Taylor polynomials about the end. There is one for each range of magnitudes of s, computed on
+  /// first use, so that its remainder is small relative to the first terms, which decide ties. Ranges of the function
+  /// itself are far worse there, because terms cancel. If the remainder is large nevertheless, far from the end,
+  /// polynomials in time about places nearby decide.
   class Expanded {
    public:
     Expanded(const SearchFromEnd& whole, const Real& farthest) : whole_(whole), farthest_(in_few_bits(farthest)) {}
@@ -83,15 +84,15 @@ class SearchFromEnd {
     std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& s) const {
       return taut::expanded(reaching(s), Ball<Real>(s.mid, 0.0));
     }
-    /// Ranges about the middle they all are.
+    /// All ranges are expansions about the middle.
     bool is_expanded(const Ball<Real>&) const { return true; }
 
    private:
-    /// Polynomials in time reach several times as far as they are asked for, and must not reach the end.
+    /// Polynomials in time reach several times as far as requested, and must not reach the end.
     static bool is_far_for_its_length(const Ball<Real>& s) {
       return s.rad > 0 && 64 * s.rad < RealTraits<Real>::magnitude(s.mid);
     }
-    /// Good for all of s.
+    /// The polynomial that is valid for all of s.
     const BallPolynomial<Real>& reaching(const Ball<Real>& s) const {
       const Real reach = whole_.direction_ > 0 ? s.upper() : Real(-s.lower());
       std::size_t level = 0;
@@ -113,7 +114,7 @@ class SearchFromEnd {
       return polynomial_;
     }
 
-    /// A little more than the magnitude: searches that begin or end near each other share what they go by.
+    /// A bound slightly above the magnitude: searches that begin or end near each other share their polynomials.
     static double in_few_bits(const Real& s) {
       const double most = RealTraits<Real>::magnitude(s);
       if (!(most > 0x1p-900)) return 0x1p-900;
@@ -121,17 +122,17 @@ class SearchFromEnd {
       return std::ldexp(std::ceil(std::ldexp(most, -unit)), unit);
     }
 
-    static constexpr std::size_t levels = 48;  ///< beyond them the last one does
+    static constexpr std::size_t levels = 48;  ///< beyond them, the last level is used
     static constexpr double step = 0x1p-2;
 
     const SearchFromEnd& whole_;
-    double farthest_;                     ///< from the end
+    double farthest_;                     ///< distance from the end
     mutable std::size_t level_ = levels;  ///< of the polynomial; `levels` if there is none
     mutable BallPolynomial<Real> polynomial_;
-    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the terms that differ between levels
+    mutable std::array<std::optional<Ball<Real>>, levels> last_;  ///< the last terms, which differ between levels
   };
 
-  /// The root, as sharp as this precision has it.
+  /// The root, as tight as this precision allows.
   std::optional<RootEnclosure<Real>> search(const KeptSearches::Key& key, const Real& a, const Real& b) const {
     const int sign = key.sign;
     if constexpr (std::is_same_v<Real, double>) {
@@ -153,7 +154,7 @@ class SearchFromEnd {
     const double rounded = RealTraits<RealMax>::magnitude(distance.mid) * (4 * unit_roundoff<Real>());
     return sqrt(Ball<Real>(Real(distance.mid), detail::inflate(distance.rad + rounded))) * direction_;
   }
-  /// Over a ball of s by the function's range in time.
+  /// The range over a ball of s, computed from the function's range in time.
   Jet<Real> by_time(const Ball<Real>& s) const {
     const Jet<Real> f = f_.telling_range(Ball<Real>::exact(end_) + s * s * direction_);
     const Ball<Real> step = s * (2 * direction_);
@@ -169,10 +170,10 @@ class SearchFromEnd {
   KeptSearch kept_;
 };
 
-/// How near to a singular end of the segment a search is made from there.
+/// The distance from a singular end of the segment within which a search starts from that end.
 inline double reach_of_end(const MotionSegment& segment) { return (segment.end - segment.start) / 16; }
 
-/// Up to when a search from that instant on is made from a singular end; the instant itself if it is not.
+/// The time up to which a search from `from` on is made from a singular end; `from` itself if it is not.
 inline double end_of_neighbourhood(const MotionSegment& segment, double from) {
   const double reach = reach_of_end(segment);
   if (from >= segment.end - reach && segment.singular_at(segment.end)) return segment.end;
@@ -180,15 +181,15 @@ inline double end_of_neighbourhood(const MotionSegment& segment, double from) {
   return from;
 }
 
-/// From which end of the segment, if it is singular there, a search is made: 1 from the start, -1 from the end, 0 if
-/// the motion is smooth enough over [from, to].
+/// The singular end of the segment from which a search is made: 1 from the start, -1 from the end, 0 if the motion is
+/// smooth enough over [from, to].
 inline int singular_end(const MotionSegment& segment, const PreciseTime& from, double to) {
   if (to <= segment.start + reach_of_end(segment) && segment.singular_at(segment.start)) return 1;
   if (from.floor() >= segment.end - reach_of_end(segment) && segment.singular_at(segment.end)) return -1;
   return 0;
 }
 
-/// Where a search from `from` to `to` comes near a singular end, or leaves it: there it is made in two parts.
+/// The time at which a search from `from` to `to` comes near a singular end, or leaves it. The search is divided there.
 inline std::optional<double> division(const MotionSegment& segment, const PreciseTime& from, double to) {
   for (const bool at_start : {true, false}) {
     if (!segment.singular_at(at_start ? segment.start : segment.end)) continue;
@@ -198,7 +199,7 @@ inline std::optional<double> division(const MotionSegment& segment, const Precis
   return std::nullopt;
 }
 
-/// Nothing if this precision does not tell.
+/// Nothing if this precision does not decide.
 template <class Real, class Function>
 std::optional<std::optional<PreciseTime>> search_from_end(const MotionSegment& segment, const Function& f, int end,
                                                           int sign, const PreciseTime& from, double to, Stage stage,

@@ -11,7 +11,7 @@
 namespace taut::internal {
 namespace {
 
-/// So many are kept; then a new one takes the place of the oldest.
+/// The number of models kept. Then a new one replaces the oldest.
 constexpr std::size_t most_kept = 64;
 template <class T>
 T& keep(std::vector<T>& kept, std::size_t& next, T made) {
@@ -20,10 +20,10 @@ T& keep(std::vector<T>& kept, std::size_t& next, T made) {
   return kept[next] = std::move(made);
 }
 
-/// As PreciseFunction counts what it makes.
+/// The work as PreciseFunction counts it.
 constexpr std::uint64_t work_of_frames = 900;
 
-/// The nearest multiple of 2^e, unless that is finer than the number resolves.
+/// The nearest multiple of 2^e, unless that is finer than the resolution of the number.
 template <class Real>
 Real on_grid(const Real& x, int e) {
   constexpr int spare = 32;
@@ -32,9 +32,8 @@ Real on_grid(const Real& x, int e) {
   return ldexp(round(ldexp(x, -e)), e);
 }
 
-/// How far the functions are from the next place, in the complex plane, at which they are singular, as how fast their
-/// coefficients grow tells it: about two to the power of so many quarters, counted in whole numbers, which are the same
-/// on every machine.
+/// Estimates, from the growth of the coefficients, how far the functions are from their nearest singularity in the
+/// complex plane. The result r means about 2^(r/4). It is an integer, which is the same on every machine.
 template <class Real>
 int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
   constexpr int none = INT_MIN, far = 4000;
@@ -49,7 +48,7 @@ int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
       }
     }
   }
-  // So far the later terms are no more than one of the first few, of which some may vanish.
+  // Within this distance, the later terms do not exceed one of the first few, some of which may vanish.
   constexpr int few = model_degree / 2;
   int radius = far;
   for (int k = few + 1; k <= model_degree; ++k) {
@@ -64,14 +63,14 @@ int radius_in_quarters(const FrameOf<ModelSeries<Real>>& functions) {
   return std::max(radius, -far);
 }
 
-/// As a number; a power of two's quarters need not be sharp.
+/// Converts quarters to a number. The fractional powers of two need not be accurate.
 double from_quarters(int quarters) {
   constexpr double parts[] = {1, 1.189, 1.414, 1.682};
   return std::ldexp(parts[quarters & 3], (quarters - (quarters & 3)) / 4);
 }
 
-/// Is what doubles make of the last terms about as sharp as they are? They are where nothing cancels that doubles
-/// round.
+/// Are the last terms, computed in doubles, about as sharp as they are at full precision? They are if no terms cancel
+/// that doubles round.
 template <class Real>
 bool are_sharp(const FrameOf<ModelSeries<double>>& over, const FrameOf<ModelSeries<Real>>& about_middle) {
   constexpr double loose = 4;
@@ -96,8 +95,8 @@ void take_last_terms(FrameOf<ModelSeries<Real>>& model, const FrameOf<ModelSerie
   }
 }
 
-/// The model about the place as far as 2^e around it, as far as the segment goes, and all over the ball. Of its last
-/// terms, which are ranges, a few digits are enough.
+/// Completes the model about its place to a distance of 2^e, within the segment, and over the whole ball. The last
+/// terms are ranges, for which a few digits suffice.
 template <class Real>
 void complete(TaylorFrame<Real>& model, const MotionSegment& segment, int e, const Ball<Real>& t) {
   const Real reach = ldexp(Real(1), e);
@@ -110,14 +109,14 @@ void complete(TaylorFrame<Real>& model, const MotionSegment& segment, int e, con
   take_last_terms(model.about_middle, frame_series(segment, Ball<Real>::between(model.lo, model.hi)));
 }
 
-/// It reaches several times as far as the ball, but no farther than a share of the way to where the motion is singular:
-/// beyond that, what it leaves out is more than all the rest.
+/// A model reaches several times as far as the ball, but no farther than a share of the distance to the nearest
+/// singularity of the motion. Beyond that, its remainder exceeds all its other terms.
 constexpr int levels_beyond_ball = 3, level_of_share = -2;
-/// It reaches to 2^e, at least.
+/// The level 2^e is at least the half width.
 int finest_level(double half) { return std::ilogb(half) + 1; }
 
-/// About a place on the grid near the ball. `note` is told of each place that was tried, and its radius. False if all
-/// are too close, for a ball as long as that, to where the motion is singular.
+/// Makes a model about a place on the grid near the ball. `note` is called with each place that was tried and its
+/// radius. Returns false if all of them are too close to a singularity of the motion for a ball of this length.
 template <class Real, class Note>
 bool make_around(TaylorFrame<Real>& model, const MotionSegment& segment, const Ball<Real>& t, int levels,
                  const Note& note) {

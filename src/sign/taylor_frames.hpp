@@ -1,11 +1,12 @@
 // A segment's frame functions as Taylor polynomials over ranges of its parameter, at high precision.
 //
-// Near a root of order m the range of a form has to shrink like h^m, but those of its five terms, which cancel there,
-// shrink like h. So a search there goes by a polynomial, whose coefficients have cancelled already. To make one costs
-// far more than to combine it of the frame's own polynomials; and where bodies graze, or meet at a joint, many forms
-// are searched about one instant. So the frame's polynomials are kept, about places on a grid that is as fine as the
-// intervals that are asked for: searches that come near an instant meet there. A polynomial is of no use that reaches
-// as far as where the motion is singular in the complex plane, which is close by where a cosine comes near 1 and turns.
+// Near a root of order m, the range of a certificate function has to shrink like h^m, but those of its five terms,
+// which cancel there, shrink like h. So a search there uses a polynomial, whose coefficients have cancelled already.
+// Computing it from scratch costs far more than combining it from the frame's own polynomials. Where bodies graze, or
+// meet at a joint, many functions are searched about one instant. So the frame's polynomials are kept. Their places lie
+// on a grid as fine as the requested intervals, so that searches near one instant share them. A polynomial is useless
+// if it reaches as far as a singularity of the motion in the complex plane. Such a singularity is close where a cosine
+// comes near 1 and turns back.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +18,29 @@
 
 namespace taut::internal {
 
-/// Good for all of [lo, hi]: the last terms are ranges, the others are exact about the middle but for rounding.
+/// Valid for all of [lo, hi]. The last terms are ranges, the others are exact about the middle except for rounding.
 template <class Real>
 struct TaylorFrame {
   Real lo, hi, middle;
   double reach;
-  std::uint64_t number;  ///< of no other model in the same memory
+  std::uint64_t number;  ///< unique among the models in the same memory
   FrameOf<ModelSeries<Real>> about_middle;
 
-  /// Would one that reaches less far hardly be better for the ball? One far shorter than the model may see the last
-  /// term alone.
+  /// Would a model with a shorter reach hardly be better for the ball? A ball far shorter than the model may see the
+  /// last term alone.
   bool suits(const Ball<Real>& t) const { return t.rad >= 0x1p-8 * reach; }
-  /// Would one that is made for this ball alone leave out far less?
+  /// Would a model made for this ball alone have a far smaller remainder?
   bool is_loose_for(const Ball<Real>& t) const { return t.rad > 0 && t.rad < 0x1p-1 * reach; }
 };
 
-/// The frame functions by Taylor's formula in s, the root of the distance from an end at which the segment is singular
-/// (see TimeFromEnd), where they are smooth.
+/// The frame functions as Taylor expansions in s, the square root of the distance from an end at which the segment is
+/// singular (see TimeFromEnd). They are smooth in s.
 template <class Real>
 class FramesFromEnd {
  public:
-  /// The terms but for the last one.
+  /// The terms except for the last one.
   const FrameOf<SeriesFromEnd<Real>>& terms(const MotionSegment& segment, double end, double direction);
-  /// The last one, which makes the formula right for all s from the end to `farthest`.
+  /// The last term, which makes the expansion valid for all s from the end to `farthest`.
   const FrameValues<Real>& last(const MotionSegment& segment, double end, double direction, double farthest);
 
  private:
@@ -51,15 +52,15 @@ class FramesFromEnd {
   double end_ = 0, direction_ = 0;  ///< of the terms; 0 if there are none
   FrameOf<SeriesFromEnd<Real>> terms_;
   std::vector<Last> last_;
-  std::size_t next_ = 0;  ///< which is replaced next
+  std::size_t next_ = 0;  ///< the one to be replaced next
 };
 
-/// Those of one segment that were asked for last, at each precision.
+/// The most recently used models of one segment, at each precision.
 class TaylorFrames {
  public:
-  /// For another segment, which is no bridge.
+  /// Prepares for another segment, which must not be a bridge.
   void clear();
-  /// The one that reaches least far of those that cover the ball, or null; valid until the next call of make().
+  /// The model with the shortest reach that covers the ball, or null; valid until the next call of make().
   template <class Real>
   const TaylorFrame<Real>* known(const Ball<Real>& t) const {
     const TaylorFrame<Real>* best = nullptr;
@@ -70,8 +71,8 @@ class TaylorFrames {
     return best;
   }
   enum class Reach { several_times, once };
-  /// A new one that covers and suits it, t.rad > 0, and reaches several times as far or not; null where the motion is
-  /// nearly singular so close by that none so long is of use.
+  /// A new model that covers and suits t, where t.rad > 0. It reaches several times as far, or not. Null if the motion
+  /// is nearly singular so close by that no model of this length is useful.
   template <class Real>
   const TaylorFrame<Real>* make(const MotionSegment& segment, const Ball<Real>& t, Reach reach = Reach::several_times);
   template <class Real>
@@ -82,7 +83,7 @@ class TaylorFrames {
   }
 
  private:
-  /// A place, and about how far from it the motion is singular.
+  /// A place, and its approximate distance from the nearest singularity of the motion.
   struct Limit {
     double at, radius;
   };
@@ -91,8 +92,8 @@ class TaylorFrames {
   template <class Real>
   struct Kept {
     std::vector<TaylorFrame<Real>> models;
-    std::size_t next = 0;                           ///< which is replaced next
-    std::unique_ptr<FramesFromEnd<Real>> from_end;  ///< large, and seldom asked for
+    std::size_t next = 0;                           ///< the one to be replaced next
+    std::unique_ptr<FramesFromEnd<Real>> from_end;  ///< large, and seldom needed
   };
   template <class Real>
   const Kept<Real>& kept() const {
@@ -108,7 +109,7 @@ class TaylorFrames {
 
   KeptOf<Precisions>::Type kept_;
   std::uint64_t made_ = 0;
-  std::vector<Limit> limits_;  ///< where models were wanted that would have reached beyond
+  std::vector<Limit> limits_;  ///< places where a requested model would have reached beyond the limit
   std::size_t next_limit_ = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace taut::internal {
 namespace {
 
-/// Is it the zero polynomial? D's constant part is the shift, which the points have in them.
+/// Is it the zero polynomial? D's constant part is the shift, which the points include.
 bool vanishes_on_translation(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function) {
   const auto points = points_of<ExactNumber>(segment, g, function, Shape::given, Origin::powers);
   const auto c = translation_coefficients(function.pp, points, ExactNumber());
