@@ -9,7 +9,7 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// A vertex and an edge: is the vertex beside it?
+/// A vertex and an edge: does the vertex project onto the edge?
 template <class Real>
 class BesideEdge {
  public:
@@ -50,7 +50,7 @@ template <class Real>
 bool is_close(const LineMargin<Real>& f, const Ball<Real>& t) {
   const int sign = f.value(t).sign();
   if (sign == 0) throw PrecisionExhausted{};
-  // Behind the line by more than the margin, it is some other edge that is near.
+  // If the vertex is behind the line by more than the margin, the near edge is another one.
   return sign > 0 && f.not_behind(t);
 }
 
@@ -60,7 +60,7 @@ void store_approach(const PreciseTime& t, Approach& a) {
   a.hi = t.ceiling();
 }
 
-/// The answer of the first stage that has one.
+/// The answer of the first stage that decides.
 template <class Ask>
 auto decided(const char* what, const Ask& ask) {
   auto found = at_some_stage(ask);
@@ -91,7 +91,7 @@ std::optional<PreciseTime> PreciseApproaches::first_root(const VertexPeer& pair,
   });
 }
 
-/// Of a hundred pairs that come here, hardly one comes as close, which doubles nearly always tell.
+/// Of a hundred pairs tested here, hardly one comes as close as the margin, and doubles nearly always show it.
 bool PreciseApproaches::none_in_doubles(const VertexPeer& pair, double from, double to) const {
   try {
     return !first_root<double>(pair, from, to, Stage::doubles);
@@ -129,7 +129,7 @@ int PreciseApproaches::side(const VertexPeer& pair, double t) const {
   });
 }
 
-/// What a stage cannot improve stays as it is.
+/// An approach that a stage cannot improve stays as it is.
 void PreciseApproaches::refine(Approach& a, Stage stage) const {
   if (a.precise.stage < Stage::precise || a.precise.stage >= stage) return;
   with_stage(stage, [&](auto zero) {
@@ -149,7 +149,7 @@ bool PreciseApproaches::before(Approach& a, Approach& b) const {
     refine(b, stage);
     return a.precise.is_first(b.precise);
   });
-  // Where they cannot be told apart, which of them is named makes no difference to the time.
+  // If their order cannot be decided, the choice makes no difference to the time.
   return order.value_or(false);
 }
 

@@ -9,37 +9,40 @@
 
 namespace taut::internal::spacetime {
 
-/// A vertex of one body, and what it may come close to: an edge of the other one, by its first vertex, or a vertex.
+/// A vertex of one body, and the feature that it may come close to: an edge of the other one, given by its first
+/// vertex, or a vertex.
 struct VertexPeer {
   VertexId vertex, peer;
   bool is_edge = false;
 };
 
-/// The instant at which they come as close as the margin, the vertex from in front of the edge: the only one in [lo,
-/// hi]. If the search began so close already, that instant.
+/// The instant at which the two features come as close as the margin; for an edge, the vertex comes from in front of
+/// it. It is the only one in [lo, hi]. If they were already that close when the search began, it is that instant.
 struct Approach {
   VertexPeer pair;
   double lo = 0, hi = 0;
-  PreciseTime precise;  ///< within [lo, hi]; with doubles that of the search's beginning
+  PreciseTime precise;  ///< within [lo, hi]; if found in doubles, the beginning of the search
 };
 
-/// For one segment that is no bridge. All members throw Undecidable where the last stage does not suffice.
+/// Approaches on one segment, which must not be a bridge. All members throw Undecidable where the last stage does not
+/// suffice.
 ///
-/// Two bodies that are apart, and come closer to each other than the margin, do so between a vertex and an edge beside
-/// which it is, or between two vertices. So these are all that has to be looked at.
+/// Two disjoint bodies that come closer to each other than the margin do so between a vertex and an edge onto which it
+/// projects, or between two vertices. So only these pairs have to be tested.
 class PreciseApproaches {
  public:
-  /// The margin is in internal units, and positive.
+  /// The margin is in internal units, and must be positive.
   PreciseApproaches(const PairGeometry& geometry, const MotionSegment& segment, double margin)
       : geometry_(geometry), segment_(segment), margin_(margin) {}
 
-  /// The first one in (from, to].
+  /// The first approach in (from, to].
   std::optional<Approach> first(const VertexPeer& pair, double from, double to) const;
-  /// Are they closer than the margin at t?
+  /// Are the features closer than the margin at t?
   bool close_at(const VertexPeer& pair, double t) const;
-  /// Is the first one before the second? Refines both until that is certain.
+  /// Is the first approach before the second? Refines both until that is certain.
   bool before(Approach& a, Approach& b) const;
-  /// The sign of the function whose root an approach is, positive where they are closer; 0 if that is not decided.
+  /// The sign of the function whose root is an approach, positive where the features are closer; 0 if it is not
+  /// decided.
   int side(const VertexPeer& pair, double t) const;
 
  private:
@@ -53,7 +56,7 @@ class PreciseApproaches {
   const PairGeometry& geometry_;
   const MotionSegment& segment_;
   double margin_;
-  mutable TaylorFrames models_;  ///< of the segment, which many pairs are asked about
+  mutable TaylorFrames models_;  ///< of the segment, shared by many pairs
 };
 
 }  // namespace taut::internal::spacetime

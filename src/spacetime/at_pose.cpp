@@ -6,17 +6,18 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// Directions of boxes are unit vectors up to this, and so are their products with the turn.
+/// Directions of boxes are unit vectors up to this factor, and so are their products with the rotation.
 constexpr double about_unit = 1 + 0x1p-40;
 
-/// By the discs around them, then by the sides of both.
+/// Tests the discs around the boxes, then the sides of both.
 bool posed_apart(const QAtPose& at_pose, const Box& p, const Box& q) {
   const Vector way = at_pose.at(q.centre) - p.centre;
   const double room = (p.radius + q.radius + at_pose.error) * about_unit;
   if (dot(way, way) > room * room * about_unit) return true;
   const Vector along = at_pose.turn * q.along;
   const double c = std::fabs(dot(p.along, along)), s = std::fabs(dot(turned(p.along), along));
-  // What directions and products are off by counts by the boxes' sizes; that of Q's own is within the posed error.
+  // Errors of directions and products are multiplied by the sizes of the boxes. The error of Q's own is within that of
+  // the pose.
   const double e = at_pose.error + 0x1p-48 * (p.radius + q.radius);
   const auto beyond = [&](Vector n, double fixed, double other) {
     return std::fabs(dot(n, way)) > (fixed + other + e) * about_unit;
@@ -27,11 +28,11 @@ bool posed_apart(const QAtPose& at_pose, const Box& p, const Box& q) {
          beyond(turned(along), q.half_width, s * p.half_length + c * p.half_width);
 }
 
-/// The sign of the turn a, b, c of points that are each off by e at most; 0 if it is not certain.
+/// The orientation of a, b, c, points with an error of at most e each; 0 if it is not certain.
 int certain_turn(Vector a, Vector b, Vector c, double e) {
   const Vector u = b - a, v = c - a;
   const double left = u.x * v.y, right = u.y * v.x, det = left - right;
-  // Each difference is off by 2 e and rounds once, relative to itself and to the coordinates, which e covers.
+  // Each difference has an error of 2 e and is rounded once, relative to itself and to the coordinates, which e covers.
   const double d = 2.125 * e;
   const double bound = 0x1p-50 * (std::fabs(left) + std::fabs(right)) + d * (l1_norm(u) + l1_norm(v)) + 2 * d * d;
   return det > bound ? 1 : -det > bound ? -1 : 0;

@@ -9,14 +9,13 @@
 
 namespace taut::internal::spacetime {
 
-/// Where Q is in P's frame: its point v is at origin + turn v, up to `error`, which covers the rounding of a few
-/// operations that follow, too.
-/// The error is at least 2^-44 times the length of any point of Q.
+/// The pose of Q in P's frame: its point v is at origin + turn v, up to `error`, which also covers the rounding of a
+/// few subsequent operations. The error is at least 2^-44 times the length of any point of Q.
 struct QAtPose {
   Vector origin, turn{1, 0};
   double error = 0;
 
-  /// Of a stretch of no length.
+  /// The pose for a stretch of zero length.
   static QAtPose of(const Stretch& instant) {
     const RelativePose& c = instant.in_p;
     return {{c.shift.x.a, c.shift.y.a}, {c.turn.x.a, c.turn.y.a}, c.error};
@@ -27,20 +26,20 @@ struct QAtPose {
 enum class EdgesCross : std::uint8_t {
   no,       ///< certainly
   yes,      ///< certainly
-  unknown,  ///< doubles do not tell
+  unknown,  ///< doubles do not decide
 };
 
-/// Keeps its memory from question to question.
+/// Keeps its memory between queries.
 class PoseSearch {
  public:
-  /// Do edges of the displaced bodies cross? `no` says nothing about what lies inside what.
+  /// Do edges of the displaced bodies cross? `no` does not exclude that one body lies inside the other.
   EdgesCross edges_cross(const QAtPose& at_pose, const PairGeometry& geometry, const Hierarchy& p, const Hierarchy& q);
 
  private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> todo_;
 };
 
-/// Of two edges, by their first vertices: one of P, one of Q.
+/// Tests two edges, given by their first vertices: one of P, one of Q.
 EdgesCross edges_cross(const QAtPose& at_pose, const PairGeometry& geometry, VertexId of_p, VertexId of_q);
 
 }  // namespace taut::internal::spacetime

@@ -5,21 +5,21 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// Are the discs around the boxes apart?
+/// Are the discs around the boxes disjoint?
 bool discs_apart(double error, double r, const Path& way, double radii) {
   Parabola gap = along({way.x.a, way.y.a}, way);
   gap.a -= std::sqrt(gap.a) * (radii + error);
   return gap.a > 0 && gap.least(r) > 0;
 }
 
-/// Takes half a side of the moving box, whose component along the normal is `side`, off the gap. The corner that is
-/// nearest at the middle stays so unless the side turns past the normal.
+/// Subtracts from the gap half a side of the moving box, whose component along the normal is `side`. The corner that is
+/// nearest at the middle remains nearest unless the side rotates past the normal.
 Parabola without_half(const Parabola& gap, const Parabola& side, double half, double swing) {
   if (std::fabs(side.a) > swing) return gap - (side.a > 0 ? half : -half) * side;
   return {gap.a - half * (std::fabs(side.a) + swing), gap.b, gap.c};
 }
 
-/// Does the direction n of the fixed box, which reaches `extent` from its centre, separate the two?
+/// Does the direction n of the fixed box, which reaches `extent` from its centre, separate the two boxes?
 bool separates(const RelativePose& relative_pose, double r, Vector n, double extent, const Box& moving, const Path& way,
                const Path& side) {
   Parabola gap = along(n, way);
@@ -27,7 +27,7 @@ bool separates(const RelativePose& relative_pose, double r, Vector n, double ext
   gap.a -= extent + relative_pose.error;
   if (!(gap.a > 0)) return false;
   gap = without_half(gap, along(n, side), moving.half_length, relative_pose.swing);
-  // n . turned(side) is turned back(n) . side.
+  // n . turned(side) equals turned back(n) . side.
   gap = without_half(gap, along(-turned(n), side), moving.half_width, relative_pose.swing);
   return gap.a > 0 && gap.least(r) > 0;
 }
@@ -71,7 +71,7 @@ bool farther(const Stretch& s, const Box& p, const Box& q, Vector towards, doubl
 
 namespace {
 
-/// The part of a stretch around its middle; what is left out are third powers of time.
+/// The part of a stretch around its middle. The omitted terms are third powers of time.
 Stretch middle_part(const Stretch& s, double share) {
   Stretch part = s;
   part.r *= share;
@@ -98,7 +98,7 @@ double motion(const Stretch& s, const Box& p, const Box& q) {
 bool misses(const Stretch& s, const RelativePose& relative_pose, Vector vertex, Vector from, Vector to, double margin) {
   const Vector edge = to - from;
   const Path way = relative_pose.place(vertex, from);
-  // The displacement counts in the edge's direction, times the way, and in both points, along the edge, whose
+  // The displacement contributes to the edge's direction, times the path, and to both points, along the edge, whose
   // coordinates are at most 1.
   const double error = relative_pose.error * l1_norm(edge) + displacement_room * (1 + relative_pose.reach);
   const double room = margin > 0 ? margin * l1_norm(edge) * (1 + 0x1p-45) : 0;

@@ -8,7 +8,7 @@
 
 namespace taut::internal::spacetime {
 
-/// Of two segments that do not cross: rounded.
+/// The nearest points of two segments that do not cross, rounded.
 struct Closest {
   Vector on_p, on_q;
   double distance = INFINITY;

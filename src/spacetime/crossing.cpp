@@ -37,13 +37,13 @@ std::optional<Crossing> PreciseCrossings::first(const VertexEdge& pair, double f
     c.pair = pair;
     c.out = sign > 0;
     store(*root, c);
-    // One that leads out, where those are not looked for, may be beside the edge or not.
+    // If outward crossings are not searched for, it does not matter whether one of them is on the edge.
     if ((sign < 0 || ways_ == Ways::both) && beside(c, sign) == Beside::yes) return c;
     at = *c.precise;
   }
 }
 
-/// What a stage cannot improve stays as it is.
+/// A crossing that a stage cannot improve stays as it is.
 void PreciseCrossings::refine(Crossing& c, int sign, Stage stage) {
   PreciseTime t = c.precise.value_or(PreciseTime::between(c.lo, c.hi));
   if (t.stage >= stage) return;

@@ -9,11 +9,12 @@
 
 namespace taut::internal::spacetime {
 
-/// A vertex of one body and an edge of the other, by its first vertex.
+/// A vertex of one body and an edge of the other, given by its first vertex.
 struct VertexEdge {
   VertexId vertex, edge;
 
-  /// On which side of the edge's line the vertex is; along it, from the first end and from the second.
+  /// The side of the edge's line on which the vertex is, and its position along the line from the first end and from
+  /// the second.
   CertificateFunction line(const PairGeometry& g) const { return {edge, g.next(edge), vertex, g.in_p(edge)}; }
   CertificateFunction from_start(const PairGeometry& g) const { return line(g).along(); }
   CertificateFunction from_end(const PairGeometry& g) const { return line(g).back(); }
@@ -21,20 +22,20 @@ struct VertexEdge {
   std::uint64_t number() const { return std::uint64_t{vertex.value} << 32 | edge.value; }
 };
 
-/// An instant at which the vertex passes through the edge, from outside to inside unless `out`: the only one in [lo,
-/// hi] at which it is on the edge's line.
+/// An instant at which the vertex passes through the edge, from outside to inside unless `out`. It is the only instant
+/// in [lo, hi] at which the vertex is on the edge's line.
 struct Crossing {
   VertexEdge pair;
   bool out = false;
   double lo = 0, hi = 0;
   std::optional<PreciseTime>
-      precise;  ///< within [lo, hi], where there may be another root; once a stage has looked at it
+      precise;  ///< within [lo, hi], where there may be another root; set once a stage has refined it
 };
 
-/// Which crossings are looked for: those that may be first contacts, or all.
+/// The crossings to search for: those that may be first contacts, or all.
 enum class Ways : unsigned char { into, both };
 
-/// Is the vertex beside the edge, or beyond one of its ends?
+/// Does the vertex project onto the edge, or is it beyond one of its ends?
 enum class Beside : unsigned char { yes, no, unknown };
 
 /// The precise stages for one segment. All members throw Undecidable where the last stage does not suffice.
@@ -45,16 +46,16 @@ class PreciseCrossings {
     memory_.reset(segment);
   }
 
-  /// On which side of the edge's line the vertex is.
+  /// The side of the edge's line on which the vertex is.
   int side(const VertexEdge& pair, double t);
   /// The first crossing in (from, to].
   std::optional<Crossing> first(const VertexEdge& pair, double from, double to);
-  /// Is the vertex beside the edge at this root of the orientation, whose sign changes from `sign`? The root needs not
-  /// be a crossing.
+  /// Does the vertex project onto the edge at this root of the orientation, whose sign changes from `sign`? The root
+  /// need not be a crossing.
   Beside beside(Crossing& root, int sign);
   /// Is the first crossing before the second? Refines both until that is certain.
   bool before(Crossing& a, Crossing& b);
-  /// Encloses within a few ulps.
+  /// Encloses the crossing to within a few ulps.
   void tighten(Crossing& c);
   const StageCounts& stages() const { return memory_.stages; }
 

@@ -14,7 +14,7 @@ const CrossingsBesideEnd::Foreseen* CrossingsBesideEnd::foreseen(const VertexEdg
   if (!known.hopeless && !known.tells(from)) {
     try {
       known.crossing = precise_.first(pair, from, until);
-      // It is not later, though its enclosure may be rounded to beyond the end.
+      // The crossing is not later, although its enclosure may be rounded beyond the end.
       if (known.crossing) known.crossing->hi = std::min(known.crossing->hi, until);
       known.from = from;
       known.to = until;

@@ -9,13 +9,14 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// More than the rounding of the few operations on what a stretch says, and of its directions' lengths.
+/// Covers the rounding of the few operations on the data of a stretch, and of its directions' lengths.
 constexpr double rounded_up = 1 + 0x1p-40;
 
-/// Where bodies turn, a stretch is looked at in so short parts at least: its bound is an upper end that people see.
+/// Where bodies rotate, a stretch is evaluated in parts that are at most this long: its bound is an upper end that
+/// users see.
 constexpr double longest_share = 0.125;
 
-/// Of a moving vertex from an edge that rests, in the edge's frame.
+/// The bound for a moving vertex and a resting edge, in the edge's frame.
 double vertex_bound(const RelativePose& relative_pose, double r, Vector vertex, Vector from, Vector to) {
   const Vector way = to - from;
   const double length = std::sqrt(dot(way, way));
@@ -33,7 +34,7 @@ class PieceBound {
   PieceBound(const PairGeometry& geometry, const TreePair& trees, const ClearanceTolerance& tolerance)
       : geometry_(geometry), trees_(trees), tolerance_(tolerance) {}
 
-  /// Of the edges that are nearest in the middle of the stretch.
+  /// The bound for the edges that are nearest in the middle of the stretch.
   double of(const MotionSegment& segment, const Stretch& s) const {
     Nearest nearest;
     nearest.distance = INFINITY;

@@ -8,9 +8,10 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// Boxes that overlap by more than this have vertices that do: coordinates are at most 1, and of boxes padded by 2^-47.
+/// If boxes overlap by more than this, so do their vertices. Coordinates are at most 1, and boxes are padded by 2^-47
+/// of them.
 constexpr double hair = 0x1p-40;
-/// Bodies with fewer vertices have few pairs of edges: those cost less than looking for a direction between them.
+/// Bodies with fewer vertices have few pairs of edges, which cost less than the search for a direction between them.
 constexpr std::uint32_t worth_it = 48;
 
 double reach_along(Vector n, const Box& box) {
@@ -44,7 +45,7 @@ bool FlatSides::apart(const BoxNode& p, const BoxNode& q) {
   return way > 0 ? clear(of_q.low, of_p.high) : clear(of_p.low, of_q.high);
 }
 
-/// Along n, of vertices of one body.
+/// Is vertex a above vertex b along n? Both belong to one body.
 bool FlatSides::above(VertexId a, VertexId b) {
   const DisplacedPoint &v = geometry_.point(a), &w = geometry_.point(b);
   const double difference = n_.x * (v.x - w.x) + n_.y * (v.y - w.y);
@@ -66,7 +67,7 @@ FlatSides::Extremes& FlatSides::Known::of(std::uint32_t node, std::size_t all) {
   return (*block)[node % size];
 }
 
-/// Of a box from those of its halves, so that each vertex is looked at once for each edge.
+/// The extremes of a box, computed from those of its halves, so that each vertex is evaluated once for each edge.
 FlatSides::Extremes FlatSides::extremes(bool of_p, std::uint32_t node) {
   const Hierarchy& tree = of_p ? trees_.p : trees_.q;
   Extremes& known = (of_p ? of_p_ : of_q_).of(node, tree.size());

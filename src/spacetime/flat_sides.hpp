@@ -1,11 +1,11 @@
-// Bodies that slide along each other, told apart by exact signs.
+// Bodies that slide along each other, separated by exact signs.
 //
-// Faces that slide on faces, or so near to them that doubles cannot tell, are apart by less than a box's padding: every
-// edge of one body comes before every edge of the other, and each such pair would be settled by an exact line. But on a
-// segment on which one body moves straight along v, nothing moves across v: how far two vertices are from each other
-// along n, v turned by 90 degrees, stays what it is. So if the highest vertex of one box is below the lowest one of the
-// other in that direction, all that is in them is apart throughout the segment. As displaced: the displacement decides,
-// as always.
+// Faces that slide on faces, or so near to them that doubles cannot distinguish this, are separated by less than the
+// padding of a box. Every edge of one body comes before every edge of the other, and an exact line would have to decide
+// each such pair. But on a segment on which one body moves straight along v, nothing moves across v. Let n be v rotated
+// by 90 degrees: the distance of two vertices along n stays constant. So if the highest vertex of one box is below the
+// lowest one of the other in that direction, all their contents are disjoint throughout the segment. This holds for the
+// displaced vertices: as always, the displacement decides.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ namespace taut::internal::spacetime {
 class FlatSides {
  public:
   FlatSides(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment);
-  /// Are the contents of the two boxes certainly apart, at all times of the segment? Asked of boxes that other tests
-  /// leave.
+  /// Are the contents of the two boxes certainly disjoint at all times of the segment? Called for boxes that other
+  /// tests do not separate.
   bool apart(const BoxNode& p, const BoxNode& q);
-  /// Counts where only the displacement told: such bodies touch, or are nearer than it.
+  /// Counts the cases that only the displacement decided: such bodies touch, or are nearer than the displacement.
   const StageCounts& stages() const { return stages_; }
 
  private:
@@ -32,7 +32,8 @@ class FlatSides {
     VertexId low, high;
     bool known = false;
   };
-  /// Of one tree's boxes. Few of a large tree are asked for, so they have room in blocks, made when one is.
+  /// The extremes of one tree's boxes. Few of a large tree are needed, so they are stored in blocks that are allocated
+  /// on demand.
   struct Known {
     static constexpr std::uint32_t size = 256;
     std::vector<std::unique_ptr<std::array<Extremes, size>>> blocks;
@@ -46,7 +47,7 @@ class FlatSides {
   TreePair trees_;
   const MotionSegment& segment_;
   bool usable_ = false;
-  bool exact_ = true;  ///< has every order of vertices been, so far?
+  bool exact_ = true;  ///< whether every order of vertices has been exact so far
   Vector n_{}, unit_{}, offset_{};
   StageCounts stages_;
   Known of_p_, of_q_;

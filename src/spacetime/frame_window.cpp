@@ -9,12 +9,14 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// How little the frame must move in a window that is treated by ranges alone.
+/// The largest motion of the frame in a window that is treated by ranges alone.
 constexpr double rough_motion = 0x1p-16;
 
-/// What is left out goes by the ninth power of a window's length: that of the next one will do if it changes by a half.
+/// The remainder is proportional to the ninth power of a window's length. That of the next window is acceptable if it
+/// changes by a half.
 constexpr double cautious = 0.95;
-/// By how much a window that was too long is shortened at once, and how a next one's length may differ.
+/// The factors by which a window that was too long is shortened at once, and by which the length of the next one may
+/// grow.
 constexpr double shortened_most = 0x1p-12, shortened_least = 0.75, grown_most = 2;
 
 }  // namespace
@@ -42,7 +44,7 @@ double FrameWindow::fitting_length() const {
   return share * length();
 }
 
-/// Value and slope at t, from the frame itself: a bridge is short, and rare.
+/// Evaluates value and slope at t from the frame itself: a bridge is short, and rare.
 void FrameWindow::make_bridge() {
   const Frame<double> f = frame(*segment_, Ball<double>::between(start_, end_));
   second_pp_ = curvature_of(f.for_pp);

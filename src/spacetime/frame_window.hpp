@@ -1,4 +1,4 @@
-// A short stretch of a segment, with bounds of everything that moves in it.
+// A short window of a segment, with bounds of everything that moves in it.
 #pragma once
 
 #include "relative/frame_sample.hpp"
@@ -6,7 +6,7 @@
 namespace taut::internal::spacetime {
 
 /// A window of the segment's parameter. The laws:
-///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; bend() encloses the second derivatives
+///   1. smooth(): at(t) encloses values and slopes at any t in [start, end]; second() encloses the second derivatives
 ///      over the whole window; all bounds are finite.
 ///   2. not smooth() (the motion is singular near by): only range() may be used; it encloses the values over the
 ///      window.
@@ -19,7 +19,7 @@ class FrameWindow {
   double start() const { return start_; }
   double end() const { return end_; }
   double length() const { return end_ - start_; }
-  /// About how long one beside it can be (not of a bridge).
+  /// The approximate length that an adjacent window can have (not for a bridge).
   double fitting_length() const;
   bool smooth() const { return smooth_; }
   const FrameSample& at(double t, bool pp) {
@@ -27,7 +27,7 @@ class FrameWindow {
     return pp ? pp_ : qq_;
   }
   const FrameCurvature& second(bool pp) const { return pp ? second_pp_ : second_qq_; }
-  /// What a smooth window's bounds come from (not of a bridge).
+  /// The model that gives a smooth window's bounds (not for a bridge).
   const FrameModel& model() const { return model_; }
   const FrameSample& range(bool pp) const { return pp ? pp_ : qq_; }
 

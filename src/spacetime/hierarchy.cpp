@@ -6,7 +6,7 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// About the unit vector from a to b; (1, 0) if they are the same.
+/// Approximately the unit vector from a to b; (1, 0) if they are equal.
 Vector direction(const DisplacedPoint& a, const DisplacedPoint& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   const double m = std::max(std::fabs(x), std::fabs(y));
@@ -41,8 +41,8 @@ Box box_of_run(std::span<const DisplacedPoint> polygon, std::uint32_t first, std
   };
   for (std::uint32_t i = first; i < first + count; ++i) add(polygon[i]);
   add(polygon[last]);
-  // Projections and the centre round a few times each, relative to the size of the coordinates; u is a unit vector up
-  // to rounding; then there is the displacement.
+  // Projections and the centre are rounded a few times each, relative to the size of the coordinates. The vector u is a
+  // unit vector up to rounding. The displacement is added.
   const double padding = 0x1p-47 * largest + displacement_room;
   along.pad(padding);
   across.pad(padding);
@@ -68,7 +68,7 @@ Bounds bounds_of(const DisplacedPolygon& body, const RingSpan& ring) {
   return b;
 }
 
-/// Along the axes, around several rings.
+/// An axis-parallel box around several rings.
 Box box_of_rings(const DisplacedPolygon& body, std::span<const RingSpan> rings) {
   std::vector<DisplacedPoint> corners;
   for (const RingSpan& ring : rings) {
@@ -76,7 +76,7 @@ Box box_of_rings(const DisplacedPolygon& body, std::span<const RingSpan> rings) 
     corners.push_back({b.lo.x, b.lo.y, 0, 0});
     corners.push_back({b.hi.x, b.hi.y, 0, 0});
   }
-  // A run that comes back to where it began has the axes for its directions.
+  // A run that returns to its beginning has the axes as its directions.
   return box_of_run(corners, 0, static_cast<std::uint32_t>(corners.size()));
 }
 

@@ -19,16 +19,16 @@ struct Box {
 /// A run of consecutive edges, or several rings. The box certainly contains all of them, as displaced.
 struct BoxNode {
   Box box;
-  std::uint32_t first = 0, count = 0;  ///< edges by their first vertices; of rings, `first` means nothing
+  std::uint32_t first = 0, count = 0;  ///< edges by their first vertices; for rings, `first` has no meaning
   std::uint32_t left = 0, right = 0;   ///< children; unused where count is 1
 };
 
 /// A balanced tree; the root is node 0.
 class Hierarchy {
  public:
-  /// Over the edges of a polygon of displaced points.
+  /// Builds the tree over the edges of a polygon of displaced points.
   explicit Hierarchy(std::span<const DisplacedPoint> polygon);
-  /// Over all rings of a body.
+  /// Builds the tree over all rings of a body.
   explicit Hierarchy(const DisplacedPolygon& body);
   const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
   std::size_t size() const { return nodes_.size(); }
@@ -41,7 +41,7 @@ class Hierarchy {
   std::vector<BoxNode> nodes_;
 };
 
-/// No point of the body is farther from its origin.
+/// A bound of the distance of the body's points from its origin.
 inline double reach_of(const Hierarchy& tree) {
   const Box& all = tree.node(0).box;
   return (l1_norm(all.centre) + all.radius) * (1 + 0x1p-40);

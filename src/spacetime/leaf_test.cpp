@@ -15,13 +15,14 @@ double above(double x) { return std::nextafter(x, INFINITY); }
 /// In units of checkpoint().
 constexpr std::uint64_t work_of_step = 2;
 
-/// Steps shorter than this share of the window do not get on.
+/// Steps shorter than this share of the window make no progress.
 constexpr double least_step = 0x1p-36;
-/// So many get to the end of a window, or the rest is left to a search from a singular end if one is near.
+/// The number of steps that usually reach the end of a window. After that, the rest is left to a search from a singular
+/// end if one is near.
 constexpr int few_steps = 16;
-/// More cost more than a search in multi-precision does, which sees tangencies of higher order from afar.
+/// More steps would cost more than a search in multi-precision, which recognizes tangencies of higher order from afar.
 constexpr int many_steps = 96;
-/// The first stretch that multi-precision searches, as a share of the window, and how it grows.
+/// The first stride that multi-precision searches, as a share of the window, and its growth.
 constexpr double first_stride = 0x1p-16, stride_growth = 32;
 
 /// The sign over all of [lo, hi], if certain: first order about the middle, second order beyond.
@@ -62,7 +63,7 @@ bool LeafTest::excluded_in_range(const FrameWindow& window, const VertexEdge& pa
   return f.line.value(s).sign() != 0 || f.from_start.value(s).sign() < 0 || f.from_end.value(s).sign() < 0;
 }
 
-/// Encloses the next root of the line's function, which has `sign` at t, if it is certain that there is one.
+/// Encloses the next root of the line's function, which has `sign` at t, if a root certainly exists.
 bool LeafTest::isolate(FrameWindow& window, const Functions& f, double t, double limit, int sign, Crossing& root,
                        double& falls_until) {
   const LocalExpansion c(f.line, window, t, sign);
@@ -76,7 +77,7 @@ bool LeafTest::isolate(FrameWindow& window, const Functions& f, double t, double
   return true;
 }
 
-/// Interval Newton, with bounds of the slope over the enclosure at hand.
+/// Interval Newton, with bounds of the slope over the current enclosure.
 void LeafTest::newton(FrameWindow& window, const FastFunction& line, int sign, Crossing& root) const {
   for (int step = 0; step < 6; ++step) {
     const double width = root.hi - root.lo, m = root.lo + width / 2;
@@ -102,8 +103,8 @@ Beside LeafTest::beside(FrameWindow& window, const Functions& f, const Crossing&
   return a > 0 && b > 0 ? Beside::yes : Beside::unknown;
 }
 
-/// Is the next root of the line's function, which has `sign` at t, isolated, and a crossing? If it is none, t passes
-/// it.
+/// Is the next root of the line's function, which has `sign` at t, isolated, and a crossing? If it is not a crossing, t
+/// moves past it.
 LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, double limit, int sign, double& t,
                                      Crossing& root) {
   double falls_until = 0;
@@ -112,19 +113,20 @@ LeafTest::Ahead LeafTest::look_ahead(FrameWindow& window, const Functions& f, do
   if (at_root == Beside::unknown) at_root = precise_.beside(root, sign);
   root.out = sign > 0;
   if (at_root == Beside::yes && (sign < 0 || ways_ == Ways::both)) return Ahead::crossing;
-  // After the root the line's function keeps its new sign until it may turn.
+  // After the root, the line's function keeps its new sign until it may have an extremum.
   t = std::max(root.hi, falls_until);
   return Ahead::passed;
 }
 
-/// How long the vertex is certainly beyond one of the edge's ends from t on.
+/// The time for which the vertex is certainly beyond one of the edge's ends from t on.
 double LeafTest::beyond_ends(FrameWindow& window, const Functions& f, double t, double limit) const {
   return std::max(LocalExpansion(f.from_start, window, t, -1).positive_until(limit),
                   LocalExpansion(f.from_end, window, t, -1).positive_until(limit));
 }
 
-/// Where doubles see no value at t, but a slope, one sign at high precision tells which way the function leaves zero,
-/// and doubles do the rest. `unknown` if they see no slope either, or would soon be at a loss again.
+/// Where doubles have no sign of the value at t, but of the slope, one sign at high precision determines the direction
+/// in which the function leaves zero, and doubles do the rest. `unknown` if the slope has no sign either, or doubles
+/// would soon fail again.
 LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, double limit, double& t, Crossing& root) {
   if (LocalExpansion(f.line, window, t, 1).slope.sign() == 0) return Ahead::unknown;
   const int sign = precise_.side(root.pair, t);
@@ -142,7 +144,7 @@ LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, do
   return Ahead::passed;
 }
 
-/// Goes on past zero, or at high precision for a stride that grows.
+/// Moves on past zero, or at high precision for a growing stride.
 LeafTest::Ahead LeafTest::leave_short_steps(FrameWindow& window, const Functions& f, double limit, int sign, double& t,
                                             double& stride, Crossing& root) {
   const Ahead beyond = sign == 0 ? leave_zero(window, f, limit, t, root) : Ahead::unknown;
@@ -173,7 +175,7 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
     checkpoint(work_of_step);
     if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;
-    // Beyond one of the edge's ends, or on one side of its line: the longest of these certainties counts.
+    // The vertex is beyond one of the edge's ends, or on one side of its line. The longest of these certainties counts.
     double step = beyond_ends(window, f, t, left);
     if (step >= left) return std::nullopt;
     const int sign = f.line.value(window.at(t, f.line.pp)).sign();

@@ -1,4 +1,5 @@
-// Does a vertex cross an edge? In doubles with error bounds, step by step; in multi-precision where these get stuck.
+// Does a vertex cross an edge? Decided in doubles with error bounds, step by step, and in multi-precision where these
+// fail.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ class LeafTest {
         precise_(geometry, segment, ways),
         beside_end_(segment, ways, precise_) {}
 
-  /// The pair's first crossing in (t, limit], which lies within the window.
+  /// The pair's first crossing in (t, limit], which must lie within the window.
   std::optional<Crossing> first(FrameWindow& window, const VertexEdge& pair, double t, double limit);
   PreciseCrossings& precise() { return precise_; }
   StageCounts stages() const {
@@ -32,18 +33,19 @@ class LeafTest {
   std::uint64_t roots() const { return roots_; }
 
  private:
-  /// How far the pair's steps have come in a window: what is stopped is gone on with, as it is asked for again.
+  /// The progress of the pair's steps in a window. An interrupted search resumes when it is requested again.
   struct Trail {
     VertexEdge pair{};
-    double window = 0, from = 0;  ///< where they began
-    double t = 0, stride = 0;     ///< nothing before t
+    double window = 0, from = 0;  ///< where the steps began
+    double t = 0, stride = 0;     ///< there is no crossing before t
     int steps = 0;
 
     bool is_of(const VertexEdge& other, double start, double at) const {
       return pair.vertex == other.vertex && pair.edge == other.edge && window == start && from == at && steps > 0;
     }
   };
-  /// Positive to the left of the edge's line; beyond its start, and its end, negative.
+  /// The line's function is positive to the left of the edge's line. The others are negative beyond its start, and
+  /// beyond its end.
   struct Functions {
     FastFunction line, from_start, from_end;
   };
@@ -66,11 +68,11 @@ class LeafTest {
   Ways ways_;
   PreciseCrossings precise_;
   CrossingsBesideEnd beside_end_;
-  /// Of pairs that doubles once did not tell about: the line's function in the first order of the displacement, if it
-  /// is zero without it, as where a vertex slides along an edge.
+  /// For pairs that doubles once failed to decide: the line's function in the first order of the displacement, if it is
+  /// zero without it, as where a vertex slides along an edge.
   std::unordered_map<std::uint64_t, std::optional<FastFunction>> first_orders_;
-  std::array<Trail, 2> trails_;  ///< of pairs with vertices of P, and of Q
-  StageCounts stages_;           ///< where that told
+  std::array<Trail, 2> trails_;  ///< for pairs with vertices of P, and of Q
+  StageCounts stages_;           ///< counts of the cases that these functions decided
   std::uint64_t roots_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// How a form goes on within a window: first and second order bounds.
+// The local behaviour of a certificate function within a window: first and second order bounds.
 #pragma once
 
 #include "sign/fast_function.hpp"
@@ -6,14 +6,14 @@
 
 namespace taut::internal::spacetime {
 
-/// Value, slope and bend of a function at t, turned so that `sign` is positive.
+/// Value, slope and second derivative of a function at t, with the orientation in which `sign` is positive.
 struct LocalExpansion {
   Bounded value, slope, second;
   LocalExpansion(const FastFunction& f, FrameWindow& window, double t, int sign);
   /// The largest h <= limit such that the function is certainly positive on [0, h); 0 if it is not certain at 0.
   double positive_until(double limit) const;
-  /// Some h at which the function is certainly negative, soon after its first root, if the function certainly falls
-  /// on [0, h]; infinite if there is none up to `limit`. `falls_until`: how long it certainly falls.
+  /// Some h at which the function is certainly negative, soon after its first root, if the function certainly falls on
+  /// [0, h]; infinite if there is none up to `limit`. `falls_until` is the time for which it certainly falls.
   double negative_from(double limit, double& falls_until) const;
 };
 

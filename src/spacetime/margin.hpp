@@ -1,4 +1,4 @@
-// When do two bodies first come closer than a margin?
+// The first time at which two bodies come closer than a margin.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace taut::internal::spacetime {
 
-/// What is known about two bodies' distance and a margin, along the segments.
+/// The known relation of two bodies' distance to a margin, along the segments.
 struct MarginResult {
   enum Outcome : unsigned char {
     free,       ///< proved: never closer than the margin
@@ -19,15 +19,15 @@ struct MarginResult {
   Outcome outcome = free;
   std::size_t segment = 0;
   double lo = 0, hi = 0;  ///< of that segment's parameter
-  VertexPeer pair;        ///< if `close`: which features are
+  VertexPeer pair;        ///< if `close`: the features that are as close as the margin
   bool at_once = false;   ///< if `close`: closer from the beginning of the segment on
-  std::string reason;     ///< if undecided: why
+  std::string reason;     ///< the reason, if undecided
 };
 
-/// Within a window, of the displaced bodies, at the times of segments: jumps at joints are left out, which are
-/// rounding. The bodies must not overlap at its start: those that come to, come closer than any margin before. The
-/// margin is in internal units, and positive. Bodies displaced inwards come to the margin where theirs are strictly
-/// closer than it, bodies displaced outwards where they are as close as it.
+/// Searches within a window, for the displaced bodies, at the times of segments. Jumps at joints are omitted; they are
+/// rounding. The bodies must not overlap at the start of the window: bodies that come to overlap come closer than any
+/// margin before. The margin is in internal units, and must be positive. Bodies displaced inwards come to the margin
+/// where the given ones are strictly closer than it, bodies displaced outwards where they are as close as it.
 MarginResult first_closer(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
                           double margin, const TimeInterval& window);
 

@@ -19,12 +19,12 @@ bool edges_cross(const Placement& place, VertexId a, VertexId b) {
          place.orientation(b, b2, a) != place.orientation(b, b2, a2);
 }
 
-/// How often the other body's rings wind around a vertex of one body: it is inside if that is not 0, or more where
-/// parts overlap. A ray along the sweep's "up" crosses rings, which have their material to the left, one way or the
-/// other.
+/// The winding number of the other body's rings around a vertex of one body. The vertex is inside if the number is not
+/// 0; it is larger than 1 where parts overlap. A ray in the sweep's "up" direction crosses rings, which have their
+/// material to the left, in one direction or the other.
 class Winding {
  public:
-  /// `first`: the first vertex of the tree's body, whose pose this is.
+  /// `first` is the first vertex of the tree's body, and `pose` is the pose of that body.
   Winding(const Placement& place, VertexId v, const Hierarchy& tree, const RoundedPose& pose, std::uint32_t first)
       : place_(place), v_(v), tree_(tree), pose_(pose), first_(first) {}
 
@@ -44,7 +44,7 @@ class Winding {
       visit(node.right);
     }
   }
-  /// Does the sweep certainly come to the whole box before the vertex, or after it?
+  /// Does the sweep certainly reach the whole box before the vertex, or after it?
   bool misses(const Box& box) const {
     const double x = box.centre.x, y = box.centre.y, c = pose_.c, s = pose_.s;
     const double key = Placement::key_at({pose_.x + (c * x - s * y), pose_.y + (s * x + c * y)});
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> outlines(const DisplacedPolygon& body) {
 
 Stretch at_instant(const MotionSegment& segment, double t) {
   if (segment.translation) return Stretch::of_translation(segment, TranslationPolynomial(segment), t, t);
-  // As short a window as there is: about a singular start, longer ones would be halved down to it.
+  // The window is the shortest possible: near a singular start, longer ones would be halved down to it.
   FrameWindow window(segment, t, segment.end, std::nextafter(t, std::numeric_limits<double>::infinity()) - t);
   return window.smooth() ? Stretch::of_window(segment, window, t, t) : Stretch::of_range(segment, window);
 }
@@ -111,7 +111,7 @@ std::optional<StartOverlap> overlap_in(const Placement& place, const TreePair& t
       stack.insert(stack.end(), {{i, b.left}, {i, b.right}});
     }
   }
-  // Boundaries that do not cross: then one part has another one's outline inside, or they are apart.
+  // The boundaries do not cross. So either one part contains the outline of another one, or they are disjoint.
   for (const std::uint32_t v : outlines(*g.p())) {
     checkpoint();
     if (Winding(place, VertexId(v), q, place.pose_q(), g.np).inside()) return StartOverlap{false, {}, {}, VertexId(v)};

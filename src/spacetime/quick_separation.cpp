@@ -11,9 +11,9 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// What a glance may cost: about as much as one model.
+/// The cost limit of a quick separation: about that of one model.
 constexpr int most_looks = 96, most_stretches = 12;
-/// The work that a stretch counts for.
+/// The work counted for a stretch.
 constexpr int work_of_stretch = 4;
 
 std::span<const MotionPiece> pieces_of(const MotionSegment& segment, bool of_p) {
@@ -30,7 +30,7 @@ class QuickSeparation {
   QuickSeparation(const TreePair& trees, const MotionSegment& segment)
       : trees_(trees), motion_(pieces_of(segment, true), pieces_of(segment, false), reach_of(trees.q)) {}
 
-  /// Are these pairs of boxes apart throughout, as far as a few looks tell?
+  /// Are these pairs of boxes disjoint throughout, as far as a few tests show?
   bool over(double start, double end, std::vector<BoxPair> todo) {
     if (++stretches_ > most_stretches) return false;
     UniformStretch stretch = motion_.stretch(start, end);
@@ -48,7 +48,7 @@ class QuickSeparation {
   std::uint64_t work() const { return static_cast<std::uint64_t>(looks_ + work_of_stretch * stretches_); }
 
  private:
-  /// Drops the pair, divides the larger box, or leaves it to shorter stretches.
+  /// Drops the pair, divides the larger box, or defers the pair to shorter stretches.
   void look(UniformStretch& stretch, const BoxPair& pair, std::vector<BoxPair>& todo,
             std::vector<BoxPair>& later) const {
     const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);
@@ -76,7 +76,7 @@ bool quickly_apart(const TreePair& trees, const MotionSegment& segment, double f
   if (!is_even(pieces_of(segment, true)) || !is_even(pieces_of(segment, false))) return false;
   QuickSeparation quick_separation(trees, segment);
   if (!quick_separation.over(from, to, {{0, 0}})) return false;
-  // What does not succeed is followed by far more, which counts.
+  // A failed attempt is followed by far more work, which is counted.
   count_work(quick_separation.work());
   return true;
 }

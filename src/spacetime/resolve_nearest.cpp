@@ -9,10 +9,10 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// From zero, so many halvings pass all margins that differ in the scale of the scene.
+/// From zero, this many halvings pass all margins that differ in the scale of the scene.
 constexpr int most_halvings = 120;
 
-/// The features that come as close as the margin are the nearest found so far.
+/// Stores the features that come as close as the margin as the nearest found so far.
 void take_approach(const PairGeometry& geometry, const MarginResult& found, double margin, Nearest& best) {
   const bool first = geometry.in_p(found.pair.vertex);
   best.distance = margin;
@@ -22,15 +22,16 @@ void take_approach(const PairGeometry& geometry, const MarginResult& found, doub
   best.edge_q = first ? found.pair.peer : found.pair.vertex;
 }
 
-/// Lowers the least distance to what it is at some instants. Each costs far less than a question about a margin does,
-/// which only tells that one is not kept, and each such answer halves what is open.
+/// Lowers the least distance to its value at some instants. Each evaluation costs far less than a query about a margin.
+/// Such a query shows only that a margin is not kept, and each such answer halves the gap.
 class Evaluations {
  public:
   Evaluations(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments,
               const TimeInterval& window, const ClearanceTolerance& tolerance, Nearest& best)
       : geometry_(geometry), trees_(trees), segments_(segments), window_(window), tolerance_(tolerance), best_(best) {}
 
-  /// Where bodies turn with infinite speed: what is nearest there need not be so a rounding away.
+  /// Evaluates where bodies rotate with infinite speed. The features that are nearest there need not be nearest a
+  /// rounding error away.
   void at_singular_ends() {
     for (std::size_t i = segments_.first_until(window_.lo); i < segments_.size(); ++i) {
       const SegmentPlace place = segments_.place(i);
@@ -42,7 +43,7 @@ class Evaluations {
       }
     }
   }
-  /// Where they come closer than a margin, and then at instants farther and farther from there.
+  /// Evaluates where they come closer than a margin, and then at instants farther and farther from there.
   void after(const MarginResult& found) {
     const SegmentPlace place = segments_.place(found.segment);
     if (place.bridge) return;
@@ -59,7 +60,7 @@ class Evaluations {
     find_nearest_in_middle(geometry_, trees_, segment, Stretch::at_instant(segment, t), tolerance_, there);
     if (!(there.distance < best_.distance)) return;
     there.segment = index;
-    there.unresolved = best_.unresolved;  // which is of all of the window
+    there.unresolved = best_.unresolved;  // which refers to the whole window
     best_ = there;
   }
 
@@ -78,8 +79,8 @@ std::string resolve_nearest(const PairGeometry& geometry, const TreePair& trees,
   double certain = best.unresolved;
   Evaluations looks(geometry, trees, segments, window, tolerance, best);
   if (certain < tolerance.least(best.distance)) looks.at_singular_ends();
-  // Most often doubles have found the least distance, and only the bound from below is missing; or nearly so: then it
-  // is looked for farther and farther below what they have found, not halfway down to nothing.
+  // Most often doubles have found the least distance, or nearly so, and only the lower bound is missing. So the bound
+  // is searched for at growing distances below the value found, not halfway down to zero.
   double margin = tolerance.least(best.distance), below = best.distance - margin;
   for (int step = 0; certain < tolerance.least(best.distance); ++step) {
     checkpoint();

@@ -19,11 +19,11 @@ void set_interval(Stretch& s, double start, double end) {
 }
 
 /// Rounding in a polynomial's expansion about another point and in the sum of its bounds, relative to the sum of its
-/// terms' magnitudes: for degree 16 each term passes through at most 2 * 16 + 8 operations, and 2^-53 more for its
+/// terms' magnitudes. For degree 16, each term passes through at most 2 * 16 + 8 operations, plus 2^-53 for its
 /// coefficient and 16 for the distance to the new point.
 constexpr double expansion_rounding = 0x1p-47;
 
-/// c becomes the coefficients about h; the sum of |c_k| r^k for k >= 3 is returned.
+/// Replaces c by the coefficients about h, and returns the sum of |c_k| r^k for k >= 3.
 double expand(double* c, int n, double h, double r) {
   for (int k = 0; k + 1 < n; ++k) {
     for (int i = n - 2; i >= k; --i) c[i] += h * c[i + 1];
@@ -33,7 +33,7 @@ double expand(double* c, int n, double h, double r) {
   return rest * r * r;
 }
 
-/// A vector's two coordinates as polynomials; what the first three terms leave out.
+/// A vector's two coordinates as polynomials, and the remainder of the first three terms.
 struct Expanded {
   Path path;
   double rest = 0, error = 0;
@@ -54,13 +54,13 @@ Expanded expanded(const double* cx, const double* cy, int stride, int n, double 
 
 double reach_of(const Path& p, double r) { return p.x.reach(r) + p.y.reach(r); }
 
-/// The relative motion in one frame before the shift of a body that does not turn is taken in.
+/// The relative motion in one frame, before the shift of a body that does not rotate is included.
 struct RawRelativePose {
   Path shift, turn;
   double shift_error = 0, turn_error = 0, scale_error = 0;
 };
 
-/// The segment sees a vertex at v + offset, up to rounding.
+/// In the segment, a vertex is at v + offset, up to rounding.
 RelativePose finish(const MotionSegment& segment, RawRelativePose raw, bool in_p, double r) {
   const Vector fixed{segment.offset(in_p).x, segment.offset(in_p).y},
       moving{segment.offset(!in_p).x, segment.offset(!in_p).y};
@@ -68,20 +68,21 @@ RelativePose finish(const MotionSegment& segment, RawRelativePose raw, bool in_p
   raw.shift.y.a -= fixed.y;
   if (moving.x != 0 || moving.y != 0) raw.shift = raw.shift + raw.turn * moving;
   const double shift = l1_norm(fixed) + l1_norm(moving);
-  // Bounds of lengths: of points as they are, and of the shift.
+  // Bounds of lengths: of the undisplaced points, and of the shift.
   constexpr double points = 5;
   RelativePose out;
   out.shift = raw.shift;
   out.turn = raw.turn;
   out.swing = (raw.turn.x.swing(r) + raw.turn.y.swing(r) + raw.turn_error) * (1 + 0x1p-40);
   out.reach = (reach_of(raw.shift, r) + shift + (points + shift) * (1 + reach_of(raw.turn, r))) * (1 + 0x1p-40);
-  // Each operation rounds by 2^-53 of a result that is sums of two coordinates at most: 2^-44 is enough for 200.
+  // Each operation rounds by 2^-53 of a result, which is a sum of two coordinates at most: 2^-44 suffices for 200
+  // operations.
   out.error = raw.shift_error + (points + shift) * raw.turn_error + points * raw.scale_error + 0x1p-44 * out.reach;
   out.error = out.error * (1 + 0x1p-40) + underflow_slack;
   return out;
 }
 
-/// In Q's frame, with `moving` the functions conj(x_Q) D, and `turn` conj(x_P) x_Q.
+/// The pose in Q's frame, with `moving` the functions conj(x_Q) D, and `turn` conj(x_P) x_Q.
 RawRelativePose seen_from_q(const Path& moving, double error, const Path& turn, double turn_error) {
   RawRelativePose raw;
   raw.shift = {-moving.x, -moving.y};
@@ -91,14 +92,15 @@ RawRelativePose seen_from_q(const Path& moving, double error, const Path& turn, 
   return raw;
 }
 
-/// Functions i and i + 1 of the window's model.
+/// Expands functions i and i + 1 of the window's model.
 Expanded from_model(const FrameModel& m, int i, double h, double r) {
   Expanded e = expanded(&m.c[0][i], &m.c[0][i + 1], FrameModel::functions, m.terms, h, r);
   e.error += m.error[i] + m.error[i + 1] + expansion_rounding * (m.size[i] + m.size[i + 1]);
   return e;
 }
 
-/// Functions i and i + 1 of a frame (1 and 2, or 3 and 4), by Taylor's formula with the second derivative's bounds.
+/// Expands functions i and i + 1 of a frame (1 and 2, or 3 and 4), by Taylor's formula with the second derivative's
+/// bounds.
 Expanded from_sample(const FrameSample& s, const FrameCurvature& b, int i, double r) {
   Expanded e;
   e.path = {{s.f[i], s.d[i], b.mid[i] / 2}, {s.f[i + 1], s.d[i + 1], b.mid[i + 1] / 2}};
@@ -106,13 +108,13 @@ Expanded from_sample(const FrameSample& s, const FrameCurvature& b, int i, doubl
   return e;
 }
 
-/// How far the frame's scale is from 1.
+/// A bound of the difference between the frame's scale and 1.
 double scale_error(const FrameSample& s, const FrameCurvature& b, double r) {
   return std::fabs(s.f[0] - 1) + s.error_0 +
          r * (std::fabs(s.d[0]) + s.error_0d + r * (std::fabs(b.mid[0]) + b.error_0));
 }
 
-/// From samples in both frames, which vary as the bends tell.
+/// Assembles the stretch from samples in both frames and from the bounds of their second derivatives.
 void assemble(Stretch& out, const MotionSegment& segment, const FrameSample& pp, const FrameCurvature& second_pp,
               const FrameSample& qq, const FrameCurvature& second_qq) {
   const Expanded p = from_sample(pp, second_pp, 1, out.r), q = from_sample(qq, second_qq, 1, out.r);

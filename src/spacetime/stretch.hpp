@@ -1,4 +1,5 @@
-// A stretch of a segment on which every point moves along a parabola, up to a certified error that is the same for all.
+// A stretch of a segment on which every point moves along a parabola, up to a certified error that is the same for all
+// points.
 #pragma once
 
 #include <cmath>
@@ -15,7 +16,7 @@ struct Parabola {
   double least(double r) const {
     return c > 0 && std::fabs(b) < 2 * c * r ? a - b * b / (4 * c) : a - std::fabs(b) * r + c * r * r;
   }
-  /// These bound, up to rounding, how far it gets from its middle, and its magnitude, for |h| <= r.
+  /// For |h| <= r and up to rounding, bounds of the distance from the middle value, and of the magnitude.
   double swing(double r) const { return r * (std::fabs(b) + r * std::fabs(c)); }
   double reach(double r) const { return std::fabs(a) + swing(r); }
 };
@@ -24,7 +25,8 @@ inline Parabola operator+(const Parabola& f, const Parabola& g) { return {f.a + 
 inline Parabola operator-(const Parabola& f, const Parabola& g) { return {f.a - g.a, f.b - g.b, f.c - g.c}; }
 inline Parabola operator*(double k, const Parabola& f) { return {k * f.a, k * f.b, k * f.c}; }
 
-/// A moving point or direction. Functions of a coordinate lie side by side: so they are computed side by side.
+/// A moving point or direction. The functions of a coordinate are adjacent in memory, so that they can be computed in
+/// parallel.
 struct Path {
   Parabola x, y;
 };
@@ -33,14 +35,14 @@ inline Path operator*(const Path& p, Vector v) { return {v.x * p.x - v.y * p.y, 
 inline Path conj(const Path& p) { return {p.x, -p.y}; }
 inline Parabola along(Vector n, const Path& p) { return n.x * p.x + n.y * p.y; }
 
-/// How one body moves in the other's frame: its point v is at shift + turn v.
+/// The motion of one body in the other's frame: its point v is at shift + turn v.
 struct RelativePose {
   Path shift, turn;
-  double swing = 0;  ///< bounds how far `turn` gets from its middle
+  double swing = 0;  ///< bounds the distance of `turn` from its middle value
   double error = 0;  ///< see Stretch
-  double reach = 0;  ///< bounds the size of every vector that turns up on the way
+  double reach = 0;  ///< bounds the size of every intermediate vector
 
-  /// v as seen from a point of the other body.
+  /// The path of v relative to a point of the other body.
   Path place(Vector v, Vector from) const {
     Path p = shift + turn * v;
     p.x.a -= from.x;
@@ -49,20 +51,20 @@ struct RelativePose {
   }
 };
 
-/// What a translation's relative motion is, apart from the segment's shift, in doubles: one for each segment.
+/// A translation's relative motion, without the segment's shift, in doubles: one for each segment.
 struct TranslationPolynomial {
   explicit TranslationPolynomial(const MotionSegment& segment);
-  double about = 0;  ///< it is in powers of the time since then
+  double about = 0;  ///< the polynomial is in powers of the time since then
   int size = 0;      ///< number of coefficients
   double x[max_degree + 1], y[max_degree + 1];
   double magnitude[max_degree + 1];  ///< of each pair of coefficients
 };
 
-/// The parameters t with |t - middle| <= r. The law, for either carriage, points v of the moving body and a of the
-/// fixed one (both of length 5 at most), a direction n no longer than 1 + 2^-40, and t of the stretch:
-///   |n . (shift(h) + turn(h) v - a) - n . (where v truly is at t - a)| <= error, on a bridge up to its scale;
-/// error covers the rounding of at most 40 operations that follow, too, as long as their results are no larger than
-/// reach.
+/// The parameters t with |t - middle| <= r. The law holds for either relative pose, points v of the moving body and a
+/// of the fixed one (both of length 5 at most), a direction n no longer than 1 + 2^-40, and t of the stretch:
+///   |n . (shift(h) + turn(h) v - a) - n . (v(t) - a)| <= error, on a bridge up to its scale,
+/// where v(t) is the true position of v at t. The error also covers the rounding of at most 40 subsequent operations,
+/// as long as their results are no larger than reach.
 struct Stretch {
   double middle = 0, r = 0;
   double rest = 0;          ///< the part of the errors that shrinks with the stretch
@@ -70,12 +72,12 @@ struct Stretch {
 
   static Stretch of_translation(const MotionSegment& segment, const TranslationPolynomial& polynomial, double start,
                                 double end);
-  /// Part of a smooth window.
+  /// A part of a smooth window.
   static Stretch of_window(const MotionSegment& segment, FrameWindow& window, double start, double end);
-  /// An instant of a segment that is no bridge, at high precision: there errors are those of rounding to doubles, also
-  /// where the motion is singular.
+  /// An instant of a segment that is not a bridge, at high precision. There the errors are those of rounding to
+  /// doubles, even where the motion is singular.
   static Stretch at_instant(const MotionSegment& segment, double t);
-  /// All of a window that is not smooth: everything rests, up to the error.
+  /// The whole of a window that is not smooth: everything rests, up to the error.
   static Stretch of_range(const MotionSegment& segment, const FrameWindow& window);
 };
 

@@ -9,14 +9,14 @@
 namespace taut::internal::spacetime {
 namespace {
 
-/// A vector that moves: a parabola about the stretch's middle, and what that leaves out, for all |h| <= r: `rest` for
+/// A moving vector: a parabola about the stretch's middle, and bounds of the remainder for all |h| <= r. `rest` is for
 /// the higher powers of time, `error` for everything.
 struct MovingVector {
   Path path;
   double rest = 0, error = 0;
 };
 
-/// What a line or a product of parabolas rounds, as a share of the terms' magnitudes: at most 8 operations each.
+/// The rounding of a line or a product of parabolas, as a share of the terms' magnitudes: at most 8 operations each.
 constexpr double uniform_rounding = 0x1p-49;
 
 double reach_of(const MovingVector& v, double r) { return v.path.x.reach(r) + v.path.y.reach(r); }
@@ -30,7 +30,7 @@ MovingVector operator-(const MovingVector& a, const MovingVector& b) {
 MovingVector operator-(const MovingVector& a) { return {{-a.path.x, -a.path.y}, a.rest, a.error}; }
 MovingVector conj(const MovingVector& a) { return {conj(a.path), a.rest, a.error}; }
 
-/// A number without rounding, as a vector that rests.
+/// An exact number, as a vector that rests.
 MovingVector resting(Vector v) { return {{{v.x, 0, 0}, {v.y, 0, 0}}, 0, 0}; }
 
 /// The product of complex numbers. Lengths of vectors are bounded by the sums of their coordinates.
@@ -54,7 +54,7 @@ struct MovingPose {
 
 MovingPose unmoved() { return {resting({}), resting({1, 0}), false}; }
 
-/// x0 + x1 t about the middle.
+/// The line x0 + x1 t, expanded about the middle.
 MovingVector line(const MotionPiece& piece, double middle, double r) {
   const double x0 = coefficient(piece.x, 0), x1 = coefficient(piece.x, 1);
   const double y0 = coefficient(piece.y, 0), y1 = coefficient(piece.y, 1);
@@ -65,7 +65,7 @@ MovingVector line(const MotionPiece& piece, double middle, double r) {
   return v;
 }
 
-/// The unit vector of an even angle: its Taylor series up to h^2, and |w h|^3 / 6 at most beyond.
+/// The unit vector of a uniformly changing angle: its Taylor series up to h^2, with a remainder of at most |w h|^3 / 6.
 MovingVector uniform_rotation(const Coefficients& angle, double middle, double r) {
   const double speed = coefficient(angle, 1), w = std::fabs(speed) * r;
   const Ball<double> at =
@@ -105,14 +105,15 @@ MovingPose uniform_pose(std::span<const MotionPiece> chain, double middle, doubl
   return pose;
 }
 
-/// `longest`: the points that it is for are no farther from the origin. Without the error of the turn.
+/// `longest` bounds the distance from the origin of the points for which the pose is used. The error of the rotation is
+/// not included.
 RelativePose relative_pose_of(const MovingVector& shift, const MovingVector& turn, double longest, double r) {
   RelativePose out;
   out.shift = shift.path;
   out.turn = turn.path;
   out.swing = (turn.path.x.swing(r) + turn.path.y.swing(r) + turn.error) * (1 + 0x1p-40);
   out.reach = (reach_of(shift, r) + longest * (1 + reach_of(turn, r))) * (1 + 0x1p-40);
-  // As for the stretches of windows: 2^-44 is enough for the 40 operations that may follow, and for the sums above.
+  // As for the stretches of windows: 2^-44 suffices for the 40 operations that may follow, and for the sums above.
   out.error = (shift.error + 0x1p-44 * out.reach) * (1 + 0x1p-40) + underflow_slack;
   return out;
 }
@@ -140,7 +141,8 @@ UniformStretch UniformMotion::stretch(double start, double end) const {
   }
   out.in_p = relative_pose_of(q.origin, q.turn, reach_, out.r);
   out.in_p.error = (out.in_p.error + reach_ * q.turn.error) * (1 + 0x1p-40);
-  // A point a of P is at back (a - origin) in Q's frame: what the parabola of `back` misses counts by that distance.
+  // A point a of P is at back (a - origin) in Q's frame. The error of the parabola of `back` is multiplied by that
+  // distance.
   constexpr double longest_of_p = 4;
   MovingVector back = conj(q.turn);
   even.turn_error_ = back.error;

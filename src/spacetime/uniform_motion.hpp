@@ -1,4 +1,4 @@
-// Motions along lines and by even turns: stretches of them without a model.
+// Motions along lines and by uniform rotations: their stretches without a model.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace taut::internal::spacetime {
 
-/// A stretch of an even motion. What its parabolas leave out of the turn counts the more, the farther a point of P is
-/// from Q: a map is large, so the error of Q's carriage is for what lies within a disc that is set from box to box.
+/// A stretch of a uniform motion. The remainder of its parabolas for the rotation is multiplied by the distance of a
+/// point of P from Q. A map is large, so the error of Q's relative pose applies to a disc that is set for each box.
 class UniformStretch {
  public:
-  /// For points of P in this disc.
+  /// The stretch for points of P in this disc.
   const Stretch& near(Vector centre, double radius) {
     stretch_.in_q.error =
         (base_ + turn_error_ * (l1_norm(centre - origin_) + radius + way_)) * (1 + 0x1p-40) + underflow_slack;
@@ -20,31 +20,32 @@ class UniformStretch {
   }
   const Stretch& near(const Box& box) { return near(box.centre, box.radius); }
   double r() const { return stretch_.r; }
-  /// For all points: coordinates are at most 1, up to the displacement.
+  /// The stretch for all points: coordinates are at most 1, up to the displacement.
   const Stretch& everywhere() { return near({}, 2); }
 
  private:
   friend class UniformMotion;
   Stretch stretch_;
-  double base_ = 0, turn_error_ = 0;  ///< of Q's carriage: at Q's origin, and for each unit of distance from it
-  Vector origin_;                     ///< of Q in P's frame at the middle,
-  double way_ = 0;                    ///< from which it gets no farther in the stretch
+  double base_ = 0, turn_error_ = 0;  ///< of the pose in Q's frame: at Q's origin, and for each unit of distance from
+                                      ///< it
+  Vector origin_;                     ///< the position of Q's origin in P's frame at the middle,
+  double way_ = 0;                    ///< and a bound of its distance from there in the stretch
 };
 
-/// What planners ask about: bodies that move evenly along a line while they turn evenly, links seen from links. Around
-/// any instant such a motion is a parabola up to the third power of the angle, so that a sine, a cosine and a few
-/// products make a stretch, where models of general motions take microseconds.
+/// The motions that planners use: bodies that move uniformly along a line while they rotate uniformly, and links
+/// relative to links. Around any instant, such a motion is a parabola up to the third power of the angle. So a sine, a
+/// cosine and a few products make a stretch, where models of general motions take microseconds.
 class UniformMotion {
  public:
-  /// Is the piece one of those? A line and an angle of degree at most 1, about any pivot, and no orbit.
+  /// Is the piece such a motion? It must be a line and an angle of degree at most 1, about any pivot, without an orbit.
   static bool is_even(const MotionPiece& piece);
 
-  /// Of Q seen from P. Both chains of even pieces are seen from one frame, outermost first; an empty one rests there.
-  /// They must stay where they are. No point of Q is farther from its origin than `reach`.
+  /// The motion of Q relative to P. Both chains of uniform pieces are in one frame, outermost first; an empty one rests
+  /// there. The caller must keep them in place. No point of Q is farther from its origin than `reach`.
   UniformMotion(std::span<const MotionPiece> p, std::span<const MotionPiece> q, double reach)
       : p_(p), q_(q), reach_(reach) {}
 
-  /// Keeps the law of Stretch, with no bridges and no offsets.
+  /// Obeys the law of Stretch, without bridges and offsets.
   UniformStretch stretch(double start, double end) const;
 
  private:

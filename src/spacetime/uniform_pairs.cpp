@@ -13,10 +13,10 @@ namespace {
 
 /// As in the search for one pair (first_contact.cpp).
 constexpr double subdivision_threshold_among = 0.75;
-/// Where any contact will do, edges are left to shorter stretches down to this share of the whole: one of these misses,
-/// or has an overlap in its middle, long before a model of the motion has been made.
+/// If any contact suffices, edges are deferred to shorter stretches down to this share of the whole. Such a stretch
+/// shows that they miss, or has an overlap in its middle, long before a model of the motion could be made.
 constexpr double among_shallow = 0x1p-8;
-/// But no more than so many times in a search: edges that slide on edges never miss, however short the stretch.
+/// The maximum number of deferrals in a search: edges that slide on edges never miss, however short the stretch.
 constexpr int most_put_off = 40;
 
 }  // namespace
@@ -46,7 +46,7 @@ std::optional<UniformPairsSearch::Found> UniformPairsSearch::run(const UniformSe
   return best_;
 }
 
-/// All of [start, end], for the pairs from `first` on. Those before belong to longer stretches.
+/// Searches all of [start, end] for the pairs from `first` on. Earlier pairs belong to longer stretches.
 void UniformPairsSearch::cover(std::size_t first, double start, double end) {
   if (best_ && (any_ || start > best_->hi)) return;
   proved_ = best_ ? proved_ : start;
@@ -72,7 +72,7 @@ void UniformPairsSearch::cover(std::size_t first, double start, double end) {
   pairs_.resize(last);
 }
 
-/// Drops the pair if it is apart throughout, else divides it, or leaves it to the halves of the stretch.
+/// Drops the pair if it is disjoint throughout. Otherwise divides it, or defers it to the halves of the stretch.
 void UniformPairsSearch::look(UniformStretch& even, const Boxes& pair, double start, double end, bool divisible) {
   const Other& other = others_[pair.other];
   const BoxNode &p = other.tree->node(pair.p), &q = mover_->node(pair.q);
@@ -109,7 +109,8 @@ bool UniformPairsSearch::miss(const Stretch& s, const PairGeometry& g, VertexId 
          misses(s, s.in_p, place(of_q), place(of_p), place(g.next(of_p)));
 }
 
-/// Where any contact will do, an overlap in the middle is one before it, and far cheaper to see than its instant.
+/// If any contact suffices, an overlap in the middle proves that there is one before it, and is far cheaper to find
+/// than the instant of contact.
 bool UniformPairsSearch::crosses_in_the_middle(const Stretch& s, std::uint32_t other, VertexId of_p, VertexId of_q) {
   if (!middle_) middle_ = QAtPose::of(segment_->stretch(s.middle, s.middle).everywhere());
   if (edges_cross(*middle_, *others_[other].geometry, of_p, of_q) != EdgesCross::yes) return false;
@@ -117,7 +118,7 @@ bool UniformPairsSearch::crosses_in_the_middle(const Stretch& s, std::uint32_t o
   return true;
 }
 
-/// The window around t for the leaves of the stretch that ends at `end`: the same for all of the others.
+/// The window around t for the leaves of the stretch that ends at `end`. All other bodies share it.
 FrameWindow& UniformPairsSearch::window_at(double t, double end) {
   for (FrameWindow& w : windows_) {
     if (w.start() <= t && t < w.end()) return w;
@@ -143,7 +144,8 @@ void UniformPairsSearch::settle(const Stretch& s, const RelativePose& relative_p
   }
 }
 
-/// Every enclosure is as narrow as it gets before it is compared: so the earliest beginning of all of them is proved.
+/// Every enclosure is refined as far as possible before it is compared, so the earliest beginning of all of them is
+/// proved.
 void UniformPairsSearch::note(LeafTest& leaves, std::uint32_t other, Crossing& found) {
   if (any_) {
     best_ = Found{other, std::min(proved_, found.lo), found.hi};

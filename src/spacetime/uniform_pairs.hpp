@@ -1,4 +1,4 @@
-// One body that moves evenly among several others: their first contact, or whether there is any.
+// The first contact of one uniformly moving body with several others, or whether there is any.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@
 
 namespace taut::internal::spacetime {
 
-/// One of the bodies that the mover is asked about. It plays P, and the mover Q.
+/// One of the bodies against which the mover is tested. It plays P, and the mover Q.
 struct Other {
   const PairGeometry* geometry = nullptr;
   const Hierarchy* tree = nullptr;
 };
 
-/// The motion in both its forms: for boxes, and as the segment that exact tests take, which is made when one is needed.
+/// The motion in both representations: for boxes, and as the segment that exact tests require, which is made on demand.
 class UniformSegment {
  public:
-  /// Seen from one frame; the chains must stay where they are. `mover` is the tree of Q.
+  /// Both chains are in one frame; the caller must keep them in place. `mover` is the tree of Q.
   UniformSegment(const PieceChain& p, const PieceChain& q, const Hierarchy& mover, double start, double end)
       : p_(p), q_(q), start_(start), end_(end), motion_(p, q, reach_of(mover)) {}
 
@@ -36,17 +36,17 @@ class UniformSegment {
   mutable std::optional<MotionSegment> segment_;
 };
 
-/// The others share the segment, so that each stretch of time is made once for all of them; pairs of boxes are divided
-/// as in the search for one pair. Keeps its memory from question to question.
+/// The others share the segment, so that each stretch of time is made once for all of them. Pairs of boxes are divided
+/// as in the search for one pair. Keeps its memory between queries.
 class UniformPairsSearch {
  public:
   struct Found {
     std::size_t other = 0;
     double lo = 0, hi = 0;  ///< encloses the contact
   };
-  /// What is known of the first contact in (from, to], given that nothing overlaps at `from`. With `any`, the search
-  /// ends with the first contact that it sees, and `lo` is nothing but a time before it that is proved free.
-  /// Throws Undecidable and Interrupted; proved() then says up to when there certainly is none.
+  /// The first contact in (from, to], provided that nothing overlaps at `from`. With `any`, the search ends with the
+  /// first contact that it finds, and `lo` is merely a time before it that is proved free. Throws Undecidable and
+  /// Interrupted; proved() then returns the time up to which there is certainly no contact.
   std::optional<Found> run(const UniformSegment& segment, std::span<const Other> others, const Hierarchy& mover,
                            double from, double to, bool any);
   double proved() const { return proved_; }
@@ -70,14 +70,14 @@ class UniformPairsSearch {
   const Hierarchy* mover_ = nullptr;
   bool any_ = false;
   double shortest_ = 0, shallow_ = 0, proved_ = 0;
-  int put_off_ = 0;  ///< edges that were left to shorter stretches in the hope that these tell
+  int put_off_ = 0;  ///< edges deferred to shorter stretches, which may decide
   std::optional<Found> best_;
   std::vector<Boxes> pairs_, todo_;
-  std::vector<FrameWindow> windows_;  ///< of the stretch at hand, for its leaves
-  std::optional<QAtPose> middle_;     ///< of the stretch at hand
+  std::vector<FrameWindow> windows_;  ///< of the current stretch, for its leaves
+  std::optional<QAtPose> middle_;     ///< of the current stretch
 };
 
-/// Are all edges of the two certainly apart at all times of the stretch?
+/// Are all edges of the two bodies certainly disjoint at all times of the stretch?
 bool apart(const Stretch& stretch, const Hierarchy& p, const Hierarchy& q);
 
 }  // namespace taut::internal::spacetime
