@@ -17,13 +17,13 @@ namespace detail {
 /// Rounds a radius up: sums and products of at most a dozen nonnegative doubles stay below the result.
 inline double inflate(double r) { return r * (1 + 0x1p-48) + underflow_slack; }
 
-/// A bound of the rounding of an operation whose result is m.
+/// A bound of the rounding error of an operation whose result is m.
 template <class Real>
 double rounding(const Real& m) {
   return RealTraits<Real>::magnitude(m) * unit_roundoff<Real>();
 }
 
-/// The sum, or a little more where it is not a number of the type.
+/// The sum, or a slightly larger number if the sum is not representable.
 inline double sum_above(double a, double b) {
   const TwoDoubles sum = two_sum(a, b);
   return sum.lo > 0 ? std::nextafter(sum.hi, std::numeric_limits<double>::infinity()) : sum.hi;
@@ -32,7 +32,7 @@ template <class Real>
 Real sum_above(const Real& a, double b) {
   if (b == 0) return a;
   const Real sum = a + b;
-  // Twice what the sum rounds: adding it rounds once more.
+  // Twice the rounding error of the sum, because adding it rounds once more.
   return sum + (2 * rounding(sum) + 0x1p-1060);
 }
 
@@ -51,18 +51,19 @@ struct Ball {
 
   Ball() = default;
   Ball(const Real& m, double r) : mid(m), rad(r) {}
-  /// The middle that `make` returns, in the place where it stays: several words need not be moved.
+  /// Takes the middle that `make` returns, constructed in its final place, so that its words need not be moved.
   template <class Make>
   requires std::is_invocable_r_v<Real, Make>
   explicit Ball(Make make) : mid(make()) {}
   static Ball exact(double x) { return Ball(RealTraits<Real>::from_double(x), 0.0); }
   /// The ball spanned by lo <= hi.
   static Ball between(const Real& lo, const Real& hi) { return between(lo, hi, (lo + hi) / 2); }
-  /// The same, hardly longer, about a middle of as few words as its length allows: products with that are shorter.
+  /// A ball spanned by lo <= hi, hardly larger than between(lo, hi), whose middle has as few words as its length
+  /// allows. Products with such a middle are cheaper.
   static Ball about_short_middle(const Real& lo, const Real& hi) {
     return between(lo, hi, RealTraits<Real>::near((lo + hi) / 2, RealTraits<Real>::magnitude(Real(hi - lo))));
   }
-  /// The ball about m that reaches them.
+  /// The ball about m that contains both ends.
   static Ball between(const Real& lo, const Real& hi, const Real& m) {
     const double reach = std::max(RealTraits<Real>::magnitude(Real(hi - m)), RealTraits<Real>::magnitude(Real(m - lo)));
     return Ball(m, reach * (1 + 0x1p-50) + RealTraits<Real>::magnitude(m) * (4 * unit_roundoff<Real>()));
@@ -76,12 +77,12 @@ struct Ball {
   }
   /// An upper bound of |x| over the ball.
   double magnitude() const { return (RealTraits<Real>::magnitude(mid) + rad) * (1 + 0x1p-50); }
-  /// Numbers below and above which no member lies.
+  /// Bounds below and above all members.
   Real lower() const { return -detail::sum_above(Real(-mid), rad); }
   Real upper() const { return detail::sum_above(mid, rad); }
 };
 
-/// A coefficient as a ball, whichever it is.
+/// A coefficient, a double or a ball, as a ball.
 template <class Real>
 Ball<Real> as_ball(double x) {
   return Ball<Real>::exact(x);
@@ -114,7 +115,7 @@ Ball<Real> operator*(const Ball<Real>& a, const Ball<Real>& b) {
   Ball<Real> product([&] { return a.mid * b.mid; });
   const double am = RealTraits<Real>::magnitude(a.mid), bm = RealTraits<Real>::magnitude(b.mid);
   double r = detail::rounding(product.mid);
-  // 0 * infinity must stay infinite: a radius that is infinite means "anything".
+  // 0 * infinity must stay infinite: an infinite radius means "anything".
   if (b.rad != 0) r += (am + a.rad) * b.rad;
   if (a.rad != 0) r += bm * a.rad;
   product.rad = detail::inflate(r);
@@ -122,7 +123,8 @@ Ball<Real> operator*(const Ball<Real>& a, const Ball<Real>& b) {
 }
 template <class Real>
 Ball<Real> operator/(const Ball<Real>& a, const Ball<Real>& b) {
-  // |b| >= distance > 0, where the magnitude of an MP number may be twice too large: measure with the number itself.
+  // b| >= distance > 0. The magnitude of an MP number may be twice too large, so the distance is computed from the
+  // number itself.
   const Real away = (b.mid < 0 ? Real(-b.mid) : b.mid) - b.rad;
   const double distance = away > 0 ? std::nextafter(RealTraits<Real>::to_double(away), 0.0) * (1 - 0x1p-50) : 0.0;
   if (!(distance > 0)) return Ball<Real>(Real(0), std::numeric_limits<double>::infinity());
@@ -139,7 +141,7 @@ Ball<Real> scaled(const Ball<Real>& a, int by) {
   return {ldexp(a.mid, by), detail::inflate(a.rad * power_of_two(by))};
 }
 
-/// Multiplication by a power of two, or any double that is exact.
+/// Multiplication by an exact double, such as a power of two.
 template <class Real>
 Ball<Real> operator*(const Ball<Real>& a, double b) {
   return a * Ball<Real>::exact(b);
@@ -160,7 +162,7 @@ Ball<Real> sqrt(const Ball<Real>& a) {
   return Ball<Real>(m, detail::inflate((root_mid > 0 ? a.rad / root_mid : a.rad) + detail::rounding(m)));
 }
 
-/// The smallest ball around both.
+/// The smallest ball that contains both.
 template <class Real>
 Ball<Real> hull(const Ball<Real>& a, const Ball<Real>& b) {
   const Real lo = std::min<Real>(a.lower(), b.lower()), hi = std::max<Real>(a.upper(), b.upper());

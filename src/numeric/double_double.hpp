@@ -1,4 +1,4 @@
-// Sums of two doubles that know whether anything was rounded.
+// Sums of two doubles that record whether anything was rounded.
 #pragma once
 
 #include <cmath>
@@ -7,16 +7,15 @@
 
 namespace taut::internal {
 
-/// A number as the sum of two doubles (Dekker 1971), to about 2^-104 of it, and how far from that the true one is at
-/// most. Coordinates drawn on a grid have few digits, and so have their differences and products: then nothing rounds,
-/// and the bound is exactly zero. A zero with that bound is zero for certain.
+/// A number as the sum of two doubles (Dekker 1971), to about 2^-104 relatively, with a bound of its error. Coordinates
+/// drawn on a grid have few digits, and so have their differences and products. In that case nothing is rounded, and
+/// the bound is exactly zero. A zero with that bound is certainly zero.
 class DoubleDouble {
  public:
   DoubleDouble() = default;
   static DoubleDouble exact(double x) { return {x, 0, 0}; }
 
-  /// A double within a unit in the last place of the two, what is left of them, and how far from both together the true
-  /// number is at most.
+  /// A double within a unit in the last place of the sum, the remainder, and a bound of the error of both together.
   double leading() const { return hi_; }
   double rest() const { return lo_; }
   double error() const { return error_; }
@@ -42,18 +41,18 @@ class DoubleDouble {
     const TwoDoubles cross = two_sum(one.hi, other.hi), low = two_sum(high.lo, cross.hi);
     const TwoDoubles product = two_sum(high.hi, low.hi);
     lost += (std::fabs(low.lo) + std::fabs(cross.lo)) + (std::fabs(one.lo) + std::fabs(other.lo));
-    // These may underflow themselves.
+    // These products may underflow themselves.
     if (a.lo_ != 0 && b.lo_ != 0) lost += std::fabs(a.lo_ * b.lo_) + underflow;
     if (a.error_ != 0 || b.error_ != 0) lost += a.error_ * b.most() + b.error_ * a.most() + underflow;
     return {product.hi, product.lo, lost * up};
   }
 
  private:
-  /// More than sums of a few positive terms round, and more than products that nearly underflow lose.
+  /// Bounds of the rounding in sums of a few positive terms, and of the loss in products that nearly underflow.
   static constexpr double up = 1 + 0x1p-49, underflow = 0x1p-900;
 
   DoubleDouble(double hi, double lo, double error) : hi_(hi), lo_(lo), error_(error) {}
-  /// Adds what is lost where the exact product has no room; one that overflows is no number.
+  /// The product. Adds to `lost` the loss where the exact product has no room; an overflow gives a NaN.
   static TwoDoubles product(double a, double b, double& lost) {
     if (a == 0 || b == 0) return {0, 0};
     const TwoDoubles p = two_product(a, b);

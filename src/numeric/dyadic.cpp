@@ -100,7 +100,7 @@ DyadicPolynomial halved(const DyadicPolynomial& p) {
   return out;
 }
 
-/// By Horner's scheme, from the highest power down: what is left at the end is the value.
+/// Uses Horner's scheme from the highest power down. The remainder is the value at the root.
 std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root) {
   if (p.empty()) return std::nullopt;
   DyadicPolynomial quotient(p.size() - 1);
@@ -113,7 +113,8 @@ std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dy
   return quotient;
 }
 
-/// With integer coefficients a root has integer coefficients, too (Gauss): found from the highest power down.
+/// A square root of a polynomial with integer coefficients has integer coefficients, too (Gauss). They are computed
+/// from the highest power down.
 std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p) {
   if (p.empty()) return DyadicPolynomial();
   if (p.size() % 2 == 0 || p.back().sign() < 0) return std::nullopt;

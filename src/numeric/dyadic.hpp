@@ -1,4 +1,4 @@
-// Exact numbers of any length: integers times powers of two. For the few questions that no precision answers.
+// Exact numbers of any length: integers times powers of two. They serve the few cases that no finite precision decides.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,22 @@ namespace taut::internal {
 
 /// mantissa * 2^exponent. Sums, differences and products of doubles are exact.
 ///
-/// The mantissa is an integer of Boost, which only dyadic.cpp sees: its header alone takes two seconds to compile.
-/// Copies share it.
+/// The mantissa is a Boost integer, which is visible only in dyadic.cpp: its header alone takes two seconds to compile.
+/// Copies share the mantissa.
 class Dyadic {
  public:
   Dyadic() = default;
   Dyadic(std::int64_t mantissa, int exponent);
   static Dyadic exact(double x);
-  /// From the mantissa's limbs, the least significant first.
+  /// Constructs the number from the mantissa's limbs, the least significant first.
   static Dyadic of_limbs(std::span<const std::uint64_t> magnitude, bool negative, int exponent);
 
   bool is_zero() const { return sign_ == 0; }
   int sign() const { return sign_; }
   int exponent() const { return exponent_; }
   Dyadic halved() const;
-  /// The first bits of the mantissa's magnitude, as many as the limbs hold; returns how many are dropped.
+  /// Stores the first bits of the mantissa's magnitude, as many as the limbs hold, and returns the number of dropped
+  /// bits.
   int first_bits(std::span<std::uint64_t> limbs) const;
 
   friend Dyadic operator-(const Dyadic& a);
@@ -47,14 +48,14 @@ class Dyadic {
   int sign_ = 0, exponent_ = 0;
 };
 
-/// Less than a unit in the last place nearer to zero than the number, or it. Not of zero.
+/// The number rounded towards zero, with an error of less than a unit in the last place. Requires a nonzero number.
 template <class Real>
 Real first_bits(const Dyadic& x) {
   typename Real::Limbs limbs{};
   const int dropped = x.first_bits(limbs);
   return Real::of_limbs(limbs, x.exponent() + dropped, x.sign() < 0);
 }
-/// The number, rounded.
+/// A ball around the rounded number.
 template <class Real>
 Ball<Real> ball_of(const Dyadic& x) {
   if (x.is_zero()) return Ball<Real>::exact(0);
@@ -62,7 +63,7 @@ Ball<Real> ball_of(const Dyadic& x) {
   return Ball<Real>(middle, detail::inflate(2 * detail::rounding(middle)));
 }
 
-/// Coefficients, ascending, the last of which is not zero; none for zero.
+/// Coefficients in ascending order. The last one is nonzero; the zero polynomial has none.
 using DyadicPolynomial = std::vector<Dyadic>;
 
 void trim(DyadicPolynomial& p);
@@ -71,9 +72,9 @@ DyadicPolynomial operator+(const DyadicPolynomial& p, const DyadicPolynomial& q)
 DyadicPolynomial operator*(const DyadicPolynomial& p, const DyadicPolynomial& q);
 /// Half of each coefficient.
 DyadicPolynomial halved(const DyadicPolynomial& p);
-/// p / (t - root), if p is zero there, and not everywhere.
+/// p / (t - root), if p is zero there, but not identically.
 std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root);
-/// A polynomial whose square this is, if there is one with rational coefficients.
+/// A polynomial whose square is p, if there is one with rational coefficients.
 std::optional<DyadicPolynomial> square_root(const DyadicPolynomial& p);
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-// Sums of doubles as numbers to compute with, for formulas that are written once for all kinds of numbers.
+// Sums of doubles as a number type, for formulas that are generic in the kind of number.
 #pragma once
 
 #include <array>
@@ -7,8 +7,9 @@
 
 namespace taut::internal {
 
-/// A sum of doubles. Nothing rounds: a result that would need more range than doubles have says so, and so does all
-/// that is made of it. There is room for the orientation of three vertices, each of which is four doubles a coordinate.
+/// A sum of doubles. Nothing is rounded. A result that would need more range than doubles have is marked as inexact,
+/// and so is everything computed from it. The capacity suffices for the orientation of three vertices with four doubles
+/// for each coordinate.
 class ExactNumber {
  public:
   static constexpr std::size_t capacity = 96;
@@ -27,7 +28,7 @@ class ExactNumber {
     return n;
   }
 
-  /// Was every operation exact? If not, nothing else may be asked.
+  /// Was every operation exact? If not, no other member may be used.
   bool is_exact() const { return exact_; }
   bool is_zero() const { return sum_.is_zero(); }
   const Sum& sum() const { return sum_; }
@@ -46,7 +47,7 @@ class ExactNumber {
     a.add(b, -1);
     return a;
   }
-  /// a x b and a . b, in one sum.
+  /// The products a x b and a . b, in one sum.
   friend ExactNumber cross(const ExactNumber& ax, const ExactNumber& ay, const ExactNumber& bx, const ExactNumber& by) {
     return of_products(ax, by, ay, bx, -1);
   }
@@ -67,7 +68,7 @@ class ExactNumber {
       }
     }
   }
-  /// a b + sign c d.
+  /// The sum a b + sign c d.
   static ExactNumber of_products(const ExactNumber& a, const ExactNumber& b, const ExactNumber& c, const ExactNumber& d,
                                  double sign) {
     ExactNumber n;

@@ -35,7 +35,7 @@ class ExactSum {
   void add(double x) {
     std::size_t kept = 0;
     if constexpr (Capacity > 16) {
-      // Components below half a unit in the last place of x stay as they are: there are many in a long sum.
+      // Components below half a unit in the last place of x stay unchanged. A long sum has many of them.
       const double small = 0x1p-54 * std::fabs(x);
       while (kept < size_ && std::fabs(terms_[kept]) < small) ++kept;
     }
@@ -55,7 +55,7 @@ class ExactSum {
   }
   void subtract_product(double a, double b) { add_product(-a, b); }
 
-  /// Becomes sign * other, where sign is 1 or -1.
+  /// Assigns sign * other, where sign is 1 or -1.
   template <std::size_t Other>
   void assign(const ExactSum<Other>& other, double sign) {
     static_assert(Other <= Capacity);
@@ -63,7 +63,7 @@ class ExactSum {
     for (std::size_t i = 0; i < size_; ++i) terms_[i] = sign * other.term(i);
   }
 
-  /// Becomes a sum that is known to have no more terms than there is room for.
+  /// Assigns a sum that is known to fit into the capacity.
   template <std::size_t Other>
   void take(const ExactSum<Other>& other) {
     size_ = other.size();
@@ -87,7 +87,7 @@ class ExactSum {
   double terms_[Capacity];
 };
 
-/// Adds a b; false if it is so small, or so large, that its rounding may be lost.
+/// Adds a b. Returns false if the product is so small, or so large, that its rounding error may be lost.
 template <std::size_t Capacity>
 bool add_exact_product(ExactSum<Capacity>& sum, double a, double b) {
   if (a == 0 || b == 0) return true;

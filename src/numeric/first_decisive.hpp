@@ -1,7 +1,7 @@
-// One precision after the other, until one tells.
+// Evaluation at one precision after the other, until one decides.
 //
-// What doubles leave open is asked at 320 bits first, because that nearly always does and costs least; "undecided" is
-// what remains when the last one is silent. That walk is written here alone.
+// Cases that doubles leave open are evaluated at 320 bits first, because that nearly always decides and costs least.
+// The result is "undecided" if the last precision does not decide. This loop exists only here.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace taut::internal {
 
-/// ask(stage) from a stage on, usually the first at high precision, until the answer is not empty, or not zero; else
-/// that empty answer.
+/// Calls ask(stage) from a stage on, usually the first at high precision, until the answer is not empty, or not zero.
+/// Otherwise returns that empty answer.
 template <class Ask>
 auto first_decisive(const Ask& ask, Stage first = Stage::precise) -> decltype(ask(Stage::precise)) {
   for (Stage stage = first; stage <= last_stage; stage = next_precise(stage)) {
@@ -23,7 +23,7 @@ auto first_decisive(const Ask& ask, Stage first = Stage::precise) -> decltype(as
   return {};
 }
 
-/// The same, where someone has to tell; `what` is the question for the user.
+/// Like first_decisive(), where a decision is required; `what` is the question for the user.
 template <class Ask>
 auto decide(const char* what, const Ask& ask) -> decltype(ask(Stage::precise)) {
   auto answer = first_decisive(ask);
@@ -31,14 +31,14 @@ auto decide(const char* what, const Ask& ask) -> decltype(ask(Stage::precise)) {
   return answer;
 }
 
-/// The sign of a ball given as a function of a number of its type; 0 if no stage tells.
+/// The sign of a ball given as a function of a number of its type; 0 if no stage decides.
 template <class Quantity>
 int decided_sign(const Quantity& quantity) {
   return first_decisive(
       [&](Stage stage) { return with_stage(stage, [&](auto zero) { return quantity(zero).sign(); }); });
 }
 
-/// `ask(zero, stage)` where a stage that cannot tell throws PrecisionExhausted; nothing if none can.
+/// Calls `ask(zero, stage)`, where a stage that cannot decide throws PrecisionExhausted; nothing if none can.
 template <class Ask>
 auto at_some_stage(const Ask& ask, Stage first = Stage::precise)
     -> std::optional<decltype(ask(Real320{}, Stage::precise))> {

@@ -1,4 +1,4 @@
-// Numbers of a fixed length with bounds of their errors: for events that differ by a displacement only.
+// Fixed-point numbers with error bounds: for events that differ by a displacement only.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,20 @@
 
 namespace taut::internal {
 
-/// An integer times 2^-320, between -2^63 and 2^63, in two's complement. Everything about a pair of bodies is scaled to
-/// about 1, and what tells ties apart is about 2^-200: so the place of the point need not move, and a product costs a
-/// fraction of one of floating numbers as long. What is beyond the range is not noticed here but by FixedBall.
+/// An integer times 2^-320, between -2^63 and 2^63, in two's complement. All quantities of a pair of bodies are scaled
+/// to about 1, and ties are decided by quantities of about 2^-200. So the binary point need not move, and a product
+/// costs a fraction of that of floating-point numbers of the same length. Only FixedBall detects an overflow of the
+/// range.
 class Fixed {
  public:
   static constexpr int limbs = 6, fraction_bits = 320;
-  /// A unit in the last place, and a bound of what a product loses.
+  /// A unit in the last place, and an error bound of a product.
   static constexpr double unit = 0x1p-320, lost_in_product = 0x1p-316;
   /// Doubles below this are within the range.
   static constexpr double limit = 0x1p62;
 
   Fixed() : limb_{} {}
-  /// Less than a unit nearer to zero than x, or x; requires |x| < limit.
+  /// Rounds x towards zero, with an error of less than a unit; requires |x| < limit.
   explicit Fixed(double x) : limb_{} {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
@@ -42,7 +43,7 @@ class Fixed {
     put(digits, place);
     if (x < 0) negate();
   }
-  /// The same of a binary number; requires that it is within the range.
+  /// Rounds a binary number towards zero; requires that it is within the range.
   template <unsigned Bits>
   explicit Fixed(const WideFloat<Bits>& x) : limb_{} {
     if (x.is_zero()) return;
@@ -66,13 +67,13 @@ class Fixed {
       carry = carry != 0 && limb == 0 ? 1 : 0;
     }
   }
-  /// Times 2^by, less than a unit too small; what leaves the range at its end is lost.
+  /// The number times 2^by, less than a unit too small. Bits that leave the range at the upper end are lost.
   Fixed scaled(int by) const {
     const bool up = by >= 0;
     const auto words = static_cast<std::size_t>(std::abs(by) / 64);
     const int bits = std::abs(by) % 64;
     const std::uint64_t beyond = is_negative() ? ~std::uint64_t{0} : 0;
-    // Limbs of this number, with zeros before the first one and signs behind the last.
+    // The limbs of this number, with zeros before the first one and sign bits after the last.
     const auto limb = [&](std::size_t i) { return i < limbs ? limb_[i] : beyond; };
     Fixed result;
     for (std::size_t i = 0; i < limbs; ++i) {
@@ -110,11 +111,11 @@ class Fixed {
     }
     return a;
   }
-  /// Less than lost_in_product from the product.
+  /// The product, with an error of less than lost_in_product.
   friend Fixed operator*(const Fixed& a, const Fixed& b) {
-    // Row by row, columns of the full product from the one below the last place on: those below it are less than four
-    // units there. Most numbers have rows of zeros, and so that they stay zeros, the first factor is taken without its
-    // sign; the second one's words are those of b, or of b + 2^384.
+    // Computes row by row the columns of the full product from the one below the last place on. The columns below that
+    // contribute less than four units there. Most numbers have rows of zeros. To keep them zero, the first factor is
+    // taken without its sign. The words of the second factor are those of b, or of b + 2^384.
     constexpr std::size_t first = fraction_bits / 64 - 1;
     const Fixed x = a.is_negative() ? -a : a;
     std::array<std::uint64_t, 2 * limbs> sum{};
@@ -138,7 +139,7 @@ class Fixed {
     return result;
   }
 
-  /// Within 2^-50 of it, relatively.
+  /// An approximation with a relative error of at most 2^-50.
   double approximate() const {
     const Fixed size = is_negative() ? -*this : *this;
     std::size_t top = limbs - 1;
@@ -148,14 +149,14 @@ class Fixed {
     value *= power_of_two(static_cast<int>(64 * top) - fraction_bits);
     return is_negative() ? -value : value;
   }
-  /// The same number as doubles that do not overlap, the largest first.
+  /// Passes the number as nonoverlapping doubles, the largest first.
   template <class Take>
   void each_part(const Take& take) const {
     const double sign = is_negative() ? -1 : 1;
     Fixed size = is_negative() ? -*this : *this;
     for (std::size_t k = limbs; k-- > 0;) {
       while (size.limb_[k] != 0) {
-        // The 53 bits from the highest one on, as far as there are so many.
+        // The 53 bits from the highest one on, if there are that many.
         const int top = static_cast<int>(64 * k + std::bit_width(size.limb_[k])), place = std::max(top - 53, 0);
         const std::uint64_t digits = size.take_from(place);
         take(sign * static_cast<double>(digits) * power_of_two(place - fraction_bits));
@@ -165,7 +166,7 @@ class Fixed {
   static constexpr std::size_t most_parts = 8;
 
  private:
-  /// Times 2^64, whatever that takes from its first word.
+  /// The number times 2^64, ignoring the overflow of its first word.
   Fixed moved_up() const {
     Fixed up;
     for (std::size_t i = 1; i < limbs; ++i) up.limb_[i] = limb_[i - 1];
@@ -181,7 +182,7 @@ class Fixed {
     if (shift > 0 && k + 1 < limbs) limb_[k + 1] |= digits >> (64 - shift);
   }
 
-  /// All bits from a place on, at most 53; they are zero afterwards.
+  /// Removes and returns all bits from a place on, at most 53.
   std::uint64_t take_from(int place) {
     const auto k = static_cast<std::size_t>(place / 64);
     const int shift = place % 64;
@@ -197,15 +198,15 @@ class Fixed {
   std::array<std::uint64_t, limbs> limb_;
 };
 
-/// A number of fixed length, how far from it the true one is at most, and how large that is at most. What leaves the
-/// range may be anything.
+/// A fixed-point number with a bound of its error and a bound of its magnitude. A number that leaves the range becomes
+/// "anything".
 class FixedBall {
  public:
   FixedBall() = default;
   static FixedBall exact(double x) {
     const double size = std::fabs(x);
     if (!(size < Fixed::limit)) return anything();
-    // From 2^-267 on, the last of 53 bits is a unit at least.
+    // From 2^-267 on, the last of the 53 bits is at least a unit.
     return FixedBall(Fixed(x), size >= 0x1p-267 || size == 0 ? 0 : Fixed::unit, size);
   }
   template <unsigned Bits>
@@ -221,20 +222,20 @@ class FixedBall {
   /// A bound of its magnitude.
   double most() const { return most_; }
   bool is_zero() const { return most_ == 0; }
-  /// A double nearby, and how far from it the true number is at most.
+  /// A double nearby, and a bound of its distance from the true number.
   double about() const { return mid_.approximate(); }
   double error_of(double about) const { return (rad_ + std::fabs(about) * 0x1p-49) * up; }
-  /// -1 or 1 if that is certain, else 0.
+  /// The sign, -1 or 1, if that is certain, else 0.
   int sign() const {
     const double x = about(), error = error_of(x);
     return x > error ? 1 : (-x > error ? -1 : 0);
   }
-  /// The same, with the magnitude known better where terms have cancelled.
+  /// The same number with a tighter bound of its magnitude, for use after cancellation.
   FixedBall tightened() const {
     const double size = std::fabs(about());
     return {mid_, rad_, std::min(most_, (size * up + rad_) * up)};
   }
-  /// Times 2^by, |by| <= 900.
+  /// The number times 2^by, |by| <= 900.
   FixedBall scaled(int by) const {
     const double factor = power_of_two(by), most = most_ * factor;
     if (!(most < Fixed::limit)) return anything();
@@ -278,7 +279,7 @@ class FixedBall {
     return x;
   }
   void check() {
-    if (!(most_ < Fixed::limit)) *this = anything();  // nor may it be no number
+    if (!(most_ < Fixed::limit)) *this = anything();  // also catches a NaN
   }
 
   Fixed mid_;

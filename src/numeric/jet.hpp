@@ -13,7 +13,7 @@
 namespace taut::internal {
 
 /// A time given by its distance from an end at which the motion is singular: t = end + direction s^2, where direction
-/// is 1 and s >= 0 after it, -1 and s <= 0 before it. What moves like the root of the distance is smooth in s.
+/// is 1 and s >= 0 after it, -1 and s <= 0 before it. Functions like the square root of the distance are smooth in s.
 template <class Real>
 struct TimeFromEnd {
   double end;
@@ -29,7 +29,7 @@ struct Jet {
 
   static Jet constant(const Ball<Real>& c) { return {c, Ball<Real>::exact(0), Ball<Real>::exact(0)}; }
   static Jet constant(double c) { return constant(Ball<Real>::exact(c)); }
-  /// The argument itself.
+  /// The independent variable.
   static Jet variable(const Ball<Real>& t) { return {t, Ball<Real>::exact(1), Ball<Real>::exact(0)}; }
   /// A polynomial with the given coefficients (ascending) at the ball t, by Horner's rule.
   template <class Coefficients>
@@ -44,13 +44,13 @@ struct Jet {
     }
     return {v, d, dd * 2.0};
   }
-  /// The same, where the time may know the polynomial about an instant nearby.
+  /// The polynomial at a time that may have its expansion about an instant nearby.
   template <class Coefficients, class Time>
   requires requires(const Time& t, const Coefficients& c) { t.local(c); }
   static Jet polynomial(const Coefficients& c, const Time& t) {
     return t.polynomials ? polynomial(t.local(c), t.since) : polynomial(c, t.t);
   }
-  /// The same as a function of s.
+  /// The polynomial as a function of s.
   template <class Coefficients>
   static Jet polynomial(const Coefficients& c, const TimeFromEnd<Real>& at) {
     using B = Ball<Real>;
@@ -98,7 +98,7 @@ Jet<Real> sqrt(const Jet<Real>& a) {
   return {r, rd, rdd};
 }
 
-/// cos and sin of an angle that moves.
+/// cos and sin of a moving angle.
 template <class Real>
 void sin_cos(const Jet<Real>& a, Jet<Real>& sine, Jet<Real>& cosine) {
   const SinCos<Real> sc = sin_cos(a.v);
@@ -107,7 +107,7 @@ void sin_cos(const Jet<Real>& a, Jet<Real>& sine, Jet<Real>& cosine) {
   cosine = {sc.cos, -(sc.sin * a.d), -(sc.sin * a.dd) - sc.cos * square};
 }
 
-/// Coefficients of a polynomial (ascending), without memory of its own to allocate.
+/// Coefficients of a polynomial (ascending) in a fixed array, without dynamic allocation.
 template <class Real>
 struct BallPolynomial {
   static constexpr std::size_t capacity = 17;  // taut::max_degree + 1
@@ -121,7 +121,7 @@ struct BallPolynomial {
 
 namespace detail {
 
-/// Rounded to doubles.
+/// Rounds to doubles.
 template <class Real>
 Ball<double> in_doubles(const Ball<Real>& x) {
   const double mid = RealTraits<Real>::to_double(x.mid);
@@ -136,8 +136,8 @@ BallPolynomial<double> in_doubles(const BallPolynomial<Real>& c) {
   return rounded;
 }
 
-/// The range of a derivative of sum c_k h^k over |h| <= r: even powers are on one side only. What varies is a range, of
-/// which a few digits are enough.
+/// The range of a derivative of sum c_k h^k over |h| <= r. Even powers lie on one side only. The varying part is a
+/// range, for which a few digits suffice.
 template <class Real>
 Ball<Real> range_about_zero(const BallPolynomial<Real>& c, std::size_t derivative, double r) {
   using B = Ball<double>;
@@ -160,7 +160,7 @@ Ball<Real> range_about_zero(const BallPolynomial<Real>& c, std::size_t derivativ
 
 }  // namespace detail
 
-/// The coefficients about that place.
+/// The coefficients of the expansion about a place.
 template <class Real>
 BallPolynomial<Real> expanded(BallPolynomial<Real> c, const Ball<Real>& place) {
   for (std::size_t k = 0; k + 1 < c.size; ++k) {
@@ -173,8 +173,8 @@ BallPolynomial<Real> expanded(const BallPolynomial<Real>& c, const Real& place) 
   return expanded(c, Ball<Real>(place, 0.0));
 }
 
-/// A polynomial given by balls (ascending) over the ball t. It is expanded about the middle first, so that the range is
-/// tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k.
+/// The range over the ball t of a polynomial given by balls (ascending). The polynomial is expanded about the middle
+/// first, so that the range is tight near roots of any multiplicity: |f(t) - f(m)| <= sum |c_k| r^k.
 template <class Real>
 Jet<Real> polynomial_range(const BallPolynomial<Real>& c, const Ball<Real>& t) {
   const BallPolynomial<Real> about_middle = expanded(c, t.mid);
@@ -182,22 +182,23 @@ Jet<Real> polynomial_range(const BallPolynomial<Real>& c, const Ball<Real>& t) {
           detail::range_about_zero(about_middle, 2, t.rad)};
 }
 
-/// Does it tell the sign of the value or, over an interval, that of the slope?
+/// Does the range decide the sign of the value or, over an interval, that of the slope?
 template <class Real>
 bool tells(const Jet<Real>& range, const Ball<Real>& t) {
   return range.v.sign() != 0 || (t.rad != 0 && range.d.sign() != 0);
 }
 
-/// Is what the last coefficient leaves open, a range as those of Taylor polynomials are, much of what hides the sign?
-/// One that leaves everything open is.
+/// Is the uncertainty of the last coefficient, which in a Taylor polynomial is a range, a large part of that which
+/// hides the sign? The result is true for an unbounded range.
 template <class Real>
 bool is_hidden_by_last(const BallPolynomial<Real>& c, const Ball<Real>& range, const Ball<Real>& t) {
   const std::size_t last = c.size - 1;
   return !std::isfinite(range.rad) || c[last].rad * std::pow(t.magnitude(), static_cast<double>(last)) > range.rad / 8;
 }
 
-/// A wider range that tells these signs, or nothing. Coefficients of long numbers have their own scales, and what
-/// cancels in them has done so: doubles made of them tell over most balls, for a tenth of the price.
+/// A wider range that decides these signs, or nothing. Coefficients of long numbers have their own scales, and
+/// cancellation has taken place in them already. Rounded to doubles, they decide over most balls, at a tenth of the
+/// cost.
 template <class Real>
 std::optional<Jet<Real>> telling_range_in_doubles(const BallPolynomial<Real>& c, const Ball<Real>& t) {
   const Jet<double> rough = polynomial_range(detail::in_doubles(c), detail::in_doubles(t));
@@ -206,7 +207,7 @@ std::optional<Jet<Real>> telling_range_in_doubles(const BallPolynomial<Real>& c,
   return tells(range, t) ? std::optional(range) : std::nullopt;
 }
 
-/// Its value alone.
+/// The value alone.
 template <class Real>
 Ball<Real> polynomial_value(const BallPolynomial<Real>& c, const Ball<Real>& t) {
   if (t.rad == 0) {

@@ -1,4 +1,5 @@
-// Two doubles that are computed with side by side, each as it would be alone: what SSE2, NEON and WebAssembly offer.
+// Two doubles processed in parallel, each rounded as it would be alone: the common subset of SSE2, NEON and
+// WebAssembly.
 #pragma once
 
 #include <cstring>

@@ -1,19 +1,21 @@
-// Where a function with a bounded second or third derivative certainly keeps, or has certainly lost, its sign.
+// Bounds of the time for which a function with a bounded second or third derivative certainly keeps its sign, or after
+// which it has certainly lost it.
 #pragma once
 
 #include <cmath>
 
 namespace taut::internal {
 
-inline constexpr double one_third = (1.0 / 3) * (1 + 0x1p-40);  ///< a little more
+inline constexpr double one_third = (1.0 / 3) * (1 + 0x1p-40);  ///< rounded up
 
-/// The largest h <= limit such that a + b h + c h^2/2 > 0 on (0, h) is certain (a > 0, or a = 0 and b > 0). 0 if b or c
-/// is unknown (an infinite or undefined bound): every comparison below is written so that a NaN lands there.
+/// The largest h <= limit such that a + b h + c h^2/2 > 0 on (0, h) is certain (a > 0, or a = 0 and b > 0). The result
+/// is 0 if b or c is unknown (an infinite or undefined bound): every comparison below is written so that a NaN leads to
+/// that result.
 inline double positive_until(double a, double b, double c, double limit) {
   if (b >= 0 && c >= 0) return limit;
   const double square = b * b, product = 2 * a * c;
   if (b > 0) {
-    // Up and down again: both terms of the root are positive.
+    // The function rises and falls again: both terms of the root are positive.
     const double discriminant = square - product;
     if (!(discriminant < INFINITY)) return 0;
     const double h = (b + std::sqrt(discriminant)) / -c * (1 - 0x1p-48);
@@ -28,18 +30,19 @@ inline double positive_until(double a, double b, double c, double limit) {
   return h < limit ? h : (h >= limit ? limit : 0);
 }
 
-/// Is a + b h + c h^2/2 > 0 on (0, limit) certain? Most functions stay positive for long, and what is certain at a
-/// glance costs no root. False if anything is unknown.
+/// Is a + b h + c h^2/2 > 0 on (0, limit) certain? Most functions stay positive for long, and this quick test requires
+/// no square root. False if anything is unknown.
 inline bool positive_throughout(double a, double b, double c, double limit) {
   const double end = a + limit * (b + c * limit * 0.5);
   const double rounding = 0x1p-49 * (a + limit * (std::fabs(b) + std::fabs(c) * limit));
-  // No valley within: it bends down, or rises from the first, or falls to the end. Or none that is deep enough.
+  // There is no minimum inside: the function is concave, or rises from the start, or falls to the end. Or the minimum
+  // is not deep enough.
   const bool no_valley = (c <= 0) | (b >= 0) | (b + c * limit <= 0) | (b * b < 2 * a * c * (1 - 0x1p-49));
   return (a >= 0) & (end > rounding) & no_valley;
 }
 
-/// The same, about, of a + b h + c h^2/2 - d h^3/6, d >= 0: up to any H that is at least (c - d H/3) h^2/2 there, and
-/// the nearer H, the better.
+/// An approximate analogue for a + b h + c h^2/2 - d h^3/6, d >= 0. It holds up to any H for which (c - d H/3) h^2/2 is
+/// a lower bound there; the nearer H, the better.
 inline double positive_until(double a, double b, double c, double d, double limit) {
   if (positive_throughout(a, b, c - d * limit * one_third, limit)) return limit;
   double h = positive_until(a, b, c - d * limit * one_third, limit);
@@ -49,8 +52,8 @@ inline double positive_until(double a, double b, double c, double d, double limi
   return further > h ? further : h;
 }
 
-/// The same where it is known up to h = `known`: tries `step` more than that, then twice as much more, and so on, so
-/// often, but no further than `most`.
+/// Like positive_until(), where the sign is known up to h = `known`. Tries `step` more than that, then twice as much
+/// more, and so on, `doublings` times, but no further than `most`.
 inline double positive_over(double a, double b, double c, double d, double known, double step, double most,
                             int doublings) {
   for (; known < most && doublings > 0; --doublings, step *= 2) {

@@ -1,4 +1,4 @@
-// The number types behind the stages of certified evaluation: double, then 320 and 960 bit binary floats.
+// The number types of the stages of certified evaluation: double, then 320 and 960 bit binary floats.
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,10 @@
 
 namespace taut::internal {
 
-/// The precisions of the multi-precision stages, in order: one is added here, and its length where WideFloat is
-/// compiled. Beyond the last one the answer is `undecided`. One more between the two would tell what the last one tells
-/// as well, for a sixth more of the engines' code: so few questions get that far that what they cost does not show.
+/// The precisions of the multi-precision stages, in order. To add one, add it here, and its length where WideFloat is
+/// compiled. Beyond the last one the answer is `undecided`. One more between the two would decide nothing that the last
+/// one does not decide, and would add a sixth to the engines' code. Few queries get that far, so their cost is not
+/// noticeable.
 #define TAUT_FOR_EACH_PRECISION(DO) DO(Real320) DO(Real960)
 using Real320 = WideFloat<320>;
 using Real960 = WideFloat<960>;
@@ -24,7 +25,7 @@ namespace detail {
 template <template <class> class Of, class... Reals, class... Before>
 std::tuple<Of<Before>..., Of<Reals>...> of_each(const std::tuple<Reals...>&, const std::tuple<Before...>&);
 }  // namespace detail
-/// What there is one of for each precision, and for other numbers before them: a tuple of Of<Real>.
+/// A tuple of Of<Real> for each precision, preceded by those for other numbers.
 template <template <class> class Of, class... Before>
 using OfEachPrecision = decltype(detail::of_each<Of>(std::declval<Precisions>(), std::tuple<Before...>()));
 inline constexpr int precise_stages = static_cast<int>(std::tuple_size_v<Precisions>);
@@ -36,7 +37,7 @@ using RealMax = std::tuple_element_t<precise_stages - 1, Precisions>;
 /// about 2^-400.
 inline constexpr double underflow_slack = 0x1p-1000;
 
-/// 2^e for the exponents of normal doubles, and without the detours of std::ldexp.
+/// 2^e for the exponents of normal doubles, without the special cases of std::ldexp.
 inline double power_of_two(int e) {
   const std::uint64_t bits = static_cast<std::uint64_t>(e + 1023) << 52;
   double x;
@@ -62,10 +63,10 @@ template <unsigned Bits>
 struct RealTraits<WideFloat<Bits>> {
   using Real = WideFloat<Bits>;
   static constexpr int bits = static_cast<int>(Bits);
-  /// Operations err by less than a unit in the last place, most of them by half of it.
+  /// Operations have an error of less than a unit in the last place, most of them of at most half of it.
   static double unit() { return power_of_two(1 - bits); }
-  /// An upper bound of |x|: by its first 32 bits from 2^-990 on, so that products of wide balls do not grow; at most
-  /// twice too large from 2^-1020 on; 2^-1018 for what is smaller.
+  /// An upper bound of |x|. From 2^-990 on, it is computed from the first 32 bits, so that products of wide balls do
+  /// not grow. From 2^-1020 on, it is at most twice too large. For smaller numbers it is 2^-1018.
   static double magnitude(const Real& x) {
     if (x.is_zero()) return 0;
     const auto e = x.exponent();
@@ -78,7 +79,7 @@ struct RealTraits<WideFloat<Bits>> {
   static Real from_double(double x) { return x; }
   static double to_double(const Real& x) { return x.to_double(); }
   static Real square_root(const Real& x) { return sqrt(x); }
-  /// A number no farther from x than a thousandth of `within`, of as few words as this needs.
+  /// A number within a thousandth of `within` of x, with as few words as this needs.
   static Real near(const Real& x, double within) {
     if (x.is_zero() || !(within > 0) || !std::isfinite(within)) return x;
     return x.first_bits(x.exponent() - std::ilogb(within) + 12);

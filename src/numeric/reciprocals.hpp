@@ -1,4 +1,4 @@
-// Reciprocals of small whole numbers, by which series divide: a product costs a third of a quotient.
+// Reciprocals of small whole numbers, used in series instead of divisions: a product costs a third of a quotient.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace taut::internal {
 
-/// 1/k for k = 1 .. 32, to the number's precision.
+/// 1/k for k = 1 .. 32, to the precision of the number type.
 template <class Real>
 const Ball<Real>& reciprocal(int k) {
   static const auto all = [] {

@@ -1,12 +1,14 @@
-// How many roots an interval can have, by the signs of the derivatives at its ends: the theorem of Budan and Fourier.
+// The number of roots that an interval can have, by the signs of the derivatives at its ends: the theorem of Budan and
+// Fourier.
 //
-// Where shapes touch to a high order, a form and its first derivatives are zero at one instant but for what the
-// displacement adds. No range of the form over an interval that comes near tells its sign: intervals have to be halved
-// until they are as short as that addition lets the roots lie apart, which takes a hundred steps. But some derivative
-// keeps its sign all over a long interval. Then no more roots lie in it than the sequence of the derivatives up to that
-// one has more changes of sign at the start than at the end: farther from the place at which the derivative before is
-// zero than the roots can lie, all of it at once. (The theorem is about polynomials; its proof looks at the sequence
-// near the zeros of its members alone, of which there are few where the last one has none.)
+// Where shapes touch to a high order, a certificate function and its first derivatives are zero at one instant except
+// for the contribution of the displacement. No range of the function over an interval near that instant decides its
+// sign. Intervals have to be halved until they are as short as the distances of the roots that this contribution
+// admits, which takes a hundred steps. But some derivative keeps its sign over a long interval. The number of roots
+// there is at most the decrease, from start to end, of the number of sign changes in the sequence of derivatives up to
+// that one. Outside the neighbourhood of the zero of the preceding derivative in which the roots can lie, this excludes
+// a whole interval at once. (The theorem is about polynomials. Its proof uses the sequence only near the zeros of its
+// members, and there are few of them if the last member has none.)
 //
 // F. D. Budan de Boislaurent, Nouvelle methode pour la resolution des equations numeriques, 1807; J. B. J. Fourier,
 // Analyse des equations determinees, 1831.
@@ -20,37 +22,37 @@
 
 namespace taut::internal {
 
-/// A function on an interval by its Taylor polynomial about a middle of it, the last coefficient of which is a range
-/// that makes the formula right all over the interval.
+/// A function on an interval, given by its Taylor polynomial about a middle of it. The last coefficient is a range that
+/// makes the expansion valid over the whole interval.
 template <class Real>
 class RootCount {
  public:
-  /// `lo` and `hi` are the ends, seen from the middle. The polynomial must outlive it.
+  /// `lo` and `hi` are the ends, relative to the middle. The polynomial must outlive this object.
   RootCount(const BallPolynomial<Real>& about_middle, const Ball<Real>& lo, const Ball<Real>& hi)
       : c_(about_middle), lo_(lo), hi_(hi), steady_(steady_derivative()) {}
 
   static constexpr int many = 64;
-  /// No more roots lie in (lo, hi], each counted as often as it is one; `many` if nothing is known. `sign` is the
-  /// function's just after `lo`.
+  /// An upper bound of the number of roots in (lo, hi], counted with multiplicity; `many` if nothing is known. `sign`
+  /// is the sign of the function just after `lo`.
   int most(int sign) const {
     if (steady_ == 0) return many;
     return variations(expanded(c_, lo_), sign, Bound::upper) - variations(expanded(c_, hi_), 0, Bound::lower);
   }
 
-  /// Roots that are near one place: no farther from it than the radius, but for others that are far away.
+  /// Roots near one place: within the radius of it, except for others that are far away.
   struct Cluster {
-    Real centre;  ///< seen from the middle
+    Real centre;  ///< relative to the middle
     double radius;
   };
-  /// Around the place at which the derivative before the steady one is zero, if that is within the interval, or nearly.
-  /// A guess, no more.
+  /// The cluster around the zero of the derivative before the steady one, if that is within the interval, or nearly. It
+  /// is only an estimate.
   std::optional<Cluster> cluster() const {
     if (steady_ == 0) return std::nullopt;
     const Real centre = zero_of_derivative(steady_ - 1);
     const double far = reach();
     if (!(RealTraits<Real>::magnitude(centre) <= 2 * far)) return std::nullopt;
     const BallPolynomial<Real> about = expanded(c_, Ball<Real>(centre, 0.0));
-    // Roots of a polynomial are no larger than twice the largest of these.
+    // The roots of a polynomial are bounded by twice the largest of these.
     const int leading = std::ilogb(about[steady_].magnitude());
     int exponent = -1000;
     for (std::size_t k = 0; k < steady_; ++k) {
@@ -75,13 +77,13 @@ class RootCount {
     }
     return 0;
   }
-  /// Changes of sign in the sequence of derivatives at an end, that of the function being `first` if it is not 0; a
-  /// bound where signs are not known.
+  /// The number of sign changes in the sequence of derivatives at an end, or a bound where signs are not known. If
+  /// `first` is not 0, it is the sign of the function.
   int variations(const BallPolynomial<Real>& at, int first, Bound bound) const {
     const bool most = bound == Bound::upper;
     const int excluded = most ? -many : many;
     const auto better = [most](int a, int b) { return most ? std::max(a, b) : std::min(a, b); };
-    // How many there are if the last sign so far is -1, or 1.
+    // The number of changes if the last sign so far is -1, or 1.
     int negative = 0, positive = 0;
     for (std::size_t k = 0; k <= steady_; ++k) {
       const int sign = k == 0 && first != 0 ? first : at[k].sign();
@@ -92,7 +94,7 @@ class RootCount {
     }
     return better(negative, positive);
   }
-  /// By Newton's steps from the middle on.
+  /// Uses Newton steps from the middle.
   Real zero_of_derivative(std::size_t order) const {
     Real h(0);
     const double far = 2 * reach();
@@ -107,7 +109,7 @@ class RootCount {
     }
     return h;
   }
-  /// Divided by the factorial of its order.
+  /// The derivative divided by the factorial of its order.
   Real derivative(std::size_t order, const Real& h) const {
     Real sum(0);
     for (std::size_t k = c_.size; k-- > order;) sum = sum * h + c_[k].mid * binomial(k, order);

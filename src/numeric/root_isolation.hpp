@@ -21,10 +21,11 @@ struct RootEnclosure {
 
 namespace detail {
 
-/// In units of checkpoint(), beside the function's.
+/// In units of checkpoint(), in addition to the work of the function.
 constexpr std::uint64_t work_of_step = 9;
 
-/// The range over a ball; no sharper than telling its sign or its slope's needs, where the function has such a one.
+/// The range over a ball. If the function offers a cheaper one, it is only as sharp as is needed to decide its sign or
+/// that of its slope.
 template <class Function, class Real>
 Jet<Real> range_of(const Function& f, const Ball<Real>& t) {
   if constexpr (requires { f.telling_range(t); }) {
@@ -34,7 +35,7 @@ Jet<Real> range_of(const Function& f, const Ball<Real>& t) {
   }
 }
 
-/// The value alone, where the function has a cheaper way to it.
+/// The value alone, by a cheaper method where the function has one.
 template <class Function, class Real>
 Ball<Real> value_of(const Function& f, const Ball<Real>& t) {
   if constexpr (requires { f.telling_value(t); }) {
@@ -46,7 +47,8 @@ Ball<Real> value_of(const Function& f, const Ball<Real>& t) {
   }
 }
 
-/// Is the function's range one that no value at the middle would improve, as those of polynomials about it are?
+/// Is the function's range so tight that a value at the middle would not improve it, as for polynomials about the
+/// middle?
 template <class Function, class Real>
 bool is_expanded(const Function& f, const Ball<Real>& t) {
   if constexpr (requires { f.is_expanded(t); }) {
@@ -56,15 +58,16 @@ bool is_expanded(const Function& f, const Ball<Real>& t) {
   }
 }
 
-/// What the signs of derivatives tell of an interval beyond which some signs are known.
+/// The information that the signs of derivatives give about an interval outside of which some signs are known.
 template <class Real>
 struct ParentBounds {
   enum : unsigned char { nothing, excluded, one_root, cuts } decided = nothing;
-  Real cut[2];  ///< where to cut it, in their order
+  Real cut[2];  ///< the places at which to cut the interval, in order
   int cut_count = 0;
 };
 
-/// Where the function is not zero, nor falls, in a way that ranges show. `sign` holds just after `lo`.
+/// Determines whether the interval contains no root or one root, or where to cut it, if ranges show neither. `sign`
+/// holds just after `lo`.
 template <class Function, class Real>
 ParentBounds<Real> parent_bounds(const Function& f, int sign, const Real& lo, const Real& hi, const Ball<Real>& whole) {
   ParentBounds<Real> seen;
@@ -79,7 +82,7 @@ ParentBounds<Real> parent_bounds(const Function& f, int sign, const Real& lo, co
       seen.decided = ParentBounds<Real>::excluded;
       return seen;
     }
-    // The only root, too, is enclosed far better by what is around the cluster's place.
+    // The neighbourhood of the cluster encloses a single root, too, far better.
     if (const auto cluster = count.cluster()) {
       for (const double side : {-1.0, 1.0}) {
         const Real place = whole.mid + cluster->centre + Real(side * cluster->radius);
@@ -96,7 +99,7 @@ ParentBounds<Real> parent_bounds(const Function& f, int sign, const Real& lo, co
   return seen;
 }
 
-/// The range over [a, b] by the better of three forms: direct, mean value, and second order about the middle.
+/// The sign over [a, b] by the best of three forms of the range: direct, mean value, and second order about the middle.
 template <class Real>
 int sign_over(const Jet<Real>& wide, const Jet<Real>& at_middle, double reach) {
   if (const int s = wide.v.sign()) return s;
@@ -110,15 +113,15 @@ int sign_over(const Jet<Real>& wide, const Jet<Real>& at_middle, double reach) {
 
 }  // namespace detail
 
-/// Where to cut an interval in two.
+/// Cuts an interval into halves.
 struct Halves {
   template <class Real>
   Real operator()(const Real& lo, const Real& hi) const {
     return (lo + hi) / 2;
   }
 };
-/// For functions whose scale may be any power of their argument near zero, which does not lie inside the interval:
-/// orders of magnitude at a time.
+/// Cuts by orders of magnitude. For functions whose scale may be any power of their argument near zero, where zero does
+/// not lie inside the interval.
 struct Magnitudes {
   template <class Real>
   Real operator()(const Real& lo, const Real& hi) const {
@@ -129,12 +132,13 @@ struct Magnitudes {
   }
 };
 
-/// Does a search get on? Where a function is so small that its value decides and no range does, as one that is constant
-/// but for what cancels, all intervals have to be as short as the first one. Near a root of whatever order they grow;
-/// towards an instant where the motion is nearly infinitely fast they shrink, scale by scale, and grow behind it.
+/// Does a search make progress? If a function is so small that its value decides but no range does, such as a function
+/// that is constant except for cancelling terms, all intervals have to be as short as the first one. Near a root of any
+/// order, they grow. Towards an instant where the motion is nearly infinitely fast, they shrink, scale by scale, and
+/// grow behind it.
 class Progress {
  public:
-  /// An interval of this length is done, and `left` is left. False if there is no hope.
+  /// Records that an interval of this length is done, and that `left` is left. Returns false if there is no hope.
   bool goes_on(double length, double left) {
     if (!(left > few * length) || length < shortest_) {
       start(length);
@@ -151,21 +155,21 @@ class Progress {
     shortest_ = longest_ = length;
   }
 
-  static constexpr double few = 0x1p18;  ///< more than a search has steps for
+  static constexpr double few = 0x1p18;  ///< more intervals than a search has steps for
   static constexpr int many = 1024;
-  double shortest_ = 0, longest_ = 0;  ///< the longest since the last that was shorter than any before
+  double shortest_ = 0, longest_ = 0;  ///< the longest since the last interval that was shorter than all before
   int alike_ = 0;
 };
 
-/// Roots that ranges tell apart take no more than a few halvings: after so many, signs of derivatives are looked at.
+/// Roots that ranges separate require only a few halvings. After this many, the signs of derivatives are evaluated.
 inline constexpr int halvings_without_parent_bounds = 3;
 
-/// Looks for the first root in (a, b] at which a function's sign changes. What an interruption point ends can be gone
-/// on with.
+/// Searches for the first root in (a, b] at which a function's sign changes. A search interrupted by a checkpoint can
+/// be resumed.
 template <class Real>
 class SignChangeSearch {
  public:
-  /// `sign` is the function's just after a. So many intervals are looked at at most.
+  /// `sign` is the sign of the function just after a. At most `budget` intervals are examined.
   void begin(int sign, const Real& a, const Real& b, int budget = 200000) {
     sign_ = sign;
     lo_ = a;
@@ -178,8 +182,8 @@ class SignChangeSearch {
     root_.reset();
     exhausted_ = false;
   }
-  /// The root, isolated. Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. The same
-  /// is said again if it is asked again.
+  /// The root, isolated. Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. Further
+  /// calls give the same result.
   template <class Function, class Cut = Halves>
   std::optional<RootEnclosure<Real>> go_on(const Function& f, const Cut& cut = {}) {
     // Depth first from the left.
@@ -194,7 +198,8 @@ class SignChangeSearch {
   }
 
  private:
-  /// At the first interval that is left. True if the sign holds in it; otherwise it is cut, or it has the root.
+  /// Examines the first remaining interval. Returns true if the sign holds in it. Otherwise the interval is cut, or it
+  /// contains the root.
   template <class Function, class Cut>
   bool look(const Function& f, const Cut& cut) {
     using B = Ball<Real>;
@@ -203,7 +208,7 @@ class SignChangeSearch {
     const B whole = B::about_short_middle(lo_, hi);
     const Jet<Real> wide = detail::range_of(f, whole);
     const int slope = wide.d.sign();
-    // A slope of the same sign leads away from zero.
+    // If the slope has the same sign, the function moves away from zero.
     if (wide.v.sign() == sign_ || slope == sign_) return true;
     if (!detail::is_expanded(f, whole) &&
         detail::sign_over(wide, detail::range_of(f, B(whole.mid, 0.0)), whole.rad) == sign_)
@@ -233,8 +238,8 @@ class SignChangeSearch {
   }
 
   int sign_ = 0;
-  Real lo_{}, end_{};       ///< everything before `lo` is done
-  std::vector<Real> ends_;  ///< of the intervals that are left, the first one last
+  Real lo_{}, end_{};       ///< everything before `lo_` is done
+  std::vector<Real> ends_;  ///< of the remaining intervals, the first one last
   double tiny_ = 0;
   int budget_ = 0, narrowed_ = 0;
   Progress progress_;
@@ -242,7 +247,7 @@ class SignChangeSearch {
   bool exhausted_ = false;
 };
 
-/// The same at once.
+/// Runs the whole search at once.
 template <class Real, class Function, class Cut = Halves>
 std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b,
                                                      const Cut& cut = {}, int budget = 200000) {
@@ -252,7 +257,7 @@ std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign
   return search.go_on(f, cut);
 }
 
-/// No shorter one is to be had: its ends are but a few units in the last place apart.
+/// Is the enclosure as short as possible, with ends only a few units in the last place apart?
 template <class Real>
 bool is_sharp(const RootEnclosure<Real>& r) {
   using Traits = RealTraits<Real>;
@@ -288,8 +293,8 @@ void refine(const Function& f, int sign, RootEnclosure<Real>& r, double enough =
   }
 }
 
-/// The same where the slope over the whole enclosure is known to a few digits at least: each step needs one value, and
-/// gains as many bits as the slope has, down to what the value's own error allows.
+/// Like refine(), where the slope over the whole enclosure is known to at least a few digits. Each step needs one
+/// value, and gains as many bits as are known of the slope, down to the error of the value itself.
 template <class Real, class Function>
 void refine_with_slope(const Function& f, const Ball<double>& slope, int sign, RootEnclosure<Real>& r,
                        double enough = 0) {

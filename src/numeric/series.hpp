@@ -13,8 +13,8 @@
 
 namespace taut::internal {
 
-/// The sum of a[i] b[k - i], i = first .. last, in one go: the middles as they come, and what they round in one bound.
-/// Nothing if something is not finite.
+/// The sum of a[i] b[k - i], i = first .. last, in one loop: the middles are computed directly, and one bound covers
+/// their rounding. Nothing if a result is not finite.
 inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, const Ball<double>* b, int first, int last,
                                                       int k) {
   double sum = 0, size = 0, spread = 0;
@@ -25,16 +25,16 @@ inline std::optional<Ball<double>> finite_convolution(const Ball<double>* a, con
     size += std::fabs(product);
     spread += (x_size + x.rad) * y.rad + y_size * x.rad;
   }
-  // n products and n - 1 sums of them err by less than n + 1 roundings of their sizes' sum, and the bound itself by
-  // less than 4 n of its own.
+  // n products and n - 1 additions have an error of less than n + 1 roundings of the sum of their magnitudes. The bound
+  // itself has a relative error of less than 4 n roundings.
   const double n = last - first + 1;
   const double bound = (spread + (n + 1) * 0x1p-53 * size) * (1 + 0x1p-45) + n * underflow_slack;
   if (!(bound < INFINITY)) return std::nullopt;
   return Ball<double>(sum, bound);
 }
 
-/// c[k] encloses f^(k)(t)/k!, k = 0 .. N, at a point or over a ball of times. Those from `terms` on are exactly zero,
-/// as they are for the polynomials of low degree that most motions are made of, and cost nothing.
+/// c[k] encloses f^(k)(t)/k!, k = 0 .. N, at a point or over a ball of times. The coefficients from `terms` on are
+/// exactly zero and cost nothing, as for the polynomials of low degree of which most motions consist.
 template <class Real, int N>
 struct Series {
   using Number = Real;
@@ -61,13 +61,13 @@ struct Series {
     s.terms = std::clamp(degree + 1, 1, N + 1);
     return s;
   }
-  /// The same, where the time may know the polynomial about an instant nearby.
+  /// The polynomial about a time that may have its expansion about an instant nearby.
   template <class Coefficients, class Time>
   requires requires(const Time& t, const Coefficients& given) { t.local(given); }
   static Series polynomial(const Coefficients& given, const Time& t) {
     return t.polynomials ? polynomial(t.local(given), t.since) : polynomial(given, t.t);
   }
-  /// The same as a function of s.
+  /// The polynomial as a function of s.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {
     Series t = constant(at.end);
@@ -79,7 +79,7 @@ struct Series {
     for (std::size_t i = coefficients.size(); i-- > 0;) sum = sum * t + constant(coefficients[i]);
     return sum;
   }
-  /// The argument itself.
+  /// The independent variable.
   static Series variable(const Ball<Real>& t) {
     Series s = constant(t);
     if constexpr (N > 0) {
@@ -88,7 +88,7 @@ struct Series {
     }
     return s;
   }
-  /// With so many terms, all of them still to be set; the rest is zero.
+  /// A series with this many terms, all of which the caller must set; the rest is zero.
   static Series of_terms(int terms) {
     Series s;
     s.terms = terms;

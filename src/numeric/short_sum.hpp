@@ -1,4 +1,4 @@
-// Numbers given exactly as sums of a few doubles: enough for events that differ by a displacement only.
+// Numbers given exactly as sums of a few doubles: sufficient for events that differ by a displacement only.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class ShortSum {
     x.each_part([this](double part) { part_[size_++] = part; });
     std::reverse(part_.begin(), part_.begin() + static_cast<std::ptrdiff_t>(size_));
   }
-  /// Of a sum with few enough terms.
+  /// Converts a sum that is known to have few enough terms.
   template <std::size_t Terms>
   static ShortSum of(const ExactSum<Terms>& sum) {
     ShortSum number;
@@ -35,24 +35,24 @@ class ShortSum {
 
   std::size_t size() const { return size_; }
   double part(std::size_t i) const { return part_[i]; }
-  /// Within two units in the last place of the number: the largest part may be far from it.
+  /// An approximation within two units in the last place of the number. The largest part may be far from it.
   double approximate() const {
     double sum = 0;
     for (std::size_t i = 0; i < size_; ++i) sum += part_[i];
     return sum;
   }
-  /// Exact: the parts lie within 960 bits.
+  /// The exact value: the parts lie within 960 bits.
   RealMax real() const {
     RealMax sum(0);
     for (std::size_t i = size_; i-- > 0;) sum += RealTraits<RealMax>::from_double(part_[i]);
     return sum;
   }
 
-  /// -1, 0 or 1 as the number is less than, equal to, or greater than `o`.
+  /// -1, 0 or 1 if the number is less than, equal to, or greater than `o`.
   int compare(const ShortSum& o) const {
     std::size_t i = size_, k = o.size_;
     while (i > 0 && k > 0 && part_[i - 1] == o.part_[k - 1]) --i, --k;
-    // The largest part has the sign of all.
+    // The largest part has the sign of the number.
     if (k == 0) return i == 0 ? 0 : (part_[i - 1] > 0 ? 1 : -1);
     if (i == 0) return o.part_[k - 1] > 0 ? -1 : 1;
     const double d = part_[i - 1] - o.part_[k - 1];
@@ -62,7 +62,7 @@ class ShortSum {
     while (k-- > 0) difference.add(-o.part_[k]);
     return difference.sign();
   }
-  /// The largest double not above, and the smallest not below.
+  /// The largest double that is not above the number, and the smallest that is not below it.
   double floor() const {
     if (size_ < 2) return approximate();
     // Usually the rest is far less than the distance of the largest part to the next double.
@@ -80,7 +80,7 @@ class ShortSum {
  private:
   static constexpr double up = 1 + 0x1p-50;
 
-  /// A bound of what the first i parts add up to: as they do not overlap, less than twice the largest of them. That may
+  /// A bound of the sum of the first i parts: as they do not overlap, it is less than twice the largest of them. It may
   /// be as much as the part above them.
   double most_below(std::size_t i) const { return i > 0 ? 2 * std::fabs(part_[i - 1]) : 0; }
   ShortSum negated() const {

@@ -1,7 +1,7 @@
-// The stages by which a sign, a root or an order of roots is told, and how often each did: the table under "Numbers and
-// stages" in ARCHITECTURE.md, row by row.
+// The stages that decide a sign, a root or an order of roots, and counts of their decisions: the table under "Numbers
+// and stages" in ARCHITECTURE.md, row by row.
 //
-// Where no stage beyond doubles was needed, the displacement decided nothing: both readings of touching have the same
+// If no stage beyond doubles was needed, the displacement decided nothing: both readings of touching have the same
 // answer.
 #pragma once
 
@@ -16,11 +16,11 @@
 namespace taut::internal {
 
 enum class Stage : std::uint8_t {
-  doubles,      ///< with a bound of the error
-  first_order,  ///< doubles with the displacement in them, or on the part that is linear in it
+  doubles,      ///< with an error bound
+  first_order,  ///< doubles that include the displacement, or on the part that is linear in it
   exact,        ///< sums of doubles
-  beside,       ///< doubles, from the root of a form that is nearly the same
-  fixed,        ///< numbers of a fixed length, whose point is fixed
+  beside,       ///< doubles, from the root of a nearly proportional certificate function
+  fixed,        ///< fixed-point numbers
   precise,      ///< balls of the first of the Precisions; the others follow
 };
 constexpr Stage stage_of_precision(int precision) {
@@ -29,11 +29,11 @@ constexpr Stage stage_of_precision(int precision) {
 
 inline constexpr int stage_count = static_cast<int>(Stage::precise) + precise_stages;
 inline constexpr Stage last_stage = stage_of_precision(precise_stages - 1);
-/// The next one at high precision; beyond the last one there is none.
+/// The next stage at high precision; there is none beyond the last one.
 constexpr Stage next_precise(Stage stage) {
   return stage < Stage::precise ? Stage::precise : static_cast<Stage>(static_cast<int>(stage) + 1);
 }
-/// The same for instants and their order, of which much may be known beside another one.
+/// The next stage for instants and their order, which may be known relative to another instant.
 constexpr Stage next_closer(Stage stage) { return stage < Stage::beside ? Stage::beside : next_precise(stage); }
 
 /// Runs the generic lambda with a value of the number type of a stage at high precision.

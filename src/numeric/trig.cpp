@@ -5,9 +5,9 @@
 namespace taut::internal {
 namespace {
 
-/// Sine and cosine of |r| <= 0.79 by their Taylor polynomials of degree 17 and 18.
-/// Truncation is below 0.79^19/19! < 2^-62. Horner in r^2 with all |terms| < 1: the rounding of each step is damped by
-/// r^2/6 < 0.11 before the next, so the total stays below 3 * 2^-53; 2^-51 is what we claim.
+/// Sine and cosine of |r| <= 0.79 by their Taylor polynomials of degree 17 and 18. Truncation is below 0.79^19/19! <
+/// 2^-62. Horner's rule in r^2 has all |terms| < 1. The rounding of each step is damped by r^2/6 < 0.11 before the
+/// next, so the total stays below 3 * 2^-53. The bound used is 2^-51.
 struct SmallAngle {
   double sin, cos;
 };
@@ -49,8 +49,8 @@ SinCos<double> sin_cos(const Ball<double>& x) {
     }
     return {B(0.0, 1.0), B(0.0, 1.0)};
   }
-  // Cody-Waite: pi/2 = p1 + p2 + p3 + (< 2^-115). p1 and p2 have 33 bits, so that k * p1 and k * p2 are exact for
-  // |k| < 2^20; x - k p1 is exact, the next two steps round once each: |error of r| < 2^-53 + 2^-95.
+  // Cody-Waite: pi/2 = p1 + p2 + p3 + (< 2^-115). p1 and p2 have 33 bits, so that k * p1 and k * p2 are exact for |k| <
+  // 2^20. x - k p1 is exact, and the next two steps round once each: |error of r| < 2^-53 + 2^-95.
   constexpr double p1 = 0x1.921fb544p+0, p2 = 0x1.0b4611a6p-34, p3 = 0x1.3198a2e037073p-69;
   const double k = std::nearbyint(x.mid * 0.63661977236758134308);
   const double r = ((x.mid - k * p1) - k * p2) - k * p3;
@@ -62,9 +62,9 @@ SinCos<double> sin_cos(const Ball<double>& x) {
 
 SinCos<double> sin_cos_of_sum(double hi, double lo) {
   using B = Ball<double>;
-  // pi/2 = p1 + p2 + p3 + (< 2^-163), each the double nearest to what is left. The quotient errs by less than 2^-12, so
-  // that |r| < 0.79. hi - k p1 is exact but for its last step, and the rest is below 2^-9: two roundings of results
-  // below 1, and a few of the rest's, make less than 2^-52. The slopes are at most 1.
+  // pi/2 = p1 + p2 + p3 + (< 2^-163), where each is the double nearest to the remainder. The quotient has an error of
+  // less than 2^-12, so that |r| < 0.79. hi - k p1 is exact except for its last step, and the rest is below 2^-9. Two
+  // roundings of results below 1, and a few of the rest's, make less than 2^-52. The slopes are at most 1.
   constexpr double p1 = 0x1.921fb54442d18p+0, p2 = 0x1.1a62633145c07p-54, p3 = -0x1.f1976b7ed8fbcp-110;
   const double k = std::nearbyint(hi * 0.63661977236758134308);
   const TwoDoubles first = two_product(k, p1), second = two_product(k, p2);

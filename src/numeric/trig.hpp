@@ -14,7 +14,7 @@ struct SinCos {
   Ball<Real> sin, cos;
 };
 
-/// Turns the pair by k quarter turns.
+/// Rotates the pair by k quarter turns.
 template <class Real>
 SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
   switch (k & 3) {
@@ -33,7 +33,8 @@ SinCos<Real> quarter_turns(const Ball<Real>& s, const Ball<Real>& c, int k) {
 SinCos<double> sin_cos(const Ball<double>& x);
 template <class Real>
 SinCos<Real> sin_cos(const Ball<Real>& x);
-/// Of an angle that is the sum of two doubles, |hi| < 2^40 and |lo| < 2^-10: to 2^-50, however large it is.
+/// Both functions of an angle that is the sum of two doubles, |hi| < 2^40 and |lo| < 2^-10: to 2^-50, regardless of its
+/// size.
 SinCos<double> sin_cos_of_sum(double hi, double lo);
 
 }  // namespace taut::internal

@@ -1,4 +1,4 @@
-// What the user is told where the highest precision does not suffice.
+// The message for the user where the highest precision does not suffice.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace taut::internal {
 /// The message for the user.
 std::string not_decided(const Undecidable& limit);
 
-/// Runs it. What stopped it before its end, precision or a limit; empty if nothing did.
+/// Runs the action. Returns the reason, precision or a limit, that stopped it before its end; empty if nothing did.
 template <class Action>
 std::string what_stops(const Action& action) {
   try {

@@ -13,10 +13,10 @@ namespace {
 /// GCC's and clang's vector type of two words, stored at once.
 using TwoStored = std::uint64_t __attribute__((vector_size(16)));
 
-/// 1 or 0 as a mask of all bits or none.
+/// Converts 1 or 0 to a mask of all bits or none.
 std::uint64_t mask_of(std::uint64_t bit) { return 0 - bit; }
 
-/// Moves all to the left until the first bit is set, and says by how many bits; requires that it is not zero.
+/// Shifts the words to the left until the first bit is set, and returns the number of bits; requires a nonzero number.
 template <std::size_t N>
 int normalise(std::array<std::uint64_t, N>& x) {
   std::size_t top = N - 1;
@@ -30,18 +30,18 @@ int normalise(std::array<std::uint64_t, N>& x) {
   return static_cast<int>(64 * words) + bits;
 }
 
-/// A mantissa with a word more at its end, moved to the right by so many bits: at most all but one.
+/// A mantissa with one more word at its end, shifted to the right by `by` bits, at most all but one.
 template <std::size_t N>
 class Moved {
  public:
   Moved(std::span<const std::uint64_t, N> mantissa, std::size_t by) : skipped_(by / 64), bits_(by % 64) {
     std::memcpy(word_.data() + 1, mantissa.data(), mantissa.size_bytes());
   }
-  /// The first one is that at the end.
+  /// Word 0 is the one at the end.
   std::uint64_t word(std::size_t i) const {
     return word_[i + skipped_] >> bits_ | word_[i + skipped_ + 1] << 1 << (63 - bits_);
   }
-  /// Has anything but zeros been moved out?
+  /// Have any nonzero bits been shifted out?
   bool lost() const {
     std::uint64_t left = word_[skipped_] & ((std::uint64_t{1} << bits_) - 1);
     for (std::size_t i = 1; i < skipped_; ++i) left |= word_[i];
@@ -53,7 +53,7 @@ class Moved {
   std::size_t skipped_, bits_;
 };
 
-/// The same mantissa with another exponent: so that a double tells its reciprocal.
+/// The same mantissa with another exponent, in the range where a double can approximate its reciprocal.
 template <unsigned Bits>
 WideFloat<Bits> with_exponent(const WideFloat<Bits>& x, int exponent) {
   return ldexp(x, exponent - x.exponent());
@@ -68,8 +68,8 @@ WideFloat<Bits> WideFloat<Bits>::undefined() {
   return of_words(mantissa, undefined_exponent, false);
 }
 
-/// Two words at a time, as whoever copies a number reads them: what has been stored by halves cannot be read at once
-/// until both have left for the cache, which takes as long as a product.
+/// Stores two words at a time, because copies of the number read them in that way. Data stored by halves cannot be read
+/// as a whole until both halves have been written to the cache, which takes as long as a product.
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::of_words(const Limbs& mantissa, std::int32_t exponent, bool negative) {
   WideFloat x{Unset()};
@@ -90,7 +90,7 @@ WideFloat<Bits> WideFloat<Bits>::with_sign(const WideFloat& x, bool negative) {
   return of_words(mantissa, x.exponent(), negative && !x.is_zero());
 }
 
-/// Without a branch: up or down is as good as random.
+/// Rounds without a branch, because the direction is unpredictable.
 template <unsigned Bits>
 inline WideFloat<Bits> WideFloat<Bits>::rounded(const Limbs& mantissa, std::uint64_t below, bool lost,
                                                 std::int64_t exponent, bool negative) {
@@ -162,7 +162,7 @@ template <unsigned Bits>
 double WideFloat<Bits>::to_double() const {
   if (is_zero()) return 0;
   if (!is_defined()) return std::numeric_limits<double>::quiet_NaN();
-  // As many bits of the first word as the double has, fewer below the normal ones, rounded to the nearest.
+  // As many bits of the first word as the double has, fewer for subnormal results, rounded to the nearest.
   const int place = std::clamp(exponent(), -5000, 5000), dropped = 11 + std::clamp(-1022 - place, 0, 53);
   const std::uint64_t first = word_[limbs - 1], half = std::uint64_t{1} << (dropped - 1), rest = first & (2 * half - 1);
   const bool behind =
@@ -193,7 +193,7 @@ WideFloat<Bits> WideFloat<Bits>::sum(const WideFloat& a, const WideFloat& b, boo
   const bool a_larger = a.exponent() >= b.exponent();
   const WideFloat &large = a_larger ? a : b, &small = a_larger ? b : a;
   const bool negative = a_larger ? a.is_negative() : b_negative;
-  // What is less than a quarter of a unit in the last place changes nothing.
+  // A number below a quarter of a unit in the last place changes nothing.
   if (std::int64_t{large.exponent()} - small.exponent() > static_cast<std::int64_t>(Bits) + 1) {
     return with_sign(large, negative);
   }
@@ -212,7 +212,7 @@ WideFloat<Bits> WideFloat<Bits>::sum_of_magnitudes(const WideFloat& large, const
     words[i] = low_word(place);
     carry = high_word(place);
   }
-  // Where something was carried, all moves by a bit.
+  // After a carry, all words are shifted by a bit.
   const bool lost = moved.lost() || (below & carry) != 0;
   const int by = static_cast<int>(carry);
   const std::uint64_t mask = mask_of(carry);
@@ -223,8 +223,8 @@ WideFloat<Bits> WideFloat<Bits>::sum_of_magnitudes(const WideFloat& large, const
   return rounded(words, below, lost, std::int64_t{large.exponent()} + by, negative);
 }
 
-/// large has no smaller exponent; the result is negative if it says so, or if it does not, and large is the smaller one
-/// after all.
+/// The exponent of `large` must not be smaller. The result has the sign `negative`, or the opposite sign if `large` is
+/// the smaller number after all.
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::difference_of_magnitudes(const WideFloat& large, const WideFloat& small,
                                                           bool negative) {
@@ -232,8 +232,9 @@ WideFloat<Bits> WideFloat<Bits>::difference_of_magnitudes(const WideFloat& large
   if (order == 0) return {};
   if (order < 0) return difference_of_magnitudes(small, large, !negative);
   const Moved<limbs> moved(small.mantissa(), static_cast<std::size_t>(large.exponent() - small.exponent()));
-  // Where something is lost of what is subtracted, one unit less is a little too little, and the rest is positive. No
-  // more than one bit cancels then, so that it lies far behind the half by which is rounded.
+  // If bits of the subtrahend are lost, subtracting one more unit makes the result slightly too small, and the
+  // remainder is positive. In that case at most one bit cancels, so that the remainder lies far behind the half unit
+  // that decides the rounding.
   const bool lost = moved.lost();
   std::array<std::uint64_t, limbs + 1> words;
   std::uint64_t borrow = lost ? 1 : 0;
@@ -254,7 +255,7 @@ template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::product(const WideFloat& a, const WideFloat& b) {
   if (!a.is_defined() || !b.is_defined()) return undefined();
   if (a.is_zero() || b.is_zero()) return {};
-  // Doubles have zeros in all words but the first: rows from the last one on that is not zero.
+  // Doubles have zeros in all words but the first. Rows start from the last nonzero word.
   const auto first_word = [](const WideFloat& x) {
     std::size_t i = 0;
     while (x.word_[i] == 0) ++i;
@@ -262,9 +263,9 @@ WideFloat<Bits> WideFloat<Bits>::product(const WideFloat& a, const WideFloat& b)
   };
   const std::size_t a_first = first_word(a), b_first = first_word(b), first_row = std::max(a_first, b_first);
   const WideFloat &rows = a_first < b_first ? b : a, &columns = a_first < b_first ? a : b;
-  // Columns from the one before the word by which is rounded: those below it are less than `limbs` units in its last
-  // place. Where the product is one of this length, what they would carry is missing by so little that rounding mends
-  // it.
+  // Columns start from the one before the word that decides the rounding. Those below it contribute less than `limbs`
+  // units in its last place. If the product is representable at this length, the missing carry is so small that
+  // rounding corrects it.
   constexpr std::size_t first = limbs - 2;
   std::array<std::uint64_t, 2 * limbs> full{};
 #pragma GCC unroll 16
@@ -280,7 +281,7 @@ WideFloat<Bits> WideFloat<Bits>::product(const WideFloat& a, const WideFloat& b)
     }
     full[i + limbs] = carry;
   }
-  // Two mantissas from 1 up to 2: where the product is less than 2, all moves by a bit.
+  // Two mantissas are in [1, 2). If the product is less than 2, all words are shifted by a bit.
   const std::uint64_t by = full[2 * limbs - 1] >> 63 ^ 1, mask = mask_of(by);
   const auto moved = [&full, by, mask](std::size_t i) { return full[i] << by | (full[i - 1] >> 63 & mask); };
   Limbs words;
@@ -300,8 +301,8 @@ WideFloat<Bits> WideFloat<Bits>::first_bits(int count) const {
   return of_words(mantissa, exponent(), is_negative());
 }
 
-/// By Newton's steps for the reciprocal of the root, as a quotient: r + r (1 - x r^2) / 2 is wrong by a share of less
-/// than 2 e^2.
+/// Uses Newton steps for the reciprocal of the root, which need no division: the relative error of r + r (1 - x r^2) /
+/// 2 is less than 2 e^2. One more product gives the root.
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::square_root(const WideFloat& x) {
   if (x.is_zero()) return {};
@@ -345,7 +346,7 @@ std::partial_ordering WideFloat<Bits>::order(const WideFloat& a, const WideFloat
   return a.is_negative() ? order_of_magnitudes(b, a) : order_of_magnitudes(a, b);
 }
 
-// The lengths of the stages and of points on curves, and what is converted into what.
+// Instantiates the lengths of the stages and of points on curves, and the conversions between them.
 #define TAUT_LENGTH(Bits, A, B)                             \
   template class WideFloat<Bits>;                           \
   template WideFloat<Bits>::WideFloat(const WideFloat<A>&); \

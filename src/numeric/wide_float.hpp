@@ -1,4 +1,4 @@
-// Binary floating numbers of several machine words, for the stages behind doubles.
+// Binary floating-point numbers of several machine words, for the stages after doubles.
 #pragma once
 
 #include <array>
@@ -11,15 +11,14 @@
 
 namespace taut::internal {
 
-/// 0, or +-m 2^e, where m has Bits bits and is from 1 up to 2; or undefined, as what is too large, a quotient by zero
-/// and the root of a negative number are. Sums, differences and quotients are the numbers nearest to the true ones, and
-/// even where two are as near; products and roots, too, unless the true one lies within 2^-50 units of the last place
-/// of the middle between two numbers: they err by less than a unit. What is a number of this length comes out exactly.
-/// What is smaller than 2^-1000000 becomes 0.
+/// 0, or +-m 2^e, where m has Bits bits and is in [1, 2); or undefined, which is the result of an overflow, of a
+/// division by zero and of the root of a negative number. Sums, differences and quotients are rounded to nearest, with
+/// ties to even. So are products and roots, unless the true result lies within 2^-50 units of the last place of the
+/// middle between two numbers: their error is less than a unit. A result that is representable at this length is exact.
+/// Numbers smaller than 2^-1000000 become 0.
 ///
-/// The length is known when a program is compiled, and nothing is allocated: for lengths of a few words, bookkeeping
-/// would cost more than the product itself. The functions are compiled once, in wide_float.cpp, for the lengths that
-/// are used.
+/// The length is a compile-time constant, and nothing is allocated: for lengths of a few words, bookkeeping would cost
+/// more than the product itself. The functions are compiled once, in wide_float.cpp, for the lengths in use.
 template <unsigned Bits>
 class WideFloat {
   static_assert(Bits % 64 == 0 && Bits >= 128);
@@ -29,13 +28,13 @@ class WideFloat {
   using Limbs = std::array<std::uint64_t, limbs>;  ///< the least significant first
 
   WideFloat() : word_{} {}
-  /// Exact. From what is not finite: undefined.
+  /// Exact. Infinities and NaN give an undefined number.
   template <class Number>
   requires(std::is_floating_point_v<Number> || (std::is_integral_v<Number> && sizeof(Number) <= 4)) WideFloat(Number x)
       : WideFloat(of_double(static_cast<double>(x))) {
     static_assert(sizeof(Number) <= 8, "not exact");
   }
-  /// The nearest number of this length; the same one if this is not shorter.
+  /// The nearest number of this length; the same number if this length is not shorter.
   template <unsigned Other>
   requires(Other != Bits) explicit WideFloat(const WideFloat<Other>& x);
   /// The integer of these limbs times 2^exponent.
@@ -44,7 +43,7 @@ class WideFloat {
   bool is_zero() const { return word_[limbs - 1] == 0; }
   bool is_defined() const { return exponent() != undefined_exponent; }
   bool is_negative() const { return word_[limbs] >> 32 != 0; }
-  /// The e of +-m 2^e; not of zero. That of undefined numbers is larger than any.
+  /// The e of +-m 2^e. Requires a nonzero number. The exponent of undefined numbers is larger than any other.
   std::int32_t exponent() const { return static_cast<std::int32_t>(static_cast<std::uint32_t>(word_[limbs])); }
   /// m 2^(Bits - 1), an integer; zeros for zero.
   std::span<const std::uint64_t, limbs> mantissa() const { return std::span(word_).template first<limbs>(); }
@@ -55,7 +54,7 @@ class WideFloat {
   /// The nearest integer; requires a magnitude below 2^62.
   std::int64_t nearest_integer() const;
   static WideFloat of_integer(std::int64_t x);
-  /// The first bits alone, at least so many: shorter numbers are multiplied sooner.
+  /// The first bits alone, at least `count` of them: shorter numbers are multiplied faster.
   WideFloat first_bits(int count) const;
 
   friend WideFloat operator-(const WideFloat& a) { return with_sign(a, !a.is_negative()); }
@@ -68,8 +67,8 @@ class WideFloat {
   friend WideFloat sqrt(const WideFloat& x) { return square_root(x); }
   friend WideFloat abs(const WideFloat& x) { return with_sign(x, false); }
   friend WideFloat ldexp(const WideFloat& x, int by) { return scaled(x, by); }
-  /// The nearest integer; requires a magnitude below 2^(Bits - 3). Beside so large a number, the last place is that
-  /// of 1.
+  /// The nearest integer; requires a magnitude below 2^(Bits - 3). After the addition of so large a number, the last
+  /// place is that of 1.
   friend WideFloat round(const WideFloat& x) {
     const WideFloat large = scaled(1.5, static_cast<int>(Bits) - 1);
     return (x + large) - large;
@@ -85,13 +84,13 @@ class WideFloat {
   static constexpr std::int32_t undefined_exponent = std::numeric_limits<std::int32_t>::max();
   static constexpr std::int64_t largest_exponent = 1000000;
 
-  /// Leaves the words unset, for what writes them all.
+  /// Leaves the words uninitialized, for functions that write all of them.
   struct Unset {};
   explicit WideFloat(Unset) {}
 
   static WideFloat undefined();
   static WideFloat of_double(double x);
-  /// Of these limbs, whose first bit is set, and this exponent, which is one of those that numbers have.
+  /// The number with these limbs, whose first bit is set, and this exponent, which must be a valid one.
   static WideFloat of_words(const Limbs& mantissa, std::int32_t exponent, bool negative);
   static WideFloat with_sign(const WideFloat& x, bool negative);
   static WideFloat sum(const WideFloat& a, const WideFloat& b, bool b_negative);
@@ -103,10 +102,10 @@ class WideFloat {
   static WideFloat scaled(const WideFloat& x, int by);
   static std::partial_ordering order(const WideFloat& a, const WideFloat& b);
   static std::strong_ordering order_of_magnitudes(const WideFloat& a, const WideFloat& b);
-  /// From a mantissa whose first bit is set: `below` is the word after its last one, and `lost` whether anything is
-  /// behind that.
+  /// Rounds a mantissa whose first bit is set: `below` is the word after its last one, and `lost` shows whether any
+  /// nonzero bits follow.
   static WideFloat rounded(const Limbs& mantissa, std::uint64_t below, bool lost, std::int64_t exponent, bool negative);
-  /// The limbs; then the exponent, with 2^32 where the number is negative.
+  /// The limbs, followed by the exponent, plus 2^32 if the number is negative.
   std::array<std::uint64_t, limbs + 1> word_;
 };
 

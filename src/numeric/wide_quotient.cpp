@@ -7,12 +7,12 @@
 namespace taut::internal {
 namespace {
 
-/// One word of a quotient: how often the divisor, whose first bit is set, goes into as many words of the rest and one
-/// more, which it leaves smaller than itself.
+/// Computes one word of a quotient: the quotient of the rest, which has one more word than the divisor, by the divisor,
+/// whose first bit is set. Leaves the remainder in `rest`.
 std::uint64_t divide_once(std::uint64_t* rest, const std::uint64_t* divisor, std::size_t length) {
   const std::uint64_t top = divisor[length - 1];
   const TwoWords head = TwoWords{rest[length]} << 64 | rest[length - 1];
-  // By the first words it is at most two too large.
+  // Computed from the first words, the digit is at most two too large.
   std::uint64_t digit = rest[length] >= top ? ~std::uint64_t{0} : low_word(head / top);
   if (digit == 0) return 0;
   std::uint64_t carry = 0;
@@ -39,8 +39,8 @@ std::uint64_t divide_once(std::uint64_t* rest, const std::uint64_t* divisor, std
 
 }  // namespace
 
-/// Long division, word by word, with a word more than is kept; D. E. Knuth, The Art of Computer Programming, volume 2,
-/// 4.3.1, algorithm D. A divisor that is a double is a single word.
+/// Long division, word by word, with one word more than is kept; D. E. Knuth, The Art of Computer Programming, volume
+/// 2, 4.3.1, algorithm D. A divisor that is a double is a single word.
 template <unsigned Bits>
 WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b) {
   if (!a.is_defined() || !b.is_defined() || b.is_zero()) return undefined();
@@ -49,10 +49,11 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
   while (b.word_[first] == 0) ++first;
   const std::uint64_t* const divisor = b.word_.data() + first;
   const std::size_t length = limbs - first;
-  // The dividend in the upper words, one for what is carried above it; from it the quotient's multiples are taken.
+  // The dividend is in the upper words, with one more for the carry above it. Multiples of the divisor are subtracted
+  // from it.
   std::array<std::uint64_t, 2 * limbs + 2> rest{};
   std::memcpy(rest.data() + limbs + 1, a.word_.data(), sizeof(Limbs));
-  // Whole units, 0 or 1, and a word more than the mantissa of what follows.
+  // The integer part, 0 or 1, and one word more than the mantissa for the fraction.
   std::array<std::uint64_t, limbs + 2> digits{};
   for (std::size_t i = limbs + 2; i-- > 0;) {
     digits[i] = divide_once(rest.data() + i + limbs - length, divisor, length);
@@ -65,7 +66,7 @@ WideFloat<Bits> WideFloat<Bits>::quotient(const WideFloat& a, const WideFloat& b
     below = below || (digits[0] & 1) != 0;
     for (std::size_t i = 0; i <= limbs; ++i) digits[i] = digits[i] >> 1 | digits[i + 1] << 63;
   } else {
-    --exponent;  // the first bit of what follows is set, because both mantissas' are
+    --exponent;  // the first bit of the fraction is set, because both mantissas have their first bit set
   }
   Limbs mantissa;
   std::memcpy(mantissa.data(), digits.data() + 1, sizeof mantissa);

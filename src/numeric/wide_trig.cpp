@@ -1,4 +1,4 @@
-// Sine and cosine of numbers with several words: in whole numbers of fixed length, a tenth of what floating ones cost.
+// Sine and cosine of numbers with several words: in fixed-point numbers, at a tenth of the cost of floating-point ones.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -11,13 +11,13 @@
 namespace taut::internal {
 namespace {
 
-/// The words of pi, the last one rounded.
+/// The words of pi; the last one is rounded.
 constexpr RealMax::Limbs pi_words = {0xc2007cb8a163bf06, 0x49286651ece45b3d, 0xae9f24117c4b1fe6, 0xee386bfb5a899fa5,
                                      0x0bff5cb6f406b7ed, 0xf44c42e9a637ed6b, 0xe485b576625e7ec6, 0x4fe1356d6d51c245,
                                      0x302b0a6df25f1437, 0xef9519b3cd3a431b, 0x514a08798e3404dd, 0x020bbea63b139b22,
                                      0x29024e088a67cc74, 0xc4c6628b80dc1cd1, 0xc90fdaa22168c234};
 
-/// A number from 0 up to 1, in units of 2^(-64 Words); the least significant word first.
+/// A number in [0, 1), in units of 2^(-64 Words); the least significant word first.
 template <std::size_t Words>
 using Fraction = std::array<std::uint64_t, Words>;
 
@@ -26,7 +26,7 @@ template <std::size_t Count, std::size_t Words>
 Fraction<Words> product(const Fraction<Words>& a, const Fraction<Words>& b) {
   static_assert(Count <= 16);
   constexpr std::size_t last = Words - Count;
-  // Columns from the one below the unit on: those that are left out make less than `Count` units.
+  // Columns start from the one below the unit. The omitted ones contribute less than `Count` units.
   std::array<std::uint64_t, 2 * Count> sum{};
 #pragma GCC unroll 6
   for (std::size_t i = 0; i < Count; ++i) {
@@ -48,7 +48,7 @@ template <std::size_t Words>
 Fraction<Words> operator*(const Fraction<Words>& a, const Fraction<Words>& b) {
   return product<Words>(a, b);
 }
-/// Modulo 1, as all of these.
+/// Modulo 1, like all of these operations.
 template <std::size_t Words>
 Fraction<Words> operator-(Fraction<Words> a, const Fraction<Words>& b) {
   std::uint64_t borrow = 0;
@@ -71,7 +71,7 @@ Fraction<Words> operator+(Fraction<Words> a, const Fraction<Words>& b) {
   }
   return a;
 }
-/// Twice or four times it.
+/// Two or four times the number.
 template <std::size_t Words>
 Fraction<Words> doubled(Fraction<Words> a, int times) {
   for (std::size_t i = Words; i-- > 1;) a[i] = a[i] << times | a[i - 1] >> (64 - times);
@@ -90,19 +90,21 @@ Fraction<Words> quotient(Fraction<Words> a, std::uint64_t by) {
   return a;
 }
 
-/// Of an angle r up to 0.8: 1 - cos r and 1 - sin r / r. Both are small, and so is what their doubling takes from them,
-/// where differences of the functions themselves would cancel.
+/// 1 - cos r and 1 - sin r / r for an angle r up to 0.8. Both are small, and so are the losses when they are doubled,
+/// whereas differences of the functions themselves would cancel.
 ///
-/// They come from the Taylor polynomials at r / 2^10, whose squares w are below 2^-20: a term takes a third of a word
-/// less than the one before it. Then ten doublings, which multiply the first one's error by four each time.
+/// They are computed from the Taylor polynomials at r / 2^10, whose squares w are below 2^-20: a term takes a third of
+/// a word less than the preceding one. Ten doublings follow, each of which multiplies the error of the first one by
+/// four.
 template <std::size_t Words>
 class FromOne {
  public:
-  /// A bound of both errors. Those of the sums are below 64 units: what a term's product loses counts w^n units of its
-  /// last word, which is one unit at most. Doubling turns errors e and d into 4 e + 34 and d + e + 17 at most.
+  /// A bound of both errors. The errors of the sums are below 64 units: the loss in a term's product is multiplied by
+  /// w^n, in units of its last word, and is at most one unit. Doubling changes errors e and d into at most 4 e + 34 and
+  /// d + e + 17.
   static constexpr double error() { return power_of_two(27 - static_cast<int>(64 * Words)); }
 
-  /// Of r / 2^10, which is given.
+  /// The argument is r / 2^10.
   explicit FromOne(const Fraction<Words>& r) {
     const Fraction<Words> w = r * r;
     cosine = w * series(w, 2);
@@ -121,14 +123,14 @@ class FromOne {
  private:
   /// Terms down to w^n / (2 n)! < 2^(-64 Words).
   static constexpr int most_terms = [] {
-    int n = 0, bits = 0;  // of (2 n)!, no more than it has
+    int n = 0, bits = 0;  // a lower bound of the bits of (2 n)!
     for (; 2 * halvings * n + bits < static_cast<int>(64 * Words); ++n) {
       bits += static_cast<int>(std::bit_width(static_cast<unsigned>((2 * n + 1) * (2 * n + 2)))) - 1;
     }
     return n;
   }();
 
-  /// 1 / k!, less than two units too small; not of 0 and 1.
+  /// 1 / k!, less than two units too small. The entries for k = 0 and 1 are unused.
   static const std::array<Fraction<Words>, 2 * most_terms + 4>& reciprocal_factorials() {
     static const auto all = [] {
       std::array<Fraction<Words>, 2 * most_terms + 4> made{};
@@ -145,14 +147,14 @@ class FromOne {
     add_terms<unneeded(most_terms - 1)>(w, first, most_terms, sum);
     return sum;
   }
-  /// All of term n's sum will be multiplied by w^n: so many of its last words do not count. Of many, four at a time are
-  /// left out, as each number of them is compiled by itself.
+  /// The sum from term n on will be multiplied by w^n, so this many of its last words do not matter. If there are many,
+  /// four at a time are omitted, because each length is compiled separately.
   static constexpr std::size_t unneeded(int n) {
     constexpr int step = Words > 8 ? 4 : 1;
     return static_cast<std::size_t>(2 * halvings * n / (64 * step) * step);
   }
   static constexpr std::size_t fewer(std::size_t unneeded) { return unneeded - (Words > 8 ? 4 : 1); }
-  /// The terms before `n`.
+  /// Adds the terms before `n`.
   template <std::size_t Unneeded>
   static void add_terms(const Fraction<Words>& w, std::size_t first, int n, Fraction<Words>& sum) {
     const auto& shares = reciprocal_factorials();
@@ -169,7 +171,7 @@ Fraction<Words> shrunk(const Real& x) {
   static_assert(64 * (Words - 1) == RealTraits<Real>::bits);
   Fraction<Words> fraction{};
   if (x.is_zero()) return fraction;
-  // The mantissa is a number with a word less, from its highest bit on.
+  // The mantissa is a number with one word less, from its highest bit on.
   const int down = -x.exponent() - 1 + FromOne<Words>::halvings;
   const auto words = static_cast<std::size_t>(down / 64);
   const int bits = down % 64;
@@ -182,7 +184,7 @@ Fraction<Words> shrunk(const Real& x) {
   return fraction;
 }
 
-/// 1 - x, with the error that x has; that of leaving out its last word, too.
+/// 1 - x, with the given error of x and that of omitting its last word.
 template <class Real, std::size_t Words>
 Ball<Real> one_minus(const Fraction<Words>& x, double error) {
   const Fraction<Words> rest = Fraction<Words>{} - x;
@@ -204,16 +206,16 @@ SinCos<Real> sin_cos(const Ball<Real>& x) {
   constexpr std::size_t words = Real::limbs + 1;
   const double size = RealTraits<Real>::magnitude(x.mid);
   if (!(size < 0x1p60) || !(x.rad < 4)) {
-    // Nothing better is needed: such an angle turns more than once over the ball.
+    // Nothing better is needed: the angle makes more than one full rotation over the ball.
     return {B(Real(0), 1.0), B(Real(0), 1.0)};
   }
   if (x.mid.is_zero()) return {x, B(Real(1), x.rad)};
-  // The number of quarter turns, but for one where it is as good as half way between two of them.
+  // The number of quarter turns. It may be off by one if the angle is nearly halfway between two of them.
   const Real half_pi = ldexp(pi<Real>(), -1);
   const std::int64_t k = size < 0x1p30
                              ? static_cast<std::int64_t>(std::nearbyint(x.mid.to_double() * 0.6366197723675814))
                              : (x.mid / half_pi).nearest_integer();
-  // Worked out for the middle; the radius of x is added at the end (both functions have slope at most 1).
+  // Computed for the middle; the radius of x is added at the end (both functions have slope at most 1).
   B r(x.mid, 0.0);
   if (k != 0) r = r - B(Real::of_integer(k), 0.0) * B(half_pi, 4 * unit_roundoff<Real>());
   const FromOne<words> from_one(shrunk<words>(r.mid));
