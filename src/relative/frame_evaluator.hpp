@@ -7,12 +7,12 @@
 
 namespace taut::internal {
 
-/// A look at these two costs next to nothing beside the frame's identities (FrameIdentities), which few forms need.
+/// An evaluation at these two instants costs very little compared to the frame's identities (FrameIdentities), which
+/// few certificate functions need.
 class FrameEvaluator {
  public:
   explicit FrameEvaluator(const MotionSegment& segment);
-  /// Is the sum of these coefficients times the frame functions for `pp` certainly not zero at all times of the
-  /// segment?
+  /// Is the sum of these coefficients times the frame functions for `pp` certainly not identically zero on the segment?
   bool differs_from_zero(bool pp, const std::array<Ball<double>, 5>& coefficients) const;
 
  private:

@@ -9,11 +9,10 @@ namespace {
 
 using Condition = std::array<Dyadic, 5>;
 
-/// Conditions that are independent, each without the leading entries of those before it: a row echelon form without
-/// divisions.
+/// Independent conditions in a row echelon form without divisions: each lacks the leading entries of those before it.
 class Echelon {
  public:
-  /// True if the condition does not follow from those before.
+  /// Adds the condition. Returns true if it is independent of those before.
   bool add(Condition c) {
     for (const auto& [lead, row] : rows_) {
       if (c[lead].is_zero()) continue;

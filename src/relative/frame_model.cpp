@@ -10,8 +10,8 @@
 namespace taut::internal {
 namespace {
 
-/// What matters to no question, since the displacement is far larger. In a relative motion that is exactly zero, slack
-/// for underflow adds up to something, times powers of the radius: much in some units of time.
+/// A quantity that matters to no query, because the displacement is far larger. In a relative motion that is exactly
+/// zero, slack for underflow accumulates, multiplied by powers of the radius, and becomes large in some units of time.
 constexpr double negligible = 0x1p-400;
 
 /// In units of checkpoint().
@@ -25,7 +25,7 @@ std::uint64_t work_of_turn(const MotionPiece& piece) {
                  piece.rotation);
   return static_cast<std::uint64_t>(work);
 }
-/// Fitted to the times of many thousand questions.
+/// Fitted to the times of many thousand queries.
 std::uint64_t work_of_model(const MotionSegment& segment) {
   if (segment.translation) return 9;
   if (segment.composed) return 150;
@@ -38,7 +38,7 @@ double known_or_infinite(double bound) { return bound >= 0 ? bound : INFINITY; }
 
 }  // namespace
 
-/// f = sum c_k h^k (k < n) + c_n(somewhere) h^n, and the same for derivatives.
+/// f = sum c_k h^k (k < n) + c_n(intermediate point) h^n, and the corresponding formula for derivatives.
 void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over) {
   constexpr int n = model_degree;
   double noise = 0, size = 0, size_d = 0, size_dd = 0, size_ddd = 0;
@@ -46,7 +46,7 @@ void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, con
   double power[4] = {1, 0, 0, 0};  // r^k, k r^(k-1), k (k-1) r^(k-2) and so on
   for (int k = 0; k < n; ++k) m.c[k][i] = at_middle.c[k].mid;
   m.remainder[i] = 0;
-  const int last = std::max(at_middle.terms, over.terms) - 1;  // what comes after is zero
+  const int last = std::max(at_middle.terms, over.terms) - 1;  // later terms are zero
   for (int k = 0; k <= last; ++k) {
     const double known = k < n ? std::fabs(at_middle.c[k].mid) : 0;
     const double open = k < n ? at_middle.c[k].rad : over.c[n].magnitude();
@@ -67,7 +67,7 @@ void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, con
   m.size[i] = size;
   m.noise[i] = known_or_infinite(noise);
   m.second[i] = std::isfinite(m.c[2][i]) ? 2 * m.c[2][i] : 0;
-  // h = t - middle rounds once, relative to itself; Horner's rule rounds twice for each coefficient.
+  // h = t - middle is rounded once, relative to itself. Horner's rule rounds twice for each coefficient.
   const double error = (vague + (2 * n + 8) * 0x1p-53 * (size + m.radius * size_d)) * (1 + 0x1p-40);
   const double error_d = vague_d + (3 * n + 8) * 0x1p-53 * (size_d + m.radius * (size_dd + std::fabs(m.second[i])));
   const double error_dd = vague_dd + (4 * n + 8) * 0x1p-53 * (size_dd + std::fabs(m.second[i]) + m.radius * size_ddd);
@@ -77,7 +77,7 @@ void take_series(FrameModel& m, int i, const ModelSeries<double>& at_middle, con
   m.vague_second[i] = known_or_infinite(vague_dd);
   m.vague_third[i] = known_or_infinite(vague_ddd);
   m.second_rad[i] = INFINITY;
-  // The one from the series over the interval is far better than the coefficients' where that is long.
+  // For long intervals, the bound from the series over the interval is far better than that from the coefficients.
   m.third[i] = known_or_infinite((over.terms > 3 ? 6 * over.c[3].magnitude() : 0) * (1 + 0x1p-40));
   m.bound_by_coefficients(i);
   if (!std::isfinite(m.c[2][i])) m.second_rad[i] = m.error_dd[i] = m.third[i] = INFINITY;
@@ -158,7 +158,7 @@ bool FrameModel::hopeless() const {
 
 double FrameModel::straightness(int i, double slack) const {
   const double share = 0x1p-4 * slack, least = 0x1p-10 * slack;
-  // Noise of size e in the terms that reach h^9 is at most 72 e in h^2 times the second derivative.
+  // Noise of size e in the terms up to h^9 contributes at most 72 e to h^2 times the second derivative.
   return share * std::fabs(c[1][i]) * radius + least * scale(i) + 72 * noise[i] + negligible;
 }
 
@@ -169,8 +169,9 @@ bool FrameModel::straight(double slack) const {
   return true;
 }
 
-/// What is left out grows with the ninth power of the length. Once that is little, a bend's change beside the way grows
-/// with the second one, or the third. Roots are taken by square roots alone, which are the same everywhere.
+/// The remainder grows with the ninth power of the length. Once it is small, the change of the second derivative
+/// relative to the displacement grows with the second or the third power. Roots are computed by square roots alone,
+/// which are the same on all platforms.
 double FrameModel::fitting_share(double slack) const {
   constexpr double nothing = 0x1p-500;
   double rest = nothing, turn = nothing;

@@ -1,5 +1,5 @@
-// Taylor models of a segment's frame: polynomials that are cheap to evaluate, with certified bounds of what they leave
-// out.
+// Taylor models of a segment's frame: polynomials that are cheap to evaluate, with certified bounds of their
+// remainders.
 #pragma once
 
 #include "numeric/lanes.hpp"
@@ -13,13 +13,14 @@ namespace taut::internal {
 /// For every t in [start, end] and h = t - middle in doubles:
 ///   |sum_k c[k][i] h^k - f_i(t)| <= error[i], and the same for the first two derivatives with error_d[i] and
 ///   error_dd[i], by Horner's rule in doubles;
-///   |bend[i] - f_i''(t)| <= second_rad[i] and |f_i'''(t)| <= third[i].
+///   |second[i] - f_i''(t)| <= second_rad[i] and |f_i'''(t)| <= third[i].
 /// Bounds may be infinite where the motion is singular; they are never NaN.
 struct FrameModel {
   static constexpr int functions = 6;
   static FrameModel over(const MotionSegment& segment, double start, double end);
 
-  /// f and f' at t of all functions, in pairs side by side: chains of dependent operations take little longer than one.
+  /// f and f' at t of all functions, in pairs in parallel: all chains of dependent operations take little longer than
+  /// one.
   void evaluate(double t, double (&value)[functions], double (&slope)[functions]) const {
     const Lanes h = both(t - middle);
     const double* at = c[terms - 1];
@@ -34,7 +35,7 @@ struct FrameModel {
     q.store(value + 2, slope + 2);
     angle.store(value + 4, slope + 4);
   }
-  /// f, f' and f'' of the pairs that begin with numbers `first` and 4 only.
+  /// f, f' and f'' at t of the pairs that begin with functions `first` and 4 only.
   void evaluate(double t, int first, double (&value)[4], double (&slope)[4], double (&second_at_t)[4]) const {
     const Lanes h = both(t - middle);
     const double* at = c[terms - 1];
@@ -49,33 +50,36 @@ struct FrameModel {
     store_lanes(second_at_t, way.half + way.half);
     store_lanes(second_at_t + 2, angle.half + angle.half);
   }
-  /// All bounds are finite.
+  /// Are all bounds finite?
   bool finite() const;
-  /// What the polynomials leave out is no more than rounding: shorter intervals would not have better bounds of values.
+  /// Is the remainder of the polynomials no larger than rounding? Then shorter intervals would not have better bounds
+  /// of values.
   bool sharp() const;
-  /// An interval twice as long would hardly be sharp: what is left out grows with the power that comes next.
+  /// Would an interval twice as long hardly be sharp? The remainder grows with the next power.
   bool barely_sharp() const;
-  /// About the longest interval there that is sharp and straight, as a multiple of this one's length; 1/2 where nothing
-  /// tells. A guess, no more.
+  /// The approximate length of the longest interval there that is sharp and straight, as a multiple of this one's
+  /// length; 1/2 if it cannot be estimated. It is only an estimate.
   double fitting_share(double slack = 1) const;
-  /// Not even the middle of the interval has finite bounds: shorter intervals would not help.
+  /// Does not even the middle of the interval have finite bounds? Then shorter intervals would not help.
   bool hopeless() const;
-  /// The second order is off by little, measured by what the first order covers: steps by bend are nearly the longest.
-  /// With `slack` it may be off by so many times as much.
+  /// Is the error of the second order small relative to the range of the first order? Then steps that use the second
+  /// derivative are nearly the longest possible. With `slack`, the error may be that many times as large.
   bool straight(double slack = 1) const;
 
   double start, end, middle, radius;
-  int terms;                          ///< coefficients in use, the same for all functions
+  int terms;                          ///< number of coefficients in use, the same for all functions
   double c[model_degree][functions];  ///< by power, then function
   double error[functions], error_d[functions], error_dd[functions];
   double second[functions], second_rad[functions], third[functions];
-  double vague_second[functions], vague_third[functions];  ///< what of these bounds is not the coefficients'
+  double vague_second[functions], vague_third[functions];  ///< the parts of these bounds that are not due to the
+                                                           ///< coefficients
   double remainder[functions];                             ///< the part of the error that shrinks with the interval
-  double noise[functions];                                 ///< the part that does not: the middle's own uncertainty
+  double noise[functions];                                 ///< the part that does not shrink: the uncertainty at the
+                                                           ///< middle
   double size[functions];                                  ///< bounds of |f_i|
 
-  /// Of function i, how far its second derivative goes from the middle's, and how large the third one is, by the
-  /// coefficients as they are, if that is less than what is known.
+  /// Tightens the bounds of function i, where the current coefficients give smaller ones: the change of its second
+  /// derivative from that at the middle, and the magnitude of its third derivative.
   void bound_by_coefficients(int i);
 
  private:
@@ -92,7 +96,7 @@ struct FrameModel {
       store_lanes(slope, d);
     }
   };
-  /// And half their second derivatives.
+  /// Also computes half their second derivatives.
   struct Horner2 : Horner {
     Lanes half = {};
     explicit Horner2(const double* leading) : Horner(leading) {}
@@ -101,15 +105,16 @@ struct FrameModel {
       Horner::step(next, h);
     }
   };
-  /// What an error of function i is measured by.
+  /// The magnitude relative to which an error of function i is measured.
   double scale(int i) const { return i < 4 ? size[i] + size[i ^ 1] : 1; }
-  /// So much of it may be left out, and its bend may take it so far from straight.
+  /// The admissible remainder of function i, and the admissible deviation from a straight line due to its second
+  /// derivative.
   double leave(int i) const;
   double straightness(int i, double slack) const;
 };
 
-/// Function i of a model by Taylor's formula, from its series about the middle and, as far as that takes more, over all
-/// of the interval; the radius is set.
+/// Sets function i of a model by Taylor's formula, from its series about the middle and, where more is needed, over the
+/// whole interval. The radius must be set.
 void take_series(FrameModel& model, int i, const ModelSeries<double>& at_middle, const ModelSeries<double>& over);
 
 }  // namespace taut::internal

@@ -5,7 +5,7 @@
 namespace taut::internal {
 namespace {
 
-/// A sum of five products rounds by no more than this share of each.
+/// A bound of the rounding of a sum of five products, as a share of each.
 constexpr double sample_rounding = 0x1p-49;
 
 double error_of(const Ball<double>& b) { return b.rad + sample_rounding * std::fabs(b.mid); }

@@ -23,27 +23,27 @@ const SingularCosine* MotionSegment::singular_cosine(bool of_p, std::size_t link
 
 namespace {
 
-/// (re, im) of conj(a) b.
+/// Computes (re, im) of conj(a) b.
 template <class J>
 void conjugate_product(const J& ax, const J& ay, const J& bx, const J& by, J& re, J& im) {
   re = ax * bx + ay * by;
   im = ax * by - ay * bx;
 }
 
-/// x_P and x_Q; of a body that does not turn they are not set.
+/// x_P and x_Q. For a body that does not rotate, they are not set.
 template <class J>
 struct Axes {
   J px, py, qx, qy;
 };
 
-/// x of the rotation of P or Q, or of a link of its chain.
+/// Computes x of the rotation of P or Q, or of a link of its chain.
 template <class J, class Time>
 void axis(const MotionSegment& segment, bool of_p, std::size_t link, const Time& t, J& x, J& y) {
   if constexpr (requires { t.direction; }) {
     if (const SingularCosine* cosine = segment.singular_cosine(of_p, link, t.end))
       return cosine_from_end(*cosine, t, x, y);
   } else if constexpr (requires { absolute(t).mid; }) {
-    // The nearer end of the segment, if the cosine is singular there.
+    // Tests the nearer end of the segment, if the cosine is singular there.
     const auto& at = absolute(t);
     const bool first = at.mid - segment.start < segment.end - at.mid;
     const SingularCosine* cosine = segment.singular_cosine(of_p, link, first ? segment.start : segment.end);
@@ -55,8 +55,8 @@ void axis(const MotionSegment& segment, bool of_p, std::size_t link, const Time&
   rotation_jet(piece.rotation, t, x, y);
 }
 
-/// conj(x_P) x_Q of two bodies that turn. Where both angles are given their difference is formed first, so that what
-/// both have in common is not there to widen ranges.
+/// Computes conj(x_P) x_Q for two bodies that rotate. If both angles are given, their difference is formed first, so
+/// that their common part cannot widen ranges.
 template <class J, class Time>
 void relative_turn(const MotionSegment& segment, const Axes<J>& axes, const Time& t, J& c, J& s) {
   if (!segment.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
@@ -64,7 +64,8 @@ void relative_turn(const MotionSegment& segment, const Axes<J>& axes, const Time
   sin_cos(segment.turn_low.empty() ? turn : turn + angle_at<J>(segment.turn_low, t), s, c);
 }
 
-/// The parts that depend on how the bodies turn, each about its origin; most scenes have one that does not.
+/// Computes the parts that depend on the rotations of the bodies, each about its origin. Most scenes have one body that
+/// does not rotate.
 template <class J, class Time>
 void turning_frame(const MotionSegment& segment, const Axes<J>& axes, const Time& t, const J& dx, const J& dy,
                    FrameOf<J>& f) {
@@ -99,9 +100,9 @@ void turning_frame(const MotionSegment& segment, const Axes<J>& axes, const Time
   }
 }
 
-/// Bodies that turn about pivots a (P) and b (Q) have a - x_P a and b - x_Q b added to their origins, which adds to
-/// conj(x_P) D and conj(x_Q) D. conj(x_P) x_P is 1, and conj(x_P) x_Q is c + i s, which is known: products would be
-/// wider over an interval.
+/// For bodies that rotate about pivots a (P) and b (Q), a - x_P a and b - x_Q b are added to their origins, which
+/// changes conj(x_P) D and conj(x_Q) D. conj(x_P) x_P is 1, and conj(x_P) x_Q is c + i s, which is known: products
+/// would be wider over an interval.
 template <class J>
 void add_pivots(const MotionSegment& segment, const Axes<J>& axes, FrameOf<J>& f) {
   const Point a = pivot_of(segment.p), b = pivot_of(segment.q);
@@ -122,7 +123,7 @@ void add_pivots(const MotionSegment& segment, const Axes<J>& axes, FrameOf<J>& f
   f.for_qq[2] = f.for_qq[2] + (in_q_y - by + (c * ay - s * ax));
 }
 
-/// Of two bodies of which one, or both, have parents or orbits.
+/// The frame of two bodies of which at least one has parents or an orbit.
 template <class J, class Time>
 FrameOf<J> composed_frame(const MotionSegment& segment, const Time& t) {
   const auto pose_of_body = [&](bool of_p) {
@@ -146,7 +147,7 @@ FrameOf<J> composed_frame(const MotionSegment& segment, const Time& t) {
   return f;
 }
 
-/// A coordinate of D less the shift.
+/// A coordinate of D minus the shift.
 template <class J, class Time>
 J way(const MotionSegment& segment, bool of_x, const Time& t) {
   if constexpr (requires { t.since; }) {
@@ -160,7 +161,7 @@ J way(const MotionSegment& segment, bool of_x, const Time& t) {
   return d;
 }
 
-/// D; `offset`: for coordinates with the segment's offsets, else for the bodies' own.
+/// Computes D; with `offset`, for coordinates with the segment's offsets, otherwise for the bodies' own.
 template <class J, class Time>
 void way_between(const MotionSegment& segment, const Time& t, bool offset, J& dx, J& dy) {
   if (offset && (segment.shift_p || segment.shift_q)) {
@@ -200,14 +201,14 @@ FrameOf<J> motion_frame(const MotionSegment& segment, const Time& t, bool offset
   return f;
 }
 
-/// Where a body is that follows the piece, or the chain.
+/// The pose of a body that follows the piece, or the chain.
 template <class J, class Real>
 PoseOf<J> placed(const MotionSegment& segment, const PieceChain& chain, const MotionPiece& piece, const Ball<Real>& t) {
   const LocalTime<Real> at = segment.local_time(t);
   return segment.composed ? pose_of<J>(chain, at) : pose_of<J>(piece, at);
 }
 
-/// Straight from one pose to the other, s in [0, 1].
+/// Linear interpolation between two poses, s in [0, 1].
 template <class J, class Real>
 PoseOf<J> interpolate(const PoseOf<Series<Real, 0>>& a, const PoseOf<Series<Real, 0>>& b, const Ball<Real>& s) {
   const auto line = [&s](const Series<Real, 0>& from, const Series<Real, 0>& to) {
@@ -219,7 +220,7 @@ PoseOf<J> interpolate(const PoseOf<Series<Real, 0>>& a, const PoseOf<Series<Real
   return {line(a.ox, b.ox), line(a.oy, b.oy), line(a.xx, b.xx), line(a.xy, b.xy)};
 }
 
-/// Polynomials of the second degree in s.
+/// The frame on a bridge: polynomials of the second degree in s.
 template <class J, class Real>
 FrameOf<J> bridge_frame(const MotionSegment& segment, const Ball<Real>& s) {
   const auto at = [&](double t, const PieceChain& chain, const MotionPiece& piece) {

@@ -1,5 +1,5 @@
 // The relative motion of the two bodies over one interval on which both follow a single piece, or over the bridge
-// between two pieces. Everything downstream sees only this: ten functions of one parameter.
+// between two pieces. All other code uses only this: ten functions of one parameter.
 #pragma once
 
 #include <array>
@@ -30,16 +30,16 @@ using Frame = FrameOf<Jet<Real>>;
 template <class Real>
 using FrameValues = FrameOf<Ball<Real>>;
 
-/// Enough terms that a model of a segment that turns by an eighth of a radian is exact to a few ulps.
+/// The number of terms with which a model of a segment that rotates by an eighth of a radian is exact to a few ulps.
 inline constexpr int model_degree = 9;
 template <class Real>
 using ModelSeries = Series<Real, model_degree>;
-/// In s a function that vanishes to order m in time does to order 2 m: it takes more terms to see that.
+/// In s, a function that vanishes to order m in time vanishes to order 2 m. More terms are required to detect that.
 inline constexpr int last_from_end = 16;
 template <class Real>
 using SeriesFromEnd = Series<Real, last_from_end>;
 
-/// A constant vector known exactly as two doubles per coordinate; three where there are pivots.
+/// A constant vector, given exactly as two doubles per coordinate, or three if there are pivots.
 struct ExactVector {
   double x = 0, x_low = 0, y = 0, y_low = 0;
   double x_rest = 0, y_rest = 0;
@@ -57,31 +57,31 @@ struct MotionSegment {
   MotionPiece p, q;
   /// On a bridge, the pieces after the joint.
   MotionPiece p_next, q_next;
-  /// Where a body has parents or an orbit, the frame is not one of polynomials and a turn: it is composed of the poses
-  /// of these chains, whose last pieces are the ones above, and there are no offsets.
+  /// If a body has parents or an orbit, the frame does not consist of polynomials and a rotation. It is composed of the
+  /// poses of these chains, whose last pieces are the ones above, and there are no offsets.
   bool composed = false;
   PieceChain p_chain, q_chain, p_chain_next, q_chain_next;
   bool bridge = false;
   double joint = 0;           ///< the time of the bridge
-  double joint_before = 0;    ///< and that for which the pieces before it say where it begins: the same, as a rule
+  double joint_before = 0;    ///< the time at which the pieces before it are evaluated: normally the same
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
 
-  bool translation = false;  ///< neither body turns
+  bool translation = false;  ///< neither body rotates
   int degree = 0;            ///< of D on a translation
-  bool aligned = false;      ///< both turn alike: c = 1, s = 0
-  /// Both angles are given: the difference of the two is turn + turn_low, exactly.
+  bool aligned = false;      ///< both rotate alike: c = 1, s = 0
+  /// True if both angles are given. Their difference is turn + turn_low, exactly.
   bool angles = false;
   Coefficients turn, turn_low;
-  bool pivots = false;  ///< a body turns about a point that is not its origin
-  /// A body that does not turn absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
+  bool pivots = false;  ///< a body rotates about a point that is not its origin
+  /// A body that does not rotate absorbs the constant part of D into its coordinates: p - shift, or q + shift. Sliding
   /// and pivoting contacts then have coefficients that are exactly zero.
   bool shift_p = false, shift_q = false;
   ExactVector shift;
-  /// Added to the coordinates of P and of Q: the shift, or of a body that turns minus its pivot, so that the frame is
-  /// about the pivot.
+  /// Added to the coordinates of P and of Q: the shift or, for a body that rotates, minus its pivot, so that the frame
+  /// is about the pivot.
   ExactVector offset_p, offset_q;
-  /// Far from time 0 polynomials are taken about an instant of the segment, and the shift is D there, as nearly as two
-  /// doubles are: a little is left. Then these are the offsets for which D in powers of the absolute time has no
+  /// Far from time 0, polynomials are expanded about an instant of the segment, and the shift is D there, rounded to
+  /// two doubles, with a small remainder. These are then the offsets for which D in powers of the absolute time has no
   /// constant, as `offset_p` and `offset_q` are on other segments.
   ExactVector far_offset_p, far_offset_q;
 
@@ -91,43 +91,45 @@ struct MotionSegment {
                                 const MotionPiece& q_next, double joint, bool far = false);
   static MotionSegment bridging_chains(const PieceChain& p, const PieceChain& q, const PieceChain& p_next,
                                        const PieceChain& q_next, double joint, bool far = false);
-  /// From where pieces are at one time to where others are at another one, which is the bridge's.
+  /// Bridges from the poses of pieces at one time to those of others at another time, which becomes the time of the
+  /// bridge.
   static MotionSegment bridging_between(const MotionPiece& p, const MotionPiece& q, double before,
                                         const MotionPiece& p_next, const MotionPiece& q_next, double joint, bool far);
-  /// Where a body is at a parameter of the segment, rounded; on a bridge after it, which differs by rounding only.
+  /// The pose of a body at a parameter of the segment, rounded. On a bridge it is the pose after it, which differs by
+  /// rounding only.
   Pose<double> pose_of_body(bool of_p, double parameter) const;
 
-  /// Does a body turn with infinite speed at that end of the segment? TimeFromEnd makes it smooth.
+  /// Does a body rotate with infinite speed at that end of the segment? TimeFromEnd makes the motion smooth.
   bool singular_at(double t) const;
-  /// Of a body's piece, or of a link of its chain.
+  /// The singular cosine of a body's piece, or of a link of its chain.
   const SingularCosine* singular_cosine(bool of_p, std::size_t link, double t) const;
   const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
   const ExactVector& offset_of_powers(bool of_p) const {
     return far() ? (of_p ? far_offset_p : far_offset_q) : offset(of_p);
   }
   bool far() const { return local_ != nullptr; }
-  /// What polynomials are about an instant of a segment that is far from time 0; null on others.
+  /// The polynomials about an instant of a segment that is far from time 0; null on other segments.
   const LocalPolynomials* local() const { return local_.get(); }
   template <class Real>
   LocalTime<Real> local_time(const Ball<Real>& t) const {
     return local_ ? LocalTime<Real>(*local_, t) : LocalTime<Real>(t);
   }
-  /// On such a segment with a shift, the coordinates of D less the shift.
+  /// The coordinates of D minus the shift. Requires a segment far from time 0 with a shift.
   const LocalPolynomials::Known& way(bool of_x) const { return (*ways_)[of_x ? 0 : 1]; }
-  /// In powers of the absolute time, D's constant less the shift: doubles to be added up.
+  /// The constant of D in powers of the absolute time, minus the shift: doubles whose sum is the constant.
   std::array<double, 7> constant_left(bool of_x) const;
-  /// A bound of what the offsets add to a coordinate's magnitude.
+  /// A bound of the offsets' contribution to a coordinate's magnitude.
   double offset_size() const {
     return (std::fabs(offset_p.x) + std::fabs(offset_q.x)) + (std::fabs(offset_p.y) + std::fabs(offset_q.y));
   }
-  /// The time of the world at this parameter.
+  /// The world time at this parameter.
   double time(double parameter) const { return bridge ? joint : parameter; }
-  /// Made when first asked for, by one thread at a time.
+  /// Constructed on first use, by one thread at a time.
   const FrameIdentities& identities() const;
   const FrameEvaluator& looks() const;
-  /// What models of segments that turn evenly, and often, share; null on others.
+  /// The data shared by models of segments with uniform rotations; null on others.
   const std::shared_ptr<const UniformRotation>& uniform_rotation() const;
-  /// Drops what was made when it was first asked for. Of many segments only the present one is asked much.
+  /// Drops the data constructed on first use. Of many segments, only the current one is used heavily.
   void forget() const {
     identities_.reset();
     looks_.reset();
@@ -139,13 +141,13 @@ struct MotionSegment {
   void take_far_offsets();
   void find_singular_ends(bool of_p, std::size_t link, const MotionPiece& piece);
 
-  /// Shared by copies: what is dropped is made again, the same.
+  /// Shared by copies. Dropped data is reconstructed identically.
   std::shared_ptr<const LocalPolynomials> local_;
   std::shared_ptr<const std::array<LocalPolynomials::Known, 2>> ways_;
-  /// A cosine about an end of the segment; few segments have one.
+  /// A cosine that is singular at an end of the segment; few segments have one.
   struct SingularLink {
     bool of_p;
-    std::size_t link;  ///< of the body's chain; 0 where there is none
+    std::size_t link;  ///< of the body's chain; 0 if there is none
     std::shared_ptr<const SingularCosine> cosine;
   };
   std::vector<SingularLink> singular_;
@@ -154,34 +156,35 @@ struct MotionSegment {
   mutable std::optional<std::shared_ptr<const UniformRotation>> uniform_rotation_;
 };
 
-/// The frame over the ball t of the segment's parameter. Like those below, for doubles and at every precision.
+/// The frame over the ball t of the segment's parameter. This and the following functions exist for doubles and at
+/// every precision.
 template <class Real>
 Frame<Real> frame(const MotionSegment& segment, const Ball<Real>& t);
-/// The same as functions of s, at an end at which the segment is singular.
+/// The frame as functions of s, at an end at which the segment is singular.
 template <class Real>
 Frame<Real> frame(const MotionSegment& segment, const TimeFromEnd<Real>& t);
-/// Without derivatives.
+/// The frame without derivatives.
 template <class Real>
 FrameValues<Real> frame_values(const MotionSegment& segment, const Ball<Real>& t);
-/// Its Taylor series about the ball t,
+/// The Taylor series of the frame about the ball t,
 template <class Real>
 FrameOf<ModelSeries<Real>> frame_series(const MotionSegment& segment, const Ball<Real>& t);
 /// and in s about a place near a singular end.
 template <class Real>
 FrameOf<SeriesFromEnd<Real>> frame_series(const MotionSegment& segment, const TimeFromEnd<Real>& t);
 
-/// For the bodies' own coordinates, without the offsets: comparable between segments.
+/// The frame for the bodies' own coordinates, without the offsets: comparable between segments.
 Frame<double> unshifted_frame(const MotionSegment& segment, const Ball<double>& t);
-/// The first terms of the series.
+/// The first terms of the series of the frame.
 using ThirdSeries = Series<double, 3>;
 FrameOf<ThirdSeries> frame_to_third_order(const MotionSegment& segment, const Ball<double>& t);
-/// Of a motion segment that is not composed: the two coordinates of D, as its frame has them.
+/// The two coordinates of D, as used in the frame of a motion segment that is not composed.
 template <class Real>
 std::array<ModelSeries<Real>, 2> way_series(const MotionSegment& segment, const Ball<Real>& t);
-/// As exact expressions (not of a bridge).
+/// The frame as exact expressions (not of a bridge).
 FrameOf<Symbolic> symbolic_frame(const MotionSegment& segment, SymbolicSegment& symbols);
 
-/// Turns a vertex of P or Q into what the segment sees of it, in numbers that can be given exactly.
+/// Converts a vertex of P or Q to the coordinates of the segment, in numbers that represent doubles exactly.
 template <class B>
 void add_offset(const MotionSegment& segment, bool of_p, const ExactVector& s, B& x, B& y) {
   if (of_p ? segment.shift_p : segment.shift_q) {

@@ -8,16 +8,16 @@
 namespace taut::internal {
 namespace {
 
-/// From so many on it matters how much room there is that nothing is in.
+/// From this many segments on, unused capacity is released.
 constexpr std::size_t many_segments = 256;
 
 }  // namespace
 
-/// Two chains of motions, and which of their pieces hold on which stretch.
+/// Two chains of motions, and the numbers of their pieces in each interval between joints.
 struct MotionSegments::Route {
   MotionChain p, q;
   std::vector<SegmentPlace> places;
-  /// For each stretch the number of the piece that each motion follows, P's motions first.
+  /// For each interval, the number of the piece that each motion follows, P's motions first.
   std::vector<std::uint32_t> followed;
 
   std::size_t motions() const { return p.size() + q.size(); }
@@ -32,7 +32,7 @@ struct MotionSegments::Route {
     for (std::size_t k = 0; k < chain.size(); ++k) all.push_back(chain[k][numbers[k]]);
     return all;
   }
-  /// Is the stretch so far from time 0 that polynomials are about one of its instants?
+  /// Is the interval so far from time 0 that polynomials are expanded about one of its instants?
   static bool far(const PieceChain& p, const PieceChain& q, const SegmentPlace& at) {
     return is_far_for(std::max(highest_power(p), highest_power(q)), at.start, at.end);
   }

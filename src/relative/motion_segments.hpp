@@ -1,4 +1,4 @@
-// The segments of a relative motion, each made when it is asked for.
+// The segments of a relative motion, each constructed on demand.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace taut::internal {
 
-/// Where a segment is, which is known before it is made.
+/// The place of a segment, which is known before the segment is constructed.
 struct SegmentPlace {
-  double start = 0, end = 0;  ///< of the time; of a bridge both are the joint
+  double start = 0, end = 0;  ///< in time; for a bridge both are the joint
   bool bridge = false;
-  std::uint32_t stretch = 0;  ///< the number of the stretch between joints; of a bridge, of that before it
+  std::uint32_t stretch = 0;  ///< the number of the interval between joints; for a bridge, of the one before it
 };
 
 /// All segments from start to end, in order. A segment has more than a thousand bytes, and between a hundred thousand
-/// keyframes there are two hundred thousand: engines, verifiers and questions go through them one after the other. So
-/// only their places are kept, and those that were asked for last. Copies share places and pieces, and make segments of
+/// keyframes there are two hundred thousand segments. Engines, verifiers and queries visit them one after the other. So
+/// only their places are stored, and the segments used last. Copies share places and pieces, and construct segments of
 /// their own.
 ///
-/// A reference to a segment is valid until sixteen others have been asked for; who keeps one longer holds it (hold()),
-/// and then it is the same object for all. Not for several threads at once.
+/// A reference to a segment is valid until sixteen others have been requested. A caller that needs it longer holds it
+/// (hold()), and then all callers share the same object. Not thread-safe.
 class MotionSegments {
  public:
-  /// No segment at all.
+  /// An empty sequence.
   MotionSegments() = default;
-  /// One that is there already.
+  /// A sequence of one existing segment.
   explicit MotionSegments(MotionSegment segment);
-  /// One for each stretch without a joint, and a bridge at each joint where a piece changes; p and q have a
-  /// motion each, at least.
+  /// One segment for each interval without a joint, and a bridge at each joint where a piece changes. p and q must have
+  /// at least one motion each.
   MotionSegments(MotionChain p, MotionChain q, double start, double end);
   MotionSegments(const MotionSegments& other) : route_(other.route_), first_(other.first_) {}
   MotionSegments(MotionSegments&&) noexcept = default;
@@ -66,7 +66,7 @@ class MotionSegments {
   };
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
-  /// Are the functions of mixed triples linear on all of them? Then it is one segment.
+  /// Are the functions of mixed triples linear on all segments? Then there is only one segment.
   bool straight() const;
 
  private:
@@ -83,8 +83,9 @@ class MotionSegments {
 
   std::shared_ptr<const Route> route_;
   std::shared_ptr<const MotionSegment> first_;
-  mutable std::vector<Kept> window_;  ///< by the last bits of the segment's number
-  /// Of those that had to leave it and are held: as long as they are, no other copy of them is made.
+  mutable std::vector<Kept> window_;  ///< indexed by the last bits of the segment's number
+  /// Segments that had to leave the window but are still held. As long as they are, no other copy of them is
+  /// constructed.
   mutable std::vector<std::pair<std::size_t, std::weak_ptr<const MotionSegment>>> held_;
 };
 

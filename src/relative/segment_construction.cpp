@@ -1,4 +1,4 @@
-// Segments from the pieces that bodies follow: what of their motion goes into the bodies' coordinates.
+// Constructs segments from the pieces that bodies follow, and moves parts of their motion into the bodies' coordinates.
 #include <cmath>
 
 #include "motion/far_pieces.hpp"
@@ -8,7 +8,7 @@
 namespace taut::internal {
 namespace {
 
-/// to[0] + to[1] - from[0] - from[1], of which at most three are not zero: three doubles are enough.
+/// Computes to[0] + to[1] - from[0] - from[1], of which at most three are nonzero: three doubles suffice.
 void exact_difference(const std::array<double, 2>& to, const std::array<double, 2>& from, double& hi, double& low,
                       double& rest) {
   if (to[1] == 0 && from[1] == 0) {
@@ -25,7 +25,7 @@ void exact_difference(const std::array<double, 2>& to, const std::array<double, 
   rest = n > 2 ? sum.term(n - 3) : 0;
 }
 
-/// The difference of two polynomials, each coefficient as an exact sum of two doubles; without zeros at the end.
+/// The difference of two polynomials, each coefficient as an exact sum of two doubles, without trailing zeros.
 void exact_difference(const Coefficients& q, const Coefficients& p, Coefficients& hi, Coefficients& low) {
   for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k) {
     const TwoDoubles d = two_sum(coefficient(q, k), -coefficient(p, k));
@@ -44,8 +44,8 @@ int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
   return 0;
 }
 
-/// The piece, for this instant alone: a cosine that is 1 or -1 there tells the sine exactly, which as a root of what is
-/// nearly zero would be known to half the digits.
+/// The piece, for this instant alone. A cosine that is 1 or -1 there gives the sine exactly; as a root of a number near
+/// zero, the sine would be known to only half the digits.
 MotionPiece at_joint(MotionPiece piece, double joint) {
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine) return piece;
@@ -119,7 +119,7 @@ void MotionSegment::find_singular_ends(bool of_p, std::size_t link, const Motion
   }
 }
 
-/// The shift becomes D about the segment's middle, in two doubles.
+/// Replaces the shift by D about the segment's middle, in two doubles.
 void MotionSegment::take_far_offsets() {
   far_offset_p = offset_p;
   far_offset_q = offset_q;

@@ -39,7 +39,7 @@ std::size_t SymbolicSegment::factor_of(const DyadicPolynomial& factor) {
   return i;
 }
 
-/// What is 1 - c^2 where a cosine c begins or ends at 1 is zero there: such zeros are divided out.
+/// If a cosine c is 1 at the start or end, 1 - c^2 is zero there. Such zeros are divided out.
 int SymbolicSegment::sign_over(const DyadicPolynomial& p) const {
   DyadicPolynomial within = p;
   int sign = 1;
@@ -133,7 +133,7 @@ Symbolic operator+(const Symbolic& a, const Symbolic& b) {
   return sum;
 }
 
-/// sin and cos of two angles as those of their difference and their sum.
+/// Replaces products of sin and cos of two angles by those of their difference and their sum.
 void Symbolic::add_product(const Term& a, const Term& b) {
   DyadicPolynomial p = a.polynomial * b.polynomial;
   const std::uint8_t both = a.key.roots & b.key.roots;
@@ -146,7 +146,7 @@ void Symbolic::add_product(const Term& a, const Term& b) {
   Key key{a.key.angle ? a.key.angle : b.key.angle, a.key.angle ? a.key.sine : b.key.sine,
           static_cast<std::uint8_t>(a.key.roots ^ b.key.roots)};
   if (a.key.angle == 0 || b.key.angle == 0) return add(key, std::move(p));
-  // Copies: a new angle moves those that the segment has.
+  // These are copies, because a new angle may move those stored in the segment.
   const DyadicPolynomial x = segment_->angle(a.key.angle), y = segment_->angle(b.key.angle);
   p = halved(p);
   const auto add_of = [&](const DyadicPolynomial& angle, double sign) {
@@ -208,7 +208,7 @@ Symbolic sqrt(const Symbolic& a) {
   if (const auto s = square_root(*p)) {
     if (const auto root = absolute(*s)) return Symbolic::of(a.segment_, {}, *root);
   }
-  // A square of the product with a root that is known: sqrt(p) = |s| / sqrt(q) = |s| sqrt(q) / q.
+  // Test whether the product with a known root is a square: sqrt(p) = |s| / sqrt(q) = |s| sqrt(q) / q.
   for (int i = 0; i < a.segment_->roots(); ++i) {
     const DyadicPolynomial q = a.segment_->root(i).square;
     if (q == *p || a.segment_->root(i).clamped) continue;

@@ -14,13 +14,13 @@ FrameSample evaluate_exactly(const MotionSegment& segment, double t, int first) 
   return sample_of(first == 0 ? f.for_pp : f.for_qq);
 }
 
-/// In units of checkpoint(), beside its model.
+/// In units of checkpoint(), in addition to its model.
 constexpr std::uint64_t work_of_cell = 11;
 
-/// Shorter cells than this share of the segment lie at a singular instant.
+/// Cells shorter than this share of the segment are at a singular instant.
 constexpr int deepest = 40;
 
-/// Steps from values in the middle of a cell go by bounds of the third order, which do not ask for short cells.
+/// Steps from values in the middle of a cell use bounds of the third order, which do not require short cells.
 constexpr double slack_of_steps = 4;
 
 FrameThird third_of(const std::array<ThirdSeries, 5>& over) {
@@ -67,7 +67,7 @@ void TaylorModelCache::Store::clear() {
 
 bool TaylorModelCache::Store::holds(std::size_t slot, std::uint64_t wanted) {
   if (slot >= own && !deep_used) {
-    if (!deep) deep.reset(new Deep);  // not touched, either
+    if (!deep) deep.reset(new Deep);  // not initialized, either
     deep->keys.fill(0);
     deep->parent_bounds_keys.fill(0);
     deep_used = true;
@@ -75,7 +75,7 @@ bool TaylorModelCache::Store::holds(std::size_t slot, std::uint64_t wanted) {
   return key(slot) == wanted;
 }
 
-/// The same number for the same instant at every level, and growing with the index.
+/// The same number for the same instant at every level, increasing with the index.
 double TaylorModelCache::boundary(int level, std::uint64_t index) const {
   if (index == std::uint64_t{1} << level) return segment_->end;
   return segment_->start + (segment_->end - segment_->start) * std::ldexp(static_cast<double>(index), -level);
@@ -114,7 +114,7 @@ void TaylorModelCache::make(ModelCell& cell) {
   cell.qq_third = third_of(cell.model, 2);
 }
 
-/// Rather too few than too many, and only as far as ends of cells are certainly apart.
+/// An underestimate rather than an overestimate, and only as far as ends of cells are certainly distinct.
 int TaylorModelCache::levels_ahead(const ModelCell& cell) const {
   const double least = 0x1p-48 * std::max(std::fabs(cell.start), std::fabs(cell.end));
   int ahead = std::max(1, -std::ilogb(cell.model.fitting_share(slack_of_steps)) - 1);
@@ -169,8 +169,9 @@ const ModelCell& TaylorModelCache::find_cell(double t) {
   return found;
 }
 
-/// A leaf around t, about the largest one, which is mostly as large as the one last found. If that is not seen at once,
-/// the way starts below the smallest cell around t and that one, which is no leaf (or at that very leaf).
+/// A leaf around t, approximately the largest one, which mostly is as large as the one found last. If it is not found
+/// at once, the descent starts below the smallest cell around t and the last leaf, which is not a leaf (or at that very
+/// leaf).
 const ModelCell& TaylorModelCache::find_leaf(double t) {
   int level = level_;
   std::uint64_t index = index_of(level, t), last = index_;
@@ -234,7 +235,7 @@ void TaylorModelCache::make_parent_bounds(ModelCell& wide, int level, std::uint6
 }
 
 void TaylorModelCache::evaluate(double t, Side& side) {
-  // Known once it is: looking for the cell can be interrupted.
+  // Set to known only at the end, because the search for the cell may be interrupted.
   side.known = false;
   const ModelCell& here = cell(t);
   if (here.sharp) {

@@ -14,8 +14,8 @@
 namespace taut::internal {
 namespace {
 
-/// The least number of so many binary digits that is no less than x >= 0. Bounds are made for such numbers, so that
-/// many models have the same ones, and no model hangs on which was made before it.
+/// The least number with this many binary digits that is not less than x >= 0. Bounds are computed for such numbers, so
+/// that many models share them, and no model depends on those computed before it.
 double first_digits_above(double x, int digits) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
@@ -26,7 +26,7 @@ double first_digits_above(double x, int digits) {
 }
 constexpr int digits_of_size = 3, digits_of_error = 2, digits_of_radius = 32;
 
-/// Looked at first, as many segments do not.
+/// A quick test, because many segments do not rotate.
 bool rotates(const MotionSegment& segment) {
   double fastest = 0;
   const auto look = [&](const Coefficients& angle) { fastest = std::max(fastest, std::fabs(coefficient(angle, 1))); };
@@ -37,14 +37,14 @@ bool rotates(const MotionSegment& segment) {
   return fastest > 0 && fastest < 0x1p100;
 }
 
-/// A bound of how long a vector is that reaches so far in x and in y.
+/// A bound of the length of a vector from bounds of x and y.
 double length_of(double x, double y) {
   const double square = x * x + y * y, sum = std::fabs(x) + std::fabs(y);
   const bool in_range = square > 0x1p-900 && square < 0x1p900;
   return in_range ? std::min(sum, std::sqrt(square) * (1 + 0x1p-50)) : sum;
 }
 
-/// The coefficients of D over a range from those about its middle.
+/// Bounds the coefficients of D over a range, from those about its middle.
 template <class Sizes>
 double size_over(const Sizes& size, int terms, int j, double radius) {
   double sum = 0, power = 1, binomial = 1;
@@ -57,7 +57,7 @@ double size_over(const Sizes& size, int terms, int j, double radius) {
 
 }  // namespace
 
-/// That of a turn alone.
+/// The relative displacement of a rotation alone.
 const UniformRotation::Way& UniformRotation::one_way() {
   static const Way one = [] {
     Way way;
@@ -86,7 +86,7 @@ void UniformRotation::Angle::at(double m, FixedBall& re, FixedBall& im) const {
   im = FixedBall::of(sign < 0 ? -both.sin : both.sin);
 }
 
-/// Each step rounds twice, and the rate is no closer to its double than another rounding.
+/// Each step rounds twice, and the difference between the rate and its double counts as another rounding.
 void UniformRotation::Spin::set(const Angle& a) {
   angle = a;
   for (int k = 0; k < last; ++k) u[k + 1] = u[k] * (a.sign * a.c1) / (k + 1);
@@ -98,19 +98,19 @@ UniformRotation::Powers<FixedBall> UniformRotation::Spin::precise_powers(int exp
   if (!angle) return powers;
   const double unit = angle->sign * power_of_two(exponent);
   const FixedBall rate = FixedBall::exact(unit * angle->c1) + FixedBall::exact(unit * angle->c1_low);
-  // A product takes as long as its first factor has words.
+  // The cost of a product is proportional to the number of words of its first factor.
   for (int k = 0; k < last; ++k) powers[k + 1] = rate * powers[k] * FixedBall::of(reciprocal<Real320>(k + 1));
   return powers;
 }
 
 std::shared_ptr<const UniformRotation> UniformRotation::of(const MotionSegment& segment) {
   if (segment.bridge || segment.composed || segment.translation || !rotates(segment)) return nullptr;
-  if (segment.degree > last) return nullptr;  // a series does not have all of D
+  if (segment.degree > last) return nullptr;  // a series does not contain all of D
   const auto even = std::make_shared<UniformRotation>();
   return even->take(segment) ? even : nullptr;
 }
 
-/// False where a body turns in another way.
+/// False if the rotation of a body is not uniform.
 bool UniformRotation::take(const MotionSegment& segment) {
   const auto take_angle = [](const Rotation& rotation, std::optional<Angle>& angle) {
     if (std::holds_alternative<NoRotation>(rotation)) return true;
@@ -151,7 +151,7 @@ UniformRotation::Way UniformRotation::way_about(const MotionSegment& segment, do
   return way;
 }
 
-/// Bounds of D's coefficients about any instant so near to the middle.
+/// Bounds of D's coefficients about any instant within this radius of the middle.
 UniformRotation::Powers<double> UniformRotation::sizes_within(const Way& way, double radius) {
   Powers<double> sizes{};
   for (int j = 0; j < way.terms; ++j) {
@@ -167,11 +167,12 @@ double UniformRotation::size_of(const Spin& spin, const Powers<double>& sizes, i
   return sum * (1 + 0x1p-44);
 }
 
-/// Of functions i and i + 1, whose coefficients about any instant are no larger than these.
+/// Sets the bounds of functions i and i + 1, whose coefficients about any instant are no larger than these.
 void UniformRotation::bound(const Spin& spin, const Way& way, int i, FrameModel& model) const {
   ModelSeries<double> point, range;
   for (int k = 0; k <= last; ++k) {
-    // Sine and cosine to 2^-50 each; roundings: 3 k of the powers, 3 of a complex product, 2 of each term and sum.
+    // Sine and cosine have an error of 2^-50 each. The roundings are: 3 k of the powers, 3 of a complex product, 2 of
+    // each term and sum.
     const double size = size_of(spin, way.size, way.terms, k), share = 0x1p-49 + (3 * k + 4 + 2 * way.terms) * 0x1p-53;
     point.c[k] = Ball<double>(size, size * share + size_of(spin, way.error, way.terms, k) + underflow_slack);
   }
@@ -181,7 +182,7 @@ void UniformRotation::bound(const Spin& spin, const Way& way, int i, FrameModel&
   for (int part = 0; part < 2; ++part) take_series(model, i + part, point, range);
 }
 
-/// The coefficients of two functions about an instant at which a body is turned by (re, im).
+/// The coefficients of two functions about an instant at which a body is rotated by (re, im).
 template <class N, class Take>
 void UniformRotation::turned(const Powers<N>& u, const RelativeDisplacement<N>& way, const N& re, const N& im,
                              const Take& take) {
@@ -194,7 +195,7 @@ void UniformRotation::turned(const Powers<N>& u, const RelativeDisplacement<N>& 
     N x{}, y{};
     for (int j = 0; j < way.terms && j <= k; ++j) {
       N a = u[k - j] * turned_x[j], b = u[k - j] * turned_y[j];
-      // Times a power of i.
+      // Multiply by a power of i.
       if ((k - j) & 1) std::tie(a, b) = std::pair(-b, a);
       if ((k - j) & 2) a = -a, b = -b;
       x = x + a;
@@ -297,11 +298,11 @@ UniformRotation::Expansion UniformRotation::expansion(const MotionSegment& segme
       given.constant_way ? *given.constant_way : precise_way(segment, m, exponent);
   RelativeDisplacement<FixedBall> one;
   one.x[0] = FixedBall::exact(1);
-  // Coefficients in t - m about any instant within the radius are no larger than these.
+  // Bounds of the coefficients in t - m about any instant within the radius.
   const double radius = power_of_two(exponent);
   const Way about = way_about(segment, m);
   const Powers<double> over = sizes_within(about, radius);
-  // One turn after the other is the relative one.
+  // The relative rotation is the composition of the two rotations.
   FixedBall p_re = FixedBall::exact(1), q_re = p_re, p_im, q_im;
   if (to_p_.angle) to_p_.angle->at(m, p_re, p_im);
   if (to_q_.angle) to_q_.angle->at(m, q_re, q_im);
