@@ -8,7 +8,7 @@ namespace {
 thread_local Budget* innermost = nullptr;
 thread_local std::uint64_t spent = 0, next_look = 0;
 
-/// Longer limits than this are none.
+/// Limits longer than this count as no limit.
 constexpr double for_ever = 1e9;
 constexpr std::uint64_t between_looks = 64;
 

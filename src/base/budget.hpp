@@ -1,4 +1,4 @@
-// Long computations can be told to stop: by a flag, by the clock, or after some work.
+// Long computations can be stopped: by a flag, by the clock, or after a given amount of work.
 #pragma once
 
 #include <atomic>
@@ -9,20 +9,20 @@
 
 namespace taut::internal {
 
-/// Thrown by checkpoint() where the present scope asks for it.
+/// Thrown by checkpoint() if the current budget requires it.
 struct Interrupted {
   const char* reason;
 };
 
-/// While it lives, interruption points of this thread look at the flag and at the clock, and at those of the scopes
-/// around it.
+/// While it lives, the checkpoints of this thread test the flag and the clock, and those of the enclosing budgets.
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
 
   /// The seconds count from now.
   explicit Budget(const Limits& limits);
-  /// For about so much work from now: the same every time. What has begun by then may go on for as much as `overtime`.
+  /// A budget for about this much work from now on; deterministic. Work begun by then may continue for as much as
+  /// `overtime`.
   explicit Budget(std::uint64_t effort, std::uint64_t overtime = 0);
   ~Budget();
   Budget(const Budget&) = delete;
@@ -32,9 +32,9 @@ class Budget {
   void check() const;
   /// Was the effort used up?
   bool exhausted() const { return exhausted_; }
-  /// How much what comes next takes, if it was not begun because less was left.
+  /// The work that the next operation needs, if it was not begun because less was left.
   std::uint64_t wanted() const { return wanted_; }
-  /// How much of what was stopped is not lost.
+  /// The amount of interrupted work that is not lost.
   std::uint64_t kept() const { return kept_; }
 
  private:
@@ -46,15 +46,17 @@ class Budget {
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;
-  std::uint64_t end_ = UINT64_MAX, until_ = UINT64_MAX;  ///< which work_spent(), without overtime and with it
+  std::uint64_t end_ = UINT64_MAX, until_ = UINT64_MAX;  ///< the values of work_spent() at the end, without overtime
+                                                         ///< and with it
   bool exhausted_ = false;
   std::uint64_t wanted_ = 0, kept_ = 0;
   Clock::time_point deadline_{};
   Budget* outer_;
 };
 
-/// While it lives, this thread counts no work: what is made once and kept is made by whoever needs it first, who must
-/// not seem slower for it than those who come later. Flags and clocks of the scopes around it are looked at as ever.
+/// While it lives, this thread counts no work. Data that is computed once and cached is computed by the first caller
+/// that needs it, and that caller must not appear slower than later ones. The flags and clocks of enclosing budgets are
+/// still tested.
 class UnmeteredScope {
  public:
   UnmeteredScope();
@@ -67,17 +69,18 @@ class UnmeteredScope {
   Budget unlimited_;
 };
 
-/// Counts so much work, and stops it where that is asked for. A unit is what a look at two boxes costs, some 50 ns of
-/// 2020: whatever costs far more than that says how much. So the work of different engines can be compared, and is the
-/// same on every machine.
+/// Counts this much work, and throws Interrupted if the budget requires it. A unit is the cost of testing two boxes,
+/// some 50 ns in 2020. Operations that cost far more state their work. So the work of different engines can be
+/// compared, and is the same on every machine.
 void checkpoint(std::uint64_t work = 1);
-/// Before something that has to be begun anew if it is stopped, and takes about so much: stops now where less is left.
+/// Called before an operation of about this much work that would have to restart if interrupted. Throws now if less is
+/// left.
 void checkpoint_before(std::uint64_t work);
-/// Of what is stopped now, so much is gone on with when it is begun again.
+/// Records that this much of the work interrupted now will be resumed, not repeated.
 void count_kept_work(std::uint64_t work);
-/// Counts it alone, where nothing may be left half done.
+/// Counts the work without a test, where nothing may be left half done.
 void count_work(std::uint64_t work);
-/// All that this thread has counted so far.
+/// The total work that this thread has counted so far.
 std::uint64_t work_spent();
 
 }  // namespace taut::internal

@@ -1,5 +1,5 @@
-// One function object of several, one for each case: for std::visit, which wants every case. So a form that is added to
-// a variant, and forgotten somewhere, does not compile.
+// One function object composed of several, one for each case: for std::visit, which requires every case. So if an
+// alternative is added to a variant and one of its uses is forgotten, the code does not compile.
 #pragma once
 
 namespace taut::internal {

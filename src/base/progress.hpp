@@ -1,4 +1,4 @@
-// How far a long question is, for somebody who waits for the answer.
+// The progress of a long query, for a user who waits for the answer.
 #pragma once
 
 #include <atomic>
@@ -7,17 +7,17 @@
 
 namespace taut::internal {
 
-/// Written by the thread that works, and read by one that shows it.
+/// Written by the working thread, and read by one that displays it.
 struct ProgressMeter {
   void set(const char* parts, std::uint64_t number, std::uint64_t total);
 
-  std::atomic<const char*> kind{nullptr};      ///< what is counted: "pairs", say
-  std::atomic<std::uint64_t> done{0}, all{0};  ///< of these; `all` is 0 where it is not known
-  std::atomic<double> share{-1};               ///< of the whole question, from 0 to 1; below 0 if it is not known
+  std::atomic<const char*> kind{nullptr};      ///< the kind of parts counted, such as "pairs"
+  std::atomic<std::uint64_t> done{0}, all{0};  ///< the numbers of parts; `all` is 0 if not known
+  std::atomic<double> share{-1};               ///< of the whole query, from 0 to 1; below 0 if not known
   std::atomic<double> time{-INFINITY};         ///< searched up to this instant of the scene
 };
 
-/// While it lives, what this thread reports goes to the meter.
+/// While it lives, the reports of this thread go to the meter.
 class ProgressScope {
  public:
   explicit ProgressScope(ProgressMeter& meter);
@@ -29,11 +29,11 @@ class ProgressScope {
   ProgressMeter* outer_;
 };
 
-/// So many parts of a kind are done, of `all`, if that is known. Without a scope nothing happens.
+/// Reports that `done` parts of a kind are done, of `all`, if that is known. Without a scope, this has no effect.
 void report_parts(const char* kind, std::uint64_t done, std::uint64_t all = 0);
-/// The scene has been searched up to t: further than was reported before, or as far.
+/// Reports that the scene has been searched up to t, which is not earlier than reported before.
 void report_time(double t);
-/// This share of the question is decided.
+/// Reports the share of the query that is decided.
 void report_share(double share);
 
 }  // namespace taut::internal

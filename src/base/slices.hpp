@@ -1,4 +1,4 @@
-// Two ways to one answer, of which nobody knows beforehand which is the shorter one.
+// Runs two methods for one answer in alternating slices, if it is not known beforehand which one is faster.
 #pragma once
 
 #include <algorithm>
@@ -8,26 +8,26 @@
 
 namespace taut::internal {
 
-/// What came of a turn.
+/// The result of a slice.
 enum class SliceResult : unsigned char { open, given_up, decided };
 
-/// One of the two, and the work that it has done. Neither may be ahead of the other by more than an eighth of its work:
-/// so an answer costs little more than twice what the better one takes alone. Who has something long to do that cannot
-/// be left in the middle may leave its turns unused until there is room for that: it then counts for the other one as
-/// if it had used them.
+/// One of the two methods, and the work that it has done. Neither may be ahead of the other by more than an eighth of
+/// its work, so an answer costs little more than twice the cost of the better one alone. A method with a long operation
+/// that cannot be interrupted may leave its slices unused until there is room for that. For the other one, unused
+/// slices count as used.
 class PortfolioMember {
  public:
-  /// A first turn: as long as a small question takes.
+  /// The first slice: the work of a small query.
   static constexpr std::uint64_t first_turn = 256;
 
-  /// Counts what `begin` does.
+  /// Calls `begin` and counts its work.
   template <class Begin>
   void begin(const Begin& begin) {
     const std::uint64_t before = work_spent();
     begin();
     spent_ += work_spent() - before;
   }
-  /// Goes on, by work(effort), until its work in all is so much.
+  /// Continues, by work(effort), until the total work reaches `total`.
   template <class Work>
   SliceResult work_until(std::uint64_t total, const Work& work) {
     granted_ = total;
@@ -40,7 +40,7 @@ class PortfolioMember {
   }
   std::uint64_t spent() const { return spent_; }
   bool is_open() const { return end_ == SliceResult::open; }
-  /// How far the other one may go now: to the end, if this one has given up.
+  /// The total work up to which the other method may continue now: unlimited if this one has given up.
   std::uint64_t share_of_other() const {
     const std::uint64_t used = std::max(spent_, granted_);
     return is_open() && used < UINT64_MAX / 2 ? used + used / 8 + first_turn : UINT64_MAX;
@@ -51,7 +51,7 @@ class PortfolioMember {
   SliceResult end_ = SliceResult::open;
 };
 
-/// Turns until one has decided: 1 or 2; 0 if both have given up.
+/// Alternates until one method has decided: returns 1 or 2, or 0 if both have given up.
 template <class Work1, class Work2>
 int take_turns(PortfolioMember& first, const Work1& work1, PortfolioMember& second, const Work2& work2) {
   for (;;) {

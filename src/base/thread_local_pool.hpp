@@ -1,4 +1,4 @@
-// Room that a thread keeps for the next one who needs the like.
+// Memory that a thread keeps for the next owner of the same type.
 #pragma once
 
 #include <memory>
@@ -6,9 +6,9 @@
 
 namespace taut::internal {
 
-/// A T that is taken is the one that its last owner in this thread gave back, as it was left, or a new one. Memory that
-/// a system gives and takes for each question costs more than a small question does. One of each type is kept, until
-/// the thread ends; owners that are static objects may end later.
+/// take() returns the T that the last owner in this thread gave back, in the state in which it was left, or a new one.
+/// Allocating and freeing memory for each query would cost more than a small query does. One object of each type is
+/// kept until the thread ends; owners that are static objects may end later.
 template <class T>
 class ThreadLocalPool {
  public:
@@ -19,7 +19,7 @@ class ThreadLocalPool {
 
   static Pointer take() {
     T* const kept = over_ ? nullptr : std::exchange(own().kept_, nullptr);
-    return Pointer(kept ? kept : new T);  // what has no constructor is not touched: so not T()
+    return Pointer(kept ? kept : new T);  // new T leaves members without a constructor untouched, unlike new T()
   }
 
   ThreadLocalPool(const ThreadLocalPool&) = delete;
