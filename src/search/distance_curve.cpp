@@ -35,7 +35,8 @@ std::size_t DistanceFunction::search(double from, double to, spacetime::Nearest&
   return which;
 }
 
-/// Where doubles leave a gap below the least distance, as where a body turns with infinite speed, margins close it.
+/// Where doubles leave a gap below the least distance, as where a body rotates with infinite speed, queries about
+/// margins close it.
 void DistanceFunction::settle(double from, double to, spacetime::Nearest& best) const {
   double unresolved = INFINITY;
   for (const PairDistance* pair : pairs_) {

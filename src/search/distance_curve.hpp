@@ -1,4 +1,4 @@
-// The distance of two bodies, or the least one of many pairs, as a function of time.
+// The distance of two bodies, or the least distance of many pairs, as a function of time.
 #pragma once
 
 #include <memory>
@@ -11,27 +11,27 @@
 
 namespace taut::internal {
 
-/// A pair of bodies, and when they touch.
+/// A pair of bodies, and the times when they touch.
 struct PairDistance {
   std::array<BodyId, 2> pair;
   PairInstance search;
-  std::vector<OverlapInterval> touching;  ///< closed
+  std::vector<OverlapInterval> touching;  ///< for closed touching
 };
 
-/// Brackets of d(t) = the least distance of any of the pairs at t, in the input's units. It is 0 where a pair touches.
+/// Brackets of d(t), the least distance of any of the pairs at t, in the input's units. It is 0 where a pair touches.
 class DistanceFunction {
  public:
   DistanceFunction(std::vector<const PairDistance*> pairs, const spacetime::ClearanceTolerance& tolerance, int exponent)
       : pairs_(std::move(pairs)), tolerance_(tolerance), exponent_(exponent) {}
 
   DistanceAt at(double t) const;
-  /// from < to.
+  /// Requires from < to.
   DistanceWithin within(double from, double to) const { return {from, to, least(from, to), most(from, to)}; }
   double most(double from, double to) const;
 
  private:
   double least(double from, double to) const;
-  /// From the nearest pair on: which one it is.
+  /// Searches all pairs, and returns the index of the nearest one.
   std::size_t search(double from, double to, spacetime::Nearest& best) const;
   void settle(double from, double to, spacetime::Nearest& best) const;
   bool may_touch(double from, double to) const;

@@ -15,9 +15,9 @@ namespace taut::internal {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
-/// More than the C library's atan2 is wrong by, in radians, and what sums of angles round.
+/// A bound, in radians, of the error of the C library's atan2 and of the rounding of sums of angles.
 constexpr double angle_rounding = 0x1p-48;
-/// What is left to exact signs at the ends of an arc, in radians.
+/// The margin at the ends of an arc that is left to exact signs, in radians.
 constexpr double angle_slack = 0x1p-20;
 
 std::uint32_t next_in_ring(const DisplacedPolygon& polygon, std::uint32_t k) {
@@ -25,7 +25,7 @@ std::uint32_t next_in_ring(const DisplacedPolygon& polygon, std::uint32_t k) {
   return k + 1 == polygon.points.size() ? 0 : k + 1;
 }
 
-/// In [0, 2 pi).
+/// The angle of v in [0, 2 pi).
 double angle_of(Vector v) {
   const double a = std::atan2(v.y, v.x);
   return a < 0 ? a + whole_turn : a;
@@ -65,7 +65,7 @@ VertexDirection FreeDirections::second_end(const VertexDirection& side) const {
   return end;
 }
 
-/// The place d + t w of a side of a parallelogram, |d + t w| = travel: a root of |w|^2 t^2 + 2 (d.w) t + |d|^2 -
+/// The place d + t w on a side of a parallelogram with |d + t w| = travel: a root of |w|^2 t^2 + 2 (d.w) t + |d|^2 -
 /// travel^2.
 template <class Real>
 std::array<Ball<Real>, 2> FreeDirections::place_on_side(const VertexDirection& side) const {
@@ -101,10 +101,10 @@ bool FreeDirections::within_travel(const VertexDirection& d) const {
   return decided(beyond, "whether two vertices are nearer than the travel") < 0;
 }
 
-/// Of a side with both ends outside of the disc: does it come into it?
+/// For a side with both ends outside of the disc: does it enter the disc?
 bool FreeDirections::dips_into_disc(const VertexDirection& side) const {
   const VertexDirection end = second_end(side);
-  // Along the side from either end on the way leads towards the origin first.
+  // From either end, the direction along the side leads towards the origin at first.
   const auto towards = [&](const VertexDirection& from, const VertexDirection& to) {
     return decided(
                [&](auto real) {
@@ -126,7 +126,7 @@ bool FreeDirections::dips_into_disc(const VertexDirection& side) const {
   return decided(inside, "whether an edge is nearer than the travel") > 0;
 }
 
-/// Where a side of a parallelogram of differences crosses the circle that the travel ends on.
+/// Adds the places where a side of a parallelogram of differences crosses the circle whose radius is the travel.
 void FreeDirections::add_places(VertexDirection side, FewDirections& found) const {
   VertexDirection begin = side;
   begin.kind = VertexDirection::Kind::vertices;
@@ -138,7 +138,7 @@ void FreeDirections::add_places(VertexDirection side, FewDirections& found) cons
   if (!last) found.push_back(side);
 }
 
-/// +1 if b is counterclockwise from a, by less than half a turn.
+/// +1 if b is counterclockwise from a, by less than 180 degrees.
 int FreeDirections::cross(const VertexDirection& a, const VertexDirection& b) const {
   const Vector u = difference(a), v = difference(b);
   const double value = u.x * v.y - u.y * v.x, e = difference_error(a), f = difference_error(b);
@@ -162,15 +162,15 @@ int FreeDirections::upper(const VertexDirection& d) const {
   throw Undecidable{"whether a direction is above the x axis"};
 }
 
-/// From the x axis on.
+/// The order of directions, counterclockwise from the x axis.
 bool FreeDirections::before(const VertexDirection& a, const VertexDirection& b) const {
   if (a == b) return false;
   const int half_a = upper(a), half_b = upper(b);
   return half_a != half_b ? half_a > half_b : cross(a, b) > 0;
 }
 
-/// The cone over the differences of the points of two edges is that over the differences of their ends: these are on
-/// one side of the origin, since the edges do not meet. Nothing if the travel ends before they do.
+/// The cone over the differences of the points of two edges is that over the differences of their ends. These are on
+/// one side of the origin, since the edges do not meet. Nothing if the travel is too short for them to meet.
 std::optional<VertexArc> FreeDirections::arc_of(std::uint32_t edge, int other, std::uint32_t other_edge) const {
   using Kind = VertexDirection::Kind;
   const std::uint32_t edge_end = next_in_ring(moving_.vertices.polygon(), edge);
@@ -201,7 +201,7 @@ std::optional<VertexArc> FreeDirections::arc_of(std::uint32_t edge, int other, s
   return arc;
 }
 
-/// Doubles tell the direction.
+/// Do doubles determine the direction?
 bool FreeDirections::clear(const VertexDirection& d) const {
   return l1_norm(difference(d)) > 0x1p20 * difference_error(d);
 }
@@ -220,13 +220,14 @@ void FreeDirections::block(std::uint32_t edge, int other, std::uint32_t other_ed
   cover(arc);
 }
 
-/// All sectors that lie within the arc, ends included: in doubles, so only those that are well inside.
+/// Marks all sectors that lie within the arc, ends included. It uses doubles, so only those that are well inside are
+/// marked.
 void FreeDirections::cover(const VertexArc& arc) {
   if (!clear(arc.from) || !clear(arc.to)) return;
   const double from = angle_of(difference(arc.from));
   double to = angle_of(difference(arc.to));
   if (to < from) to += whole_turn;
-  // Arcs are shorter than half a turn.
+  // Arcs are shorter than 180 degrees.
   if (to - from > std::numbers::pi) return;
   const double width = whole_turn / sectors;
   for (double k = std::ceil((from + angle_slack) / width); (k + 1) * width <= to - angle_slack; ++k)
@@ -244,14 +245,14 @@ bool FreeDirections::covered(double from, double to) const {
   return true;
 }
 
-/// Are all directions from the one box to the other blocked already, or none reached? By the discs around them.
+/// Are all directions from one box to the other blocked already, or out of reach? Decided by the discs around them.
 bool FreeDirections::covered(const spacetime::BoxNode& own, int other, const spacetime::BoxNode& node) const {
   const StandingBody& there = *others_[static_cast<std::size_t>(other)];
   const Vector way = there.vertices.place(node.box.centre) - moving_.vertices.place(own.box.centre);
   const double reach =
       (own.box.radius + node.box.radius + moving_.vertices.error() + there.vertices.error()) * (1 + 0x1p-20);
   const double distance = std::sqrt(dot(way, way));
-  // Nothing there is reached.
+  // The other box is out of reach.
   if (distance - reach > travel_ * (1 + 0x1p-20)) return true;
   if (!(distance > reach)) return covered_.all();
   const double half = std::asin(std::min(1.0, reach / distance)) + angle_slack, middle = angle_of(way);
@@ -265,7 +266,7 @@ void FreeDirections::add(const StandingBody& other) {
   descend(index);
 }
 
-/// Some pairs from all over both bodies, so that most of what is blocked is known early.
+/// Tests some pairs from all over both bodies, so that most blocked directions are known early.
 void FreeDirections::sample(int other) {
   const auto n = static_cast<std::uint32_t>(moving_.vertices.polygon().points.size());
   const auto m = static_cast<std::uint32_t>(others_[static_cast<std::size_t>(other)]->vertices.polygon().points.size());
@@ -299,10 +300,10 @@ void FreeDirections::descend(int other) {
 std::vector<VertexArc> FreeDirections::free() {
   struct End {
     VertexDirection at;
-    int change;  ///< one more arc begins, or one ends
+    int change;  ///< +1 where an arc begins, -1 where one ends
   };
   std::vector<End> ends;
-  int count = 0;  // of arcs around the direction at hand, at first along the x axis
+  int count = 0;  // the number of arcs around the current direction, initially along the x axis
   for (const VertexArc& arc : arcs_) {
     ends.push_back({arc.from, 1});
     ends.push_back({arc.to, -1});
@@ -312,7 +313,7 @@ std::vector<VertexArc> FreeDirections::free() {
   std::vector<VertexArc> found;
   std::optional<VertexDirection> begun;
   const bool free_at_first = count == 0;
-  // Arcs are open. Of ends at one and the same direction, those of arcs that go on do not open it.
+  // Arcs are open. At a direction with several ends, arcs that contain the direction keep it blocked.
   for (std::size_t i = 0; i < ends.size();) {
     checkpoint();
     int ending = 0, beginning = 0;
@@ -333,7 +334,7 @@ std::vector<VertexArc> FreeDirections::free() {
     count = around + beginning;
     i = k;
   }
-  // An arc around the x axis was begun last and ends first.
+  // A free arc around the x axis begins last and ends first.
   if (free_at_first && begun && !found.empty()) found.front().from = *begun;
   return found;
 }
@@ -343,7 +344,7 @@ bool FreeDirections::is_point(const VertexArc& arc) const {
   const auto [from_lo, from_hi] = degrees(arc.from);
   const auto [to_lo, to_hi] = degrees(arc.to);
   bool together = false;
-  // Either may lie a little before a whole turn.
+  // Either may lie a little before 360 degrees.
   for (const double turn : {-360.0, 0.0, 360.0}) {
     if (from_lo + turn <= to_hi && to_lo <= from_hi + turn) together = true;
   }
@@ -351,7 +352,7 @@ bool FreeDirections::is_point(const VertexArc& arc) const {
 }
 
 std::pair<double, double> FreeDirections::degrees(const VertexDirection& d) const {
-  // With more bits where the difference is small beside the error of its ends.
+  // Use more bits, in case the difference is small relative to the error of its ends.
   const auto [x, y] = exact_difference<Real320>(d);
   const double length =
       std::fabs(RealTraits<Real320>::to_double(x.mid)) + std::fabs(RealTraits<Real320>::to_double(y.mid));

@@ -1,4 +1,4 @@
-// The directions in which one body leaves others.
+// The directions in which one body can leave others.
 #pragma once
 
 #include <array>
@@ -12,35 +12,35 @@
 
 namespace taut::internal {
 
-/// A body where it stands, with its tree of boxes.
+/// A body at its position, with its tree of boxes.
 struct StandingBody {
   VerticesAtPose vertices;
   const spacetime::Hierarchy& tree;
 };
 
-/// A direction: from a vertex of the moving body to one of a body that stays; or, of a travel that ends, from a vertex
-/// to the place on an edge that is just as far away as the travel is long.
+/// A direction from a vertex of the moving body to one of a stationary body. If the travel is finite, it may also be
+/// the direction from a vertex to the place on an edge at a distance equal to the travel.
 struct VertexDirection {
   enum class Kind : unsigned char {
     vertices,
-    to_edge,    ///< of the edge from `to` to the next vertex
-    from_edge,  ///< of the moving body's edge from `from` on
+    to_edge,    ///< on the edge from `to` to the next vertex
+    from_edge,  ///< on the moving body's edge that starts at `from`
   };
-  std::uint32_t from = 0;  ///< of the moving body
-  int other = 0;           ///< which of the bodies that stay
+  std::uint32_t from = 0;  ///< a vertex of the moving body
+  int other = 0;           ///< the number of the stationary body
   std::uint32_t to = 0;
   Kind kind = Kind::vertices;
-  bool second = false;  ///< of the two places on the edge, if there are two
+  bool second = false;  ///< the second of the two places on the edge
 
   bool operator==(const VertexDirection&) const = default;
 };
 
-/// From `from` counterclockwise to `to`.
+/// The arc from `from` counterclockwise to `to`.
 struct VertexArc {
   VertexDirection from, to;
 };
 
-/// The corners of what a disc leaves of a parallelogram: at most four corners, and two places on each side.
+/// The corners of the intersection of a disc with a parallelogram: at most four corners, and two places on each side.
 class FewDirections {
  public:
   void push_back(const VertexDirection& d) { all_[size_++] = d; }
@@ -54,23 +54,23 @@ class FewDirections {
 };
 
 /// The blocked directions are the open arcs of pairs of edges: the cone over all differences of their points. Arcs that
-/// are certainly inside the union of others do not matter, and neither do pairs of boxes all of whose directions are:
-/// a table of short arcs that are covered tells, in doubles. Of what is left, the ends are sorted by exact signs.
+/// are certainly inside the union of others do not matter, and neither do pairs of boxes whose directions all are. A
+/// table of covered short arcs decides this in doubles. The ends of the remaining arcs are sorted by exact signs.
 ///
-/// If the travel has an end, only differences matter that are as short as that: the cone is over what the disc of that
-/// radius leaves of the parallelogram of differences, so its ends are corners of the parallelogram within the disc, or
-/// places where a side leaves it.
+/// If the travel is finite, only differences up to that length matter. The cone is then over the intersection of the
+/// parallelogram of differences with the disc of that radius. So its ends are corners of the parallelogram within the
+/// disc, or places where a side leaves the disc.
 class FreeDirections {
  public:
   FreeDirections(const StandingBody& moving, double travel) : moving_(moving), travel_(travel) {}
 
-  /// Another body that stays.
+  /// Adds another stationary body.
   void add(const StandingBody& other);
-  /// What is left free, in order from the x axis; nothing if all is blocked. Throws Undecidable.
+  /// The free arcs, in order from the x axis; empty if all directions are blocked. Throws Undecidable.
   std::vector<VertexArc> free();
-  /// Is the arc no more than a direction, as far as doubles tell?
+  /// Is the arc a single direction, as far as doubles show?
   bool is_point(const VertexArc& arc) const;
-  /// No direction is blocked.
+  /// Are no directions blocked?
   bool all_free() const { return arcs_.empty(); }
   /// The direction in degrees, in [0, 360), certainly enclosed.
   std::pair<double, double> degrees(const VertexDirection& d) const;
@@ -106,7 +106,7 @@ class FreeDirections {
   void sample(int other);
 
   const StandingBody& moving_;
-  double travel_;  ///< infinite if it has no end
+  double travel_;  ///< infinite if it is unlimited
   std::vector<const StandingBody*> others_;
   std::vector<VertexArc> arcs_;
   std::bitset<sectors> covered_;

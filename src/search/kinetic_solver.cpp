@@ -10,7 +10,7 @@
 namespace taut::internal {
 namespace {
 
-/// How many events there are between two looks at the work that was done.
+/// The number of events between two tests of the work done.
 constexpr std::uint64_t events_of_turn = 16;
 
 }  // namespace
@@ -89,7 +89,7 @@ bool KineticSolver::work(double from, double to, std::uint64_t effort) {
   } catch (const Undecidable& limit) {
     give_up(not_decided(limit), engines_ ? engines_->reached() : from);
   } catch (const Interrupted& limit) {
-    // In the middle of an event, perhaps.
+    // This may be in the middle of an event.
     give_up(limit.reason, engines_ ? engines_->reached() : from);
   }
   return true;
@@ -130,7 +130,7 @@ std::vector<NearTiling> KineticSolver::tilings() const {
 
 void KineticSolver::note_contact() {
   const RingEngines::Found& found = *engines_->contact();
-  // Segments from a later time on are the last ones of all.
+  // The segments from a later time on are the last of all segments.
   const std::size_t segment = segments_.size() - engines_->segments().size() + found.segment;
   result_ = contact_of(result_, witness(), segments_[segment], segment, found.contact, world_.start());
 }

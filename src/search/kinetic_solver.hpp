@@ -1,4 +1,4 @@
-// A pair of a world by the kinetic engine.
+// Solves a pair of a world by the kinetic engine.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace taut::internal {
 
-/// How many events all pairs of a world may take together.
+/// The number of events that all pairs of a world may process together.
 struct EventBudget {
   std::uint64_t most = UINT64_MAX;
   std::uint64_t left = UINT64_MAX;
@@ -18,27 +18,28 @@ struct EventBudget {
   explicit EventBudget(std::uint64_t limit) : most(limit), left(limit) {}
 };
 
-/// The tilings of the pair's rings are built where its first window begins, and followed through windows that follow
-/// each other; after a gap, in which the bodies were apart by their boxes, they are built anew.
+/// The tilings of the pair's rings are built where its first window begins, and followed through consecutive windows.
+/// After a gap, in which the bounding boxes show the bodies to be disjoint, they are rebuilt.
 class KineticSolver final : public PairSolver {
  public:
-  /// The world and the budget must outlive it. Throws InputError where a body has features that are finer than the
-  /// displacement.
+  /// The world and the budget must outlive this object. Throws InputError if a body has features that are finer than
+  /// the displacement.
   KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget);
 
   void ask_start() override;
   void ask(double from, double to) override { work(from, to, UINT64_MAX); }
-  /// The same, for about so much work; true once it is settled. Else it can be asked again about the same window.
+  /// Like ask(), for about this much work. Returns true once the window is decided. Otherwise it can be called again
+  /// for the same window.
   bool work(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, segments_, geometry_); }
   StageCounts stages() const override;
   KineticCounts counts() const override;
-  /// Up to where the present tilings have come.
+  /// The time up to which the current tilings have been followed.
   double at() const { return at_; }
-  /// The present tilings; null before the first window, and where the bodies overlap.
+  /// The current tilings; null before the first window, and where the bodies overlap.
   RingEngines* engines() { return engines_.get(); }
-  /// In the user's terms.
+  /// The tilings in the user's terms.
   std::vector<NearTiling> tilings() const;
 
  private:
@@ -57,10 +58,10 @@ class KineticSolver final : public PairSolver {
   PairGeometry geometry_;
   MotionSegments segments_;  ///< from the world's start
   std::unique_ptr<RingEngines> engines_;
-  double at_ = 0;         ///< up to where the present engines have come
-  double window_ = 0;     ///< where the window begins that they are in
-  KineticCounts before_;  ///< of engines that have been left
-  StageCounts stages_;    ///< of these
+  double at_ = 0;         ///< the time up to which the current engines have been followed
+  double window_ = 0;     ///< the beginning of their current window
+  KineticCounts before_;  ///< of discarded engines
+  StageCounts stages_;    ///< of discarded engines
   PairResult result_;
 };
 

@@ -10,7 +10,7 @@
 namespace taut::internal {
 namespace {
 
-/// A window is short enough if the mover's box is at most so many times longer than it is at rest.
+/// A window is short enough if the mover's box over it is at most this many times longer than at rest.
 constexpr double longest_way = 3;
 constexpr int deepest_halving = 30;
 

@@ -1,4 +1,4 @@
-// The first contact of one moving body with any of many that rest.
+// The first contact of one moving body with any of many bodies at rest.
 #pragma once
 
 #include <map>
@@ -20,21 +20,22 @@ struct MapBodies {
   std::shared_ptr<FreeCellsOnce> free_cells = std::make_shared<FreeCellsOnce>();
 };
 
-/// Time is halved while the mover's box grows by its way; each window asks the tree which bodies its box meets, and
-/// these are settled for it. Windows come in order of time and a contact ends the search. The segments of the motion
-/// are the same for all bodies of the map, but for the two roles that the mover can have.
+/// Time is halved while the motion of the mover enlarges its box too much. For each window, the tree returns the bodies
+/// whose boxes meet that of the mover, and these pairs are decided for the window. Windows come in order of time, and a
+/// contact ends the search. The segments of the motion are the same for all bodies of the map, except for the two roles
+/// that the mover can have.
 class MapSearch {
  public:
   /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
   MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, bool inwards);
 
-  /// Overlaps, and contacts, at the start. False if nothing is left to ask.
+  /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
   bool start();
   void run() { cover(start_, end_, 0); }
 
-  /// Of the bodies that the mover came near to, in the map's order.
+  /// The results for the bodies that the mover came near to, in the map's order.
   std::vector<PairResult> results() const { return results_of(pairs_); }
-  /// Visits them.
+  /// Visits the pairs.
   template <class Visit>
   void for_each_pair(const Visit& visit) const {
     for (const auto& [body, pair] : pairs_) visit(*pair);
@@ -55,9 +56,9 @@ class MapSearch {
   WorldBody mover_;
   double start_, end_;
   bool inwards_;
-  double size_;  ///< of the mover's box while it rests
+  double size_;  ///< of the mover's box at rest
   double stop_, proved_;
-  std::array<SharedSegments, 2> segments_;  ///< with the mover as P, as Q
+  std::array<SharedSegments, 2> segments_;  ///< with the mover as P, and as Q
   std::map<int, std::unique_ptr<SpacetimeSolver>> pairs_;
 };
 

@@ -31,7 +31,8 @@ void NearPairs::next() {
   descend(around.middle, around.to, in_order(around.rest));
 }
 
-/// Adds the window, and its first halves as far as they tell more. Where they do, it stays until its second half ends.
+/// Adds the window, and its first halves as long as they separate more pairs. A window that has such halves stays on
+/// the stack until its second half ends.
 void NearPairs::descend(double from, double to, std::vector<int> bodies) {
   while (!bodies.empty()) {
     const double middle = from + (to - from) / 2;
@@ -53,9 +54,9 @@ void NearPairs::descend(double from, double to, std::vector<int> bodies) {
   }
 }
 
-/// From the longest window down, in each of which the boxes of those that have changed are held against all others: a
-/// body that one of them may meet in its halves is looked at in these from now on. Who is no longer worth a look is
-/// left out where the next window begins.
+/// From the longest window down, the boxes of the changed bodies are tested against all others. A body that one of them
+/// may meet in the halves of a window is included in these halves from now on. A body that is no longer needed is
+/// dropped where the next window begins.
 void NearPairs::change(const std::vector<int>& changed, double from) {
   from_ = from;
   for (Window& window : stack_) {
@@ -76,7 +77,8 @@ void NearPairs::change(const std::vector<int>& changed, double from) {
   descend(from, from < middle ? middle : to, std::move(entering));
 }
 
-/// Whom does it meet in the window? `deeper` gets the bodies that its halves are to look at besides.
+/// Finds the bodies that this one meets in the window. `deeper` receives the additional bodies that its halves have to
+/// test.
 void NearPairs::look(int body, Window& window, std::vector<int>& deeper) {
   const SweptBox box = window.boxes.box(body);
   for (const int other : window.boxes.find(box)) {

@@ -1,4 +1,4 @@
-// Which pairs of a world are near each other, window after window?
+// The pairs of a world that are near each other, window after window.
 #pragma once
 
 #include <climits>
@@ -12,27 +12,28 @@
 
 namespace taut::internal {
 
-/// Goes through time as WorldSearch does, but for those who want to stand still in it: in the window of the present the
-/// pairs that are near are those whose boxes meet in it, or in one of the windows around it that would not be told
-/// apart by shorter ones. No other pair meets in it. What is far costs nothing within a window, and where some bodies
-/// change their plans, only they are looked at anew: windows, boxes and pairs of all others stay.
+/// Proceeds through time like WorldSearch, but for callers that stop at intermediate times. In the current window, the
+/// near pairs are those whose boxes meet in it, or in one of the enclosing windows that shorter windows would not
+/// separate. No other pair meets in it. Distant bodies cost nothing within a window. If some bodies change their
+/// motions, only these are tested again: windows, boxes and pairs of all others stay.
 class NearPairs {
  public:
-  /// The plan must outlive it.
+  /// The plan must outlive this object.
   explicit NearPairs(const WorldPlan& plan) : plan_(plan) {}
 
   /// Begins, with all bodies, at that time.
   void begin(double from);
-  /// These bodies, in order, have other motions from that time on, which lies in the present window: it begins there.
+  /// These bodies, in order, have other motions from that time on. The time must lie in the current window, which then
+  /// begins there.
   void change(const std::vector<int>& changed, double from);
-  /// The present window; it ends with the world, or before.
+  /// The current window; it ends with the world, or before.
   double from() const { return from_; }
   double until() const { return stack_.back().to; }
   bool last() const { return !(until() < plan_.end()); }
-  /// Goes on to the next one.
+  /// Proceeds to the next window.
   void next();
 
-  /// Calls visit(a, b) for the pairs that are near; a < b.
+  /// Calls visit(a, b) for the near pairs; a < b.
   template <class Visit>
   void each(const Visit& visit) const {
     for (const Window& window : stack_) {
@@ -41,7 +42,7 @@ class NearPairs {
       }
     }
   }
-  /// Calls visit(other) for all that are near to a body.
+  /// Calls visit(other) for all bodies near a given one.
   template <class Visit>
   void each_of(int body, const Visit& visit) const {
     for (const Window& window : stack_) {
@@ -52,13 +53,13 @@ class NearPairs {
   bool has(int a, int b) const;
 
  private:
-  /// One around the next one in the stack.
+  /// A window. On the stack, each encloses the next one.
   struct Window {
     double middle, to;
     bool divisible;
-    ChangingBoxes boxes;                  ///< of the bodies that are looked at in it
-    std::set<std::pair<int, int>> pairs;  ///< near all over it, both ways round
-    std::unordered_set<int> rest;         ///< bodies of pairs about which its halves tell more
+    ChangingBoxes boxes;                  ///< of the bodies that are tested in it
+    std::set<std::pair<int, int>> pairs;  ///< near throughout the window, in both orders
+    std::unordered_set<int> rest;         ///< bodies of pairs that its halves may separate
   };
   void descend(double from, double to, std::vector<int> bodies);
   void look(int body, Window& window, std::vector<int>& deeper);

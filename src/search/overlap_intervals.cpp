@@ -14,14 +14,14 @@ namespace {
 
 using spacetime::SegmentCrossing;
 
-/// Enclosures as wide as this share of an instant say as much as doubles can.
+/// Enclosures of this relative width are as tight as doubles allow.
 constexpr double rounding_of_doubles = 0x1p-55;
 
-/// Crossings that enclosures do not tell apart.
+/// Crossings that their enclosures do not separate.
 struct Cluster {
-  double lo, hi;  ///< in the world's time
+  double lo, hi;  ///< in world time
   SegmentCrossing first, last;
-  bool alone = true;  ///< first and last are one crossing, which may be enclosed roughly
+  bool alone = true;  ///< first and last are one crossing, which may have a rough enclosure
 };
 
 class IntervalSearch {
@@ -38,11 +38,11 @@ class IntervalSearch {
       checkpoint();
       Cluster& c = clusters_[i];
       const double next = i + 1 < clusters_.size() ? clusters_[i + 1].lo : plan_.end();
-      // Of crossings up to the very end no other instant is left after them. They need not be counted: a corner that
-      // leaves may leave others inside, and of two in one double one is known.
+      // If crossings extend to the very end, no later instant is left. They need not be counted: a corner that leaves
+      // may leave others inside, and of two crossings in one double only one is known.
       const bool after = overlapping_at(c.hi < next ? c.hi + (next - c.hi) / 2 : plan_.end());
       if (!inside || !after) tighten_ends(c);
-      // Free on both sides, with a crossing: an overlap shorter than doubles tell.
+      // The bodies are free on both sides of a crossing: an overlap shorter than doubles resolve.
       if (!inside) begin(c);
       if (!after) end(c);
       inside = after;
@@ -60,7 +60,7 @@ class IntervalSearch {
   double time(const SegmentCrossing& c, double parameter) const {
     return std::clamp(pair_.segments()[c.segment].time(parameter), plan_.start(), plan_.end());
   }
-  /// Some double must lie strictly between, at which the overlap can be asked for.
+  /// Some double must lie strictly between, at which the overlap can be evaluated.
   bool apart(double before, double after) const { return std::nextafter(before, plan_.end()) < after; }
   static void sort(std::span<SegmentCrossing> some) {
     std::stable_sort(some.begin(), some.end(), [](const SegmentCrossing& a, const SegmentCrossing& b) {
@@ -78,7 +78,7 @@ class IntervalSearch {
       double hi = time(all[i], all[i].hi);
       for (k = i + 1; k < all.size() && !apart(hi, time(all[k], all[k].lo)); ++k)
         hi = std::max(hi, time(all[k], all[k].hi));
-      // Most crossings are alone, and between others, within an overlap: precise instants are dear.
+      // Most crossings are isolated, and lie between others within an overlap. Precise instants are expensive.
       if (k > i + 1 || !(hi < plan_.end())) tighten_all({all.data() + i, k - i});
       add({all.data() + i, k - i});
     }
@@ -90,7 +90,7 @@ class IntervalSearch {
     }
     sort(some);
   }
-  /// Crossings in order, as clusters.
+  /// Adds ordered crossings as clusters.
   void add(std::span<const SegmentCrossing> some) {
     bool first = true;
     for (const SegmentCrossing& c : some) {
@@ -105,7 +105,7 @@ class IntervalSearch {
       first = false;
     }
   }
-  /// As an interval's end says it.
+  /// Tightens a cluster as required for an interval's end.
   void tighten_ends(Cluster& c) const {
     if (!c.alone) return;
     tighten(pair_.geometry, pair_.segments(), c.first, precisely_ ? 0 : rounding_of_doubles);
@@ -125,7 +125,7 @@ class IntervalSearch {
     contact.time = {std::max(contact.time.lo, plan_.start()), std::min(contact.time.hi, plan_.end())};
     return contact;
   }
-  /// Holds what is true of the bodies given: where displaced ones cross several times, all of it.
+  /// Encloses the time for the given bodies. If the displaced ones cross several times, it includes all crossings.
   TimeInterval bracket_of(const Cluster& c, const Contact& named, Passage passage) const {
     TimeInterval time{std::min(c.lo, named.time.lo), std::max(c.hi, named.time.hi)};
     if (c.alone) return time;

@@ -1,4 +1,4 @@
-// A pair of a world, with what the spacetime engine needs of it.
+// A pair of a world, with the data that the spacetime engine needs.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@ namespace taut::internal {
 
 using SharedSegments = std::shared_ptr<const MotionSegments>;
 
-/// Made once, and kept with the body.
+/// Built once, and kept with the body.
 const spacetime::Hierarchy& tree_of(const RingSet& rings, bool inwards);
 
 struct PairInstance {
-  /// Throws InputError where a body has features that are finer than the displacement.
+  /// Throws InputError if a body has features that are finer than the displacement.
   PairInstance(PairPlan pair, SharedSegments all_segments, bool inwards);
   PairInstance(const WorldPlan& world, int a, int b, bool inwards);
 

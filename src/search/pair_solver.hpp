@@ -1,4 +1,4 @@
-// The first contact of one pair, asked window by window.
+// The first contact of one pair, searched window by window.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace taut::internal {
 
-/// How much the kinetic engine had to do.
+/// The work of the kinetic engine.
 struct KineticCounts {
   std::uint64_t events = 0, certificates_initial = 0, certificates_max = 0;
 
@@ -22,39 +22,40 @@ struct KineticCounts {
   }
 };
 
-/// What is known of one pair.
+/// The known result of one pair.
 struct PairResult {
   int a = 0, b = 0;  ///< a < b
   Outcome outcome = Outcome::free;
   std::optional<Contact> contact;
   double free_until = 0;
   std::string reason;
-  /// Of a contact, in the terms of the pair's geometry: what was found, and on which segment; or how the shapes
+  /// For a contact, in the terms of the pair's geometry: the contact found, and its segment; or how the shapes
   /// displaced outwards overlap at the start.
   std::optional<FoundContact> found;
   std::size_t segment = 0;
   std::optional<StartOverlap> touching;
-  EngineName engine = EngineName::spacetime;  ///< whose result it is
+  EngineName engine = EngineName::spacetime;  ///< the engine that gave the result
 };
 
-/// A pair that boxes do not tell apart: at the start, then in windows of time, in their order. What is found later and
-/// happens before what was known takes its place.
+/// Solves a pair that boxes do not separate: at the start, then in windows of time, in order. A result found later that
+/// concerns an earlier time replaces the known one.
 class PairSolver {
  public:
   virtual ~PairSolver() = default;
-  /// Does it overlap, or touch, at the start?
+  /// Determines whether the pair overlaps, or touches, at the start.
   virtual void ask_start() = 0;
-  /// Is there a first contact within the window? Nothing happens between the windows that are asked about.
+  /// Determines whether there is a first contact within the window. The bodies are disjoint between the windows that
+  /// are searched.
   virtual void ask(double from, double to) = 0;
   virtual const PairResult& result() const = 0;
-  /// Of a contact that was found in motion, what it is the root of.
+  /// For a contact found in motion, the instant as a root.
   virtual std::optional<ContactInstant> instant() const = 0;
   virtual StageCounts stages() const = 0;
-  /// What another engine says, where two are compared.
+  /// The result of another engine, if two are compared.
   virtual const PairResult* other() const { return nullptr; }
-  /// Of the kinetic engine.
+  /// The counts of the kinetic engine.
   virtual KineticCounts counts() const { return {}; }
-  /// Nothing has been found yet.
+  /// Has nothing been found yet?
   bool open() const { return result().outcome == Outcome::free; }
 };
 
@@ -64,7 +65,7 @@ inline std::optional<ContactInstant> instant_of(const PairResult& result, const 
   return ContactInstant{segments.hold(result.segment), &geometry, *result.found};
 }
 
-/// Of pairs that are kept by their names.
+/// The results of pairs stored by name.
 template <class Pairs>
 std::vector<PairResult> results_of(const Pairs& pairs) {
   std::vector<PairResult> results;
@@ -78,16 +79,16 @@ StageCounts stages_of(const Pairs& pairs) {
   return sum;
 }
 
-/// The spacetime engine's.
+/// Solves a pair by the spacetime engine.
 class SpacetimeSolver final : public PairSolver {
  public:
-  /// About [start, end] of the world's time.
+  /// Searches [start, end] of the world's time.
   SpacetimeSolver(PairInstance search, bool inwards, double start, double end);
 
   void ask_start() override;
   void ask(double from, double to) override;
-  /// The same, unless it takes more than that effort: then nothing is noted, and the result is false; the next one
-  /// about the same window goes on.
+  /// Like ask(), unless it takes more than this effort. Then nothing is recorded, and the result is false; the next
+  /// call for the same window resumes.
   bool try_ask(double from, double to, std::uint64_t effort);
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override {
@@ -104,16 +105,16 @@ class SpacetimeSolver final : public PairSolver {
   PairInstance search_;
   bool inwards_;
   double start_, end_;
-  std::optional<spacetime::ContactSearch> left_;  ///< in the middle of a window
-  double window_ = 0;                             ///< which begins there
+  std::optional<spacetime::ContactSearch> left_;  ///< an interrupted search of a window
+  double window_ = 0;                             ///< the beginning of that window
   PairResult result_;
   StageCounts stages_;
 };
 
-/// Takes in how a pair whose displaced shapes overlap at the start stands there: see contact_at_start().
+/// Records the state at the start of a pair whose displaced shapes overlap there: see contact_at_start().
 void take_start(const std::optional<StartContact>& touching, double start, PairResult& result);
 
-/// The result of a contact that an engine has found on that segment, of what was known before.
+/// The result for a contact that an engine has found on that segment, based on the previous result.
 PairResult contact_of(const PairResult& known, const FeatureMap& witness, const MotionSegment& segment,
                       std::size_t segment_index, const FoundContact& found, double start);
 

@@ -11,7 +11,7 @@ SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, bool inwards)
   return {PairInstance(world, std::min(a, b), std::max(a, b), inwards), inwards, world.start(), world.end()};
 }
 
-/// Both, to be compared.
+/// Runs both engines, to compare them.
 class CrossCheckSolver final : public PairSolver {
  public:
   CrossCheckSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
@@ -36,8 +36,8 @@ class CrossCheckSolver final : public PairSolver {
   SpacetimeSolver spacetime_;
 };
 
-/// Both in turn; most pairs are settled in the first turn of the spacetime engine, and never
-/// get a tiling.
+/// Runs both engines in alternating slices. Most pairs are decided in the first slice of the spacetime engine, and
+/// never get a tiling.
 class PortfolioSolver final : public PairSolver {
  public:
   PortfolioSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget, std::uint64_t first_turn)
@@ -64,7 +64,7 @@ class PortfolioSolver final : public PairSolver {
       if (!kinetic_) kinetic_ = std::make_unique<KineticSolver>(world_, result_.a, result_.b, inwards_, budget_);
     });
     if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return take(spacetime_);
-    // It is the kinetic engine's, unless limits stopped both and the other one went further.
+    // The kinetic engine decides, unless limits stopped both and the other one went further.
     const bool kinetic = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
     take(kinetic ? static_cast<const PairSolver&>(*kinetic_) : spacetime_);
   }
@@ -79,11 +79,11 @@ class PortfolioSolver final : public PairSolver {
     return !done ? SliceResult::open : decided(pair) ? SliceResult::decided : SliceResult::given_up;
   }
 
-  /// What the engine says that has decided the present window. The other one knows nothing of it; and what was found
-  /// before, by whichever engine, stays the result unless this happens earlier.
+  /// Takes the result of the engine that has decided the current window. The other engine has no result for it. An
+  /// earlier result, of either engine, stays unless this one concerns an earlier time.
   void take(const PairSolver& decided) {
     const PairResult& found = decided.result();
-    // Free is the kinetic engine's as soon as one window is.
+    // A free result is attributed to the kinetic engine as soon as one window is.
     if (open() && found.engine == EngineName::kinetic) result_.engine = found.engine;
     if (decided.open()) return;
     if (!open() && !(found.free_until < result_.free_until)) return;
@@ -94,11 +94,11 @@ class PortfolioSolver final : public PairSolver {
   const WorldPlan& world_;
   bool inwards_;
   EventBudget& budget_;
-  std::uint64_t first_turn_;  ///< the spacetime engine's
+  std::uint64_t first_turn_;  ///< of the spacetime engine
   SpacetimeSolver spacetime_;
   std::unique_ptr<KineticSolver> kinetic_;
   PairResult result_;
-  const PairSolver* teller_ = nullptr;  ///< whose result that is, once something has happened
+  const PairSolver* teller_ = nullptr;  ///< the solver of that result, once something has been found
 };
 
 }  // namespace

@@ -15,20 +15,20 @@ using spacetime::UniformSegment;
 
 namespace {
 
-/// A window is divided for the boxes' sake while the link's box over it is so many times longer than at rest, and more
-/// than so many bodies are in it; up to a depth.
+/// A window is divided as long as the link's box over it is this many times longer than at rest, and more than this
+/// number of bodies are in it; up to a depth.
 constexpr double long_window = 3;
 constexpr std::size_t crowd = 4;
 constexpr int deepest_window = 30;
-/// Into so many steps, at most, is a way divided that is looked at before it is searched.
+/// The maximum number of steps into which a path is divided for the sampling before the search.
 constexpr double most_samples = 16;
-/// Of each of a link's outlines, about so many vertices are looked for where nothing is.
+/// The approximate number of vertices of each outline of a link that are tested for lying in free space.
 constexpr std::uint32_t outline_vertices = 8;
 
-/// The chain of what does not move: none.
+/// The empty chain of a body that does not move.
 const PieceChain world_chain;
 
-/// The link's box all over the stretch, in the world's frame.
+/// The link's box over the whole stretch, in the world's frame.
 SweptBox box_over(const Stretch& s, const spacetime::Box& box) {
   const spacetime::Path way = s.in_p.place(box.centre, {});
   const double around = (box.radius + s.in_p.error) * (1 + 0x1p-40);
@@ -50,7 +50,7 @@ RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool 
     for (const RingSpan& ring : rings_of(shape)) {
       if (ring.hole) continue;
       state.outlines.emplace_back();
-      // A few, spread around it, are enough.
+      // A few vertices, distributed around it, suffice.
       for (std::uint32_t i = 0; i < ring.count; i += std::max(1u, ring.count / outline_vertices)) {
         const DisplacedPoint& v = shape.points[ring.first + i];
         state.outlines.back().push_back({v.x, v.y});
@@ -132,8 +132,8 @@ RobotFinding RobotSearch::found(Outcome outcome, double lo, double hi, Names nam
   return {outcome, lo, hi, names.link, names.other_link < 0 ? near_[other] : -1, names.other_link};
 }
 
-/// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? No more than that:
-/// cheap, to be asked first.
+/// Does an edge of the link certainly cross one of the map at t, or is a vertex certainly inside? A cheap test to be
+/// made first; a negative result has no meaning.
 bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, double t) {
   spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
@@ -149,8 +149,8 @@ bool RobotSearch::crosses(std::size_t link, const UniformSegment& segment, doubl
   return false;
 }
 
-/// Where a link is in the way at the end, in the middle, or at one of the instants between these, about as far apart as
-/// the link is large: most ways that are blocked are so there, for long.
+/// Tests whether a link is blocked at the end, in the middle, or at one of the instants between these, whose distance
+/// is about the size of the link. Most blocked paths are blocked at such an instant, for a long time.
 RobotFinding RobotSearch::sampled(double from, double to) {
   RobotFinding free;
   free.lo = free.hi = to;
@@ -168,8 +168,8 @@ RobotFinding RobotSearch::sampled(double from, double to) {
   return free;
 }
 
-/// What is around the link, given that its edges cross none of the map's: something, if a vertex is certainly inside of
-/// it; nothing, if each outline has a vertex that is where nothing is.
+/// The surroundings of the link, provided that its edges cross none of the map's: covered, if a vertex is certainly
+/// inside of a body; free, if each outline has a vertex in free space.
 FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtPose& posed) const {
   constexpr double decided_by_cells = 0x1p-32;
   if (!(posed.error < decided_by_cells)) return FreeCells::Cell::mixed;
@@ -188,15 +188,15 @@ FreeCells::Cell RobotSearch::around(const LinkState& link, const spacetime::QAtP
   return all_free ? FreeCells::Cell::free : FreeCells::Cell::mixed;
 }
 
-/// Which of `others_` the mover overlaps at t; the first. In doubles, by edges that cross and by cells in which nothing
-/// is; exactly where these do not tell. `with_map`: the link, where it is asked about with bodies of the map.
+/// The first of `others_` that the mover overlaps at t. It is decided in doubles, by edges that cross and by free
+/// cells, and exactly where these do not decide. `with_map` is the link, if it is tested against bodies of the map.
 std::optional<std::size_t> RobotSearch::overlapped(const UniformSegment& segment, const Hierarchy& mover, double t,
                                                    const LinkState* with_map) {
   spacetime::UniformStretch even = segment.stretch(t, t);
   const Stretch& instant = even.everywhere();
   const spacetime::QAtPose posed = spacetime::QAtPose::of(instant);
   const FreeCells::Cell cell = with_map ? around(*with_map, posed) : FreeCells::Cell::mixed;
-  // A vertex inside of something is an overlap, whatever edges do. Of what, is known where there is only one.
+  // A vertex inside of a body is an overlap, regardless of the edges. The body is known only if there is just one.
   if (cell == FreeCells::Cell::covered && others_.size() == 1) return 0;
   const bool within = cell != FreeCells::Cell::free;
   inside_.clear();
@@ -229,7 +229,7 @@ RobotFinding RobotSearch::at(double t) {
   return {};
 }
 
-/// The others are in `others_`. What is found counts if it is earlier than what is known.
+/// The other bodies are in `others_`. The result counts if it is earlier than the known one.
 void RobotSearch::search(const UniformSegment& segment, const Hierarchy& mover, Names names, double from, double to,
                          RobotFinding& best) {
   try {
@@ -238,13 +238,13 @@ void RobotSearch::search(const UniformSegment& segment, const Hierarchy& mover, 
     if (contact && (best.outcome == Outcome::free || contact->lo < best.lo))
       best = found(Outcome::contact, contact->lo, contact->hi, names, contact->other);
   } catch (const Undecidable&) {
-    // The one that is undecided first: nothing is claimed beyond.
+    // The earliest undecided contact: nothing is claimed beyond it.
     if (best.outcome != Outcome::free && best.lo <= uniform_pairs_.proved()) return;
     best = {Outcome::undecided, uniform_pairs_.proved(), uniform_pairs_.proved(), names.link, -1, names.other_link};
   }
 }
 
-/// The way in windows, in order of time, as long as the box of the link over them tells little.
+/// Searches the path in windows, in order of time, as long as the box of the link over them excludes little.
 void RobotSearch::cover(std::size_t link, const UniformSegment& segment, double from, double to, int depth,
                         RobotFinding& best) {
   checkpoint();
@@ -283,7 +283,7 @@ RobotFinding RobotSearch::along(double from, double to, bool any) {
   return best;
 }
 
-/// On the bridge, against all of `others_`.
+/// Searches the bridge, against all of `others_`.
 void RobotSearch::cross(MotionSegment bridge, const Hierarchy& mover, Names names, RobotFinding& best) {
   const double t = bridge.joint;
   const MotionSegments segments(std::move(bridge));
@@ -296,8 +296,8 @@ void RobotSearch::cross(MotionSegment bridge, const Hierarchy& mover, Names name
   }
 }
 
-/// Leaves of `others_` those that the link may come to on its way from where it was to where it is. These differ by
-/// rounding, which the stretch is widened by.
+/// Keeps those of `others_` that the link may meet between its previous and its current pose. These differ by rounding,
+/// by which the stretch is widened.
 void RobotSearch::find_crossed(std::size_t link, double t) {
   const Hierarchy& mover = *states_[link].tree;
   const UniformSegment before(world_chain, states_[link].before, mover, t, t + 1);
@@ -308,7 +308,7 @@ void RobotSearch::find_crossed(std::size_t link, double t) {
     return std::fabs(a.x.a - b.x.a) + std::fabs(a.y.a - b.y.a);
   };
   s.in_p.error += to.in_p.error + gap(s.in_p.shift, to.in_p.shift) + 5 * gap(s.in_p.turn, to.in_p.turn);
-  // Between the two the link is not quite rigid: nothing is claimed in its own frame.
+  // Between the two poses the link is not quite rigid: nothing is claimed in its own frame.
   s.in_q.error = INFINITY;
   find_near(link, s);
   std::size_t kept = 0;

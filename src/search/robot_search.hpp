@@ -1,4 +1,4 @@
-// A robot of one or more links among bodies at rest: a workspace for many short questions.
+// A robot of one or more links and bodies at rest: a workspace for many short queries.
 #pragma once
 
 #include <span>
@@ -9,65 +9,65 @@
 
 namespace taut::internal {
 
-/// What a search came to, in internal terms.
+/// The result of a search, in internal terms.
 struct RobotFinding {
   Outcome outcome = Outcome::free;
-  double lo = 0;  ///< free before
-  double hi = 0;  ///< a contact by then
+  double lo = 0;  ///< free before this time
+  double hi = 0;  ///< a contact by this time
   int link = -1, body = -1, other_link = -1;
 };
 
-/// Links move evenly, one piece each, seen from their parents. Boxes around their ways ask the map's tree; what is near
-/// goes through one search for all of it. Links that may meet are pairs with a motion of their own. What a question
-/// needs is kept for the next one.
+/// Links move uniformly, with one piece each, relative to their parents. The map's tree is queried with the boxes of
+/// their paths, and one search handles all near bodies. Links that may meet are pairs with a motion of their own. Data
+/// of a query is kept for the next one.
 class RobotSearch {
  public:
   struct Link {
     SharedRings rings;
     int parent = -1;
   };
-  /// `bodies` must outlive the search. Throws InputError where a feature is finer than the displacement.
+  /// `bodies` must outlive the search. Throws InputError if a feature is finer than the displacement.
   RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool inwards, bool links_meet);
 
   std::size_t size() const { return links_.size(); }
   const std::vector<Link>& links() const { return links_; }
   bool inwards() const { return inwards_; }
-  /// The pairs of links that are asked about.
+  /// The pairs of links that are tested.
   std::vector<std::array<int, 2>> meeting() const;
 
-  /// From now on, the links move so: even pieces, scaled.
+  /// Sets the motions of the links from now on: uniform pieces, scaled.
   void set(std::span<const MotionPiece> own);
-  /// Is anything overlapped at t?
+  /// Does a link overlap anything at t?
   RobotFinding at(double t);
-  /// The first contact in (from, to], given that there is no overlap at `from`; with `any`, whether there is one.
+  /// The first contact in (from, to], provided that there is no overlap at `from`; with `any`, whether there is one.
   RobotFinding along(double from, double to, bool any);
-  /// From these pieces to the next ones, which take over at t where these were, up to rounding. Is there a contact on
-  /// the way between? Nothing overlaps before. The links then follow `next`.
+  /// Moves from the current pieces to the next ones, which take over at t in the same pose, up to rounding. Determines
+  /// whether there is a contact in between; nothing overlaps before. The links then follow `next`.
   RobotFinding join(std::span<const MotionPiece> next, double t);
 
  private:
   using Hierarchy = spacetime::Hierarchy;
-  /// How a link moves in the world, and the bodies of the map that it came near to.
+  /// The motion of a link in the world, and the bodies of the map that it came near to.
   struct LinkState {
-    PieceChain chain, before;  ///< before the last joint
+    PieceChain chain, before;  ///< the motion, and that before the last joint
     const Hierarchy* tree = nullptr;
     double size = 0;
     std::vector<std::unique_ptr<PairGeometry>> met;
     std::vector<std::vector<Vector>> outlines;  ///< some vertices of each
   };
-  /// Two links, seen from the last parent that they share.
+  /// Two links, relative to the last parent that they share.
   struct LinkPair {
     int p = 0, q = 0;
     std::size_t common = 0;
     PairGeometry geometry;
     PieceChain chain_p, chain_q, before_p, before_q;
   };
-  /// Whom a search is about.
+  /// The links of a search.
   struct Names {
     int link = -1, other_link = -1;
   };
   std::size_t common_parents(int p, int q) const;
-  /// Finds what meets the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
+  /// Finds the bodies that meet the link's box in the stretch: `others_`, with the numbers of the bodies in `near_`.
   bool find_near(std::size_t link, const spacetime::Stretch& s);
   std::optional<std::size_t> overlapped(const spacetime::UniformSegment& segment, const Hierarchy& mover, double t,
                                         const LinkState* with_map);
@@ -90,11 +90,11 @@ class RobotSearch {
   std::vector<LinkState> states_;
   std::vector<LinkPair> pairs_;
   spacetime::UniformPairsSearch uniform_pairs_;
-  SweptBox box_;  ///< of the last find_near()
+  SweptBox box_;  ///< of the last call of find_near()
   std::vector<int> near_;
-  std::vector<int> inside_;  ///< bodies of which an outline may be inside the link
+  std::vector<int> inside_;  ///< bodies with an outline that may be inside the link
   spacetime::PoseSearch posed_;
-  std::size_t crossed_ = 0;  ///< which of `others_` crosses() found
+  std::size_t crossed_ = 0;  ///< the index in `others_` that crosses() found
   std::vector<spacetime::Other> others_;
 };
 

@@ -1,4 +1,4 @@
-// The vertices of displaced bodies where they stand at one instant, in the world.
+// The vertices of displaced bodies at one instant, in the world.
 #pragma once
 
 #include <array>
@@ -11,24 +11,24 @@
 
 namespace taut::internal {
 
-/// One body. Positions are rounded, with a bound of the error, and computed again with more bits where that is asked:
-/// its pose is computed once for each precision, so one object serves one thread.
+/// The vertices of one body. Positions are rounded, with a bound of the error, and recomputed with more bits on demand.
+/// The pose is computed once for each precision, so an object must be used by one thread only.
 class VerticesAtPose {
  public:
   VerticesAtPose(const WorldBody& body, double t, bool inwards);
 
   const DisplacedPolygon& polygon() const { return *polygon_; }
-  /// Rounded; each coordinate is wrong by error() at most.
+  /// Rounded; each coordinate has an error of at most error().
   Vector at(std::uint32_t k) const { return positions_[k]; }
   double error() const { return error_; }
-  /// Where a point of the body is, rounded, too.
+  /// The position of a point of the body, also rounded.
   Vector place(Vector v) const;
   template <class Real>
   std::array<Ball<Real>, 2> enclosed(std::uint32_t k) const;
 
  private:
   SharedPolygon polygon_;
-  PieceChain chain_;  ///< the pieces that hold at that instant
+  PieceChain chain_;  ///< the pieces valid at that instant
   double t_;
   Vector origin_, axis_{1, 0};
   std::vector<Vector> positions_;

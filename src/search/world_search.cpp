@@ -9,7 +9,7 @@
 
 namespace taut::internal {
 
-/// The pairs that windows around this one have settled.
+/// The pairs that enclosing windows have decided.
 struct WorldSearch::DormantCertificates {
   const DormantCertificates* above;
   std::unordered_set<std::uint64_t> pairs;
@@ -35,7 +35,7 @@ WorldSearch::~WorldSearch() = default;
 PairSolver& WorldSearch::pair(int a, int b) {
   const std::pair<int, int> key(std::min(a, b), std::max(a, b));
   auto known = pairs_.find(key);
-  // Made first: a limit may end that.
+  // Constructed first, because a limit may interrupt that.
   if (known == pairs_.end()) known = pairs_.emplace(key, windowed_pair(engine_, plan_, a, b, inwards_, budget_)).first;
   return *known->second;
 }
@@ -61,7 +61,7 @@ void WorldSearch::run() {
 void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const DormantCertificates* above,
                         int depth) {
   if (over(from)) return;
-  // Pairs that windows around this one have settled come after it.
+  // Pairs that enclosing windows decide come after this one.
   if (!above || !above->any()) {
     proved_ = std::max(proved_, from);
     report_time(proved_);
@@ -95,7 +95,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   }
 }
 
-/// The pair's first contact within the window, if there is one that matters.
+/// Searches the pair's first contact within the window, if it matters.
 void WorldSearch::settle(PairSolver& pair, double from, double to) {
   const double end = all_ ? to : std::min(to, stop_);
   if (end < from) return;

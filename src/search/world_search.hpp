@@ -1,4 +1,4 @@
-// The first contact of any of many pairs: which of them can meet at all, and when, is told by boxes; the rest is asked
+// The first contact of any of many pairs. Boxes determine which of them can meet at all, and when; the rest is searched
 // pair by pair.
 #pragma once
 
@@ -13,25 +13,26 @@
 
 namespace taut::internal {
 
-/// The search goes through time in windows, halved where motions are fast beside the bodies' sizes. In each window
-/// boxes are swept and pruned: a pair whose boxes meet, and that would not be told apart by shorter windows, is settled
-/// by an engine for all of the window. Windows come in the order of time, so that a world with an early
-/// contact costs little.
+/// The search proceeds through time in windows, which are halved where motions are fast relative to the bodies' sizes.
+/// In each window, boxes are swept and pruned. A pair whose boxes meet, and that shorter windows would not separate, is
+/// decided by an engine for the whole window. Windows come in order of time, so that a world with an early contact
+/// costs little.
 class WorldSearch {
  public:
-  /// `all`: every pair goes on to its own first contact; else what happens after the first contact does not matter.
+  /// With `all`, every pair continues to its own first contact. Otherwise, events after the first contact do not
+  /// matter.
   WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineChoice engine = EngineChoice::spacetime,
               std::uint64_t max_events = UINT64_MAX);
   ~WorldSearch();
 
-  /// Overlaps, and contacts, at the start. False if nothing is left to ask.
+  /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
   bool start();
-  /// From there to the end.
+  /// Searches from the start to the end.
   void run();
 
-  /// Of the pairs that do not stay free, or all that met in boxes, in the order of the file.
+  /// The results of the pairs that do not stay free, or of all whose boxes met, in the order of the file.
   std::vector<PairResult> results() const { return results_of(pairs_); }
-  /// Up to when nothing happens, as far as the search went.
+  /// The time up to which nothing happens, as far as the search went.
   double proved() const { return proved_; }
   StageCounts stages() const { return stages_of(pairs_); }
   /// Visits the pairs that went to an engine.
@@ -53,7 +54,7 @@ class WorldSearch {
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;
-  std::uint64_t dormant_ = 0, to_settle_ = 0;  ///< pairs in windows, for who waits
+  std::uint64_t dormant_ = 0, to_settle_ = 0;  ///< pairs in windows, for progress reports
 };
 
 }  // namespace taut::internal
