@@ -1,4 +1,4 @@
-// Two engines, one answer, or an alarm.
+// Compares the answers of two engines: one answer, or an exception.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ bool decided(const Answer& a) { return a.outcome != Outcome::undecided; }
 
 bool apart(const TimeInterval& a, const TimeInterval& b) { return a.hi < b.lo || b.hi < a.lo; }
 
-/// What contradicts what; null if nothing does.
+/// Describes the contradiction between two answers; null if there is none.
 const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
   for (const auto& [claim, other] : {std::pair(&kinetic, &spacetime), std::pair(&spacetime, &kinetic)}) {
     if (claim->outcome == Outcome::contact && claim->contact->time.hi < other->free_until)
@@ -25,7 +25,7 @@ const char* contradiction(const Answer& kinetic, const Answer& spacetime) {
   if (!kinetic.contact) return nullptr;
   const Contact &a = *kinetic.contact, &b = *spacetime.contact;
   if (apart(a.time, b.time)) return "the times of contact differ";
-  // Bodies that touch at the start may do so in many places; later, the displacement lets only one be the first.
+  // Bodies that touch at the start may do so in many places. Later, the displacement admits only one first contact.
   if (a.time.lo == a.time.hi) return nullptr;
   if (a.vertex != b.vertex || a.edge != b.edge) return "the features in contact differ";
   return nullptr;

@@ -14,17 +14,18 @@ namespace {
 
 using proof::SeparationReason;
 
-/// Ranges that move farther than this share of their size are left to shorter stretches of time.
+/// Ranges that move farther than this share of their size are deferred to shorter time windows.
 constexpr double subdivision_threshold_of_proofs = 0.75;
-/// Or those whose motion is known no better than to this one: a window half as long leaves an eighth of that.
+/// So are ranges whose motion is known less accurately than this share: a window half as long leaves an eighth of the
+/// uncertainty.
 constexpr double share_of_doubt = 0.0625;
-/// Where half a window left so much of the doubt, and that is much of the motion, it is what doubles round: no shorter
-/// window makes more of them.
+/// If half a window left this share of the uncertainty, and that is a large part of the motion, it is due to the
+/// rounding of doubles. Shorter windows do not reduce it.
 constexpr double share_of_rounding = 0.875;
-/// A margin as small as this, beside the coordinates, is left to multi-precision.
+/// A margin as small as this, relative to the coordinates, is left to multi-precision.
 constexpr double doubtful = 0x1p-44;
 
-/// By about how much that keeps a vertex from an edge in the middle of the window.
+/// The approximate margin by which this reason separates a vertex from an edge in the middle of the window.
 double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
                  SeparationReason why) {
   const Vector v = model.shift + model.turn * proof::place(g, i.vertex);
@@ -32,7 +33,7 @@ double margin_by(const PairGeometry& g, const proof::Incidence& i, const proof::
   return dot(side.normal, v - side.from);
 }
 
-/// The same for what a vertex may be aside of the edge itself by, the most first.
+/// The margins for the reasons by which a vertex may be off the edge itself, the largest first.
 std::array<std::pair<double, SeparationReason>, 4> margins(const PairGeometry& g, const proof::Incidence& i,
                                                            const proof::WindowModel& model) {
   std::array<std::pair<double, SeparationReason>, 4> all{{{0, SeparationReason::left},
@@ -44,8 +45,8 @@ std::array<std::pair<double, SeparationReason>, 4> margins(const PairGeometry& g
   return all;
 }
 
-/// Is the edge's other side farther than the vertex comes within the window? Beside an infinite speed that may be known
-/// where no window is so short that doubles tell of signs in it.
+/// Is the other side of the edge farther away than the vertex moves within the window? Near an infinite speed, this may
+/// be known where no window is so short that doubles decide signs in it.
 bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, const proof::WindowModel& model,
             double half) {
   const Vector v = proof::place(g, i.vertex), edge = proof::place(g, g.next(i.edge)) - proof::place(g, i.edge);
@@ -54,7 +55,7 @@ bool is_far(double margin, const PairGeometry& g, const proof::Incidence& i, con
   return margin > 2 * l1_norm(edge) * (way + model.shift_error + model.turn_error * l1_norm(v));
 }
 
-/// How well the motion is known.
+/// The uncertainty of the motion.
 double doubt(const proof::MotionWindow& window, const proof::EdgeRange& q) {
   const proof::WindowModel& model = window.from_p();
   return model.shift_error + model.turn_error * (l1_norm(q.centre) + q.radius());
@@ -96,7 +97,7 @@ void ApartWriter::halve_range(const proof::RangePair& ranges, const proof::Halve
     visit(of_p ? proof::RangePair{half, ranges.q} : proof::RangePair{ranges.p, half}, time, doubt);
 }
 
-/// Reasons are tried where about the middle of the window speaks for them, the most convincing first.
+/// Tests the reasons that hold approximately in the middle of the window, the one with the largest margin first.
 std::optional<SeparationReason> ApartWriter::reason_for_margin(const proof::Incidence& i,
                                                                const proof::WindowModel& model,
                                                                const proof::HalvedTime& time) {
@@ -129,7 +130,7 @@ std::optional<std::uint8_t> ApartWriter::margin_kept(const proof::RangePair& ran
   return static_cast<std::uint8_t>(static_cast<unsigned>(*onto_p) | static_cast<unsigned>(*onto_q) << 4);
 }
 
-/// Long numbers are not asked about the one edge where the other one has the window halved anyway.
+/// Long numbers are not used for one edge if the other one requires the window to be halved anyway.
 std::optional<std::uint8_t> ApartWriter::ends_apart(const proof::RangePair& ranges, const proof::HalvedTime& time,
                                                     bool halves_help) {
   const proof::MotionWindow window = windows_.at(time);
@@ -163,7 +164,8 @@ std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Look& seen,
     const auto& [margin, why] = candidates[k];
     const auto decided = proof::stays_separated_in_windows(pair_.geometry, seen.incidence, why, windows_, time, end);
     if (decided == proof::SeparationInWindow::yes) return why;
-    // Up to a contact it may be so for all that. A margin that is none in doubles may be one by the displacement.
+    // Up to a contact, it may hold nevertheless. A margin that is zero in doubles may be positive due to the
+    // displacement.
     open[k] = end.event || (decided != proof::SeparationInWindow::no && (margin < seen.none || !time.divisible()));
   }
   for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -174,8 +176,8 @@ std::optional<SeparationReason> ApartWriter::reason_in_doubles(const Look& seen,
   return std::nullopt;
 }
 
-/// Shorter windows make more of doubles, but not where they do not help, or the largest margin is none in them, or is
-/// plain already.
+/// Shorter windows make doubles more accurate. That is no alternative where halving does not help, or the largest
+/// margin is zero in doubles, or is evident already.
 std::optional<SeparationReason> ApartWriter::precise_reason(const Look& seen, const proof::HalvedTime& time,
                                                             bool halves_help) {
   const Instant end = proof::end_of(time, until_);
@@ -191,7 +193,7 @@ std::optional<SeparationReason> ApartWriter::precise_reason(const Look& seen, co
     if (margin >= -seen.doubt && stays_separated(incidence, why, time, end)) return why;
   }
   for (int why = static_cast<int>(SeparationReason::beyond_line_before); why < proof::reasons; ++why) {
-    // The last one costs most, and says least: it is for stretches that cannot be halved.
+    // The last reason costs most and proves least: it is for stretches that cannot be halved.
     if (static_cast<SeparationReason>(why) == SeparationReason::behind_when_on_line && time.divisible()) continue;
     if (stays_separated(incidence, static_cast<SeparationReason>(why), time, end))
       return static_cast<SeparationReason>(why);
@@ -199,8 +201,8 @@ std::optional<SeparationReason> ApartWriter::precise_reason(const Look& seen, co
   return std::nullopt;
 }
 
-/// A margin that is gone, but for the displacement, at an end of the stretch: windows would be halved down to there,
-/// and exact forms tell of the whole window.
+/// Is the margin zero, except for the displacement, at an end of the stretch? Then windows would be halved down to that
+/// end, whereas exact certificate functions decide for the whole window.
 bool ApartWriter::is_new_tie(const proof::Incidence& incidence, SeparationReason why, const proof::HalvedTime& time) {
   const auto is_gone = [&](double at, std::optional<proof::MotionWindow>& window) {
     if (!window) window.emplace(lifetimes_.segment(), at, at);
@@ -212,7 +214,7 @@ bool ApartWriter::is_new_tie(const proof::Incidence& incidence, SeparationReason
   return gone && ties_.insert({incidence.vertex.value, incidence.edge.value, why}).second;
 }
 
-/// Where it cannot be decided, another reason may do, or a shorter stretch of time.
+/// If it cannot be decided, another reason may suffice, or a shorter time window.
 bool ApartWriter::stays_separated(const proof::Incidence& incidence, SeparationReason why,
                                   const proof::HalvedTime& time, const Instant& end) {
   try {

@@ -1,4 +1,4 @@
-// Finds the trees of separations that a log of a world consists of.
+// Finds the separation trees of which a log of a world consists.
 #pragma once
 
 #include <array>
@@ -12,16 +12,17 @@
 
 namespace taut::internal {
 
-/// One pair on one stretch of one segment, of which it is known that nothing meets before `until`, or, with a margin,
-/// that nothing comes as close as that. Time is halved where the ranges move far beside their size, else the larger
-/// range is, until something separates them. All that is written down has been shown by the functions that check it.
+/// Writes the separations of one pair on one stretch of one segment. It is known that nothing meets before `until` or,
+/// with a margin, that nothing comes as close as that. Time is halved where the ranges move far relative to their size,
+/// otherwise the larger range is, until something separates them. Everything that is written has been proved by the
+/// functions that check it.
 class ApartWriter {
  public:
   ApartWriter(const proof::RangedPair& pair, proof::Lifetimes& lifetimes, const std::optional<Instant>& until,
               std::string& out, double margin = 0)
       : pair_(pair), lifetimes_(lifetimes), until_(until), out_(out), margin_(margin), windows_(lifetimes.segment()) {}
 
-  /// Throws Undecidable where nothing separates two edges.
+  /// Throws Undecidable if nothing separates two edges.
   void write(double from, double to) {
     from_ = from;
     to_ = to;
@@ -31,21 +32,22 @@ class ApartWriter {
 
  private:
   void step(std::uint8_t named) { out_.push_back(static_cast<char>(named)); }
-  /// `doubt` is how well the motion was known in the window of which this one is a half.
+  /// `doubt` is the uncertainty of the motion in the window of which this one is a half.
   void visit(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_time(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
   void halve_range(const proof::RangePair& ranges, const proof::HalvedTime& time, double doubt);
-  /// By what a vertex may be aside of an edge, and by how much about the middle of a window, the most first.
+  /// The reasons by which a vertex may be off an edge, and their approximate margins in the middle of a window, the
+  /// largest first.
   using Candidates = std::array<std::pair<double, proof::SeparationReason>, 4>;
-  /// One vertex and one edge over a window.
+  /// The evaluation of one vertex and one edge over a window.
   struct Look {
     proof::Incidence incidence;
     Candidates candidates;
-    double none;                                   ///< a margin as small as that is none in doubles
-    double doubt = 0;                              ///< or may be, as well as the motion is known
-    std::optional<proof::SeparationReason> why{};  ///< as doubles tell
-    bool far = false;                              ///< the largest margin is plain
-    bool left_to_halves = false;                   ///< doubles may tell in shorter windows
+    double none;                                   ///< a margin as small as this counts as zero in doubles
+    double doubt = 0;                              ///< or possibly as zero, given the uncertainty of the motion
+    std::optional<proof::SeparationReason> why{};  ///< decided in doubles
+    bool far = false;                              ///< the largest margin is evident
+    bool left_to_halves = false;                   ///< doubles may decide in shorter windows
     bool some_room() const { return candidates[0].first > none; }
   };
   Look look(const proof::Incidence& incidence, const proof::MotionWindow& window, const proof::HalvedTime& time,
@@ -69,8 +71,8 @@ class ApartWriter {
   std::string& out_;
   double margin_;
   proof::HalvedWindows windows_;
-  double from_ = 0, to_ = 0;                              ///< the stretch
-  std::optional<proof::MotionWindow> at_start_, at_end_;  ///< of it, if they were asked for
+  double from_ = 0, to_ = 0;                              ///< the ends of the stretch
+  std::optional<proof::MotionWindow> at_start_, at_end_;  ///< at the ends of the stretch, on first use
   std::set<std::tuple<std::uint32_t, std::uint32_t, proof::SeparationReason>>
       ties_;  ///< vertex and edge; tried already
 };

@@ -15,7 +15,7 @@ using namespace internal;
 
 namespace {
 
-/// About bodies that have been shrunk.
+/// Checks bodies that have been shrunk.
 Answer check_fitted(const Scene& scene, CheckOptions options) {
   if (is_world(scene)) {
     validate_world(scene);
@@ -31,7 +31,7 @@ Answer check_fitted(const Scene& scene, CheckOptions options) {
   return answer;
 }
 
-/// By the tiling; but whether what stays free touches is left to boxes where they tell soon.
+/// Checks by the tiling. Whether bodies that stay free touch is left to boxes if they decide early.
 Answer check_by_tiling(const Scene& scene, const CheckOptions& options) {
   const std::uint64_t before = work_spent();
   const std::unique_ptr<Run> run = begin_kinetic(scene, options);

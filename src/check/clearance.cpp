@@ -23,7 +23,7 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// Whether bodies touch is not told: why.
+/// It is undecided whether bodies touch, for this reason.
 struct TouchUndecided {
   std::string reason;
 };
@@ -32,11 +32,11 @@ class ClearanceSearch {
  public:
   ClearanceSearch(const Scene& scene, const ClearanceOptions& options)
       : options_(options), plan_(scene), boxes_(plan_), best_(INFINITY) {
-    // A little less than what is allowed: the rest is for rounding.
+    // A little less than the tolerance; the rest is for rounding.
     tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
   }
 
-  /// As if engines had examined every pair that is asked about.
+  /// The coverage as if engines had examined every pair that the query includes.
   Coverage all_tested() const { return plan_.coverage(plan_.coverage(0).apart); }
 
   Clearance run() {
@@ -68,8 +68,8 @@ class ClearanceSearch {
     return found.hi - found.lo > options_.relative * found.hi + 1e-12 * std::ldexp(plan_.largest(), -plan_.exponent());
   }
 
-  /// Pairs whose boxes come nearest first, in rounds that reach farther and farther, until no other pair can be closer
-  /// than what was found.
+  /// Searches pairs in the order of the distance of their boxes, in rounds of increasing reach, until no other pair can
+  /// be closer than the distance found.
   void search_all() {
     double reach = options_.all_pairs ? INFINITY : 0;
     for (;;) {
@@ -80,13 +80,13 @@ class ClearanceSearch {
         search(pair);
       }
       if (reach >= tolerance_.least(best_)) return;
-      // Without any distance so far: at least the size of a body, and twice as far each time.
+      // Without any distance so far: at least the size of a body, doubled each time.
       reach = best_ < INFINITY ? best_ : std::max(2 * reach, 0x1p-6 * plan_.largest());
       if (!(reach < 64)) reach = INFINITY;
     }
   }
 
-  /// Those within reach that have not been searched, the nearest boxes first.
+  /// The pairs within reach that have not been searched, the nearest boxes first.
   std::vector<BoxedPair> new_pairs(double reach) const {
     std::vector<BoxedPair> pairs;
     for (const auto& [a, b] : boxes_.pairs_within(reach)) {
@@ -154,8 +154,9 @@ class ClearanceSearch {
   std::set<std::pair<int, int>> searched_;
   spacetime::ClearanceTolerance tolerance_;
   double best_;                ///< internal units
-  double certain_ = INFINITY;  ///< no pair comes closer than this where that is not told as well as was asked for
-  std::string why_;            ///< that is so
+  double certain_ = INFINITY;  ///< a lower bound of the distance of all pairs that are not known to the requested
+                               ///< accuracy
+  std::string why_;            ///< the reason for that
   Clearance answer_;
 };
 

@@ -24,10 +24,10 @@ std::string short_text(double x) {
 const char* const remedies =
     "; `--fit E` asks about bodies that are shrunk by a little, and `taut clearance` how close they come";
 
-/// The pair an answer is about.
+/// The pair of an answer.
 std::array<BodyId, 2> pair_in(const Answer& answer) { return answer.pair.value_or(std::array<BodyId, 2>{0, 1}); }
 
-/// One first contact, bracketed.
+/// Brackets one first contact.
 class CurvedCheck {
  public:
   CurvedCheck(const Scene& scene, const CheckOptions& options)
@@ -65,10 +65,11 @@ class CurvedCheck {
     return answer;
   }
 
-  /// Polygons around the bodies overlap where the time begins.
+  /// Polygons around the bodies overlap at the beginning of the time.
   std::optional<Answer> begin_together(const Answer& outer) {
     if (from_ > world_.scene().start) {
-      // By the displacement: what was free before, by less than it, need not be so to the last bit.
+      // This is due to the displacement: bodies that were free before, by less than it, need not be free to the last
+      // bit.
       from_ = world_.scene().start;
       windows_ = false;
       return std::nullopt;
@@ -107,13 +108,13 @@ class CurvedCheck {
     return std::nullopt;
   }
 
-  /// Where much is near, it may be all along curves that are as good as the same: the limit would be reached in vain.
+  /// If many cells are near, the curves may coincide along a length. Refinement would then reach the limit in vain.
   bool is_hopeless(const Answer& outer, double t, std::size_t count) const {
     constexpr std::size_t much = 200;
     return count > much && run_along(world_, pair_in(outer), t, limit_.most());
   }
 
-  /// What the polygons themselves leave open is no fault of theirs.
+  /// The uncertainty of the answers for the polygons themselves is not due to the curves.
   double width_of(const Contact& contact) const {
     return std::max({wanted_, 2 * (contact.time.hi - contact.time.lo), 0x1p-49 * std::fabs(contact.time.hi)});
   }
@@ -125,7 +126,7 @@ class CurvedCheck {
     return concluded(inner, outer.contact->time.lo);
   }
 
-  /// Doubles have ended before the bracket was narrow enough.
+  /// The resolution of doubles was reached before the bracket was narrow enough.
   Answer barely(const Answer& outer, const Answer& inner) const {
     return undecided(outer, "they overlap first between t = " + short_text(outer.contact->time.lo) + " and t = " +
                                 short_text(inner.contact->time.hi) + ", and doubles do not tell curves finer");
@@ -161,7 +162,7 @@ class CurvedCheck {
   SteadyClock::time_point began_;
   CurvedWorld world_;
   RefinementLimit limit_;
-  double from_;  ///< nothing happens before
+  double from_;  ///< nothing happens before this time
   double wanted_ = 0;
   double last_ = 0;
   bool windows_ = true;
@@ -172,7 +173,7 @@ Answer check_curved_or_plain(const Scene& scene, const CheckOptions& options) {
   return has_curves(scene) ? CurvedCheck(scene, options).run() : check(scene, options);
 }
 
-/// Each pair by itself: those whose outer polygons never meet are settled together, the others one by one.
+/// Checks each pair separately. Pairs whose outer polygons never meet are decided together, the others one by one.
 Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   const SteadyClock::time_point began = SteadyClock::now();
   CurvedWorld world(scene);
@@ -210,14 +211,14 @@ Answer check_each_pair(const Scene& scene, const CheckOptions& options) {
   return answer;
 }
 
-/// About bodies that are shrunk: polygons that are fine beside that will do.
+/// Checks bodies that are shrunk: polygons that are fine compared to that suffice.
 Answer check_fitted_curves(const Scene& scene, CheckOptions options) {
   CurvedWorld world(scene);
   const double fit = options.fit;
   if (!(fit > 0 && std::isfinite(fit))) throw InputError("fit", "it is not a positive number", "leave it out");
   const double tolerance = fit / 8;
   world.refine_to(tolerance);
-  // Of parts that touch along a curve the polygons around them overlap there, and those within leave a gap.
+  // Where parts of a body touch along a curve, the polygons around them overlap, and those within them leave a gap.
   const bool may_touch =
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.curves.size() > 1; });
   const CurveSide side = may_touch ? CurveSide::outer : CurveSide::inner;

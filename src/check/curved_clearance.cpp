@@ -19,7 +19,7 @@ double name_edges(const CurvedWorld& world, NearestPoints& nearest) {
                   world.name_curve(CurveSide::inner, nearest.edges[1]));
 }
 
-/// Bodies that certainly touch have no distance: when they do, the check tells.
+/// Bodies that certainly touch have no distance. The check determines when they do.
 Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, Clearance found) {
   CheckOptions own;
   own.touch = Touch::closed;
@@ -36,8 +36,8 @@ Clearance touching_curves(const Scene& scene, const ClearanceOptions& options, C
   return found;
 }
 
-/// How far two bodies may jump against each other where pieces of motions join: more than that, in the scene's units.
-/// Poses are linear in the point, so the corners of a body's box tell.
+/// An upper bound, in the scene's units, of the jump of two bodies relative to each other where pieces of motions join.
+/// Poses are linear in the point, so the corners of a body's box suffice.
 double largest_jump(const Scene& polygons) {
   const WorldPlan plan(polygons);
   double largest = 0, reach = 0;
@@ -63,7 +63,8 @@ double largest_jump(const Scene& polygons) {
 }
 
 /// The least distance of all pairs, between those of polygons around the bodies and within them. Where curves run along
-/// each other, all of them would have to be fine: then it ends when that is foreseen, with the bracket there is.
+/// each other, all of them would have to be fine. In that case the search ends as soon as this is foreseen, with the
+/// current bracket.
 class ClearanceBracket {
  public:
   ClearanceBracket(const Scene& scene, const ClearanceOptions& options)
@@ -92,7 +93,7 @@ class ClearanceBracket {
               "reasonable";
         return answer;
       }
-      // Not much finer than the polygons are: what they leave open has to be settled anyway.
+      // Not much finer than the polygons: the uncertainty that they leave has to be resolved anyway.
       own_.relative = std::max(options_.relative / 4, std::min(own_.relative, 0.02 * width / inner.nearest->hi));
     }
   }
@@ -105,9 +106,9 @@ class ClearanceBracket {
     return answer;
   }
 
-  /// Whether a margin is kept is easier to decide: curves need to be fine only where they come so near, one instant
-  /// after the other. Asks margins nearer and nearer to the upper end, with a few times the work so far in all. Where
-  /// the bracket is narrow already, that would take long for little.
+  /// It is easier to decide whether a margin is kept: curves need to be fine only where they come so near, one instant
+  /// after the other. Tests margins nearer and nearer to the upper end, with a few times the total work so far. If the
+  /// bracket is narrow already, that would take long for a small gain.
   void raise_lower_end(Clearance& answer) const {
     constexpr int most_margins = 40;
     constexpr std::uint64_t times_the_work = 16;
@@ -121,7 +122,7 @@ class ClearanceBracket {
     double share = 0.5;
     for (int k = 0; k < most_margins; ++k, share /= 2) {
       const double margin = nearest.hi * (1 - share);
-      // What is known already need not be asked.
+      // Known margins need not be tested.
       if (!(margin - jump > nearest.lo) || nearest.hi - margin < wanted_width(nearest.hi)) continue;
       how.limits.max_seconds = options_.limits.max_seconds - seconds_since(began_);
       if (!keeps(margin, how)) return;
@@ -144,19 +145,20 @@ class ClearanceBracket {
     least_width_ = std::min(least_width_, width);
   }
 
-  /// False if that is in vain, or doubles end.
+  /// Refines near the nearest points. Returns false if that is in vain, or the resolution of doubles is reached.
   bool refine(const Clearance& outer, const Clearance& inner, double too_wide) {
     constexpr std::size_t much = 200;
     constexpr int subdivision_threshold = 5;
     CurvedWorld::Halvings marks = world_.no_halvings();
     std::size_t count = mark_near(world_, outer.nearest->pair, outer.nearest->time.hi, outer.nearest->hi, marks) +
                         mark_near(world_, inner.nearest->pair, inner.nearest->time.hi, inner.nearest->hi, marks);
-    // The nearest points are elsewhere, and at another time, as soon as the curves are finer where they were.
+    // The nearest points move elsewhere, and to another time, as soon as the curves are refined where they were.
     if (stalled_ > 1) count += mark_at_all_times(inner, marks);
     if (stalled_ > 1) ++wandered_;
     const bool in_vain = static_cast<double>(count) * std::sqrt(too_wide) > static_cast<double>(most_);
     if (wandered_ > 2 && in_vain) return false;
-    // What is near for long becomes more with every halving; what is so for a while only does not.
+    // If curves are near for a long time, the number of near cells grows with every halving. If they are near only for
+    // a short time, it does not.
     const bool grows = static_cast<double>(count) > 1.3 * static_cast<double>(last_count_);
     last_count_ = count;
     if (count > much && grows && in_vain && world_.segments() > most_ / 2) return false;
@@ -199,7 +201,7 @@ Clearance least_clearance(const Scene& scene, const ClearanceOptions& options) {
   return ClearanceBracket(scene, options).run();
 }
 
-/// A pair's answer in the terms of the whole scene.
+/// Converts a pair's answer to the terms of the whole scene.
 void place_in(const std::vector<BodyId>& ids, const std::array<BodyId, 2>& pair, NearestPoints& nearest) {
   nearest.pair = pair;
   for (EdgeRef& edge : nearest.edges) edge.body = ids[static_cast<std::size_t>(edge.body)];
@@ -227,7 +229,8 @@ MarginAnswer undecided_margin(MarginAnswer outer, const std::string& reason) {
   return outer;
 }
 
-/// What of two runs is too wide, marked; nothing if the answer is there.
+/// Brackets the first time at which bodies come closer than a clearance: marks the parts that make the difference
+/// between two runs too wide, and refines them until the answer is found.
 class MarginBracket {
  public:
   MarginBracket(const Scene& scene, double clearance, const CheckOptions& options)
@@ -303,7 +306,7 @@ double largest_size(const CurvedWorld& world) {
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options) {
   Clearance answer = least_clearance(scene, options);
   if (!options.all_pairs || !answer.reason.empty()) return answer;
-  // Which pairs are asked about: those that polygons of any kind are.
+  // The pairs of the query are those for polygons of any kind.
   ClearanceOptions coarse = options;
   coarse.relative = 0.1;
   const Clearance pairs = clearance(CurvedWorld(scene).polygons(CurveSide::inner), coarse);

@@ -18,7 +18,7 @@ std::string time_words(double t) {
   return text;
 }
 
-/// What polygons around the bodies say of one stretch of time, and those within them.
+/// The results for one time interval from polygons around the bodies, and from polygons within them.
 struct OverlapBracket {
   OverlapInterval outer;
   std::vector<OverlapInterval> inner;
@@ -34,8 +34,8 @@ struct OverlapBracket {
 
 class CurvedIntervals {
  public:
-  /// Ends are told as well as `wanted`, in time. `in_windows`: of each end by itself, once it is known about where it
-  /// is.
+  /// Ends are determined to the accuracy `wanted`, in time. With `in_windows`, each end is determined separately, once
+  /// its approximate time is known.
   CurvedIntervals(const Scene& scene, const CheckOptions& options, double wanted, bool in_windows)
       : options_(options),
         began_(std::chrono::steady_clock::now()),
@@ -44,7 +44,7 @@ class CurvedIntervals {
         wanted_(wanted),
         in_windows_(in_windows) {}
 
-  /// Pairs are settled one after the other, and not asked about again: others may need curves that are far finer.
+  /// Pairs are decided one after the other, and not tested again: others may need curves that are far finer.
   Intervals run() {
     for (bool first = true;; first = false) {
       Intervals outer = ask(CurveSide::outer);
@@ -82,11 +82,12 @@ class CurvedIntervals {
     return intervals(polygons, options);
   }
 
-  /// What polygons in short windows around the ends say, which are fine only where the two bodies meet then.
+  /// Determines ends by polygons in short windows around them. These polygons are fine only where the two bodies meet
+  /// then.
   void report_ends(OverlapBracket& bracket) {
     if (bracket.inner.size() != 1) return;
     OverlapInterval& inner = bracket.inner[0];
-    // Longer ones would have more than one end of the interval in them, or nearly.
+    // Longer windows would contain more than one end of the interval, or nearly so.
     constexpr double longest = 0.25;
     const double length = inner.to.lo - inner.from.hi, middle = inner.from.hi + length / 2;
     const double early = inner.from.hi - bracket.outer.from.lo, late = bracket.outer.to.hi - inner.to.lo;
@@ -107,7 +108,7 @@ class CurvedIntervals {
     }
   }
 
-  /// The only interval in which the two overlap in a window; its features have their curves' names.
+  /// The only interval in which the two bodies overlap in a window. Its features have the names of their curves.
   std::optional<OverlapInterval> decided_within(const std::array<BodyId, 2>& pair, double from, double to) {
     std::vector<BodyId> ids;
     Scene scene = scene_of_pair(world_.scene(), pair, ids);
@@ -127,7 +128,7 @@ class CurvedIntervals {
     return decided;
   }
 
-  /// Those with an end that is not told well.
+  /// The pairs with an end that is not determined accurately.
   std::set<std::array<BodyId, 2>> open_pairs(const std::vector<OverlapBracket>& brackets) const {
     std::set<std::array<BodyId, 2>> open;
     for (const OverlapBracket& bracket : brackets) {
@@ -142,7 +143,7 @@ class CurvedIntervals {
     }
   }
 
-  /// While the polygons are those that told it.
+  /// Must be called while the polygons are those of the result.
   void settle(const OverlapBracket& bracket) {
     if (undecided_.count(bracket.outer.pair) == 0) answer_.intervals.push_back(named(bracket));
   }
@@ -170,7 +171,7 @@ class CurvedIntervals {
     return brackets;
   }
 
-  /// Near the ends that are not told well, and where nothing is known in between.
+  /// Marks cells near the ends that are not determined accurately, and in the middle if nothing is known there.
   std::size_t mark(const OverlapBracket& bracket, CurvedWorld::Halvings& marks) const {
     const OverlapInterval& o = bracket.outer;
     const bool one = bracket.inner.size() == 1;
@@ -212,7 +213,7 @@ class CurvedIntervals {
     found.from.lo = std::min(found.from.lo, bracket.outer.from.lo);
     found.to.hi = std::max(found.to.hi, bracket.outer.to.hi);
     for (std::optional<Contact>* contact : {&found.enter, &found.exit}) {
-      // Those of windows have their names.
+      // The contacts of windows have their names already.
       if (*contact && !(*contact)->vertex.parameter && !(*contact)->edge.parameter)
         tolerance_ = std::max(tolerance_, world_.name_curves(CurveSide::inner, **contact));
     }
@@ -228,7 +229,7 @@ class CurvedIntervals {
   std::uint64_t segments_ = 0;  ///< of the finest window
   Intervals answer_;
   std::set<std::array<BodyId, 2>> undecided_;
-  std::vector<std::array<std::string, 2>> dormant_;  ///< by name, as a scene ignores pairs
+  std::vector<std::array<std::string, 2>> dormant_;  ///< by name, in the form in which a scene ignores pairs
   double tolerance_ = 0;
 };
 

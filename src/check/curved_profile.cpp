@@ -9,16 +9,16 @@
 namespace taut::internal {
 namespace {
 
-/// Between instants, and of the greatest distance, brackets need not be narrower than this: nearest points wander along
-/// curves, and all of what they pass would have to become fine.
+/// Between instants, and for the greatest distance, brackets need not be narrower than this: nearest points move along
+/// curves, and every part that they pass would have to become fine.
 constexpr double between_instants = 1e-4;
-/// Instants in between are looked at up to so many.
+/// Intermediate instants are evaluated up to this number of instants.
 constexpr int most_looked_between = 2000;
-/// So many times is the greatest distance looked for anew, and so many times are stretches halved each time.
+/// The maximum number of searches for the greatest distance, and of halvings of intervals in each.
 constexpr int most_searches = 3, most_halvings = 500;
 
-/// The distance of polygons around the bodies and of those within them, until they differ little where it matters:
-/// first for all that is between instants, then for the instants, which are asked for more narrowly.
+/// The distance of polygons around the bodies and of those within them, refined until they differ little where it
+/// matters: first for the intervals between instants, then for the instants, which require narrower brackets.
 class CurvedProfile {
  public:
   CurvedProfile(const Scene& scene, const ProfileOptions& options)
@@ -40,7 +40,7 @@ class CurvedProfile {
  private:
   double seconds_left() const { return options_.limits.max_seconds - seconds_since(began_); }
 
-  /// Everything, coarsely.
+  /// Computes the whole profile, coarsely.
   DistanceProfile whole() {
     ProfileOptions own = options_;
     own.relative = coarse_ / 4;
@@ -60,8 +60,8 @@ class CurvedProfile {
     }
   }
 
-  /// Until instants are known as well as that, and with 2 looks the ones halfway to the next, too. The brackets; with a
-  /// reason if it had to stop.
+  /// Refines until instants are known to this accuracy; with 2 looks, also the instants halfway to the next ones.
+  /// Returns the brackets, with a reason if it had to stop.
   DistanceProfile refine_at_instants(double relative, int looks) {
     ProfileOptions own = options_;
     own.relative = std::max(relative / 4, 1e-12);
@@ -88,7 +88,7 @@ class CurvedProfile {
 
   bool is_wide(double lo, double hi, double relative) const { return hi - lo > relative * hi + absolute_; }
 
-  /// What is near at that time, of the curve's pair or of all: how many cells?
+  /// Marks the cells that are near at that time, for the curve's pair or for all pairs, and returns their number.
   std::size_t mark_at(const DistanceCurve& curve, double t, double distance, CurvedWorld::Halvings& marks) {
     if (curve.pair) return mark_near(world_, *curve.pair, t, distance, marks);
     std::size_t count = 0;
@@ -108,7 +108,7 @@ class CurvedProfile {
     return pairs_;
   }
 
-  /// Only what both searches have settled can become narrower by finer polygons.
+  /// Finer polygons can narrow only a result that both searches have completed.
   std::size_t mark_largest(const DistanceCurve& outer, const DistanceCurve& inner, CurvedWorld::Halvings& marks) {
     if (!outer.settled || !inner.settled) return 0;
     if (!is_wide(outer.largest_lo, inner.largest_hi, coarse_)) return 0;
@@ -116,7 +116,7 @@ class CurvedProfile {
            mark_at(inner, inner.largest_at, inner.largest_hi, marks);
   }
 
-  /// Twice halved a cell is 16 times thinner.
+  /// A cell that is halved twice is 16 times thinner.
   bool finer(CurvedWorld::Halvings marks) {
     if (limit_.reached(world_)) return false;
     for (auto& body : marks) {
@@ -129,7 +129,7 @@ class CurvedProfile {
     return world_.refine(marks);
   }
 
-  /// From the one from below, from the other from above.
+  /// Combines the lower bounds of `outer` with the upper bounds of `inner`.
   DistanceProfile between(const DistanceProfile& outer, DistanceProfile inner) const {
     for (std::size_t c = 0; c < inner.curves.size(); ++c) {
       DistanceCurve& curve = inner.curves[c];
@@ -144,7 +144,7 @@ class CurvedProfile {
     return inner;
   }
 
-  /// The narrower brackets of instants, and what they tell of the greatest distance.
+  /// Takes the narrower brackets of instants, and their consequences for the greatest distance.
   void take_instants(const DistanceProfile& fine, DistanceProfile& answer) const {
     double widest = 0;
     for (std::size_t c = 0; c < answer.curves.size(); ++c) {

@@ -1,6 +1,6 @@
-// Questions about bodies with curves, each asked twice: of polygons around the bodies, and of polygons within them.
-// What is true of the bodies lies between. Where the two answers differ by more than is wanted, polygons are refined
-// near what made the difference, and the question is asked again.
+// Queries about bodies with curves. Each is answered twice: for polygons around the bodies, and for polygons within
+// them. The true answer lies between. If the two answers differ by more than the tolerance, polygons are refined near
+// the cause of the difference, and the query is repeated.
 #pragma once
 
 #include "pair/curved_world.hpp"
@@ -13,42 +13,42 @@ namespace taut::internal {
 
 Answer check_curved(const Scene& scene, const CheckOptions& options);
 
-/// A first contact, and the bands between whose walls it was found: pictures show them.
+/// A first contact, and the bands between whose walls it was found, for use in pictures.
 struct CurvedContact {
   Answer answer;
   CurvedWorld world;
 };
-/// As check_curved(), without `fit` and `all_pairs`.
+/// Like check_curved(), without `fit` and `all_pairs`.
 CurvedContact first_contact_of_curves(const Scene& scene, const CheckOptions& options);
 
-/// Whether bodies keep a clearance, and the bands between whose walls that was found.
+/// Whether bodies keep a clearance, and the bands between whose walls this was found.
 struct CurvedMargin {
   MarginAnswer answer;
   CurvedWorld world;
 };
-/// As check_clearance_of_curves(), without `all_pairs`.
+/// Like check_clearance_of_curves(), without `all_pairs`.
 CurvedMargin margin_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
 
 Clearance clearance_of_curves(const Scene& scene, const ClearanceOptions& options);
 DistanceProfile distance_profile_of_curves(const Scene& scene, const ProfileOptions& options);
 MarginAnswer check_clearance_of_curves(const Scene& scene, double clearance, const CheckOptions& options);
 Intervals intervals_of_curves(const Scene& scene, const CheckOptions& options);
-/// The outcome of an answer that has its intervals and its undecided pairs.
+/// Sets the outcome of an answer that has its intervals and its undecided pairs.
 void conclude(Intervals& answer);
 Separation separate_curves(const Scene& scene, const SeparateOptions& options);
 
-/// The curves of distance_profile() with nothing but their instants: polygons only, valid options.
+/// The curves of distance_profile() with only their instants. Requires polygons and valid options.
 DistanceProfile distances_at_instants(const Scene& scene, const ProfileOptions& options);
 
 /// The largest coordinate of any curve.
 double largest_size(const CurvedWorld& world);
 
-/// The scene of two bodies, with all that they are seen from, and with nobody else asked about. `ids` are theirs in the
-/// whole scene.
+/// The scene of two bodies, including all their parents, with all other pairs ignored. `ids` receives the bodies'
+/// numbers in the whole scene.
 Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::vector<BodyId>& ids);
 
-/// How finely cells may be cut before a question is given up: curves that run along each other for a while would never
-/// end.
+/// A limit of the number of cells, beyond which a query is abandoned: curves that run along each other for a while
+/// would never end.
 class RefinementLimit {
  public:
   explicit RefinementLimit(const CurvedWorld& world) : most_(4 * world.segments() + 30000) {}
@@ -59,7 +59,7 @@ class RefinementLimit {
   std::uint64_t most_;
 };
 
-/// Refines what is marked: a little if that is much, farther if it is little.
+/// Refines the marked cells: a little if there are many, further if there are few.
 bool refine_marked(CurvedWorld& world, CurvedWorld::Halvings marks, std::size_t count);
 
 }  // namespace taut::internal

@@ -8,21 +8,21 @@
 namespace taut::internal {
 namespace {
 
-/// Degrees: what directions that end an arc of free ones are told to.
+/// The tolerance, in degrees, for the directions that end a free arc.
 constexpr double direction_tolerance = 1e-7;
 
 const std::string too_fine =
     "whether bodies can leave in some directions, or overlap already, is finer than doubles tell curves: taut flatten "
     "--inner, or --outer, makes polygons, about which it is decided";
 
-/// How far apart two directions are, across 360 as well.
+/// The difference of two directions, also across 360 degrees.
 double between_degrees(double a, double b) {
   const double d = std::fabs(a - b);
   return std::min(d, 360 - d);
 }
 
-/// Between directions in which polygons around the bodies come apart, certainly free ones, and those of polygons
-/// within.
+/// Brackets the free directions between those of polygons around the bodies, which are certainly free, and those of
+/// polygons within.
 class CurvedSeparation {
  public:
   CurvedSeparation(const Scene& scene, const SeparateOptions& options)
@@ -94,7 +94,7 @@ class CurvedSeparation {
     return count;
   }
 
-  /// The arcs of polygons around the bodies, which are certainly free; what is enclosed are the true ends.
+  /// The result: the arcs of polygons around the bodies, which are certainly free, and enclosures of the true ends.
   Separation concluded(Separation outer, const Separation& inner) const {
     const auto name = [&](std::optional<std::array<VertexRef, 2>>& ends) {
       if (!ends) return;

@@ -16,19 +16,20 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// A stretch that may have the greatest distance: those that may have the greatest one are halved first.
+/// An interval that may contain the greatest distance. Those with the greatest upper bound are halved first.
 struct Candidate {
   double most, from, to;
-  /// Of those that are alike, as in symmetric scenes, the first one comes first, whoever wrote the queue.
+  /// Of equal candidates, as in symmetric scenes, the earliest comes first, independent of the implementation of the
+  /// queue.
   bool operator<(const Candidate& o) const { return most != o.most ? most < o.most : from > o.from; }
 };
 
 class ProfileSearch {
  public:
-  /// Of instants only, or of all there is to be known.
+  /// Searches only the instants, or the whole profile.
   ProfileSearch(const Scene& scene, const ProfileOptions& options, bool only_instants)
       : options_(options), only_instants_(only_instants), plan_(scene) {
-    // A little less than what is allowed: the rest is for rounding.
+    // A little less than the tolerance; the rest is for rounding.
     tolerance_ = {options.relative * 0.99, 0.99e-12 * plan_.largest()};
     absolute_ = std::ldexp(1e-12 * plan_.largest(), -plan_.exponent());
   }
@@ -83,7 +84,7 @@ class ProfileSearch {
     return curve;
   }
 
-  /// What halves say of the greatest distance, where it is above what is good enough.
+  /// Tightens the bound of the greatest distance by halving, as long as it is above `enough`.
   double narrowed(const DistanceFunction& distance, const DistanceWithin& s, double most, double enough,
                   int depth) const {
     const double middle = s.from + (s.to - s.from) / 2;
@@ -117,7 +118,7 @@ class ProfileSearch {
       if (!curve.settled) return;
       candidates.pop();
       raise(curve, distance.at(middle));
-      // Halves bound no better than the whole, where bounds are rough.
+      // Where bounds are rough, those of halves may be no better than that of the whole.
       candidates.push({std::min(top.most, distance.most(top.from, middle)), top.from, middle});
       candidates.push({std::min(top.most, distance.most(middle, top.to)), middle, top.to});
     }

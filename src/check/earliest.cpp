@@ -14,14 +14,15 @@ double time_of(const PairAnswer& pair) {
 
 namespace {
 
-/// An overlap at the start comes before everything else; then what is first in time.
+/// An overlap at the start comes before everything else. The rest is ordered by time.
 bool before(const PairAnswer& a, const PairAnswer& b) {
   const bool overlap_a = a.outcome == Outcome::overlap_at_start, overlap_b = b.outcome == Outcome::overlap_at_start;
   if (overlap_a != overlap_b) return overlap_a;
   return time_of(a) < time_of(b);
 }
 
-/// Those that come with the first one, itself included: every other overlap, or contacts that may be before it.
+/// The events that are unordered with the first one, itself included: every other overlap, or contacts that may come
+/// before it.
 std::vector<std::size_t> together(const std::vector<PairEvent>& events, const PairAnswer& first) {
   std::vector<std::size_t> alike;
   std::vector<ContactCandidate> contacts;
@@ -52,7 +53,7 @@ void take_earliest(const std::vector<PairEvent>& events, Answer& answer) {
   answer.reason = named.reason;
   answer.free_until = time_of(named);
   for (const std::size_t i : ties) answer.free_until = std::min(answer.free_until, time_of(events[i].pair));
-  // The first of all is in it, whichever that is.
+  // The interval must contain the first contact of all, whichever that is.
   if (answer.contact) answer.contact->time.lo = answer.free_until;
   answer.also.clear();
   for (auto i = ties.begin() + 1; i != ties.end(); ++i) answer.also.push_back(events[*i].pair);

@@ -1,4 +1,4 @@
-// From what happened to each pair to the answer about all of them.
+// Combines the results of all pairs into one answer.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@ namespace taut::internal {
 
 PairAnswer answer_of(const PairResult& result);
 
-/// What happened to a pair, and what a contact is the root of.
+/// The result for a pair, and its contact as a root.
 struct PairEvent {
   PairAnswer pair;
   std::optional<ContactInstant> instant;
 };
 
-/// When something is known to have happened to the pair, or no more to be known.
+/// The time of the event of the pair, or up to which it is known.
 double time_of(const PairAnswer& pair);
 
-/// The outcome of all is that of the first pair, of those to which something happened. Where the order of contacts is
-/// not told by the highest precision, the first of them in the order of the scene is named, and the others come along.
+/// The outcome of all pairs is that of the first pair that is not free. If the highest precision does not decide the
+/// order of contacts, the first of them in the order of the scene is named, and the others are listed with it.
 void take_earliest(const std::vector<PairEvent>& events, Answer& answer);
 
 }  // namespace taut::internal

@@ -1,4 +1,5 @@
-// Two engines in turn. Each is far ahead of the other on some motions, and nobody knows beforehand on which.
+// Runs two engines in alternating slices. Each is far ahead of the other on some motions, and it is not known
+// beforehand on which.
 #include <memory>
 #include <string>
 
@@ -10,7 +11,7 @@
 namespace taut::internal {
 namespace {
 
-/// One of the engines, and what it has done.
+/// One of the engines, and the work that it has done.
 class PortfolioEngine {
  public:
   PortfolioEngine(EngineName engine, const Scene& scene, const CheckOptions& options)
@@ -40,13 +41,13 @@ class PortfolioEngine {
   PortfolioMember effort_;
 };
 
-/// The engine that begins, and how much more it may do before the other one does.
+/// The engine that begins, and the additional work that it may do before the other one begins.
 struct Lead {
   EngineName engine;
   std::uint64_t work;
 };
 
-/// What the other engine has done until then was waited for, too.
+/// The caller has also waited for the work of the other engine.
 void add_time(const Answer& spent, Answer& answer) {
   answer.build_seconds += spent.build_seconds;
   answer.run_seconds += spent.run_seconds;
@@ -57,8 +58,8 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
   PortfolioEngine first(lead.engine, scene, options);
   PortfolioEngine second(kinetic_first ? EngineName::spacetime : EngineName::kinetic, scene, options);
   const auto finished = [&](PortfolioEngine& winner, PortfolioEngine* other) {
-    // Touching asks the same once more, for which the same engine is the better one, as a rule. But where the other one
-    // is nearly done, too, it may not leave that open.
+    // The query about touching repeats the same search, for which the same engine is usually the better one. But if the
+    // other engine is nearly done, too, its answer may not leave touching open.
     const std::uint64_t longer = winner.effort().spent() + winner.effort().spent() / 2;
     const auto settles = [&] {
       return other->decides_by(longer) && other->run().answer().outcome == Outcome::free &&
@@ -81,7 +82,7 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
   const int decided = take_turns(second.effort(), by_second, first.effort(), by_first);
   if (decided == 1) return finished(second, &first);
   if (decided == 2) return finished(first, &second);
-  // Limits stopped both: what the one has proved free that went further.
+  // Limits stopped both: take the answer of the engine that has proved more of the time free.
   const Answer &a = first.run().answer(), &b = second.run().answer();
   if (a.free_until == b.free_until) return kinetic_first ? a : b;
   return a.free_until > b.free_until ? a : b;
@@ -90,12 +91,12 @@ Answer answer_in_turns(const Scene& scene, const CheckOptions& options, const Le
 }  // namespace
 
 Answer run_either(const Scene& scene, const CheckOptions& options) {
-  // Both engines, and the question about touching, share what is made of the shapes alone. None of that is counted, so
-  // that who is first does not depend on what was prepared beforehand.
+  // Both engines, and the query about touching, share the data that depends on the shapes alone. That work is not
+  // counted, so that the order of the engines does not depend on what was prepared beforehand.
   Scene prepared;
   const std::string stopped = what_stops([&] { prepared = with_prepared_shapes(scene); });
   if (!stopped.empty()) {
-    // By a scope around this question: nothing has been asked yet.
+    // Stopped by an enclosing budget, before any search.
     Answer answer;
     answer.outcome = Outcome::undecided;
     answer.engine = EngineName::spacetime;

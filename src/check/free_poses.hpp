@@ -1,4 +1,4 @@
-// Where a robot was found to be free.
+// Poses at which a robot was found to be free.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace taut::internal {
 
-/// Poses of a robot of one body that were found free: planners ask about many ways from one place. Of those with the
-/// same number, the last one is kept.
+/// Poses of a robot of one body that were found free: planners query many paths from one place. Of the poses with the
+/// same hash, the last one is kept.
 class FreePoses {
  public:
   bool has(const PoseSE2& pose) const {

@@ -50,11 +50,11 @@ using namespace internal;
 
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return intervals_of_curves(scene, options);
-  // Limits begin with the first pair: what they end is then said pair by pair.
+  // Limits start with the first pair, so that interruptions are reported pair by pair.
   validate_world(scene);
   const WorldPlan plan(scene);
   const NearStretches near(plan);
-  // Of two plain polygons it is all of the time that is looked at, in one walk.
+  // For two plain polygons, the whole time is searched in one pass.
   const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
   const bool plain = !is_world(scene);
   const Budget scope(options.limits);
@@ -95,14 +95,14 @@ Intervals intervals_within(const Scene& scene, double start, double end, const C
 
 namespace {
 
-/// Of both halves: the coarser polygons, and the most edges.
+/// Combines both halves: the coarser tolerance, and the larger number of edges.
 std::optional<CurveGeometry> geometry_of_range(const std::optional<CurveGeometry>& before,
                                                const std::optional<CurveGeometry>& after) {
   if (!before || !after) return before ? before : after;
   return CurveGeometry{std::max(before->tolerance, after->tolerance), std::max(before->segments, after->segments)};
 }
 
-/// Of all of the time: a pair may rest, and not be tested, on one side of the instant only.
+/// The coverage for the whole time: a pair may be at rest, and not be tested, on one side of the instant only.
 Coverage coverage_of_range(const Scene& scene, const Intervals& before, const Intervals& after) {
   const WorldPlan plan(has_curves(scene) ? CurvedWorld(scene).polygons(CurveSide::outer) : scene);
   return plan.coverage(std::min(plan.coverage(0).apart, std::max(before.coverage.tested, after.coverage.tested)));
@@ -110,8 +110,8 @@ Coverage coverage_of_range(const Scene& scene, const Intervals& before, const In
 
 }  // namespace
 
-/// Time is cut at t, so that each half says of that very instant whether bodies overlap: ends of intervals may be
-/// brackets that hold it, and bodies that part and meet again there do both in one double.
+/// Time is divided at t, so that each half determines whether bodies overlap at that instant. Ends of intervals may be
+/// brackets that contain it, and bodies that separate and meet again there do both in one double.
 Range range(const Scene& scene, double t, const CheckOptions& options) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("from", "the instant is outside of the scene's time", "choose one within");

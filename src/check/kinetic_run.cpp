@@ -33,7 +33,7 @@ void conclude(const Session& session, Answer& answer) {
   }
 }
 
-/// Adds the time that it lives.
+/// Adds the duration of its lifetime.
 class Timer {
  public:
   explicit Timer(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
@@ -46,10 +46,10 @@ class Timer {
   Clock::time_point start_;
 };
 
-/// A turn that ends in the middle of an event leaves it there: the engine keeps what is done, and the search for a sign
-/// change that it was at. An event that has begun may go on for as long again as the turn, and longer where it was
-/// foreseen, which is rough. What is lost nevertheless is taken up again only in a turn that is twice as long; and what
-/// cannot be left half done is not begun before there is room for it.
+/// A slice that ends in the middle of an event is resumed there: the engine keeps the completed work, and the current
+/// search for a sign change. An event that has begun may take as much additional time as the slice, and more if a long
+/// event was predicted, which is a rough estimate. Lost work is repeated only in a slice that is twice as long. An
+/// operation that cannot be interrupted is not begun before there is room for it.
 class KineticRun final : public Run {
  public:
   KineticRun(const Scene& scene, const CheckOptions& options, RunWatcher* watcher, NearStart* near = nullptr)
@@ -86,7 +86,7 @@ class KineticRun final : public Run {
   StageCounts stages() const override { return session_ ? session_->engine().stages() : StageCounts(); }
 
  private:
-  /// What was done for nothing, and has to be begun anew.
+  /// The lost work that has to be repeated.
   std::uint64_t lost(const Budget& turn) const {
     const std::uint64_t since = std::max(step_began_, session_ ? session_->engine().work_kept() : 0);
     return work_spent() - std::min(work_spent(), since + turn.kept());
@@ -97,7 +97,7 @@ class KineticRun final : public Run {
     session_ = std::make_unique<Session>(scene_, options_.touch, options_.tracer, watcher_, near_);
     if (watcher_) watcher_->started(*session_);
   }
-  /// To the end, a contact, or a limit, of which the answer tells; or until so much work is spent.
+  /// Runs to the end, to a contact, or to a limit, which the answer names; or until this much work is spent.
   bool run(std::uint64_t until) {
     const Timer timer(answer_.run_seconds);
     while (!session_->finished()) {
@@ -111,9 +111,9 @@ class KineticRun final : public Run {
     }
     return true;
   }
-  /// Everything up to there is proved, also in the middle of an event.
+  /// Everything up to this time is proved, also in the middle of an event.
   double reached() const { return session_ ? session_->engine().reached() : scene_.start; }
-  /// Between two events: what stops the run, or nothing.
+  /// Called between two events: the reason to stop the run, or an empty string.
   std::string limit_reached() const {
     const std::uint64_t events = session_->engine().events();
     if (events >= options_.max_events)
@@ -142,9 +142,9 @@ class KineticRun final : public Run {
   std::unique_ptr<Session> session_;
   Answer answer_;
   bool done_ = false;
-  std::uint64_t step_began_ = 0;  ///< work_spent() then
-  std::uint64_t needed_ = 0;      ///< the next turn has to be as long
-  std::uint64_t wanted_ = 0;      ///< by a start for which there was no room
+  std::uint64_t step_began_ = 0;  ///< work_spent() at that time
+  std::uint64_t needed_ = 0;      ///< the minimum effort of the next slice
+  std::uint64_t wanted_ = 0;      ///< by an operation for which there was no room
 };
 
 }  // namespace
@@ -171,7 +171,7 @@ NearAnswer run_kinetic(const Scene& scene, const CheckOptions& options, NearStar
   KineticRun run(scene, options, nullptr, &near);
   run.work(UINT64_MAX);
   const Answer answer = with_touching(run, scene, options, unless_settled_early((work_spent() - before) / 2, afresh));
-  // Neither do limits stop the other way at the same place, nor need it have asked about touching.
+  // Limits do not stop the ordinary run at the same place, and it may not need the query about touching.
   const bool settled = answer.outcome != Outcome::undecided && answer.touching_undecided.empty();
   if (run.began_near() && !settled) return {run_kinetic(scene, options), false};
   return {answer, run.began_near()};

@@ -19,7 +19,7 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// A coefficient that the engines compute with. What is below their range is far below what a robot can move by.
+/// A coefficient that the engines can use. Numbers below their range are far below the possible motion of a robot.
 double usable(const std::string& robot, const char* what, double x) {
   if (std::fabs(x) < 0x1p-400) return 0;
   if (!(std::fabs(x) <= 0x1p400))
@@ -113,7 +113,7 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   const std::string stopped = what_stops([&] {
     std::optional<Budget> scope;
     if (options.limits.stop || options.limits.max_seconds < 1e9) scope.emplace(options.limits);
-    // Questions are short: those that come after the flag was set do not begin.
+    // Queries are short: those made after the flag was set do not begin.
     if (scope) scope->check();
     found = ask();
     if (found.outcome == Outcome::undecided && reason.empty()) reason = "the highest precision does not tell";
@@ -129,7 +129,7 @@ MapFinding MapQuery::Impl::answered(double start, double end, const Ask& ask) {
   return {found.outcome, until, by, found.link, found.body, found.other_link};
 }
 
-/// On [0, 1].
+/// The motion is on [0, 1].
 RobotFinding MapQuery::Impl::on_lines(std::span<const PoseSE2> from, bool any) {
   const bool one = from.size() == 1;
   if (!one || !known_free.has(from[0])) {
@@ -140,7 +140,7 @@ RobotFinding MapQuery::Impl::on_lines(std::span<const PoseSE2> from, bool any) {
   return search->along(0, 1, any);
 }
 
-/// From joint to joint of any of the motions, which are even and valid.
+/// Proceeds from joint to joint of all motions, which must be uniform and valid.
 RobotFinding MapQuery::Impl::on_pieces(std::span<const Motion> motions, double start, double end, bool any) {
   const auto piece_of = [](const Motion& motion, double t) -> MotionPiece {
     for (const MotionPiece& piece : motion.pieces) {
@@ -177,7 +177,7 @@ MotionChain MapQuery::Impl::chain_of(std::span<const Motion> motions, std::size_
   return chain;
 }
 
-/// Motions of other forms go the way of StaticMap::check(), link by link and pair by pair.
+/// Other motions are checked like StaticMap::check(), link by link and pair by pair.
 RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, double start, double end) {
   RobotFinding best;
   best.lo = best.hi = end;

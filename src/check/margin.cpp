@@ -63,7 +63,7 @@ class MarginSearch {
     settle(PairInstance(plan_, a, b, inwards_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
-    // Others are followed a little farther, so that those that come closer at the same time are seen to.
+    // Other pairs are followed a little further, so that those that come closer at the same time are detected.
     const double room = 0x1p-30 * (plan_.end() - plan_.start());
     if (pair.outcome == Outcome::contact && !options_.all_pairs) stop_ = std::min(stop_, pair.time.hi + room);
     events_.push_back(std::move(pair));
@@ -106,8 +106,8 @@ class MarginSearch {
     name_features(search, found, pair);
   }
 
-  /// As of a contact at the start: bodies displaced outwards are as close as the margin where those given are, and
-  /// those displaced inwards only where they are closer.
+  /// Like a contact at the start: bodies displaced outwards are as close as the margin if the given ones are, those
+  /// displaced inwards only if the given ones are closer.
   void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     const double start = plan_.start();
     if (!inwards_) {
@@ -162,7 +162,7 @@ class MarginSearch {
 
   NearestPoints nearest_at_start(const PairInstance& search) const {
     spacetime::Nearest found;
-    // Not the margin, which may be less than doubles tell.
+    // Not the margin, which may be below the resolution of doubles.
     found.distance = INFINITY;
     spacetime::find_nearest_within(search.geometry, search.trees(), search.segments(), plan_.start(), plan_.start(),
                                    {1e-9, 0}, found);
@@ -172,7 +172,7 @@ class MarginSearch {
     return nearest;
   }
 
-  /// What happens first, and what cannot be told from it.
+  /// Takes the first event, and those that are unordered with it.
   void take_first() {
     if (events_.empty()) return;
     const auto rank = [](const PairMargin& p) {
@@ -200,7 +200,7 @@ class MarginSearch {
 
   const CheckOptions& options_;
   WorldPlan plan_;
-  double clearance_, margin_;  ///< in the scene's units, and in internal ones
+  double clearance_, margin_;  ///< in the scene's units, and in internal units
   bool inwards_;
   double stop_;
   std::vector<PairMargin> events_;

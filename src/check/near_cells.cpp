@@ -13,14 +13,14 @@
 namespace taut::internal {
 namespace {
 
-/// A cell, or an edge of a polygon, where its body is.
+/// A cell, or an edge of a polygon, at the pose of its body.
 struct CellAtPose {
   const curve::Piece* piece = nullptr;
   std::vector<Vector> corners;
   double thickness = 0;
-  int* mark = nullptr;  ///< of a cell that can become finer
+  int* mark = nullptr;  ///< of a cell that can be refined
   bool marked = false;
-  AxisBox box;  ///< around it, with room for its thickness
+  AxisBox box;  ///< around it, enlarged by its thickness
 };
 
 double distance_to_edge(Vector p, Vector a, Vector b) {
@@ -74,7 +74,7 @@ class CellsAtPose {
     around_ = BoxList(boxes);
   }
 
-  /// Visits pairs of cells whose boxes are no farther from each other than `reach`.
+  /// Visits pairs of cells whose boxes are at most `reach` apart.
   template <class Visit>
   static void near(CellsAtPose& a, CellsAtPose& b, double reach, const Visit& visit) {
     a.around_.near(b.around_, reach, [&](std::size_t i, std::size_t k) { visit(a.cells_[i], b.cells_[k]); });
@@ -119,18 +119,18 @@ ThreePoints points_on(const CellsAtPose& cells, const CellAtPose& cell) {
   return {first, cells.posed(curve::halves(piece)[0].last().rounded()), last};
 }
 
-/// How far p is from the circle through three points, or from their line: for short pieces, from the curve.
+/// The distance of p from the circle through three points, or from their line: for short pieces, from the curve.
 double distance_to_circle(Vector p, const ThreePoints& on) {
   const Vector u = on[1] - on[0], v = on[2] - on[0], q = p - on[0];
   const double turn = 2 * (u.x * v.y - u.y * v.x), uu = dot(u, u), vv = dot(v, v);
-  // The power of p with respect to the circle, over |p - centre| + radius; without dividing by what may be zero.
+  // The power of p with respect to the circle, divided by |p - centre| + radius, without a division by a possible zero.
   const double cx = v.y * uu - u.y * vv, cy = u.x * vv - v.x * uu;
   const double power = turn * dot(q, q) - 2 * (cx * q.x + cy * q.y);
   const double to_p = std::hypot(turn * q.x - cx, turn * q.y - cy);
   return std::fabs(power) / (to_p + std::hypot(cx, cy));
 }
 
-/// Where doubles place the bodies, and room for what they round.
+/// A bound of the rounding of the bodies' positions in doubles.
 double room_of(const CurvedWorld& world, const std::array<BodyId, 2>& pair, const std::array<BodyPose, 2>& poses) {
   double size = 0;
   for (const BodyPose& p : poses) size = std::max({size, std::fabs(p.origin.x), std::fabs(p.origin.y)});
@@ -185,7 +185,7 @@ std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pai
     ++count;
   };
   CellsAtPose::near(first, second, room, [&](CellAtPose& a, CellAtPose& b) {
-    // Beside a coarse cell a fine one need not become finer.
+    // Next to a coarse cell, a fine one need not be refined.
     const bool first_matters = a.mark && !a.marked && 4 * a.thickness >= b.thickness;
     const bool second_matters = b.mark && !b.marked && 4 * b.thickness >= a.thickness;
     if (!first_matters && !second_matters) return;

@@ -1,18 +1,18 @@
-// Which cells of two bodies' curves matter at an instant?
+// Determines the cells of two bodies' curves that matter at an instant.
 #pragma once
 
 #include "pair/curved_world.hpp"
 
 namespace taut::internal {
 
-/// Marks the cells of both bodies that are no farther from the other body at time t than they are thick, and than
-/// `reach`; of two cells that differ much, the thicker one. What is marked is guessed in doubles: it says where to
-/// refine, and nothing of what is true. Gives back how many there are that can become finer.
+/// Marks the cells of both bodies whose distance from the other body at time t is at most their thickness plus `reach`.
+/// Of two cells that differ much, only the thicker one is marked. The marks are estimates in doubles: they determine
+/// where to refine, and prove nothing. Returns the number of marked cells that can be refined.
 std::size_t mark_near(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, double reach,
                       CurvedWorld::Halvings& marks);
 
 /// Do the curves of two bodies run along each other at that time, so closely that more than `most` cells would be
-/// needed to tell them apart? Guessed in doubles, by what most of the near cells say: good for nothing but giving up
+/// needed to separate them? This is an estimate in doubles, from the majority of the near cells. It serves only to stop
 /// early.
 bool run_along(const CurvedWorld& world, const std::array<BodyId, 2>& pair, double t, std::uint64_t most);
 

@@ -6,8 +6,8 @@
 
 namespace taut::internal {
 
-/// The pair, the edges and their nearest points at that parameter of a segment; the points are world coordinates,
-/// rounded. The distance and the time are left to the caller.
+/// The pair, the edges and their nearest points at that parameter of a segment. The points are rounded world
+/// coordinates. The caller sets the distance and the time.
 NearestPoints nearest_points_of(const PairInstance& search, std::size_t segment, double parameter, VertexId edge_p,
                                 VertexId edge_q);
 

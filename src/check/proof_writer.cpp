@@ -20,7 +20,7 @@ void ProofWriter::started(const Session& session) {
   tiling(session.engine().map());
 }
 
-/// Everything that may be stopped comes first: nothing is written by halves.
+/// All operations that may be interrupted come first, so that nothing is written partially.
 void ProofWriter::on_event(const EngineEvent& event) {
   const double at = about(event);
   to_segment(event.segment_index);
@@ -40,7 +40,7 @@ void ProofWriter::on_event(const EngineEvent& event) {
   out_.u32(event.corner.value);
 }
 
-/// An instant so close to the event that the verifier finds it there. Where a function is flat the engine's enclosure
+/// An instant so close to the event that the verifier finds it there. Where a function is flat, the engine's enclosure
 /// in doubles may be wide.
 double ProofWriter::about(const EngineEvent& event) const {
   const MotionSegment& segment = *event.segment;
@@ -83,7 +83,7 @@ void ProofWriter::tiling(const PlanarMap& map) {
   for (const HalfedgeId h : map.unused()) out_.u32(h.value);
 }
 
-/// The outward shapes overlap already, the inward ones do not: a tiling of these shows it.
+/// The outward shapes overlap already, but the inward ones do not: a tiling of the inward shapes proves it.
 void ProofWriter::contact_at_start(const Session& session) {
   const PairGeometry inner = displaced_pair(session.plan(), true);
   header(Shapes::inwards);

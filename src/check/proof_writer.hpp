@@ -1,4 +1,4 @@
-// Writes down what the kinetic engine does. Format: docs/proof-format.md.
+// Writes a log of the actions of the kinetic engine. Format: docs/proof-format.md.
 #pragma once
 
 #include <iosfwd>
@@ -9,7 +9,7 @@
 
 namespace taut::internal {
 
-/// Watches one run; the log is complete when ended() returns.
+/// Observes one run. The log is complete when ended() returns.
 class ProofWriter : public RunWatcher {
  public:
   ProofWriter(const Scene& scene, Touch touch, std::ostream& log) : scene_(scene), touch_(touch), out_(log) {}
@@ -30,10 +30,11 @@ class ProofWriter : public RunWatcher {
   Touch touch_;
   proof::ByteWriter out_;
   std::size_t segment_ = 0;
-  const PairGeometry* geometry_ = nullptr;  ///< of the session that is watched
+  const PairGeometry* geometry_ = nullptr;  ///< of the observed session
 };
 
-/// By the kinetic data structure: a log of a tiling. Two bodies of one polygon each. Throws InputError.
+/// Proves the answer by the kinetic data structure, with a log of a tiling. Requires two bodies of one polygon each.
+/// Throws InputError.
 Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options);
 
 }  // namespace taut::internal

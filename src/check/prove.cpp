@@ -15,7 +15,8 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
   if (options.fit != 0)
     throw InputError("fit", "a proof is about bodies as they are given",
                      "prove it without, or shrink the bodies yourself");
-  // Engines, one after the other, and what writes a log have limits of their own: together they have this one.
+  // The engines, which run one after the other, and the writer of the log have limits of their own. This limit applies
+  // to all of them together.
   const Budget scope(options.limits);
   if (has_curves(scene)) return prove_curves(scene, log, options);
   if (is_world(scene)) return prove_by_separations(scene, log, options);

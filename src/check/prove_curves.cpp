@@ -17,12 +17,12 @@ namespace {
 
 using proof::Bodies;
 
-/// Why there is no log.
+/// The reason why there is no log.
 struct NotProved {
   std::string reason;
 };
 
-/// The polygons of the bodies with curves, as they are.
+/// The polygons of the bodies with curves, unchanged.
 proof::PolygonsOfBodies polygons_in(const Scene& scene, const Scene& flat) {
   proof::PolygonsOfBodies polygons(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -31,13 +31,13 @@ proof::PolygonsOfBodies polygons_in(const Scene& scene, const Scene& flat) {
   return polygons;
 }
 
-/// Polygons on one side of the curves, and what their log proves.
+/// Polygons on one side of the curves, and the log that proves their answer.
 struct Side {
   proof::PolygonsOfBodies polygons;
   std::string log;
 };
 
-/// Writes a log about polygons; says how it went.
+/// Writes a log about polygons, and returns the reason of a failure.
 using ProvePolygons = std::function<std::string(const Scene& polygons, std::ostream& log)>;
 
 class CurvesProver {
@@ -45,7 +45,7 @@ class CurvesProver {
   CurvesProver(const Scene& scene, const CurvedWorld& world, ProvePolygons prove)
       : scene_(scene), world_(world), prove_(std::move(prove)), bodies_(scene) {}
 
-  /// The polygons on this side are shown to be there by the verifier's own test, before anything is proved of them.
+  /// The verifier's own test confirms the side of the polygons before anything is proved about them.
   Side side(CurveSide where) {
     const Scene flat = world_.polygons(where);
     Side made{polygons_in(scene_, flat), {}};
@@ -93,8 +93,8 @@ void write_curves_log(std::ostream& log, const Scene& scene, Touch touch, const 
   out.close();
 }
 
-/// Writes the log of an answer: polygons around the bodies, and, if something happens, polygons within. Returns why
-/// there is none, or nothing.
+/// Writes the log of an answer: polygons around the bodies and, if there is a contact, polygons within. Returns the
+/// reason if there is no log, else an empty string.
 std::string prove_sides(const Scene& scene, const CurvedWorld& world, bool meeting, Touch touch,
                         const ProvePolygons& prove, std::ostream& log) {
   try {

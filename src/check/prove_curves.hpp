@@ -1,4 +1,4 @@
-// Proofs about scenes with curves: polygons around the bodies, and within, and proofs about these.
+// Proofs about scenes with curves: polygons around the bodies, and within them, and proofs about these.
 #pragma once
 
 #include <iosfwd>
@@ -8,10 +8,10 @@
 
 namespace taut::internal {
 
-/// As prove(), of scenes with curves. Throws InputError.
+/// Like prove(), for scenes with curves. Throws InputError.
 Answer prove_curves(const Scene& scene, std::ostream& log, const CheckOptions& options);
 
-/// As prove_clearance(), of scenes with curves. Throws InputError.
+/// Like prove_clearance(), for scenes with curves. Throws InputError.
 MarginAnswer prove_clearance_of_curves(const Scene& scene, double clearance, std::ostream& log,
                                        const CheckOptions& options);
 

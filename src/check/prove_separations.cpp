@@ -21,7 +21,7 @@ namespace taut {
 using namespace internal;
 namespace {
 
-/// Writes the whole log: the header, the clearance if there is one, and what comes after.
+/// Writes the whole log: the header, the clearance if there is one, and the body.
 void write_log(std::ostream& log, const Scene& scene, Touch touch, const SeparationsBody& body, double clearance = 0) {
   const std::uint8_t kind = static_cast<std::uint8_t>(body.claim) | (clearance > 0 ? proof::with_clearance : 0);
   proof::ByteWriter out(log);
@@ -31,7 +31,7 @@ void write_log(std::ostream& log, const Scene& scene, Touch touch, const Separat
   out.close();
 }
 
-/// The pair that the answer names.
+/// The result of the pair that the answer names.
 const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& results) {
   const std::array<int, 2> named = answer.pair.value_or(std::array<int, 2>{0, 1});
   const auto found = std::find_if(results.begin(), results.end(),
@@ -39,7 +39,7 @@ const PairResult* earliest(const Answer& answer, const std::vector<PairResult>& 
   return found == results.end() ? nullptr : &*found;
 }
 
-/// The answer, if `write()` proves it; else it is undecided from the start on.
+/// Returns the answer if `write()` proves it, else an answer that is undecided from the start.
 template <class AnyAnswer, class Write>
 AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
   const std::string stopped = what_stops(write);
@@ -54,8 +54,8 @@ AnyAnswer if_proved(const AnyAnswer& answer, double start, const Write& write) {
   return undecided;
 }
 
-/// Up to where windows can go if nothing happens before `until`: at a joint they have all of its bridges, and on one of
-/// these it may happen, so they end at the double before.
+/// The end of the windows if nothing happens before `until`. At a joint, windows include all of its bridges, and an
+/// event may occur on one of these, so the windows end at the double before.
 double end_of_windows(const proof::VerifierScene& scene, double until) {
   const double t = std::clamp(until, scene.start(), scene.end());
   for (int body = 0; body < scene.size(); ++body) {
@@ -67,7 +67,7 @@ double end_of_windows(const proof::VerifierScene& scene, double until) {
   return t;
 }
 
-/// That nothing happens up to where the answer says; nothing of other answers.
+/// The proof that nothing happens up to the time in the answer; none for other answers.
 template <class AnyAnswer>
 std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, bool inwards,
                                        double margin) {
@@ -78,12 +78,12 @@ std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::Ver
   return writer.free_until(until);
 }
 
-/// What the answer comes to in a log, without its header; nothing where there is nothing to prove.
+/// The body of the log of an answer, without its header; none if there is nothing to prove.
 std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::VerifierScene& proved,
                                            const Answer& answer, Touch touch) {
   const bool inwards = touch == Touch::open;
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
-  // Of two bodies, the only pair has its own section.
+  // If there are two bodies, their only pair has its own section.
   const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
                                           : end_of_windows(proved, answer.free_until);
   const std::vector<PairResult> results = run.search()->results();
@@ -118,8 +118,8 @@ using namespace internal;
 
 namespace {
 
-/// The contact of the only two bodies in the terms of a log, which displaces them otherwise than the engines do: it is
-/// looked for from shortly before the time at which it is known to be. None if it is not found there.
+/// The contact of the only two bodies in the terms of a log, in which the displacement differs from that of the
+/// engines. The search starts shortly before the known time of contact. None if the contact is not found there.
 std::optional<PairResult> contact_after(const proof::VerifierPair& pair, const Answer& known, double start,
                                         double end) {
   constexpr double shortly = 0x1p-30;
@@ -136,7 +136,7 @@ std::optional<PairResult> contact_after(const proof::VerifierPair& pair, const A
   return result;
 }
 
-/// Of an answer by polygons that the engines displaced; none where that has to be found again.
+/// The body for an answer by polygons that the engines displaced; none if the answer has to be found again.
 std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::VerifierScene& proved, bool inwards) {
   if (known.outcome == Outcome::free) return freedom(known, proved, inwards, 0);
   if (known.outcome != Outcome::contact) return std::nullopt;
@@ -160,11 +160,11 @@ Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOp
     try {
       body = body_of_known(known, proof::VerifierScene(scene), options.touch == Touch::open);
     } catch (const Undecidable&) {
-      // What is found again may be told where this was not.
+      // A repeated search may decide where this one did not.
     }
     if (body) write_log(log, scene, options.touch, *body);
   });
-  // Bodies that overlap by about as much as they are displaced may be free as engines see them, and not in the log.
+  // Bodies whose overlap is about as large as the displacement may be free for the engines, but not in the log.
   const bool stopped = proved.outcome != known.outcome;
   return body || stopped ? proved : prove_by_separations(scene, log, options);
 }
@@ -176,7 +176,7 @@ using namespace internal;
 
 namespace {
 
-/// What an answer about a clearance comes to in a log.
+/// The body of the log of an answer about a clearance.
 std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const MarginAnswer& answer, double clearance,
                                                     Touch touch) {
   const proof::VerifierScene proved(scene);
@@ -193,7 +193,7 @@ std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const Ma
 }  // namespace
 
 MarginAnswer prove_clearance(const Scene& scene, double clearance, std::ostream& log, const CheckOptions& given) {
-  // What it consists of has limits of its own: together they have this one.
+  // The parts of this query have limits of their own. This limit applies to all of them together.
   const Budget scope(given.limits);
   if (has_curves(scene)) return prove_clearance_of_curves(scene, clearance, log, given);
   CheckOptions options = given;

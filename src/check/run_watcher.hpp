@@ -1,4 +1,4 @@
-// Sees a run of the kinetic engine from its first tiling to its answer.
+// Observes a run of the kinetic engine from its first tiling to its answer.
 #pragma once
 
 #include "check/run.hpp"

@@ -20,7 +20,7 @@ Scene scene_of_pair(const Scene& scene, const std::array<BodyId, 2>& pair, std::
   Scene small;
   small.start = scene.start;
   small.end = scene.end;
-  small.at_rest = AtRest::test;  // the pair may be one of those
+  small.at_rest = AtRest::test;  // the pair may be one at rest
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     if (!kept[k]) continue;
     ids.push_back(static_cast<BodyId>(k));

@@ -29,7 +29,7 @@ class SeparationSearch {
     }
   }
 
-  /// Bodies stand still, so what moves alike later does not matter.
+  /// The bodies stand still, so it does not matter which of them move alike later.
   Coverage coverage() const {
     Coverage coverage = plan_.coverage(0);
     coverage.tested = coverage.pairs - coverage.ignored;
@@ -80,7 +80,7 @@ class SeparationSearch {
     return std::nullopt;
   }
 
-  /// Of the body against all that are left.
+  /// The directions of a body relative to all that are left.
   BodyDirections directions(int body) const {
     FreeDirections search(*standing_[static_cast<std::size_t>(body)], std::ldexp(travel_, plan_.exponent()));
     std::vector<int> others;
@@ -122,8 +122,8 @@ class SeparationSearch {
             vertices(arc.to),   reach(arc.from), reach(arc.to)};
   }
 
-  /// A body that can leave can leave later as well, since fewer are in its way: the first one that can is as good as
-  /// any.
+  /// A body that can leave can also leave later, because fewer bodies block it. So the first one that can leave is as
+  /// good as any other.
   void take_apart(Separation& answer) {
     const std::size_t all = left_.size();
     while (left_.size() > 1) {
@@ -142,7 +142,7 @@ class SeparationSearch {
     }
   }
 
-  /// By its widest arc.
+  /// The removal along its widest arc.
   static RemovalStep step_of(const BodyDirections& can) {
     const auto width = [](const DirectionArc& arc) {
       if (arc.point) return 0.0;
@@ -160,7 +160,7 @@ class SeparationSearch {
   IgnoredPairs ignored_;
   double travel_;
   std::vector<std::unique_ptr<const StandingBody>> standing_;
-  std::vector<int> left_;  ///< bodies that have not been taken away
+  std::vector<int> left_;  ///< bodies that have not been removed
 };
 
 }  // namespace

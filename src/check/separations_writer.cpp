@@ -26,7 +26,7 @@ void put_f64(std::string& out, double x) {
   for (int i = 0; i < 8; ++i) out.push_back(static_cast<char>(bits >> (8 * i) & 0xff));
 }
 
-/// The contact as the verifier will find it, and an instant shortly before it since which the vertex is outside.
+/// The contact as the verifier will find it, and an instant shortly before it, since which the vertex is outside.
 std::pair<proof::FineInstant, Instant> instant(const proof::VerifierPair& pair, proof::Lifetimes& lifetimes,
                                                const FoundContact& found, double about) {
   const auto first_since = [&](const proof::FineInstant& since) -> std::optional<Instant> {
@@ -34,7 +34,7 @@ std::pair<proof::FineInstant, Instant> instant(const proof::VerifierPair& pair, 
       const VertexId end = pair.geometry.next(found.edge);
       return lifetimes.failure({found.edge, end, found.vertex, -1, proof::instant_at(since)}, about);
     } catch (const ProofError&) {
-      // Too close to the root for a sign, or not close enough for it to be the first.
+      // The instant is too close to the root for a sign, or not close enough for the root to be the first.
     } catch (const Undecidable&) {
     }
     return std::nullopt;
@@ -46,11 +46,11 @@ std::pair<proof::FineInstant, Instant> instant(const proof::VerifierPair& pair, 
     const auto now = first_since(since);
     if (!now && any) break;
     if (now) any = {since, *now};
-    // Doubles tell that one is before the other.
+    // Doubles show that one is before the other.
     if (now && since[0] < now->lo) break;
   }
   if (any) return *any;
-  // It may have come to the outside between the same two doubles.
+  // The vertex may have come to the outside between the same two doubles.
   for (double step = 0x1p-200; found.at && step <= 0x1p-48; step *= 0x1p4) {
     const proof::FineInstant since = proof::nearest_instant(found.at->lo() - step);
     if (!proof::is_within(since, segment.start, segment.end)) break;
@@ -68,7 +68,7 @@ VertexId id_where(const proof::VerifierPair& pair, BodyId body, const IsIt& is_i
   return VertexId(p ? k : pair.geometry.np + k);
 }
 
-/// The vertex of the pair that the scene calls so, and the edge.
+/// The vertex of the pair with this name in the scene, and the edge.
 VertexId id_of(const proof::VerifierPair& pair, const VertexRef& ref) {
   return id_where(pair, ref.body, [&](const RingSet& rings, std::uint32_t k) { return rings.vertex(k) == ref; });
 }
@@ -195,8 +195,8 @@ void SeparationsWriter::section(const proof::VerifierPair& pair, const std::vect
   }
 }
 
-/// The bracket's end is not always one at which they are closer: where they graze, steps that grow lead to one, and
-/// where they come to the margin and no closer, it is between doubles.
+/// The bodies are not always closer at the end of the bracket. Where they graze, growing steps lead to an instant at
+/// which they are. Where they come to the margin and no closer, the instant is between doubles.
 std::pair<std::size_t, proof::FineInstant> SeparationsWriter::instant_of_margin(const proof::VerifierPair& pair,
                                                                                 const proof::Incidence& close,
                                                                                 bool is_edge,

@@ -1,4 +1,4 @@
-// Writes down why bodies stay apart, for an answer that is known. Format: docs/separation-logs.md.
+// Writes the reasons why bodies stay disjoint, for a known answer. Format: docs/separation-logs.md.
 #pragma once
 
 #include <array>
@@ -15,18 +15,18 @@
 
 namespace taut::internal {
 
-/// What a log says after its header, and after the clearance if there is one.
+/// The contents of a log after its header, and after the clearance if there is one.
 struct SeparationsBody {
   proof::Claim claim;
   std::string bytes;
 };
 
-/// Writes one log. An answer says that bodies are apart; this finds out why, in the terms in which a verifier looks at
-/// it: which windows of time, which boxes, which directions between ranges of edges. Where nothing of the format says
-/// why, Undecidable is thrown.
+/// Writes one log. The answer states that bodies are disjoint. This class finds the reasons in the terms of a verifier:
+/// windows of time, boxes, directions between ranges of edges. If the format has no reason that applies, it throws
+/// Undecidable.
 class SeparationsWriter {
  public:
-  /// The scene must outlive it. The margin is in internal units; 0 if it is about contact.
+  /// The scene must outlive this object. The margin is in internal units; 0 for a query about contact.
   SeparationsWriter(const proof::VerifierScene& scene, bool inwards, double margin = 0)
       : scene_(scene), world_(scene, inwards, margin) {}
 
@@ -40,7 +40,7 @@ class SeparationsWriter {
   SeparationsBody close_at_start(const std::array<BodyId, 2>& bodies, const CloseFeatures& features);
   /// Two features come closer than the margin at about the end of that time, and nothing does before its beginning.
   SeparationsBody closer(const std::array<BodyId, 2>& bodies, const CloseFeatures& features, const TimeInterval& time);
-  /// A contact that was found on these segments; `until` is the earliest instant at which anything may happen.
+  /// A contact found on these segments; `until` is the earliest instant at which anything may happen.
   SeparationsBody contact(const PairResult& result, double until);
 
   const proof::VerifierPair& pair(int a, int b) { return world_.pair(a, b); }

@@ -18,14 +18,14 @@
 namespace taut::internal {
 namespace {
 
-/// In units of checkpoint(), beside the plan.
+/// In units of checkpoint(), in addition to the plan.
 constexpr std::uint64_t work_of_spacetime_start = 25;
 
 using Clock = std::chrono::steady_clock;
 using spacetime::Hierarchy;
 using spacetime::SpacetimeResult;
 
-/// The tree of P or of Q: kept with a prepared shape, or made for this question.
+/// The tree of P or of Q: kept with a prepared shape, or built for this query.
 class Tree {
  public:
   Tree(Role role, const PairPlan& plan, const PairGeometry& geometry, bool inwards) {
@@ -47,7 +47,7 @@ class Tree {
   const Hierarchy* tree_ = nullptr;
 };
 
-/// One question with all that it is asked about.
+/// One query with all its data.
 class SpacetimeSearch {
  public:
   SpacetimeSearch(const Scene& scene, Touch touch, bool apart)
@@ -63,7 +63,7 @@ class SpacetimeSearch {
     count_work(work_of_spacetime_start);
   }
 
-  /// Answers for the start; true if there is more to ask.
+  /// Answers for the start. Returns true if the search has to continue.
   bool start(Answer& answer) {
     const auto overlap = spacetime::overlapping(geometry_, trees(), segments_[0], scene_.start, &stages_at_start_);
     stages_ = stages_at_start_;
@@ -80,7 +80,7 @@ class SpacetimeSearch {
     return false;
   }
 
-  /// From where the last run was interrupted.
+  /// Continues where the last run was interrupted.
   void run(Answer& answer) {
     const SpacetimeResult found = search_.go_on();
     stages_ = stages_at_start_;

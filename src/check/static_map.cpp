@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The scene of these bodies while nothing moves.
+/// The scene of these bodies at rest.
 Scene resting(std::vector<Body> bodies) {
   Scene scene;
   scene.bodies = std::move(bodies);
@@ -35,7 +35,7 @@ void expect_rest(const Body& body) {
                      "a map is of bodies at rest in the world's frame; ask check() about scenes of moving ones");
 }
 
-/// Of the magnitudes of all coordinates but 0.
+/// The range of the magnitudes of all nonzero coordinates.
 ShapeFacts range_of(const std::vector<Body>& bodies) {
   ShapeFacts range;
   range.least = INFINITY;
@@ -81,7 +81,7 @@ MapBodies prepared_bodies(const std::vector<Body>& bodies, double largest) {
   return all;
 }
 
-/// One question, and its answer so far.
+/// One query, and its answer so far.
 class MapRun {
  public:
   MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
@@ -95,7 +95,7 @@ class MapRun {
     Answer answer = asked(options_.touch == Touch::open);
     if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
       return answer;
-    // Free by what doubles do not see: do they touch?
+    // The bodies are free by an amount below the resolution of doubles: test whether they touch.
     try {
       const Answer touching = asked(false);
       answer.touching = touching.contact;

@@ -1,4 +1,4 @@
-// What maps and movers are made of, for those who ask them.
+// The data of maps and movers, for the queries that use them.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ using namespace internal;
 
 struct StaticMap::Impl {
   std::vector<Body> bodies;
-  double largest = 0;  ///< magnitude of a coordinate that shapes may have
+  double largest = 0;  ///< the largest magnitude that a coordinate of a shape may have
   ShapeFacts range;    ///< of magnitudes
   MapBodies prepared;
 };

@@ -1,4 +1,4 @@
-// Free, but touching? The two readings of one scene.
+// Determines whether bodies that stay free touch: the two readings of one scene.
 #include <memory>
 
 #include "check/run.hpp"
@@ -8,7 +8,8 @@ namespace taut::internal {
 
 bool leaves_touching_open(const Run& run, const CheckOptions& options) {
   if (run.answer().outcome != Outcome::free || options.touch != Touch::open || !options.tell_touching) return false;
-  // Bodies that come closer than the displacement are seen by doubles as neither apart nor overlapping.
+  // For bodies that come closer than the displacement, doubles decide neither that they are disjoint nor that they
+  // overlap.
   return run.stages().beyond_doubles() != 0;
 }
 
@@ -24,18 +25,18 @@ Answer with_touching(const Run& run, const Scene& scene, const CheckOptions& opt
     answer.touching_undecided = touching.reason;
     answer.run_seconds += touching.build_seconds + touching.run_seconds;
   } catch (const InputError& refused) {
-    // Features that are too fine to be displaced outwards.
+    // Features are too fine to be displaced outwards.
     answer.touching_undecided = refused.what();
   }
   return answer;
 }
 
-/// Many events at one instant, as drawings on a grid have them, ask for more than doubles, and yet most bodies that
-/// have them are far from touching, or touch at once. That is seen soon by boxes, while the tiling would be built
-/// again, and go through all events.
+/// Many simultaneous events, as in drawings on a grid, require more than doubles. Yet most bodies with such events are
+/// far from touching, or touch at once. Boxes show this quickly, whereas the tiling would have to be built again and
+/// process all events.
 CheckFunction unless_settled_early(std::uint64_t effort, const CheckFunction& otherwise) {
   return [effort, otherwise](const Scene& scene, const CheckOptions& options) {
-    // They are free with open touching.
+    // The bodies are free with open touching.
     const std::unique_ptr<Run> boxes = begin_spacetime_apart(scene, options);
     if (boxes->work(effort)) {
       const Answer& decided = boxes->answer();

@@ -15,7 +15,7 @@ struct WarmCheck::Impl {
 
 namespace {
 
-/// Of two polygons as they are, with shapes that are known.
+/// Requires two plain polygons with prepared shapes.
 bool may_begin_near(const Scene& scene, const CheckOptions& options) {
   if (scene.bodies.size() != 2 || !scene.bodies[0].prepared || !scene.bodies[1].prepared) return false;
   return options.fit == 0 && !options.all_pairs && !is_world(scene);

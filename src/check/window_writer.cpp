@@ -18,15 +18,15 @@ using proof::OpenPairs;
 using proof::StatedBox;
 using proof::WorldTime;
 
-/// Windows are not halved more often.
+/// The maximum depth of halved windows.
 constexpr int deepest_written = 30;
-/// Boxes of half a window are much shorter if those of the window are so long beside the bodies' own.
+/// The boxes of half a window are much shorter if those of the window are this many times as long as the bodies' own.
 constexpr double long_beside = 1.5;
-/// So few bodies are all looked at in pairs.
+/// If there are at most this many bodies, all pairs are tested.
 constexpr int few_bodies = 12;
-/// A box is worth its bytes if it tells a body apart from so many others.
+/// A box is worth its bytes if it separates a body from this many others.
 constexpr int pairs_for_a_box = 4;
-/// What boxes have around them beside their length, so that verifiers with coarser bounds see it, too.
+/// The margin of boxes relative to their length, so that verifiers with coarser bounds accept them, too.
 constexpr double share_of_room = 0x1p-12;
 
 float not_above(double x) {
@@ -36,14 +36,15 @@ float not_above(double x) {
 }
 float not_below(double x) { return -not_above(-x); }
 
-/// Along each axis with a share of its length: a body in a lane keeps to the lane.
+/// Enlarges the box along each axis by a share of its length: the box of a body that moves along a lane stays within
+/// the lane.
 StatedBox around(const BoxedBody& b, double room) {
   const double least = room + 0x1p-40 * (std::fabs(b.lo_x) + std::fabs(b.hi_x) + std::fabs(b.lo_y) + std::fabs(b.hi_y));
   const double x = least + share_of_room * (b.hi_x - b.lo_x), y = least + share_of_room * (b.hi_y - b.lo_y);
   return {not_above(b.lo_x - x), not_above(b.lo_y - y), not_below(b.hi_x + x), not_below(b.hi_y + y)};
 }
 
-/// What is within both. The borders of the second are those of stated boxes, so that nothing is rounded.
+/// The intersection of both boxes. The borders of the second are those of stated boxes, so that nothing is rounded.
 StatedBox within(const StatedBox& a, const BoxedBody& b) {
   return {std::max(a.lo_x, static_cast<float>(b.lo_x)), std::max(a.lo_y, static_cast<float>(b.lo_y)),
           std::min(a.hi_x, static_cast<float>(b.hi_x)), std::min(a.hi_y, static_cast<float>(b.hi_y))};
@@ -79,12 +80,12 @@ WindowWriter::Fresh WindowWriter::fresh_box(int body, const WorldTime& time) con
   const std::optional<BoxedBody> reach = proof::box_around(scene_[body], time);
   if (!reach) return {{-infinite, -infinite, infinite, infinite}, {}};
   const StatedBox box = around(*reach, room_);
-  // Where doubles do not tell, as with coordinates beyond those of a single.
+  // Doubles do not decide, for example if coordinates are beyond the range of single precision.
   if (!proof::has_room(box, room_, *reach)) return {*reach, {}};
   return {*reach, within(box, boxes_.of(body))};
 }
 
-/// Of a few pairs: does a body's box tell enough of them apart? Of all pairs, every box does.
+/// If few pairs are listed: does a body's box separate enough of them? If all pairs are open, every box does.
 std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, const OpenPairs& open) {
   if (open.all()) return std::vector<bool>(moving.size(), true);
   std::map<int, int> pairs_decided;
@@ -102,7 +103,7 @@ std::vector<bool> WindowWriter::worth_stating(const std::vector<int>& moving, co
   return worth;
 }
 
-/// Would boxes of halves be much shorter, and do so many meet now that a list of them is long?
+/// Would the boxes of halves be much shorter, and do so many pairs meet now that a list of them is long?
 bool WindowWriter::better_halved(const std::vector<int>& moving) const {
   const auto longer = std::count_if(moving.begin(), moving.end(), [&](int i) {
     return fresh_[static_cast<std::size_t>(i)].reach.longest() > long_beside * sizes_[static_cast<std::size_t>(i)];
@@ -115,7 +116,7 @@ bool WindowWriter::better_halved(const std::vector<int>& moving) const {
   return !stated.meeting(scene_, 4 * static_cast<std::size_t>(scene_.size()));
 }
 
-/// The bodies of so many open pairs that a box may be worth its bytes in a shorter window.
+/// The bodies with so many open pairs that a box may be worth its bytes in a shorter window.
 std::set<int> crowded_bodies(const std::vector<WindowWriter::Pair>& pairs) {
   std::map<int, int> count;
   std::set<int> crowded;
@@ -127,7 +128,7 @@ std::set<int> crowded_bodies(const std::vector<WindowWriter::Pair>& pairs) {
   return crowded;
 }
 
-/// Do shorter windows tell the pair apart?
+/// Could shorter windows separate the pair?
 bool WindowWriter::is_left(const Pair& pair) const {
   const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
   return fresh_[a].reach.longest() + fresh_[b].reach.longest() > long_beside * (sizes_[a] + sizes_[b]);
@@ -138,7 +139,7 @@ void WindowWriter::halves(const WorldTime& time, const OpenPairs& open, int dept
   window(time.second_half(), open, depth + 1);
 }
 
-/// As the verifier reads it.
+/// Writes the window as the verifier reads it.
 void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int depth) {
   const std::vector<int> moving = moving_bodies(scene_, open);
   for (const int i : moving) fresh_[static_cast<std::size_t>(i)] = fresh_box(i, time);
@@ -166,7 +167,7 @@ void WindowWriter::window(const WorldTime& time, const OpenPairs& open, int dept
   for (const Pair& pair : pairs) {
     checkpoint();
     if (pair == except_ || !boxes_.meet(pair.first, pair.second)) continue;
-    // Where no box will be stated, separations halve time themselves, and better.
+    // Where no box will be stated, the separations halve time themselves, which is better.
     const bool later = divisible && crowded.count(pair.first) + crowded.count(pair.second) > 0 && is_left(pair);
     out_.push_back(later ? 0 : 1);
     if (later) {

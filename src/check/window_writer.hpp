@@ -1,4 +1,4 @@
-// The windows of a log of separations: which are halved, and which boxes they state.
+// The windows of a log of separations: which of them are halved, and which boxes they state.
 #pragma once
 
 #include <functional>
@@ -8,25 +8,26 @@
 
 namespace taut::internal {
 
-/// Boxes cost 16 bytes and tell many pairs apart; a pair's separations cost a byte or two. So windows state the boxes
-/// of bodies that they tell apart from several others. Where nearly everything may meet everything, the window is
-/// halved without a word, as long as that makes boxes shorter.
+/// A box costs 16 bytes and separates many pairs; the separations of a pair cost a byte or two. So windows state the
+/// boxes of bodies that they separate from several others. Where nearly everything may meet everything, the window is
+/// halved without further data, as long as that makes boxes shorter.
 class WindowWriter {
  public:
   using Pair = std::pair<int, int>;
   /// Writes the separations of a pair in a window.
   using Section = std::function<void(const Pair&, const proof::WorldTime&)>;
 
-  /// `room` as proof::stays_within() wants it. Of the pair `except` nothing is written. All of them must outlive it.
+  /// `room` as proof::stays_within() requires it. Nothing is written for the pair `except`. All arguments must outlive
+  /// this object.
   WindowWriter(const proof::VerifierScene& scene, double room, const Pair& except, std::string& out, Section section);
 
   void write(double until) { window({scene_.start(), until, true}, {}, 0); }
 
  private:
-  /// Where a body may be in the present window.
+  /// The possible positions of a body in the current window.
   struct Fresh {
     proof::BoxedBody reach;
-    std::optional<proof::StatedBox> box;  ///< to be stated, if there is one
+    std::optional<proof::StatedBox> box;  ///< the box to be stated, if there is one
   };
 
   void window(const proof::WorldTime& time, const proof::OpenPairs& open, int depth);
@@ -42,8 +43,8 @@ class WindowWriter {
   std::string& out_;
   Section section_;
   proof::WindowBoxes boxes_;
-  std::vector<double> sizes_;  ///< of the bodies' boxes while nothing moves
-  std::vector<Fresh> fresh_;   ///< by body, of those that matter in the present window
+  std::vector<double> sizes_;  ///< of the bodies' boxes at rest
+  std::vector<Fresh> fresh_;   ///< by body, for those that matter in the current window
 };
 
 }  // namespace taut::internal

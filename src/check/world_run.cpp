@@ -58,7 +58,7 @@ void WorldRun::conclude() {
   }
   std::erase_if(events, [](const PairEvent& e) { return e.pair.outcome == Outcome::free; });
   if (!stopped_.empty()) {
-    // What was found so far may not be the first.
+    // The events found so far may not be the first.
     const double proved = search_ ? search_->proved() : scene_.start;
     std::erase_if(events, [&](const PairEvent& e) { return !(time_of(e.pair) < proved); });
     answer_.outcome = Outcome::undecided;
@@ -72,7 +72,7 @@ void WorldRun::conclude() {
   if (answer_.outcome == Outcome::undecided && scene_.bodies.size() == 2) answer_.pair = {0, 1};
 }
 
-/// Of the pairs that went to an engine; where they went to two, what both say. Throws EngineDisagreement.
+/// The results of the pairs that went to an engine; if they went to two, the common result. Throws EngineDisagreement.
 std::vector<PairEvent> WorldRun::pairs() const {
   std::vector<PairEvent> pairs;
   if (!search_) return pairs;
@@ -84,8 +84,8 @@ std::vector<PairEvent> WorldRun::pairs() const {
   return pairs;
 }
 
-/// Whose answer it is: of several engines' pairs, that of the pair that is named. Free is what every pair was found to
-/// be, and the kinetic engine's as soon as one of them is.
+/// Names the engine of the answer: if several engines solved pairs, that of the named pair. A free answer combines all
+/// pairs, and is attributed to the kinetic engine as soon as one of them is.
 void WorldRun::name_engine() {
   answer_.compared = options_.engine == EngineChoice::both;
   if (!search_) return;

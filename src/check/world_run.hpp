@@ -1,4 +1,4 @@
-// Many bodies, one answer.
+// The run for many bodies, with one answer.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace taut::internal {
 
-/// The search for the first contact of any pair, and what it comes to.
+/// The search for the first contact of any pair, and its result.
 class WorldRun final : public Run {
  public:
   WorldRun(const Scene& scene, const CheckOptions& options);
@@ -19,7 +19,7 @@ class WorldRun final : public Run {
   bool work(std::uint64_t effort) override;
   const Answer& answer() const override { return answer_; }
   StageCounts stages() const override { return search_ ? search_->stages() : StageCounts(); }
-  /// None if it was stopped before there was one.
+  /// None if the run was interrupted before there was one.
   const std::optional<WorldPlan>& plan() const { return plan_; }
   const std::optional<WorldSearch>& search() const { return search_; }
 
