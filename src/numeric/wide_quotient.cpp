@@ -1,3 +1,4 @@
+// Quotients of binary floating-point numbers of several machine words.
 #include <algorithm>
 #include <cstring>
 
