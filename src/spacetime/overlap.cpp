@@ -20,7 +20,7 @@ bool edges_cross(const Placement& place, VertexId a, VertexId b) {
 }
 
 /// The winding number of the other body's rings around a vertex of one body. The vertex is inside if the number is not
-/// 0; it is larger than 1 where parts overlap. A ray in the sweep's "up" direction crosses rings, which have their
+/// 0; it may be larger than 1 where parts overlap. A ray in the sweep's "up" direction crosses rings, which have their
 /// material to the left, in one direction or the other.
 class Winding {
  public:
