@@ -1,3 +1,4 @@
+// The first contact of bodies with curves, and the check of each pair and of shrunk bodies.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

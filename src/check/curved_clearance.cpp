@@ -1,3 +1,4 @@
+// The least distance of bodies with curves, and whether they keep a clearance.
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// All intervals in which bodies with curves overlap.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

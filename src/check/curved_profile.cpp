@@ -1,3 +1,4 @@
+// The distance of bodies with curves as a function of time.
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// The directions in which bodies with curves can leave each other.
 #include <algorithm>
 #include <cmath>
 

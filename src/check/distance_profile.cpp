@@ -1,3 +1,4 @@
+// The distance of bodies as a function of time: at instants, between them, and the greatest one.
 #include <algorithm>
 #include <cmath>
 #include <queue>

@@ -1,3 +1,4 @@
+// A run of the kinetic engine that can be interrupted and resumed.
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -47,8 +48,8 @@ class Timer {
 };
 
 /// A slice that ends in the middle of an event is resumed there: the engine keeps the completed work, and the current
-/// search for a sign change. An event that has begun may take as much additional time as the slice, and more if a long
-/// event was predicted, which is a rough estimate. Lost work is repeated only in a slice that is twice as long. An
+/// search for a sign change. An event that has begun may take as much additional work as the slice, or its predicted
+/// work if that is more; the prediction is rough. Lost work is repeated only in a slice of at least twice that work. An
 /// operation that cannot be interrupted is not begun before there is room for it.
 class KineticRun final : public Run {
  public:

@@ -1,3 +1,4 @@
+// Whether bodies keep a clearance, and the first time at which they do not.
 #include <algorithm>
 #include <cmath>
 

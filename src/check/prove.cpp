@@ -1,3 +1,4 @@
+// Chooses the engine and the kind of log for an answer with a proof.
 #include "base/budget.hpp"
 #include "base/errors.hpp"
 #include "check/proof_writer.hpp"

@@ -1,3 +1,4 @@
+// The scene of two bodies and all their parents.
 #include "check/curved_questions.hpp"
 
 namespace taut::internal {

@@ -1,3 +1,4 @@
+// A run of the spacetime engine that can be interrupted and resumed.
 #include <algorithm>
 #include <chrono>
 #include <optional>
