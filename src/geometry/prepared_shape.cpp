@@ -12,7 +12,7 @@ SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& 
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {
   validate_polygon(polygon, name);
   facts_ = facts_of(polygon);
-  diameter_squared_ = taut::diameter_squared(polygon);
+  diameter_squared_ = internal::diameter_squared(polygon);
 }
 
 std::shared_ptr<const std::vector<Point>> PreparedShape::scaled(int exponent) const {

@@ -40,7 +40,7 @@ RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exp
   } else {
     add_parts(parts_of(body));
   }
-  diagonal_ = taut::diagonal(bounds_);
+  diagonal_ = internal::diagonal(bounds_);
 }
 
 void RingSet::add_parts(const std::vector<Part>& parts) {

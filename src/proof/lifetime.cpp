@@ -246,7 +246,7 @@ int Lifetimes::sign_at(const CertificateFunction& function, const Instant& now) 
   const double drift = width * (std::fabs(d.value) + d.error + width * (std::fabs(k.value) + k.error));
   if (cell.start <= now.lo && std::fabs(v.value) > v.error + drift * (1 + 0x1p-40)) return v.value > 0 ? 1 : -1;
   PreciseTime instant = now.enclosure();
-  if (const int s = taut::sign_at(segment(), geometry_, function, now, instant)) return s;
+  if (const int s = internal::sign_at(segment(), geometry_, function, now, instant)) return s;
   throw Undecidable{"which of three vertices is between the others"};
 }
 

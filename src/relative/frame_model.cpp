@@ -30,7 +30,7 @@ std::uint64_t work_of_model(const MotionSegment& segment) {
   if (segment.translation) return 9;
   if (segment.composed) return 150;
   const std::uint64_t turns = work_of_turn(segment.p) + work_of_turn(segment.q);
-  if (!taut::turns(segment.p) || !taut::turns(segment.q)) return turns;
+  if (!internal::turns(segment.p) || !internal::turns(segment.q)) return turns;
   return turns + (segment.p.rotation.index() == segment.q.rotation.index() ? 25 : 50);
 }
 

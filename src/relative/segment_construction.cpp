@@ -114,7 +114,7 @@ void MotionSegment::find_singular_ends(bool of_p, std::size_t link, const Motion
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine) return;
   for (const double t : {start, end}) {
-    if (auto singular = taut::singular_at(*cosine, t))
+    if (auto singular = internal::singular_at(*cosine, t))
       singular_.push_back({of_p, link, std::make_shared<const SingularCosine>(std::move(*singular))});
   }
 }

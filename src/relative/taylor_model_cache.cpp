@@ -239,7 +239,7 @@ void TaylorModelCache::evaluate(double t, Side& side) {
   side.known = false;
   const ModelCell& here = cell(t);
   if (here.sharp) {
-    taut::evaluate(here.model, t, side.first, side.functions);
+    internal::evaluate(here.model, t, side.first, side.functions);
   } else {
     side.functions = evaluate_exactly(*segment_, t, side.first);
   }
@@ -257,7 +257,7 @@ const FrameSample& TaylorModelCache::shortly_before(double t, bool pp, double& a
   at = std::min(here.start + k * step, t);
   if (known.at[slot] != at) {
     known.at[slot] = at;
-    taut::evaluate(here.model, at, known.first, known.functions[slot]);
+    internal::evaluate(here.model, at, known.first, known.functions[slot]);
   }
   return known.functions[slot];
 }

@@ -127,7 +127,7 @@ Curve curve_of(const LinkPath& path, const std::vector<Point>& around) {
   Curve curve;
   curve.closed = path.closed;
   const std::size_t n = path.lines.size();
-  const Bounds bounds = taut::bounds(around);
+  const Bounds bounds = internal::bounds(around);
   for (std::size_t i = 0; i + 1 < n; ++i) curve.vertices.push_back(meet(path.lines[i], path.lines[i + 1]));
   if (path.closed) {
     curve.vertices.push_back(meet(path.lines.back(), path.lines.front()));
@@ -146,7 +146,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
   const std::size_t n = curve.vertices.size(), edges = n == 0 ? 0 : curve.edges();
   if (n < 2 || (curve.closed && n < 3) || !std::all_of(curve.vertices.begin(), curve.vertices.end(), finite))
     return false;
-  const Bounds at_p = taut::bounds(p), at_q = taut::bounds(q);
+  const Bounds at_p = internal::bounds(p), at_q = internal::bounds(q);
   const auto inside_p = point_inside(p), inside_q = point_inside(q);
   if (!inside_p || !inside_q) return false;
   bool odd = false;
@@ -165,7 +165,7 @@ bool separates(const Curve& curve, const Polygon& p, const Polygon& q) {
       if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], b)) return false;
     }
     // The rays must not pass between the two points either.
-    const Bounds both = taut::bounds({at_p.lo, at_p.hi, at_q.lo, at_q.hi});
+    const Bounds both = internal::bounds({at_p.lo, at_p.hi, at_q.lo, at_q.hi});
     if (!leaves_for_good(curve.vertices[1], curve.vertices[0], both)) return false;
     if (!leaves_for_good(curve.vertices[n - 2], curve.vertices[n - 1], both)) return false;
   }

@@ -20,7 +20,7 @@ CertificateFunction function_of(const PairGeometry& g, const FoundContact& found
 Ball<double> slope_over(const MotionSegment& segment, const FastFunction& f, const Ball<double>& t) {
   // Coefficients are rounded by less than this share of their magnitudes' bounds.
   constexpr double rounding = 0x1p-45;
-  const Frame<double> frame = taut::frame(segment, t);
+  const Frame<double> frame = internal::frame(segment, t);
   const std::array<Jet<double>, 5>& side = f.pp ? frame.for_pp : frame.for_qq;
   const double bounds[5] = {f.m0, f.w, f.w, f.m34, f.m34};
   Ball<double> sum = Ball<double>::exact(0);

@@ -36,7 +36,7 @@ class KeptSearches {
   void clear() {
     if (kept_) std::apply([](auto&... kept) { (kept.clear(), ...); }, *kept_);
   }
-  /// Like taut::first_sign_change(), from a to b, which are the values of the key; refine(root) then tightens the
+  /// Like internal::first_sign_change(), from a to b, which are the values of the key; refine(root) then tightens the
   /// enclosure. If the refinement is interrupted, it restarts, because its course depends on where it begins.
   template <class Real, class Function, class Cut, class Refine>
   std::optional<RootEnclosure<Real>> root(const Key& key, const Function& f, const Real& a, const Real& b,

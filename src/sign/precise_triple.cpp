@@ -81,7 +81,7 @@ void PreciseTriple::refine_root(const PreciseFunction<Real>& f, int sign, RootEn
   if (const auto slope = steady_slope(rough, RealMax(root.lo), RealMax(root.hi))) {
     refine_with_slope(f, *slope, sign, root, enough);
   } else {
-    taut::refine(f, sign, root, enough);
+    internal::refine(f, sign, root, enough);
   }
 }
 

@@ -55,7 +55,7 @@ class SearchFromEnd {
   PreciseTime refined(int sign, const PreciseTime& t, Stage stage, double enough) const {
     RootEnclosure<Real> root{root_of_distance(t.lo()).lower(), root_of_distance(t.hi()).upper()};
     const double farthest = RealTraits<Real>::magnitude(direction_ > 0 ? root.hi : root.lo);
-    taut::refine(Expanded(*this, direction_ > 0 ? root.hi : root.lo), sign, root, enough / (2 * farthest));
+    internal::refine(Expanded(*this, direction_ > 0 ? root.hi : root.lo), sign, root, enough / (2 * farthest));
     // Bounds rounded outwards may be beyond the enclosure.
     const RealMax lo = std::max<RealMax>(time_at(root.lo).lower(), t.lo());
     const RealMax hi = std::min<RealMax>(time_at(root.hi).upper(), t.hi());
@@ -82,7 +82,7 @@ class SearchFromEnd {
       return near_end.sign() != 0 || !is_hidden_by_last(polynomial_, near_end, s) ? near_end : whole_(s).v;
     }
     std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& s) const {
-      return taut::expanded(reaching(s), Ball<Real>(s.mid, 0.0));
+      return internal::expanded(reaching(s), Ball<Real>(s.mid, 0.0));
     }
     /// All ranges are expansions about the middle.
     bool is_expanded(const Ball<Real>&) const { return true; }
@@ -137,13 +137,13 @@ class SearchFromEnd {
     const int sign = key.sign;
     if constexpr (std::is_same_v<Real, double>) {
       auto root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, search_budget<Real>);
-      if (root && !is_sharp(*root)) taut::refine(*this, sign, *root);
+      if (root && !is_sharp(*root)) internal::refine(*this, sign, *root);
       return root;
     } else {
       const Expanded expanded(*this, direction_ > 0 ? b : a);
       const auto refined = [&](RootEnclosure<Real>& root) {
-        taut::refine(expanded, sign, root);
-        if (!is_sharp(root)) taut::refine(*this, sign, root);
+        internal::refine(expanded, sign, root);
+        if (!is_sharp(root)) internal::refine(*this, sign, root);
       };
       return sharp_root(kept_.searches, key, expanded, a, b, Magnitudes{}, refined);
     }

@@ -132,7 +132,7 @@ LeafTest::Ahead LeafTest::leave_zero(FrameWindow& window, const Functions& f, do
   const int sign = precise_.side(root.pair, t);
   const LocalExpansion c(f.line, window, t, sign);
   if (c.slope.value < 0) return look_ahead(window, f, limit, sign, t, root);
-  const double step = taut::positive_until(0, c.slope.lower(), c.second.lower(), limit - t);
+  const double step = internal::positive_until(0, c.slope.lower(), c.second.lower(), limit - t);
   if (step >= limit - t) {
     t = limit;
     return Ahead::passed;

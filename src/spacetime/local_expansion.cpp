@@ -15,7 +15,7 @@ LocalExpansion::LocalExpansion(const FastFunction& f, FrameWindow& window, doubl
 }
 
 double LocalExpansion::positive_until(double limit) const {
-  return value.lower() > 0 ? taut::positive_until(value.lower(), slope.lower(), second.lower(), limit) : 0;
+  return value.lower() > 0 ? internal::positive_until(value.lower(), slope.lower(), second.lower(), limit) : 0;
 }
 
 double LocalExpansion::negative_from(double limit, double& falls_until) const {
@@ -23,7 +23,7 @@ double LocalExpansion::negative_from(double limit, double& falls_until) const {
   falls_until = 0;
   if (!(b < 0)) return std::numeric_limits<double>::infinity();
   falls_until = c > 0 ? std::fmin(limit, -b / c * (1 - 0x1p-48)) : limit;
-  const double h = taut::negative_from(value.upper(), b, c);
+  const double h = internal::negative_from(value.upper(), b, c);
   return h < falls_until ? h : std::numeric_limits<double>::infinity();
 }
 
