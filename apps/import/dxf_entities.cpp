@@ -38,6 +38,12 @@ double sweep_between(double from, double to) {
   return sweep <= 0 ? sweep + dxf_turn : sweep;
 }
 
+/// Programs write 2 pi, or 360 degrees, with as few as five digits; rounded up, it is a full turn and no sliver of one.
+bool is_full_turn(double from, double to) {
+  const double beyond = std::fabs(to - from) - dxf_turn;
+  return beyond > -1e-9 && beyond < 1e-4;
+}
+
 Chain circle_of(const DxfItem& item, const Affine& where, Flattener& flattener) {
   const double r = item.number(40);
   return closed_ellipse(item, where, flattener, item.point(10), {r, 0}, {0, r});
@@ -46,6 +52,7 @@ Chain circle_of(const DxfItem& item, const Affine& where, Flattener& flattener) 
 Chain arc_of(const DxfItem& item, const Affine& where, Flattener& flattener) {
   constexpr double degree = dxf_turn / 360;
   const double r = item.number(40), from = item.number(50) * degree, to = item.number(51, 360) * degree;
+  if (is_full_turn(from, to)) return circle_of(item, where, flattener);
   return open_ellipse(item, where, flattener, item.point(10), {r, 0}, {0, r}, from, sweep_between(from, to));
 }
 
@@ -54,8 +61,7 @@ Chain ellipse_of(const DxfItem& item, const Affine& where, Flattener& flattener)
   const double ratio = item.number(40, 1) * (item.number(230, 1) < 0 ? -1 : 1);
   const Point b{-a.y * ratio, a.x * ratio};
   const double from = item.number(41, 0), to = item.number(42, dxf_turn);
-  if (std::fabs(std::fabs(to - from) - dxf_turn) < 1e-9)
-    return closed_ellipse(item, where, flattener, item.point(10), a, b);
+  if (is_full_turn(from, to)) return closed_ellipse(item, where, flattener, item.point(10), a, b);
   return open_ellipse(item, where, flattener, item.point(10), a, b, from, sweep_between(from, to));
 }
 

@@ -67,6 +67,20 @@ TEST(ImportDxf, NestsOutlinesHolesAndIslands) {
   EXPECT_EQ(dxf_import(dxf_of(circle(3) + " " + circle(1) + " " + circle(2)), split).scene.bodies.size(), 2u);
 }
 
+/// Programs write 2 pi with six digits, or fewer, and rounded up it is a little more than a turn.
+TEST(ImportDxf, ReadsTurnsThatWereRoundedUp) {
+  const std::string plate = "0 LWPOLYLINE 8 a 90 4 70 1 10 0 20 0 10 40 20 0 10 40 20 40 10 0 20 40 ";
+  const std::string ellipse = "0 ELLIPSE 8 a 10 20 20 20 11 10 21 0 40 0.5 41 0 42 ";
+  const std::string arc = "0 ARC 8 a 10 20 20 20 40 10 50 0 51 ";
+  for (const std::string& hole :
+       {ellipse + "6.283185", ellipse + "6.28319", ellipse + "6.2832", arc + "360", arc + "360.0001"}) {
+    const auto import = dxf_import(dxf_of(plate + hole));
+    ASSERT_EQ(import.scene.bodies.size(), 1u) << hole;
+    ASSERT_EQ(import.scene.bodies[0].parts.size(), 1u) << hole;
+    EXPECT_EQ(import.scene.bodies[0].parts[0].holes.size(), 1u) << hole;
+  }
+}
+
 TEST(ImportDxf, CountsLinesThatComeTwiceAsNothing) {
   const auto import = dxf_import(
       dxf_of(std::string(triangle_lines) + " 0 LINE 8 a 10 50 20 0 11 60 21 0 0 LINE 8 a 10 60 20 0 11 50 21 0"));
