@@ -1,6 +1,7 @@
 #include "import/svg_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -16,6 +17,18 @@ namespace taut::drawing {
 using namespace internal;
 
 namespace {
+
+/// No colour, or one that lets everything through: rgba(0, 0, 0, 0), #0000, #00000000.
+bool is_see_through(const std::string& fill) {
+  if (fill == "none" || fill == "transparent") return true;
+  if (fill.starts_with('#')) {
+    return (fill.size() == 5 && fill.back() == '0') || (fill.size() == 9 && fill.ends_with("00"));
+  }
+  if (!fill.starts_with("rgba(") && !fill.starts_with("hsla(")) return false;
+  const std::string alpha = fill.substr(fill.find_last_of(",/") + 1);
+  return !alpha.empty() && alpha.find_first_not_of(" 0.%)") == std::string::npos &&
+         alpha.find('0') != std::string::npos;
+}
 
 constexpr int deepest_clone = 16;
 constexpr std::size_t most_cloned = 1000000;
@@ -159,21 +172,28 @@ class SvgReader {
     return unit;
   }
 
+  /// The words of style sheets are the same in capitals.
+  std::string word_of(const XmlElement& element, const std::string& name) const {
+    std::string word = styles_.property(element, name);
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word;
+  }
+
   Surroundings inside(const XmlElement& element, bool group) { return inside(element, group, element); }
 
   /// `named`: by which the layer is called where the element itself has no name.
   Surroundings inside(const XmlElement& element, bool group, const XmlElement& named) {
     Surroundings s = open_.back().around;
     s.where = s.where * parse_transform(element);
-    const std::string fill = styles_.property(element, "fill"), rule = styles_.property(element, "fill-rule");
-    if (!fill.empty() && fill != "inherit") s.filled = fill != "none" && fill != "transparent";
+    const std::string fill = styles_.property(element, "fill"), rule = word_of(element, "fill-rule");
+    if (!fill.empty() && word_of(element, "fill") != "inherit") s.filled = !is_see_through(word_of(element, "fill"));
     const std::string stroke = styles_.property(element, "stroke");
     for (const std::string* color : {&fill, &stroke})
       if (!color->empty() && *color != "inherit" && *color != "none") s.color = *color;
     if (!rule.empty() && rule != "inherit") s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
-    const std::string visibility = styles_.property(element, "visibility");
+    const std::string visibility = word_of(element, "visibility");
     if (!visibility.empty() && visibility != "inherit") s.hidden = visibility != "visible";
-    if (styles_.property(element, "display") == "none") s.displayed = false;
+    if (word_of(element, "display") == "none") s.displayed = false;
     tell_what_is_not_obeyed(element);
     if (s.layer < 0) {
       s.layer = static_cast<int>(drawing_.layers.size());

@@ -77,6 +77,28 @@ TEST(ImportSvg, HasCurvesWithinTheToleranceAndSaysSo) {
   }
 }
 
+/// A plate and its hole, both drawn as lines: words of style sheets are the same in capitals, and a colour that lets
+/// everything through fills nothing.
+TEST(ImportSvg, SeesWhatIsNotFilledInEverySpelling) {
+  for (const char* style : {"fill='none'", "style='fill:NONE'", "style='Fill:none'", "fill='transparent'",
+                            "fill='rgba(0,0,0,0)'", "fill='rgba(0 0 0 / 0%)'", "fill='#0000'", "fill='#00000000'"}) {
+    const std::string group = "<g " + std::string(style) + " stroke='red'>";
+    const auto import = svg_import(group + "<rect width='40' height='40'/><circle cx='20' cy='20' r='5'/></g>");
+    ASSERT_EQ(import.scene.bodies.size(), 1u) << style;
+    ASSERT_EQ(import.scene.bodies[0].parts.size(), 1u) << style;
+    EXPECT_EQ(import.scene.bodies[0].parts[0].holes.size(), 1u) << style;
+  }
+  for (const char* fill : {"#f00", "#0008", "rgba(0,0,0,0.5)", "BLACK"}) {
+    const std::string group = "<g fill='" + std::string(fill) + "'>";
+    const auto import = svg_import(group + "<rect width='40' height='40'/><circle cx='60' cy='20' r='5'/></g>");
+    EXPECT_EQ(import.scene.bodies.size(), 1u) << fill;
+  }
+  EXPECT_EQ(svg_import("<rect width='4' height='4'/><rect x='9' width='4' height='4' style='display:NONE'/>")
+                .scene.bodies[0]
+                .polygon.size(),
+            4u);
+}
+
 TEST(ImportSvg, FollowsBezierCurves) {
   // Under y = x (1 - x), by all spellings of the same parabola: a sixth.
   drawing::ImportSettings settings;
