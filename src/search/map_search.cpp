@@ -57,7 +57,7 @@ std::optional<Point> MapSearch::common_point(int body) {
   const PieceChain moves = pieces_at(mover_.motions, start_), rests = pieces_at({}, start_);
   const bool mover_is_q = pair.rings[1] == mover_.rings;
   return internal::common_point(pair, {mover_is_q ? rests : moves, mover_is_q ? moves : rests}, segments(pair)->front(),
-                            start_);
+                                start_);
 }
 
 bool MapSearch::start() {
