@@ -98,20 +98,23 @@ Reply ask_margin(const Scene& scene, const QuestionOptions& given) {
   return {margin_json(scene, clearance, check_clearance(scene, clearance, options), options.touch)};
 }
 
-Reply ask_clearance(const Scene& scene, const QuestionOptions& given) {
-  ClearanceOptions options;
+/// What clearance() and distance_profile() have in common.
+template <class Options>
+Options distance_options(const QuestionOptions& given) {
+  Options options;
   options.limits = given.limits();
   options.relative = given.number("tolerance", options.relative);
   options.all_pairs = given.all_pairs();
-  return {clearance_json(scene, clearance(scene, options))};
+  return options;
+}
+
+Reply ask_clearance(const Scene& scene, const QuestionOptions& given) {
+  return {clearance_json(scene, clearance(scene, distance_options<ClearanceOptions>(given)))};
 }
 
 Reply ask_profile(const Scene& scene, const QuestionOptions& given) {
-  ProfileOptions options;
-  options.limits = given.limits();
+  ProfileOptions options = distance_options<ProfileOptions>(given);
   options.instants = given.instants();
-  options.relative = given.number("tolerance", options.relative);
-  options.all_pairs = given.all_pairs();
   return {profile_json(scene, distance_profile(scene, options))};
 }
 

@@ -79,7 +79,7 @@ class CurvedIntervals {
     CheckOptions options = options_;
     options.limits.max_seconds -= seconds_since(began_);
     Scene polygons = world_.polygons(side);
-    polygons.ignore.insert(polygons.ignore.end(), dormant_.begin(), dormant_.end());
+    polygons.ignore.insert(polygons.ignore.end(), finished_.begin(), finished_.end());
     return intervals(polygons, options);
   }
 
@@ -150,13 +150,13 @@ class CurvedIntervals {
   }
 
   void ask_only(const std::set<std::array<BodyId, 2>>& open) {
-    dormant_.clear();
+    finished_.clear();
     const std::vector<Body>& bodies = world_.scene().bodies;
     const int n = static_cast<int>(bodies.size());
     for (int a = 0; a < n; ++a) {
       for (int b = a + 1; b < n; ++b) {
         if (open.count({a, b}) == 0 || undecided_.count({a, b}) > 0)
-          dormant_.push_back({bodies[static_cast<std::size_t>(a)].name, bodies[static_cast<std::size_t>(b)].name});
+          finished_.push_back({bodies[static_cast<std::size_t>(a)].name, bodies[static_cast<std::size_t>(b)].name});
       }
     }
   }
@@ -230,7 +230,7 @@ class CurvedIntervals {
   std::uint64_t segments_ = 0;  ///< of the finest window
   Intervals answer_;
   std::set<std::array<BodyId, 2>> undecided_;
-  std::vector<std::array<std::string, 2>> dormant_;  ///< by name, in the form in which a scene ignores pairs
+  std::vector<std::array<std::string, 2>> finished_;  ///< by name, in the form in which a scene ignores pairs
   double tolerance_ = 0;
 };
 

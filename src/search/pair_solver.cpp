@@ -64,11 +64,11 @@ spacetime::ContactSearch SpacetimeSolver::search(double from, double to) const {
 }
 
 void SpacetimeSolver::ask(double from, double to) {
-  if (!dormant_before(from)) note(search(from, to).go_on());
+  if (!decided_before(from)) note(search(from, to).go_on());
 }
 
 bool SpacetimeSolver::try_ask(double from, double to, std::uint64_t effort) {
-  if (dormant_before(from)) return true;
+  if (decided_before(from)) return true;
   const Budget turn(effort);
   if (!left_ || window_ != from) left_.emplace(search(from, to));
   window_ = from;

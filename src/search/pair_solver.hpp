@@ -100,7 +100,7 @@ class SpacetimeSolver final : public PairSolver {
   void resolve_start();
   spacetime::ContactSearch search(double from, double to) const;
   void note(const spacetime::SpacetimeResult& found);
-  bool dormant_before(double t) const { return !open() && result_.free_until <= t; }
+  bool decided_before(double t) const { return !open() && result_.free_until <= t; }
 
   PairInstance search_;
   bool inwards_;

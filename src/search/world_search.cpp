@@ -10,8 +10,8 @@
 namespace taut::internal {
 
 /// The pairs that enclosing windows have decided.
-struct WorldSearch::DormantCertificates {
-  const DormantCertificates* above;
+struct WorldSearch::DecidedPairs {
+  const DecidedPairs* above;
   std::unordered_set<std::uint64_t> pairs;
 
   static std::uint64_t key(int a, int b) {
@@ -58,8 +58,7 @@ void WorldSearch::run() {
   proved_ = plan_.end();
 }
 
-void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const DormantCertificates* above,
-                        int depth) {
+void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth) {
   if (over(from)) return;
   // Pairs that enclosing windows decide come after this one.
   if (!above || !above->any()) {
@@ -68,11 +67,11 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   }
   const double middle = from + (to - from) / 2;
   const bool divisible = from < middle && middle < to && depth < most_halvings;
-  DormantCertificates here{above, {}};
+  DecidedPairs here{above, {}};
   std::vector<std::pair<int, int>> now;
   std::unordered_set<int> again;
   MeetingBoxes(plan_, bodies, from, to).each_moving([&](int a, int b, bool longer) {
-    const std::uint64_t key = DormantCertificates::key(a, b);
+    const std::uint64_t key = DecidedPairs::key(a, b);
     if (above && above->has(key)) return;
     if (divisible && longer) {
       again.insert({a, b});
@@ -90,7 +89,7 @@ void WorldSearch::cover(double from, double to, const std::vector<int>& bodies, 
   std::sort(now.begin(), now.end());
   to_settle_ += now.size();
   for (const auto& [a, b] : now) {
-    report_parts("pairs in a stretch of time", dormant_++, to_settle_);
+    report_parts("pairs in a stretch of time", decided_++, to_settle_);
     settle(pair(a, b), from, to);
   }
 }

@@ -42,9 +42,9 @@ class WorldSearch {
   }
 
  private:
-  struct DormantCertificates;
+  struct DecidedPairs;
   PairSolver& pair(int a, int b);
-  void cover(double from, double to, const std::vector<int>& bodies, const DormantCertificates* above, int depth);
+  void cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth);
   void settle(PairSolver& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
@@ -54,7 +54,7 @@ class WorldSearch {
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;
-  std::uint64_t dormant_ = 0, to_settle_ = 0;  ///< pairs in windows, for progress reports
+  std::uint64_t decided_ = 0, to_settle_ = 0;  ///< pairs in windows, for progress reports
 };
 
 }  // namespace taut::internal
