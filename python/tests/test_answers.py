@@ -303,7 +303,7 @@ answer: taut2d.Answer = taut2d.check(scene)
 scene.bodies[0].name.upper()
 rows = taut2d.VelocityRows([(0, 1)], spin_deg=[3])
 moved: taut2d.Scene = scene.with_motion("a", rows[0])
-taut2d.check_many(moved, {"a": rows}, shapes={"b": [taut2d.Shape(square)]})["outcome"].mean()
+taut2d.check_many(moved, {"a": rows}, shapes={"b": [taut2d.Shape(stick)]})["outcome"].mean()
 taut2d.sweep(scene, {"a": rows}, to="folder").array().tobytes()
 moved.poses(0)["a"].cos.hex()
 moved.plot(at=answer)
@@ -322,6 +322,7 @@ answer.outcome == "collision"  # type: ignore[comparison-overlap]
     run = subprocess.run(["mypy", "--cache-dir", str(tmp_path), "--config-file", str(root / "python/pyproject.toml"),
                           str(root / "python/taut2d"), str(user)], stdout=subprocess.PIPE, text=True)
     assert run.returncode == 0, run.stdout
+
 
 def test_no_verdict_where_nothing_was_tested():
     falls = taut2d.Body("b", square(0, 5), taut2d.Velocity((0, -1)))
