@@ -39,7 +39,7 @@ struct Certified {
       : wanted(c),
         plan(plan_pair(c.scene)),
         geometry(displaced_pair(plan, true)),
-        segments(make_segments(plan.pieces[0], plan.pieces[1], c.scene.start, c.scene.end)) {}
+        segments(segments_of(plan, c.scene.start, c.scene.end)) {}
   double seconds() {
     const Stopwatch watch;
     const spacetime::Hierarchy p = spacetime::hierarchy_of_p(geometry), q = spacetime::hierarchy_of_q(geometry);

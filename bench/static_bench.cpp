@@ -33,7 +33,7 @@ void tiling(benchmark::State& state, std::size_t vertices) {
   const Scene scene = bay(vertices);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   const Placement placement(geometry, segments.front(), scene.start);
   double seconds = 0;
   std::size_t held = 0, peak = 0;

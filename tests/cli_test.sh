@@ -492,8 +492,8 @@ rm -rf inner
 world() { echo '{"format":"taut-scene/1","time":[0,1],"bodies":[{"name":"a","polygon":[[0,0],[1,0],[0,1]]},'"$1"']'"${2:-}"'}' >world.json; }
 world '{"name":"b","polygon":{"outline":[[2,0],[9,0],[9,9],[2,9]],"holes":[[[3,3],[4,3],[4,4],[3,4]]]}}'
 expect 0 '^FREE' '' check world.json
-expect 0 '"apart":1,.*"pairs":\[\]' '' check --json --pairs all world.json
-expect 2 '' 'world\.json: bodies: this takes scenes of two bodies, each one polygon' separator world.json
+expect 0 '"tested":1,.*"pairs":\[\{"bodies":\["a","b"\],"outcome":"free"\}\]' '' check --json --pairs all world.json
+expect 2 '' 'world\.json: bodies: a separator needs two bodies, each one polygon' separator world.json
 expect 1 'closer than 0.5 at t = ' '' check --clearance 0.5 hit.json
 expect 1 '"outcome":"contact","clearance":0.5,"t":' '' check --json --clearance 0.5 hit.json
 expect 2 '' 'clearance: it is not a positive number' check --clearance 0 hit.json

@@ -9,7 +9,7 @@
 #include "import/import.hpp"
 #include "io/json_text.hpp"
 #include "pair/curved_world.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "recording.hpp"
 #include "taut/ask.hpp"
 #include "taut/error.hpp"
@@ -78,7 +78,7 @@ const char* answered(const Work& work) {
     result = work(scene);
   } catch (const InputError& e) {
     const int named = body_at_fault(e.place(), &scene);
-    const int body = named < 0 && is_world(scene) ? body_of(e.culprits()) : named;
+    const int body = named < 0 && !is_ring_pair(scene) ? body_of(e.culprits()) : named;
     result = error_text("input", e.place(), e.problem(), e.hint(), body, e.culprits());
   } catch (const UndecidedError& e) {
     result = error_text("undecided", "", e.what(), "");
@@ -182,7 +182,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* taut_read_scene(const char* text, const char* name) {
   return answered([&](Scene& scene) {
     scene = parse_scene(text, name);
-    if (is_world(scene))
+    if (!is_ring_pair(scene))
       validate_curved_world(scene);
     else
       validate(scene);
@@ -234,7 +234,7 @@ EMSCRIPTEN_KEEPALIVE const char* taut_open(const char* text, const char* name, i
   return answered([&](Scene& scene) {
     scene = parse_scene(text, name);
     const Touch touch = closed != 0 ? Touch::closed : Touch::open;
-    if (is_world(scene)) {
+    if (!is_ring_pair(scene)) {
       world = std::make_unique<World>(scene, touch, longest_wait);
       recording.reset();
       return status_text(*world);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "report.hpp"
 #include "taut/motions.hpp"
 #include "taut/simulation.hpp"
@@ -47,7 +47,7 @@ std::string ending(const Scene& scene, const std::optional<Contact>& contact) {
 }  // namespace
 
 std::string animation(const Scene& scene, Touch touch, AnimateOptions options) {
-  if (is_world(scene)) {
+  if (!is_ring_pair(scene)) {
     CheckOptions asked;
     asked.touch = touch;
     asked.tell_touching = false;

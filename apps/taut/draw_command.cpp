@@ -6,7 +6,7 @@
 #include "animation.hpp"
 #include "commands.hpp"
 #include "io/terminal_text.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/check.hpp"
 #include "taut/error.hpp"
 #include "taut/io.hpp"
@@ -59,7 +59,7 @@ int draw_world(const DrawArguments& arguments, const Scene& scene) {
 
 int run_draw(DrawArguments arguments) {
   const Scene scene = load_scene(arguments.scene);
-  if (is_world(scene)) return draw_world(arguments, scene);
+  if (!is_ring_pair(scene)) return draw_world(arguments, scene);
   auto simulation =
       within_file(arguments.scene.path, [&] { return std::optional(Simulation(scene, arguments.touch)); });
   if (simulation->state() == SimulationState::overlap_at_start) {

@@ -6,9 +6,9 @@
 #include "commands.hpp"
 #include "pair/curved_world.hpp"
 #include "pair/pair_plan.hpp"
-#include "pair/validate_world.hpp"
 #include "scene_argument.hpp"
 #include "taut/error.hpp"
+#include "taut/validate.hpp"
 #include "viewer_page.hpp"
 
 namespace taut::cli {
@@ -25,10 +25,7 @@ struct ViewArguments {
 int run_view(const ViewArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
   try {
-    if (is_world(scene))
-      validate_curved_world(scene);
-    else
-      validated_facts(scene);
+    taut::validate(scene);
   } catch (const InputError& error) {
     throw error.within(display_name(arguments.scene.path));
   }

@@ -10,7 +10,6 @@
 
 #include "command_line/command_line.hpp"
 #include "compare/engines.hpp"
-#include "compare/starts.hpp"
 #include "compare/ties.hpp"
 #include "compare/timing.hpp"
 
@@ -21,7 +20,7 @@ struct Options {
   double seconds = 1;
   int largest = 400000;
   std::vector<std::string> only;
-  bool ties = false, starts = false;
+  bool ties = false;
 };
 
 /// One row: every engine in turn, again and again. What the machine does meanwhile slows all of them down.
@@ -108,12 +107,7 @@ int main(int argc, char** argv) {
   app.add_option("--largest", options.largest, "Leave out larger polygons");
   app.add_option("--only", options.only, "Families");
   app.add_flag("--ties", options.ties, "Compare scenes drawn on a grid with nudged ones instead");
-  app.add_flag("--starts", options.starts, "Compare starts near the last question's with new ones instead");
   return taut::cli::run_program(program, argc, argv, [&] {
-    if (options.starts) {
-      taut::bench::pin_to_this_core();
-      return taut::bench::compare_starts(options.seconds) ? 0 : 1;
-    }
     if (!options.ties) return taut::bench::compare(options);
     taut::bench::pin_to_this_core();
     return taut::bench::compare_ties(options.seconds) ? 0 : 1;

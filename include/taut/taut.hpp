@@ -34,7 +34,6 @@
 // Objects with memory
 //   taut/static_map.hpp  one body among many that rest, asked often
 //   taut/map_query.hpp   what a planner asks of such a map: places, straight motions, chains of links
-//   taut/warm_check.hpp  one question after another about the same shapes, from places near the last ones
 //   taut/simulation.hpp  the motion online: step, advance, change a motion, look at the tiling
 //
 // Scenes
@@ -81,4 +80,3 @@
 #include "taut/static_map.hpp"
 #include "taut/tracer.hpp"
 #include "taut/validate.hpp"
-#include "taut/warm_check.hpp"

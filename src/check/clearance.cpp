@@ -12,7 +12,7 @@
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/pair_instance.hpp"
 #include "sign/feature_map.hpp"
 #include "spacetime/resolve_nearest.hpp"
@@ -169,7 +169,7 @@ Clearance clearance(const Scene& scene, const ClearanceOptions& options) {
   Clearance answer;
   try {
     const std::string stopped = what_stops([&] {
-      validate_world(scene);
+      validate_polygons(scene);
       ClearanceSearch search(scene, options);
       answer.coverage = search.all_tested();
       answer = search.run();

@@ -8,7 +8,7 @@
 #include "check/curved_questions.hpp"
 #include "check/run.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/distance_curve.hpp"
 #include "taut/clearance.hpp"
 #include "taut/error.hpp"

@@ -10,7 +10,7 @@
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/overlap_intervals.hpp"
 #include "taut/error.hpp"
 #include "world/near_stretches.hpp"
@@ -51,12 +51,12 @@ using namespace internal;
 Intervals intervals(const Scene& scene, const CheckOptions& options) {
   if (has_curves(scene)) return intervals_of_curves(scene, options);
   // Limits start with the first pair, so that interruptions are reported pair by pair.
-  validate_world(scene);
+  validate_polygons(scene);
   const WorldPlan plan(scene);
   const NearStretches near(plan);
-  // For two plain polygons, the whole time is searched in one pass.
+  // A single pair is searched over the whole time in one pass.
   const std::vector<TimeInterval> throughout{{plan.start(), plan.end()}};
-  const bool plain = !is_world(scene);
+  const bool single = scene.bodies.size() == 2;
   const Budget scope(options.limits);
   Intervals answer;
   answer.coverage = plan.coverage(near.pairs().size());
@@ -68,7 +68,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   std::uint64_t searched = 0;
   for (const auto& [pair, stretches] : near.pairs()) {
     report_parts("pairs", searched++, near.pairs().size());
-    search_pair(plan, pair.first, pair.second, plain ? throughout : stretches, options.touch == Touch::open, plain,
+    search_pair(plan, pair.first, pair.second, single ? throughout : stretches, options.touch == Touch::open, single,
                 answer);
   }
   conclude(answer);

@@ -11,7 +11,7 @@
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_time.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/robot_search.hpp"
 #include "taut/error.hpp"
 
@@ -195,11 +195,9 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
   }
   for (const auto& [p, q] : search->meeting()) {
     const auto a = static_cast<std::size_t>(p), b = static_cast<std::size_t>(q);
-    PairPlan plan = pair_of(search->links()[a].rings, search->links()[b].rings, bodies->exponent, bodies->extent);
-    const bool swapped = plan.rings[0] != search->links()[a].rings;
-    const MotionChain of_p = chain_of(motions, swapped ? b : a, start, end);
-    const MotionChain of_q = chain_of(motions, swapped ? a : b, start, end);
-    auto segments = std::make_shared<const MotionSegments>(make_segments(of_p, of_q, start, end));
+    PairPlan plan = pair_of(search->links()[a].rings, chain_of(motions, a, start, end), search->links()[b].rings,
+                            chain_of(motions, b, start, end));
+    auto segments = std::make_shared<const MotionSegments>(segments_of(plan, start, end));
     SpacetimeSolver pair(PairInstance(std::move(plan), std::move(segments), inwards), inwards, start, end);
     pair.ask_start();
     if (pair.open()) pair.ask(start, end);

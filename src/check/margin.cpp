@@ -9,7 +9,7 @@
 #include "check/nearest_points.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "sign/feature_map.hpp"
 #include "spacetime/clearance.hpp"
 #include "spacetime/margin.hpp"
@@ -217,7 +217,7 @@ MarginAnswer check_clearance(const Scene& scene, double clearance, const CheckOp
   const Budget scope(options.limits);
   MarginAnswer answer;
   try {
-    validate_world(scene);
+    validate_polygons(scene);
     return MarginSearch(scene, clearance, options).run();
   } catch (const Interrupted& limit) {
     answer.reason = limit.reason;

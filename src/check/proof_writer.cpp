@@ -12,17 +12,18 @@ namespace taut::internal {
 using proof::Record;
 using proof::Shapes;
 
-void ProofWriter::started(const Session& session) {
-  geometry_ = &session.engine().geometry();
-  if (session.overlap_at_start()) return;
-  if (session.touching()) return contact_at_start(session);
+void ProofWriter::started(const KineticSolver& solver) {
+  segments_ = solver.segments();
+  const PairResult& known = solver.result();
+  if (known.touching) return contact_at_start(solver);
+  if (known.outcome != Outcome::free) return;
   header(touch_ == Touch::open ? Shapes::inwards : Shapes::outwards);
-  tiling(session.engine().map());
+  tiling(solver.engines()->engine(0).map());
 }
 
 /// All operations that may be interrupted come first, so that nothing is written partially.
-void ProofWriter::on_event(const EngineEvent& event) {
-  const double at = about(event);
+void ProofWriter::on_event(const KineticSolver& solver, const EngineEvent& event) {
+  const double at = about(solver.geometry(), event);
   to_segment(event.segment_index);
   const bool hit = event.report.repair == Repair::collision;
   switch (event.report.gone) {
@@ -42,11 +43,11 @@ void ProofWriter::on_event(const EngineEvent& event) {
 
 /// An instant so close to the event that the verifier finds it there. Where a function is flat, the engine's enclosure
 /// in doubles may be wide.
-double ProofWriter::about(const EngineEvent& event) const {
+double ProofWriter::about(const PairGeometry& geometry, const EngineEvent& event) {
   const MotionSegment& segment = *event.segment;
   PreciseTime t = PreciseTime::between(event.lo, event.hi);
   if (event.hi - event.lo > proof::nearness(segment.start, segment.end)) {
-    const PreciseTriple f(segment, *geometry_, CertificateFunction::of(*geometry_, event.u, event.v, event.w));
+    const PreciseTriple f(segment, geometry, CertificateFunction::of(geometry, event.u, event.v, event.w));
     if (const int before = f.sign_at(PreciseTime::between(event.lo, event.lo), Stage::precise))
       f.refine(before, t, Stage::precise);
   }
@@ -54,15 +55,18 @@ double ProofWriter::about(const EngineEvent& event) const {
   return lo + (hi - lo) / 2;
 }
 
-void ProofWriter::ended(const Session& session, const Answer& answer) {
-  const Engine& engine = session.engine();
+void ProofWriter::end(const Answer& answer) {
+  if (!started_) return;
   if (answer.outcome == Outcome::free) kind(Record::free);
-  if (answer.outcome == Outcome::undecided) {
-    to_segment(engine.segment_index());
-    kind(Record::free_until);
-    out_.f64(engine.segment().bridge ? 0.0 : answer.free_until);
-  }
+  if (answer.outcome == Outcome::undecided) free_until(answer.free_until);
   out_.close();
+}
+
+/// On the first segment that reaches this time, unless events have gone further.
+void ProofWriter::free_until(double t) {
+  to_segment(std::max(segment_, std::min(segments_.first_until(t), segments_.size() - 1)));
+  kind(Record::free_until);
+  out_.f64(segments_.place(segment_).bridge ? 0.0 : t);
 }
 
 void ProofWriter::to_segment(std::size_t segment) {
@@ -70,6 +74,7 @@ void ProofWriter::to_segment(std::size_t segment) {
 }
 
 void ProofWriter::header(Shapes shapes) {
+  started_ = true;
   proof::write_header(
       out_, {proof::of_tilings, scene_fingerprint(scene_, touch_), touch_, static_cast<std::uint8_t>(shapes)});
 }
@@ -84,18 +89,23 @@ void ProofWriter::tiling(const PlanarMap& map) {
 }
 
 /// The outward shapes overlap already, but the inward ones do not: a tiling of the inward shapes proves it.
-void ProofWriter::contact_at_start(const Session& session) {
-  const PairGeometry inner = displaced_pair(session.plan(), true);
+void ProofWriter::contact_at_start(const KineticSolver& solver) {
+  const PairGeometry inner = displaced_pair(solver.plan(), true);
   header(Shapes::inwards);
-  tiling(build_tiling(Placement(inner, session.engine().segment(), scene_.start)).map);
+  tiling(build_tiling(Placement(inner, segments_.front(), scene_.start)).map);
   kind(Record::touching);
-  out_.u32(session.touching()->edge_p.value);
-  out_.u32(session.touching()->edge_q.value);
+  out_.u32(solver.result().touching->edge_p.value);
+  out_.u32(solver.result().touching->edge_q.value);
 }
 
-Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+Answer prove_by_tiling(const Scene& scene, std::ostream& log, const CheckOptions& given) {
+  CheckOptions options = given;
+  options.engine = EngineChoice::kinetic;
   ProofWriter writer(scene, options.touch, log);
-  return run_kinetic(scene, options, writer);
+  Run run(scene, options, &writer);
+  run.run();
+  writer.end(run.answer());
+  return run.answer_with_touching();
 }
 
 }  // namespace taut::internal

@@ -3,34 +3,37 @@
 
 #include <iosfwd>
 
-#include "check/run_watcher.hpp"
+#include "check/run.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 
 namespace taut::internal {
 
-/// Observes one run. The log is complete when ended() returns.
-class ProofWriter : public RunWatcher {
+/// Observes one run. The log is complete when end() returns.
+class ProofWriter final : public KineticObserver {
  public:
   ProofWriter(const Scene& scene, Touch touch, std::ostream& log) : scene_(scene), touch_(touch), out_(log) {}
 
-  void started(const Session& session) override;
-  void on_event(const EngineEvent& event) override;
-  void ended(const Session& session, const Answer& answer) override;
+  void started(const KineticSolver& solver) override;
+  void on_event(const KineticSolver& solver, const EngineEvent& event) override;
+  /// Called once, with the answer of the run.
+  void end(const Answer& answer);
 
  private:
   void kind(proof::Record r) { out_.u8(static_cast<std::uint8_t>(r)); }
   void to_segment(std::size_t segment);
   void header(proof::Shapes shapes);
   void tiling(const PlanarMap& map);
-  void contact_at_start(const Session& session);
-  double about(const EngineEvent& event) const;
+  void contact_at_start(const KineticSolver& solver);
+  void free_until(double t);
+  static double about(const PairGeometry& geometry, const EngineEvent& event);
 
   const Scene& scene_;
   Touch touch_;
   proof::ByteWriter out_;
   std::size_t segment_ = 0;
-  const PairGeometry* geometry_ = nullptr;  ///< of the observed session
+  MotionSegments segments_;  ///< of the observed pair
+  bool started_ = false;     ///< is there a header?
 };
 
 /// Proves the answer by the kinetic data structure, with a log of a tiling. Requires two bodies of one polygon each.

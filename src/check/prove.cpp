@@ -5,14 +5,16 @@
 #include "check/prove_curves.hpp"
 #include "check/prove_separations.hpp"
 #include "pair/curved_world.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 
 namespace taut {
 using namespace internal;
 
-Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& given) {
+  CheckOptions options = given;
+  options.all_pairs = false;
   if (options.fit != 0)
     throw InputError("fit", "a proof is about bodies as they are given",
                      "prove it without, or shrink the bodies yourself");
@@ -20,19 +22,21 @@ Answer prove(const Scene& scene, std::ostream& log, const CheckOptions& options)
   // to all of them together.
   const Budget scope(options.limits);
   if (has_curves(scene)) return prove_curves(scene, log, options);
-  if (is_world(scene)) return prove_by_separations(scene, log, options);
-  switch (engine_for_two(options)) {
+  if (!is_ring_pair(scene)) return prove_by_separations(scene, log, options);
+  switch (options.engine) {
     case EngineChoice::kinetic:
       return prove_by_tiling(scene, log, options);
-    case EngineChoice::spacetime:
-      return prove_by_separations(scene, log, options);
-    case EngineChoice::either: {
-      const Answer first = run_either(scene, options);
-      return first.engine == EngineName::kinetic ? prove_by_tiling(scene, log, options)
-                                                 : prove_by_separations(scene, log, options, first);
+    case EngineChoice::both: {
+      CheckOptions boxes = options;
+      boxes.engine = EngineChoice::spacetime;
+      return agreed(prove_by_tiling(scene, log, options), run_engines(scene, boxes));
     }
-    default:
-      return agreed(prove_by_tiling(scene, log, options), run_spacetime(scene, options));
+    default: {
+      Run run(scene, options);
+      run.run();
+      return run.answer().engine == EngineName::kinetic ? prove_by_tiling(scene, log, options)
+                                                        : prove_by_separations(run, scene, log, options);
+    }
   }
 }
 

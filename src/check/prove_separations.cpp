@@ -10,7 +10,6 @@
 #include "base/errors.hpp"
 #include "check/prove_curves.hpp"
 #include "check/separations_writer.hpp"
-#include "check/world_run.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/curved_world.hpp"
 #include "proof/header.hpp"
@@ -79,8 +78,8 @@ std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::Ver
 }
 
 /// The body of the log of an answer, without its header; none if there is nothing to prove.
-std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::VerifierScene& proved,
-                                           const Answer& answer, Touch touch) {
+std::optional<SeparationsBody> body_of_log(const Run& run, const proof::VerifierScene& proved, const Answer& answer,
+                                           Touch touch) {
   const bool inwards = touch == Touch::open;
   if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
   // If there are two bodies, their only pair has its own section.
@@ -98,75 +97,19 @@ std::optional<SeparationsBody> body_of_log(const WorldRun& run, const proof::Ver
 
 namespace taut::internal {
 
-Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& given) {
-  CheckOptions options = given;
-  options.all_pairs = false;
-  WorldRun run(scene, options);
-  run.work(UINT64_MAX);
-  Answer answer = with_touching(run, scene, options, run_world);
+Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  Run run(scene, options);
+  run.run();
+  return prove_by_separations(run, scene, log, options);
+}
+
+Answer prove_by_separations(const Run& run, const Scene& scene, std::ostream& log, const CheckOptions& options) {
+  const Answer answer = run.answer_with_touching();
   if (!run.search()) return answer;
   return if_proved(answer, scene.start, [&] {
     if (const auto body = body_of_log(run, proof::VerifierScene(scene), answer, options.touch))
       write_log(log, scene, options.touch, *body);
   });
-}
-
-}  // namespace taut::internal
-
-namespace taut {
-using namespace internal;
-
-namespace {
-
-/// The contact of the only two bodies in the terms of a log, in which the displacement differs from that of the
-/// engines. The search starts shortly before the known time of contact. None if the contact is not found there.
-std::optional<PairResult> contact_after(const proof::VerifierPair& pair, const Answer& known, double start,
-                                        double end) {
-  constexpr double shortly = 0x1p-30;
-  const double from = known.free_until - shortly * (end - start);
-  if (!(from > start)) return std::nullopt;
-  const spacetime::Hierarchy p = spacetime::hierarchy_of_p(pair.geometry), q = spacetime::hierarchy_of_q(pair.geometry);
-  const spacetime::SpacetimeResult found =
-      spacetime::ContactSearch(pair.geometry, {p, q}, pair.segments, spacetime::TimeWindow{from, end, false}).go_on();
-  if (found.outcome != spacetime::SpacetimeResult::contact) return std::nullopt;
-  PairResult result;
-  result.b = 1;
-  result.found = found.found;
-  result.segment = found.segment;
-  return result;
-}
-
-/// The body for an answer by polygons that the engines displaced; none if the answer has to be found again.
-std::optional<SeparationsBody> body_of_known(const Answer& known, const proof::VerifierScene& proved, bool inwards) {
-  if (known.outcome == Outcome::free) return freedom(known, proved, inwards, 0);
-  if (known.outcome != Outcome::contact) return std::nullopt;
-  SeparationsWriter writer(proved, inwards);
-  const proof::VerifierPair& pair = writer.pair(0, 1);
-  const auto met = contact_after(pair, known, proved.start(), proved.end());
-  if (!met) return std::nullopt;
-  const double at = pair.segments[met->segment].time(met->found->lo);
-  return writer.contact(*met, std::clamp(std::min(known.free_until, at), proved.start(), proved.end()));
-}
-
-}  // namespace
-
-}  // namespace taut
-
-namespace taut::internal {
-
-Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known) {
-  std::optional<SeparationsBody> body;
-  const Answer proved = if_proved(known, scene.start, [&] {
-    try {
-      body = body_of_known(known, proof::VerifierScene(scene), options.touch == Touch::open);
-    } catch (const Undecidable&) {
-      // A repeated search may decide where this one did not.
-    }
-    if (body) write_log(log, scene, options.touch, *body);
-  });
-  // Bodies whose overlap is about as large as the displacement may be free for the engines, but not in the log.
-  const bool stopped = proved.outcome != known.outcome;
-  return body || stopped ? proved : prove_by_separations(scene, log, options);
 }
 
 }  // namespace taut::internal

@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 
+#include "check/run.hpp"
 #include "taut/check.hpp"
 
 namespace taut::internal {
@@ -11,8 +12,7 @@ namespace taut::internal {
 /// is complete. An answer for which no log was found is `undecided`. Throws InputError.
 Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options);
 
-/// Proves a known answer about two polygons: no engine has to find again that nothing happens, or nothing before a
-/// contact.
-Answer prove_by_separations(const Scene& scene, std::ostream& log, const CheckOptions& options, const Answer& known);
+/// Proves the answer of a run that has ended.
+Answer prove_by_separations(const Run& run, const Scene& scene, std::ostream& log, const CheckOptions& options);
 
 }  // namespace taut::internal

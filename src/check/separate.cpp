@@ -10,7 +10,7 @@
 #include "check/curved_questions.hpp"
 #include "numeric/undecided.hpp"
 #include "pair/untested.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/free_directions.hpp"
 #include "search/pair_instance.hpp"
 #include "taut/error.hpp"
@@ -172,7 +172,7 @@ Separation separate(const Scene& scene, const SeparateOptions& options) {
   const Budget scope(options.limits);
   Separation answer;
   const std::string stopped = what_stops([&] {
-    validate_world(scene);
+    validate_polygons(scene);
     SeparationSearch search(scene, options.travel);
     answer.coverage = search.coverage();
     answer = search.run();

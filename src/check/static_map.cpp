@@ -11,8 +11,7 @@
 #include "check/static_map_parts.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_time.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 
 namespace taut {
 using namespace internal;
@@ -51,12 +50,6 @@ ShapeFacts range_of(const std::vector<Body>& bodies) {
   return range;
 }
 
-Bounds unscaled(const RingSet& rings, int exponent) {
-  const Bounds& b = rings.bounds();
-  const auto back = [&](const Point& p) { return Point{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent)}; };
-  return {back(b.lo), back(b.hi)};
-}
-
 std::vector<SweptBox> boxes_of(const std::vector<SharedRings>& rings) {
   std::vector<SweptBox> boxes;
   for (const SharedRings& r : rings) boxes.push_back(swept_box({r, {}, 0}, 0, 0));
@@ -86,7 +79,12 @@ class MapRun {
  public:
   MapRun(const MapBodies& bodies, const StaticMap::Mover::Impl& mover, const Motion& motion, double start, double end,
          const CheckOptions& options)
-      : bodies_(bodies), start_(start), end_(end), options_(options), mover_{mover.rings, {}, 0} {
+      : bodies_(bodies),
+        start_(start),
+        end_(end),
+        options_(options),
+        scope_(options.limits),
+        mover_{mover.rings, {}, 0} {
     const PieceList pieces = PieceList::between(motion, start, end, bodies.exponent);
     if (!pieces.rests()) mover_.motions.push_back(pieces);
   }
@@ -115,6 +113,7 @@ class MapRun {
     MapSearch search(bodies_, mover_, start_, end_, inwards);
     std::string stopped;
     try {
+      scope_.check();
       if (search.start()) search.run();
       answer.outcome = Outcome::free;
       answer.free_until = end_;
@@ -150,6 +149,7 @@ class MapRun {
   const MapBodies& bodies_;
   double start_, end_;
   const CheckOptions& options_;
+  Budget scope_;
   WorldBody mover_;
   bool beyond_doubles_ = false;
 };
@@ -160,7 +160,7 @@ StaticMap::StaticMap(std::vector<Body> bodies, double reach) {
   const auto impl = std::make_shared<Impl>();
   for (const Body& body : bodies) expect_rest(body);
   const Scene scene = resting(std::move(bodies));
-  validate_world(scene);
+  validate_polygons(scene);
   impl->bodies = scene.bodies;
   impl->range = range_of(impl->bodies);
   impl->largest = reach;
@@ -177,7 +177,7 @@ StaticMap::Mover StaticMap::prepare(const Body& body) const {
   Body shape = body;
   shape.motion = {};
   shape.relative_to.clear();
-  validate_world(resting({shape}));
+  validate_polygons(resting({shape}));
   validate_range(impl_->range, range_of({shape}));
   if (largest_coordinate(shape) > impl_->largest)
     throw InputError(body.name, "the shape has coordinates beyond the map's reach",
@@ -185,7 +185,7 @@ StaticMap::Mover StaticMap::prepare(const Body& body) const {
   const auto mover = std::make_shared<Mover::Impl>();
   mover->name = body.name;
   mover->rings = std::make_shared<const RingSet>(shape, static_cast<int>(size()), impl_->prepared.exponent);
-  mover->bounds = unscaled(*mover->rings, impl_->prepared.exponent);
+  mover->bounds = mover->rings->input_bounds();
   mover->extent = std::max(impl_->prepared.extent, diagonal(mover->bounds));
   mover->map = impl_.get();
   return Mover(mover);
@@ -200,7 +200,6 @@ Answer StaticMap::check(const Mover& mover, const Motion& motion, double start, 
   time.end = end;
   validate_time(time);
   validate_motion(motion, mover.name(), mover.impl_->bounds, start, end, mover.impl_->extent);
-  const Budget scope(options.limits);
   return MapRun(impl_->prepared, *mover.impl_, motion, start, end, options).run();
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include "envelope/pose_model.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut {
@@ -64,7 +64,7 @@ void validate(const Linkage& linkage) {
     if (!linkage.motions[i]) continue;
     validate_motion(*linkage.motions[i], linkage.joints, "bodies[" + std::to_string(i) + "].motion");
   }
-  validate_world(resting_scene(linkage));
+  validate_polygons(resting_scene(linkage));
 }
 
 Scene posed(const Linkage& linkage, const std::array<double, max_joints>& values) {

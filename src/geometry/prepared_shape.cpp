@@ -5,10 +5,6 @@
 
 namespace taut::internal {
 
-SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role) {
-  return displaced_polygon(polygon, role.inwards, role.seed);
-}
-
 PreparedShape::PreparedShape(const Polygon& polygon, const std::string& name) : polygon_(polygon) {
   validate_polygon(polygon, name);
   facts_ = facts_of(polygon);
@@ -33,30 +29,21 @@ std::shared_ptr<const ShapeInRole> PreparedShape::make(const ShapeRole& role) co
   auto fresh = std::make_shared<ShapeInRole>();
   fresh->role = role;
   fresh->polygon = scaled_locked(role.exponent);
-  fresh->displaced = displaced_for(*fresh->polygon, role);
+  fresh->displaced = displaced_polygon(*fresh->polygon, role.inwards, role.seed);
   return fresh;
 }
 
-const ShapeInRole& PreparedShape::in_role(const ShapeRole& role) const {
+std::shared_ptr<const ShapeInRole> PreparedShape::in_role(const ShapeRole& role) const {
   const std::lock_guard lock(mutex_);
   for (const auto& known : roles_) {
-    if (known->role == role) return *known;
-  }
-  roles_.push_back(make(role));
-  return *roles_.back();
-}
-
-std::shared_ptr<const ShapeInRole> PreparedShape::in_world(const ShapeRole& role) const {
-  const std::lock_guard lock(mutex_);
-  for (const auto& known : in_world_) {
     if (known->role == role) return known;
   }
   std::shared_ptr<const ShapeInRole> fresh = make(role);
-  if (in_world_.size() < most_in_world) {
-    in_world_.push_back(fresh);
+  if (roles_.size() < most_roles) {
+    roles_.push_back(fresh);
   } else {
-    in_world_[next_in_world_] = fresh;
-    next_in_world_ = (next_in_world_ + 1) % most_in_world;
+    roles_[next_role_] = fresh;
+    next_role_ = (next_role_ + 1) % most_roles;
   }
   return fresh;
 }

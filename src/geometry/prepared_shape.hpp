@@ -15,16 +15,12 @@
 
 namespace taut::internal {
 
-/// What a body is in one pair, or in one world: in which units, and how it is displaced.
+/// What a body is in one scene: in which units, and how it is displaced.
 struct ShapeRole {
   std::uint64_t seed = 0;  ///< of the displacement
   bool inwards = true;
   int exponent = 0;  ///< coordinates are the input's times 2^exponent
 
-  /// Of P or Q, where there are two bodies.
-  static ShapeRole of(Role role, bool inwards, int exponent) {
-    return {role == Role::p ? std::uint64_t{1} : std::uint64_t{0x1234567}, inwards, exponent};
-  }
   friend bool operator==(const ShapeRole&, const ShapeRole&) = default;
 };
 
@@ -35,7 +31,7 @@ struct ShapeInRole {
   SharedPolygon displaced;                            ///< and displaced
 
   /// What one of the layers above makes of it, once, and keeps here.
-  enum Keeper : std::size_t { tiling, hierarchy, keepers };
+  enum Keeper : std::size_t { tiling_of_p, tiling_of_q, hierarchy, keepers };
   template <class T, class Make>
   const T* kept(Keeper keeper, const Make& make) const {
     const std::lock_guard lock(mutex_);
@@ -61,15 +57,12 @@ class PreparedShape {
   double diameter_squared() const { return diameter_squared_; }
   /// The polygon normalised, in coordinates multiplied by 2^exponent: those last asked for are kept.
   std::shared_ptr<const std::vector<Point>> scaled(int exponent) const;
-  /// As P or as Q: computed once for each such role, and kept as long as the shape.
-  const ShapeInRole& in_role(const ShapeRole& role) const;
-  /// As one of many bodies, each of which is displaced in a way of its own: the last ones are kept.
-  std::shared_ptr<const ShapeInRole> in_world(const ShapeRole& role) const;
+  /// As one of the bodies of a scene, each of which is displaced in a way of its own: the last ones are kept.
+  std::shared_ptr<const ShapeInRole> in_role(const ShapeRole& role) const;
 
  private:
-  /// Bodies of a world, in both readings of touching, of which this is the shape: with more of them none would be
-  /// found.
-  static constexpr std::size_t most_in_world = 64;
+  /// Bodies of a scene, in both touch modes, of which this is the shape: with more of them none would be found.
+  static constexpr std::size_t most_roles = 64;
 
   std::shared_ptr<const std::vector<Point>> scaled_locked(int exponent) const;
   std::shared_ptr<const ShapeInRole> make(const ShapeRole& role) const;
@@ -81,14 +74,10 @@ class PreparedShape {
   mutable std::shared_ptr<const std::vector<Point>> scaled_;
   mutable int exponent_ = 0;  ///< of these
   mutable std::vector<std::shared_ptr<const ShapeInRole>> roles_;
-  mutable std::vector<std::shared_ptr<const ShapeInRole>> in_world_;
-  mutable std::size_t next_in_world_ = 0;  ///< which of them gives way to the next one
+  mutable std::size_t next_role_ = 0;  ///< which of them gives way to the next one
 };
 
 /// Throws InputError, with what to do, if the body is bounded by curves.
 void refuse_curves(const Body& body);
-
-/// A normalised polygon, displaced for a role.
-SharedPolygon displaced_for(const std::vector<Point>& polygon, const ShapeRole& role);
 
 }  // namespace taut::internal

@@ -10,7 +10,7 @@
 #include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "pair/ring_set.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "relative/make_segments.hpp"
 #include "taut/error.hpp"
 
@@ -151,7 +151,7 @@ CoveredCells cells(const Scene& scene, BodyId body, const CellOptions& options) 
     throw InputError("cells", "the origin is not finite", "give the corner of cell (0, 0)");
   if (body < 0 || static_cast<std::size_t>(body) >= scene.bodies.size())
     throw InputError("cells", "there is no body " + std::to_string(body), "the first one is 0");
-  validate_world(scene);
+  validate_polygons(scene);
   try {
     const Budget scope(options.limits);
     return CellSweep(scene, scene.bodies[static_cast<std::size_t>(body)], options).run();

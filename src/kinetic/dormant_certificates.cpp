@@ -41,18 +41,6 @@ void DormantCertificates::unsettle(CertificateId id) {
   open_.push_back(id);
 }
 
-void DormantCertificates::forget() {
-  std::fill(dormant_.begin(), dormant_.end(), false);
-  list_open();
-  region_.reset();
-  seen_.reset();
-  spent_ = 0;
-  until_ = never;
-  failures_ = skip_ = 0;
-}
-
-void DormantCertificates::begin_passage(std::size_t active) { regions_left_ = active >= many_certificates ? 1 : 0; }
-
 void DormantCertificates::begin_segment() { regions_left_ = regions_per_segment; }
 
 void DormantCertificates::note_motion(const MotionSegment& segment, double until) {

@@ -33,13 +33,8 @@ class DormantCertificates {
   /// The certificate is scheduled, and from now on it is not dormant.
   void unsettle(CertificateId id);
 
-  /// Resets to the state in which no segment has been seen.
-  void forget();
   /// Allows a limited number of regions to be tried on each segment.
   void begin_segment();
-  /// Begins a segment that is traversed only once, with this many active certificates. A region is tried only if the
-  /// certificates are so many that a region costs less than they do.
-  void begin_passage(std::size_t active);
   /// The motion went from the segment's start to `until`. The range that it has covered is the best prediction of its
   /// future range.
   void note_motion(const MotionSegment& segment, double until);

@@ -199,24 +199,12 @@ void Engine::reserve_for_segments() {
   if (!segments_.straight()) solver_.reserve_cells();
 }
 
-void Engine::begin_question(MotionSegments segments) {
-  events_ = 0;
-  initial_ = max_active_ = active_;
-  dormant_.forget();
-  passing_ = false;
-  replan(std::move(segments));
-}
-
 void Engine::enter_segment() {
   segment_ = segments_.hold(current_);
   parameter_ = reached_ = segment().start;
   queue_.clear();
   solver_.enter(segment());
-  if (passing_) {
-    dormant_.begin_passage(active_);
-  } else {
-    dormant_.begin_segment();
-  }
+  dormant_.begin_segment();
   check_dormant(segment().start, true);
 }
 

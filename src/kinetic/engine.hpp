@@ -39,11 +39,6 @@ enum class EngineState : unsigned char { running, finished, contact, overlap };
 /// Known tilings of the single bodies, displaced as in the pair. A pointer is null if the tiling is not known.
 struct KnownTilings {
   const ShapeTiling *p = nullptr, *q = nullptr;
-  /// Alternatively, the whole tiling at the start. The start is also the placement at that parameter of another
-  /// segment. The first segment may then be a bridge.
-  const PlanarMap* map = nullptr;
-  const MotionSegment* placed = nullptr;
-  double parameter = 0;
 };
 
 /// Follows a sequence of segments. Once its buffers have grown, it allocates nothing per event.
@@ -84,12 +79,6 @@ class Engine {
   std::optional<std::pair<double, double>> next_event(double t);
   /// The certificate that will fail next. Requires that next_event() found one.
   const Certificate& upcoming() const { return certificates_[next_.value]; }
-  /// Begins a new query at the end of the segments. What came before is not part of it: events and certificates are
-  /// counted from here.
-  void begin_question(MotionSegments segments);
-  /// Sets the observer that is notified of events from now on; may be null.
-  void watch(EngineObserver* observer) { observer_ = observer; }
-  const std::shared_ptr<const MotionSegment>& held_segment() const { return segment_; }
   /// Replaces all segments from the current time on. The first new segment must start at time().
   void replan(MotionSegments segments);
 
@@ -110,7 +99,6 @@ class Engine {
 
  private:
   void build(const KnownTilings& known);
-  void take_map(const KnownTilings& known);
   void begin(const Placement& placement);
   std::size_t mixed_edges() const;
   void add_certificates(const Placement& placement);
@@ -176,7 +164,6 @@ class Engine {
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time
   EngineState state_ = EngineState::running;
-  bool passing_ = false;  ///< moving to the place where the query begins
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;

@@ -9,7 +9,7 @@ namespace taut::internal {
 
 namespace {
 
-/// In units of checkpoint(): the work per vertex of a tiling built from scratch, and the work of every start.
+/// In units of checkpoint(): the work per vertex of a tiling, and the work of every start.
 constexpr std::uint64_t work_of_vertex = 16, work_of_start = 80;
 
 }  // namespace
@@ -23,28 +23,32 @@ Engine::Engine(PairGeometry geometry, MotionSegments segments, EngineObserver* o
       queue_(certificates_, solver_.pool()),
       dormant_(geometry_, certificates_) {
   parameter_ = reached_ = segment().start;
-  if (known.map) {
-    take_map(known);
-  } else {
-    build(known);
-  }
+  build(known);
 }
 
 namespace {
 
-StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
+StaticTiling unmetered_tiling(Placement& placement, const KnownTilings& known) {
+  const UnmeteredScope building;
   if (known.p && known.q) {
     if (auto joined = join_tilings(placement, *known.p, *known.q)) return std::move(*joined);
   }
-  checkpoint_before(work_of_vertex * placement.size());
   placement.tabulate();
   return build_tiling(placement);
+}
+
+/// The counted work does not depend on what is known: neither does which of two engines is first.
+StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
+  const std::uint64_t work = work_of_start + work_of_vertex * placement.size();
+  checkpoint_before(work);
+  StaticTiling tiling = unmetered_tiling(placement, known);
+  count_work(work);
+  return tiling;
 }
 
 }  // namespace
 
 void Engine::build(const KnownTilings& known) {
-  count_work(work_of_start);
   Placement placement(geometry_, segment(), parameter_, Positions::on_demand);
   StaticTiling tiling = tiling_of(placement, known);
   if (tiling.overlap) {
@@ -55,12 +59,6 @@ void Engine::build(const KnownTilings& known) {
   map_ = std::move(tiling.map);
   initial_root_ = tiling.root;
   begin(placement);
-}
-
-void Engine::take_map(const KnownTilings& known) {
-  map_ = *known.map;
-  passing_ = true;
-  begin(Placement(geometry_, *known.placed, known.parameter, Positions::on_demand));
 }
 
 /// Starts with the certificates of the map at that placement.

@@ -11,20 +11,37 @@
 
 namespace taut::internal {
 
-RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
+RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, MotionSegments segments,
                          EngineObserver* observer)
     : plan_(plan), geometry_(geometry), inwards_(inwards), segments_(std::move(segments)) {
-  const MotionSegment& first = segments_[0].front();
-  const Placement placement(geometry, first, first.start, Positions::on_demand);
-  const RingMeetings meetings = ring_meetings(plan, placement);
-  at_start_ = placement.stages();
+  const RingMeetings meetings = meetings_at_start();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
-  rings_recur_ = meetings.pairs.size() > plan.rings[0]->rings().size() + plan.rings[1]->rings().size();
+  keeps_tilings_ = meetings.pairs.size() > plan.rings[0]->rings().size() + plan.rings[1]->rings().size() ||
+                   (plan.rings[0]->is_prepared() && plan.rings[1]->is_prepared());
   for (const RingMeeting& rings : meetings.pairs) {
     begin(rings, observer);
     if (overlap_) return;
   }
+}
+
+/// The tiling of two single rings also shows whether one lies inside the other.
+RingMeetings RingEngines::meetings_at_start() {
+  if (plan_.rings[0]->rings().size() == 1 && plan_.rings[1]->rings().size() == 1) return {{{0, 0}}, {}};
+  const MotionSegment& first = segments_.front();
+  const Placement placement(geometry_, first, first.start, Positions::on_demand);
+  RingMeetings meetings = ring_meetings(plan_, placement);
+  at_start_ = placement.stages();
+  return meetings;
+}
+
+const MotionSegments& RingEngines::segments_in_roles(bool exchanged) {
+  if (!exchanged) return segments_;
+  if (!exchanged_segments_) {
+    const double start = segments_.place(0).start, end = segments_.place(segments_.size() - 1).end;
+    exchanged_segments_ = exchanged_segments_of(plan_, start, end);
+  }
+  return *exchanged_segments_;
 }
 
 /// The ring that plays this role.
@@ -61,9 +78,9 @@ void RingEngines::begin(const RingMeeting& rings, EngineObserver* observer) {
   // A container surrounds its contents, so no faces far from it are worth keeping.
   const bool contained = p.rings()[rings.p].ring > 0 || q.rings()[rings.q].ring > 0;
   KnownTilings known;
-  if (rings_recur_ && !contained) known = {tiling_of(run, Role::p), tiling_of(run, Role::q)};
+  if (keeps_tilings_ && !contained) known = {tiling_of(run, Role::p), tiling_of(run, Role::q)};
   run.engine = std::make_unique<Engine>(PairGeometry(ring_of(run, Role::p).polygon, ring_of(run, Role::q).polygon),
-                                        segments_[run.exchanged ? 1 : 0], observer, known);
+                                        segments_in_roles(run.exchanged), observer, known);
   overlap_ = run.engine->state() == EngineState::overlap;
   runs_.push_back(std::move(run));
 }
@@ -84,7 +101,7 @@ RingEngines::Arrival RingEngines::advance(double t, std::uint64_t events) {
         break;
       }
       // Events after a known contact do not matter.
-      const double limit = contact_ ? std::min(t, segments_[0][contact_->segment].time(contact_->contact.hi)) : t;
+      const double limit = contact_ ? std::min(t, segments_[contact_->segment].time(contact_->contact.hi)) : t;
       const std::uint64_t before = engine.events();
       if (!engine.step(limit) && engine.events() == before) break;
       left -= engine.events() - before;
@@ -144,7 +161,7 @@ void RingEngines::note_contact(const Run& run) {
 bool RingEngines::comes_before(const Found& a, const Found& b) const {
   if (a.segment != b.segment) return a.segment < b.segment;
   if (a.contact.vertex == b.contact.vertex && a.contact.edge == b.contact.edge) return a.contact.lo < b.contact.lo;
-  const std::shared_ptr<const MotionSegment> segment = segments_[0].hold(a.segment);
+  const std::shared_ptr<const MotionSegment> segment = segments_.hold(a.segment);
   const int order = order_of({segment, &geometry_, a.contact}, {segment, &geometry_, b.contact});
   if (order == 0) throw Undecidable{"the order of two contacts"};
   return order < 0;

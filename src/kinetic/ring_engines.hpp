@@ -18,12 +18,9 @@ namespace taut::internal {
 /// its own engine. A hole that contains a part of the other body takes part as the container around it.
 class RingEngines {
  public:
-  /// Segments of the pair in its roles, and with the roles exchanged. In a pair of rings, the size determines P and Q.
-  using BothSegments = std::array<MotionSegments, 2>;
-
-  /// Builds the tilings at the start of the segments. The plan and the geometry must be those of bodies of rings. They
-  /// must outlive this object, as must the observer, which may be null. Throws Undecidable.
-  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, BothSegments segments,
+  /// Builds the tilings at the start of the segments, which are those of the plan. The plan, the geometry and the
+  /// observer, which may be null, must outlive this object. Throws Undecidable.
+  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, MotionSegments segments,
               EngineObserver* observer = nullptr);
 
   /// Do the bodies overlap at the start of the segments? If so, no other query is allowed.
@@ -54,10 +51,11 @@ class RingEngines {
   std::uint64_t initial_certificates() const { return sum_of(&Engine::initial_certificates); }
   std::uint64_t max_certificates() const { return sum_of(&Engine::max_certificates); }
   StageCounts stages() const;
-  const MotionSegments& segments() const { return segments_[0]; }
+  const MotionSegments& segments() const { return segments_; }
 
   std::size_t size() const { return runs_.size(); }
   Engine& engine(std::size_t k) { return *runs_[k].engine; }
+  const Engine& engine(std::size_t k) const { return *runs_[k].engine; }
   RingMeeting meeting(std::size_t k) const { return runs_[k].rings; }
   /// The vertex of the pair's geometry that corresponds to a vertex of that engine; none for the box and the slit
   /// around a hole.
@@ -97,8 +95,13 @@ class RingEngines {
   const PairPlan& plan_;
   const PairGeometry& geometry_;
   bool inwards_;
-  bool rings_recur_ = false;  ///< each ring is in several pairs, so its own tiling is worth keeping
-  BothSegments segments_;
+  bool keeps_tilings_ = false;  ///< of each ring alone, since there are several queries about it
+  const MotionSegments& segments_in_roles(bool exchanged);
+  RingMeetings meetings_at_start();
+
+  MotionSegments segments_;
+  /// With the roles exchanged: in a pair of rings, the size determines P and Q. Made when first needed.
+  std::optional<MotionSegments> exchanged_segments_;
   std::vector<Run> runs_;
   bool overlap_ = false;
   std::optional<VertexId> inside_;

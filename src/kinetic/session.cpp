@@ -7,6 +7,7 @@
 #include "motion/pieces.hpp"
 #include "pair/overlap_witness.hpp"
 #include "pair/placement.hpp"
+#include "pair/validate_scene.hpp"
 #include "relative/make_segments.hpp"
 #include "relative/motion_segment.hpp"
 #include "sign/contact_at_start.hpp"
@@ -17,10 +18,11 @@ namespace taut::internal {
 namespace {
 
 const ShapeTiling* known_tiling(const PairPlan& plan, Role role, bool inwards) {
-  const ShapeInRole* shape = shape_in_role(plan, role, inwards);
-  if (!shape) return nullptr;
-  return shape->kept<ShapeTiling>(
-      ShapeInRole::tiling, [&] { return tile_shape(shape->displaced, role == Role::p ? node::p_tree : node::q_tree); });
+  const RingSet& rings = *plan.rings[index_of(role)];
+  if (!rings.is_prepared()) return nullptr;
+  const SharedPolygon& polygon = rings.displaced(inwards);
+  return rings.kept_of<ShapeTiling>(0, inwards, role,
+                                    [&] { return tile_shape(polygon, role == Role::p ? node::p_tree : node::q_tree); });
 }
 
 KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
@@ -29,10 +31,12 @@ KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
 
 }  // namespace
 
-Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer, NearStart* near)
+Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer)
     : start_(scene.start), end_(scene.end), tracer_(tracer), observer_(observer) {
-  plan_ = plan_pair(scene, validated_facts(scene));
-  build(touch == Touch::open, near);
+  validate_polygons(scene);
+  require_ring_pair(scene, "a simulation of a tiling");
+  plan_ = plan_pair(scene);
+  build(touch == Touch::open);
   if (engine_->state() == EngineState::overlap) resolve_overlap();
 }
 
@@ -52,22 +56,10 @@ void Session::resolve_overlap() {
   overlap_point_ = common_point(plan_, start_);
 }
 
-void Session::build(bool inwards, NearStart* near) {
+void Session::build(bool inwards) {
   inwards_ = inwards;
-  const PairGeometry geometry = displaced_pair(plan_, inwards);
-  const MotionSegments segments = make_segments(plan_.pieces[0], plan_.pieces[1], start_, end_);
-  if (near) engine_ = near->engine(geometry, segments);
-  began_near_ = engine_ != nullptr;
-  std::optional<std::uint64_t> work;
-  if (engine_) {
-    engine_->watch(this);
-  } else {
-    const std::uint64_t before = work_spent();
-    engine_ =
-        std::make_unique<Engine>(geometry, segments, static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
-    work = work_spent() - before;
-  }
-  if (near) near->note(*engine_, plan_, work);
+  engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards), segments_of(plan_, start_, end_),
+                                     static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }
@@ -96,23 +88,25 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   }
   if (contact_) return;
   const double now = engine_->time();
-  const Role role = plan_.maps[0].body == body ? Role::p : Role::q;
+  const Role role = plan_.body(Role::p) == body ? Role::p : Role::q;
   const std::size_t k = index_of(role);
-  const std::string& name = plan_.names[k];
-  validate_motion(motion, name, plan_.bounds[k], now, end_, plan_.extent);
+  const std::string& name = plan_.rings[k]->name();
+  const Bounds bounds = plan_.rings[k]->input_bounds();
+  const double extent = std::max(diagonal(plan_.rings[0]->input_bounds()), diagonal(plan_.rings[1]->input_bounds()));
+  validate_motion(motion, name, bounds, now, end_, extent);
   const PieceList fresh = PieceList::between(motion, now, end_, plan_.exponent);
   const MotionPiece before = role == Role::p ? engine_->segment().p : engine_->segment().q;
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
-  const double gap = joint_gap(from, to, plan_.bounds[k], now);
-  if (!(gap <= joint_room(from, to, plan_.bounds[k], now, plan_.extent))) {
+  const double gap = joint_gap(from, to, bounds, now);
+  if (!(gap <= joint_room(from, to, bounds, now, extent))) {
     throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
                      "coefficients are in powers of the absolute time t");
   }
-  plan_.pieces[k] = fresh;
-  MotionSegments segments = make_segments(plan_.pieces[0], plan_.pieces[1], now, end_);
+  plan_.motions[k] = {fresh};
+  MotionSegments segments = segments_of(plan_, now, end_);
   if (!same_motion(before, fresh[0])) {
-    const MotionPiece p = plan_.pieces[0].at(now), q = plan_.pieces[1].at(now);
+    const MotionPiece p = plan_.motions[0][0].at(now), q = plan_.motions[1][0].at(now);
     segments.put_first(
         MotionSegment::bridging(engine_->segment().p, engine_->segment().q, p, q, now, engine_->segment().far()));
   }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "kinetic/engine.hpp"
-#include "kinetic/near_start.hpp"
 #include "sign/feature_map.hpp"
 #include "taut/check.hpp"
 #include "taut/scene.hpp"
@@ -16,10 +15,8 @@ namespace taut::internal {
 /// The engine and the translation of its results.
 class Session : private EngineObserver {
  public:
-  /// The observer is notified of events before the tracer; either may be null. Throws InputError. `near` holds the
-  /// tiling kept from the last query, if any, and stores the start of this one; may be null.
-  Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr,
-          NearStart* near = nullptr);
+  /// The observer is notified of events before the tracer; either may be null. Throws InputError.
+  Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver* observer = nullptr);
 
   Engine& engine() { return *engine_; }
   const Engine& engine() const { return *engine_; }
@@ -30,8 +27,6 @@ class Session : private EngineObserver {
   /// For a contact at the start: how the outward shapes overlap.
   const std::optional<StartOverlap>& touching() const { return touching_; }
   bool overlap_at_start() const { return overlap_at_start_; }
-  /// Was the tiling derived from that of the previous query?
-  bool began_near() const { return began_near_; }
   /// A point inside both bodies, if they overlap at the start and such a point was found.
   const std::optional<Point>& overlap_point() const { return overlap_point_; }
   /// Is there nothing left to do, because of a contact, an overlap, or the end?
@@ -48,7 +43,7 @@ class Session : private EngineObserver {
 
  private:
   void on_event(const EngineEvent& event) override;
-  void build(bool inwards, NearStart* near);
+  void build(bool inwards);
   void resolve_overlap();
   void note_contact();
   FeatureMap witness() const { return {plan_, engine_->geometry(), inwards_}; }
@@ -61,7 +56,7 @@ class Session : private EngineObserver {
   std::optional<Contact> contact_;
   std::optional<StartOverlap> touching_;
   bool inwards_ = true;  ///< the direction of the displacement
-  bool overlap_at_start_ = false, began_near_ = false;
+  bool overlap_at_start_ = false;
   std::optional<Point> overlap_point_;
 };
 

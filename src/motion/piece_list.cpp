@@ -147,4 +147,11 @@ MotionChain without_first(const MotionChain& chain, std::size_t count) {
   return {chain.begin() + static_cast<std::ptrdiff_t>(count), chain.end()};
 }
 
+std::vector<MotionPiece> pieces_at(const MotionChain& motions, double t) {
+  std::vector<MotionPiece> chain;
+  for (const PieceList& pieces : motions) chain.push_back(pieces.at(t));
+  if (chain.empty()) chain.push_back(MotionPiece{});
+  return chain;
+}
+
 }  // namespace taut::internal

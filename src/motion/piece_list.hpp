@@ -72,5 +72,7 @@ using MotionChain = std::vector<PieceList>;
 std::size_t count_common(const MotionChain& a, const MotionChain& b);
 /// Those after the first `count`; one that rests where there are none.
 MotionChain without_first(const MotionChain& chain, std::size_t count);
+/// The piece of each motion that holds at that time; one that rests where there are none.
+std::vector<MotionPiece> pieces_at(const MotionChain& motions, double t);
 
 }  // namespace taut::internal

@@ -4,7 +4,7 @@
 
 #include "curve/flat_part.hpp"
 #include "pair/ring_set.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -30,8 +30,8 @@ bool has_curves(const Scene& scene) {
 }
 
 void validate_curved_world(const Scene& scene) {
-  if (!has_curves(scene)) return validate_world(scene);
-  validate_world(CurvedWorld(scene).polygons(CurveSide::outer));
+  if (!has_curves(scene)) return validate_polygons(scene);
+  validate_polygons(CurvedWorld(scene).polygons(CurveSide::outer));
 }
 
 CurvedWorld::CurvedWorld(const Scene& scene) : scene_(scene) {

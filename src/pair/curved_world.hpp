@@ -13,7 +13,7 @@ namespace taut::internal {
 /// Is any body bounded by curves?
 bool has_curves(const Scene& scene);
 
-/// As validate_world(), of bodies with curves as well.
+/// As validate_polygons(), of bodies with curves as well.
 void validate_curved_world(const Scene& scene);
 
 /// The bands of all curves of a scene, refined where somebody asks for it. Whatever bodies within do, the bodies do,

@@ -9,7 +9,7 @@
 #include "geometry/displacement_check.hpp"
 #include "geometry/hull.hpp"
 #include "pair/ring_set.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/shape.hpp"
 
@@ -163,7 +163,7 @@ FittedScene::FittedScene(const Scene& scene, double fit, double excess) : scene_
     }
   }
   try {
-    validate_world(scene_);
+    validate_polygons(scene_);
   } catch (const InputError& error) {
     throw InputError(error.place(), "shrunk by a fit of " + number_of(fit) + ", " + error.problem(),
                      "the walls there are thinner than the fit allows: choose a smaller one");

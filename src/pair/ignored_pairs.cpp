@@ -11,6 +11,7 @@ std::map<std::string, int> bodies_by_name(const Scene& scene) {
 }
 
 IgnoredPairs::IgnoredPairs(const Scene& scene) : all_(scene.bodies.size(), false) {
+  if (scene.ignore.empty()) return;
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   for (const auto& [first, second] : scene.ignore) {
     if (first == "*" && second == "*") {

@@ -251,17 +251,13 @@ PlacedParts placed_parts(const RingSet& body, const PlacedFrame& frame) {
 }  // namespace
 
 std::optional<Point> common_point(const PairPlan& plan, double t) {
-  const std::array<PlacedFrame, 2> frames{PlacedFrame({plan.pieces[0].at(t)}, t),
-                                          PlacedFrame({plan.pieces[1].at(t)}, t)};
-  const PlacedParts p{{{plan.polygons[0].get()}, frames[0]}}, q{{{plan.polygons[1].get()}, frames[1]}};
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], t, t);
-  return found_point(plan, segments.front(), t, frames, p, q);
-}
-
-std::optional<Point> common_point(const PairPlan& plan, const std::array<PieceChain, 2>& chains,
-                                  const MotionSegment& segment, double t) {
-  const std::array<PlacedFrame, 2> frames{PlacedFrame(chains[0], t), PlacedFrame(chains[1], t)};
-  return found_point(plan, segment, t, frames, placed_parts(*plan.rings[0], frames[0]),
+  const auto frame = [&](std::size_t side) {
+    MotionChain chain = plan.common;
+    chain.insert(chain.end(), plan.motions[side].begin(), plan.motions[side].end());
+    return PlacedFrame(pieces_at(chain, t), t);
+  };
+  const std::array<PlacedFrame, 2> frames{frame(0), frame(1)};
+  return found_point(plan, segments_of(plan, t, t).front(), t, frames, placed_parts(*plan.rings[0], frames[0]),
                      placed_parts(*plan.rings[1], frames[1]));
 }
 

@@ -26,32 +26,36 @@ std::vector<Part> parts_of(const Body& body) {
 }
 
 std::string ring_name(const Body& body, std::size_t part, std::size_t ring) {
-  std::string name = body.name;
-  if (body.parts.size() > 1) name += ": part " + std::to_string(part);
-  if (ring > 0) name += ": hole " + std::to_string(ring);
-  return name;
+  return ring_name(body.name, body.parts.size() > 1, static_cast<int>(part), static_cast<int>(ring));
+}
+
+std::string ring_name(std::string body, bool several_parts, int part, int ring) {
+  if (several_parts) body += ": part " + std::to_string(part);
+  if (ring > 0) body += ": hole " + std::to_string(ring);
+  return body;
 }
 
 RingSet::RingSet(const Body& body, int index, int exponent) : index_(index), exponent_(exponent), name_(body.name) {
+  refuse_curves(body);
   bounds_ = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   if (body.parts.empty() && body.prepared) {
     prepared_ = body.prepared;
     add(prepared_->scaled(exponent), prepared_->facts(), 0, 0);
-  } else {
-    add_parts(parts_of(body));
+  } else if (body.parts.empty()) {
+    add_ring(body.polygon, 0, 0);
+  }
+  for (std::size_t i = 0; i < body.parts.size(); ++i) {
+    const Part& part = body.parts[i];
+    add_ring(part.outline, static_cast<int>(i), 0);
+    for (std::size_t j = 0; j < part.holes.size(); ++j)
+      add_ring(part.holes[j], static_cast<int>(i), static_cast<int>(j) + 1);
   }
   diagonal_ = internal::diagonal(bounds_);
 }
 
-void RingSet::add_parts(const std::vector<Part>& parts) {
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = 0; j <= parts[i].holes.size(); ++j) {
-      const Polygon& ring = j == 0 ? parts[i].outline : parts[i].holes[j - 1];
-      const ShapeFacts facts = facts_of(ring);
-      add(std::make_shared<const std::vector<Point>>(normalised(ring, facts, exponent_)), facts, static_cast<int>(i),
-          static_cast<int>(j));
-    }
-  }
+void RingSet::add_ring(const Polygon& ring, int part, int number) {
+  const ShapeFacts facts = facts_of(ring);
+  add(std::make_shared<const std::vector<Point>>(normalised(ring, facts, exponent_)), facts, part, number);
 }
 
 void RingSet::add(const Points& points, const ShapeFacts& facts, int part, int number) {
@@ -63,6 +67,25 @@ void RingSet::add(const Points& points, const ShapeFacts& facts, int part, int n
     bounds_.lo = {std::min(bounds_.lo.x, p.x), std::min(bounds_.lo.y, p.y)};
     bounds_.hi = {std::max(bounds_.hi.x, p.x), std::max(bounds_.hi.y, p.y)};
   }
+}
+
+Bounds RingSet::input_bounds() const {
+  const auto unscaled = [this](const Point& p) {
+    return Point{std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)};
+  };
+  return {unscaled(bounds_.lo), unscaled(bounds_.hi)};
+}
+
+double RingSet::diameter_squared() const {
+  const std::lock_guard lock(mutex_);
+  if (diameter_squared_) return *diameter_squared_;
+  if (prepared_) return *(diameter_squared_ = std::ldexp(prepared_->diameter_squared(), 2 * exponent_));
+  if (rings_.size() == 1) return *(diameter_squared_ = internal::diameter_squared(points(0)));
+  std::vector<Point> all;
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    if (maps_[i].ring == 0) all.insert(all.end(), rings_[i]->begin(), rings_[i]->end());
+  }
+  return *(diameter_squared_ = internal::diameter_squared(all));
 }
 
 const RingMap& RingSet::ring_of(std::uint32_t k) const {
@@ -95,7 +118,7 @@ SharedPolygon RingSet::displaced_ring(std::size_t ring, bool inwards) const {
   const std::uint64_t seed = seed_of(index_, ring);
   SharedPolygon displaced;
   if (prepared_) {
-    const auto& kept = in_world_[inwards ? 0 : 1] = prepared_->in_world({seed, inwards, exponent_});
+    const auto& kept = in_role_[inwards ? 0 : 1] = prepared_->in_role({seed, inwards, exponent_});
     displaced = kept->displaced;
   } else {
     displaced = displaced_polygon(points(ring), inwards != (map.ring > 0), seed);
@@ -144,8 +167,7 @@ const LoneRing& RingSet::lone(std::size_t ring, bool inwards) const {
 }
 
 void RingSet::refuse(const RingMap& ring, const DisplacementFault& fault) const {
-  const std::string place =
-      name_ + ": part " + std::to_string(ring.part) + (ring.ring > 0 ? ": hole " + std::to_string(ring.ring) : "");
+  const std::string place = ring_name(name_, maps_.back().part > 0, ring.part, ring.ring);
   const char* const hint = "features that small can only be rounding noise: remove them";
   // The fault counts counterclockwise, also in a hole.
   const RingMap around{ring.part, ring.ring, ring.offset, ring.size, ring.first, ring.reversed != (ring.ring > 0)};

@@ -72,6 +72,8 @@ class RingSet {
   EdgeRef edge(std::uint32_t k) const;
   /// Scaled.
   const Bounds& bounds() const { return bounds_; }
+  /// In the input's units.
+  Bounds input_bounds() const;
   /// Of the bounds.
   double diagonal() const { return diagonal_; }
   std::size_t size() const { return size_; }
@@ -80,7 +82,12 @@ class RingSet {
   /// Of a ring, counterclockwise also if it is a hole; scaled.
   const std::vector<Point>& points(std::size_t ring) const { return *rings_[ring]; }
   /// Of a ring, scaled.
-  double diameter_squared(std::size_t ring) const { return internal::diameter_squared(points(ring)); }
+  double diameter_squared(std::size_t ring) const {
+    return rings_.size() == 1 ? diameter_squared() : internal::diameter_squared(points(ring));
+  }
+  /// Of the body, scaled; computed when first asked for.
+  double diameter_squared() const;
+  int exponent() const { return exponent_; }
   int body() const { return index_; }
   const std::string& name() const { return name_; }
 
@@ -88,13 +95,13 @@ class RingSet {
   const SharedPolygon& displaced(bool inwards) const;
   /// One of them alone; made when first asked for. Throws Undecidable where a hole's corners are all too sharp for it.
   const LoneRing& lone(std::size_t ring, bool inwards) const;
-  /// What an engine makes of the displaced rings, once: they are displaced by then. It is kept here, or with the shape
-  /// if that was prepared.
+  /// What the spacetime engine makes of the displaced rings, once: they are displaced by then. It is kept here, or with
+  /// the shape if that was prepared.
   template <class T, class Make>
   const T& kept(bool inwards, const Make& make) const {
     const std::lock_guard lock(mutex_);
     const std::size_t side = inwards ? 0 : 1;
-    if (in_world_[side]) return *in_world_[side]->kept<T>(ShapeInRole::hierarchy, make);
+    if (in_role_[side]) return *in_role_[side]->kept<T>(ShapeInRole::hierarchy, make);
     std::shared_ptr<const void>& place = kept_[side];
     if (!place) {
       const UnmeteredScope making;
@@ -102,10 +109,14 @@ class RingSet {
     }
     return *static_cast<const T*>(place.get());
   }
-  /// The same of one ring alone, in a role; null if that is what was made of it.
+  /// Is the only ring that of a prepared shape, with which everything is kept that is made of it?
+  bool is_prepared() const { return prepared_ != nullptr; }
+  /// What the kinetic engine makes of one displaced ring in a role, once; null if that is what was made of it.
   template <class T, class Make>
   const T* kept_of(std::size_t ring, bool inwards, Role role, const Make& make) const {
     const std::lock_guard lock(mutex_);
+    if (const auto& shape = in_role_[inwards ? 0 : 1])
+      return shape->kept<T>(role == Role::p ? ShapeInRole::tiling_of_p : ShapeInRole::tiling_of_q, make);
     auto& kept = kept_of_[inwards ? 0 : 1];
     const std::pair key(ring, role);
     auto place = kept.find(key);
@@ -119,7 +130,7 @@ class RingSet {
  private:
   using Points = std::shared_ptr<const std::vector<Point>>;
 
-  void add_parts(const std::vector<Part>& parts);
+  void add_ring(const Polygon& ring, int part, int number);
   void add(const Points& points, const ShapeFacts& facts, int part, int number);
   const RingMap& ring_of(std::uint32_t k) const;
   SharedPolygon displace_rings(bool inwards) const;
@@ -135,8 +146,9 @@ class RingSet {
   double diagonal_ = 0;
   std::size_t size_ = 0;
   mutable std::mutex mutex_;
+  mutable std::optional<double> diameter_squared_;
   mutable std::array<SharedPolygon, 2> displaced_;
-  mutable std::array<std::shared_ptr<const ShapeInRole>, 2> in_world_;  ///< of a prepared shape
+  mutable std::array<std::shared_ptr<const ShapeInRole>, 2> in_role_;  ///< of a prepared shape
   mutable std::array<std::shared_ptr<const void>, 2> kept_;
   mutable std::array<std::map<std::size_t, LoneRing>, 2> lone_;
   mutable std::array<std::map<std::pair<std::size_t, Role>, std::shared_ptr<const void>>, 2> kept_of_;
@@ -146,5 +158,6 @@ class RingSet {
 std::vector<Part> parts_of(const Body& body);
 /// The name of a ring in messages: the body's, with part and hole where there are several.
 std::string ring_name(const Body& body, std::size_t part, std::size_t ring);
+std::string ring_name(std::string body, bool several_parts, int part, int ring);
 
 }  // namespace taut::internal

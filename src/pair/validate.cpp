@@ -4,13 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/predicates.hpp"
-#include "geometry/prepared_shape.hpp"
-#include "motion/pieces.hpp"
 #include "pair/curved_world.hpp"
-#include "pair/pair_plan.hpp"
-#include "pair/validate_time.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut::internal {
@@ -35,60 +30,6 @@ void validate_range(const ShapeFacts& a, const ShapeFacts& b) {
                      "coordinates that small beside the others can only be rounding noise: make them 0");
 }
 
-namespace {
-
-void require_two_polygons(const Scene& scene) {
-  validate_time(scene);
-  for (const Body& body : scene.bodies) refuse_curves(body);
-  if (is_world(scene)) {
-    validate_world(scene);
-    throw InputError("bodies", "this takes scenes of two bodies, each one polygon in the world's frame, now",
-                     "`check` takes worlds: any number of bodies, parts, holes, parents and ignored pairs");
-  }
-}
-
-/// What `work` does for both bodies; an error is said to be about its body.
-template <class Work>
-void for_both_bodies(const Work& work) {
-  for (BodyId k = 0; k < 2; ++k) {
-    try {
-      work(static_cast<std::size_t>(k));
-    } catch (const InputError& error) {
-      throw error.about(k);
-    }
-  }
-}
-
-}  // namespace
-
-Scene with_prepared_shapes(const Scene& scene) {
-  require_two_polygons(scene);
-  Scene out = scene;
-  for_both_bodies([&](std::size_t k) {
-    Body& body = out.bodies[k];
-    if (body.prepared) {
-      validate_polygon_of(body);
-    } else {
-      body.prepared = prepare(body.polygon, body.name);
-    }
-    body.polygon.clear();
-  });
-  return out;
-}
-
-std::array<ShapeFacts, 2> validated_facts(const Scene& scene) {
-  require_two_polygons(scene);
-  for_both_bodies([&](std::size_t k) { validate_polygon_of(scene.bodies[k]); });
-  const std::array<ShapeFacts, 2> facts{facts_of(scene.bodies[0]), facts_of(scene.bodies[1])};
-  validate_range(facts[0], facts[1]);
-  const double extent = std::max(diagonal(facts[0].bounds), diagonal(facts[1].bounds));
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Body& body = scene.bodies[i];
-    validate_motion(body.motion, body.name, facts[i].bounds, scene.start, scene.end, extent);
-  }
-  return facts;
-}
-
 }  // namespace taut::internal
 
 namespace taut {
@@ -96,11 +37,10 @@ using namespace internal;
 
 void validate(const Scene& scene) {
   if (has_curves(scene)) {
-    validate_world(CurvedWorld(scene).polygons(CurveSide::outer));
+    validate_polygons(CurvedWorld(scene).polygons(CurveSide::outer));
     return;
   }
-  if (is_world(scene)) return validate_world(scene);
-  validated_facts(scene);
+  validate_polygons(scene);
 }
 
 }  // namespace taut

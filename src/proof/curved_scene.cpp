@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/predicates.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 #include "taut/proof.hpp"
 
@@ -100,7 +100,7 @@ void CurvedBodies::validate(const Scene& scene) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     for (const Rings& rings : bodies_[i]) boxes[i].push_back({rectangle_around(rings[0].pieces), {}});
   }
-  validate_world(with_polygons(scene, boxes));
+  validate_polygons(with_polygons(scene, boxes));
 }
 
 void CurvedBodies::require(const PolygonsOfBodies& polygons, Bodies side) {

@@ -6,7 +6,6 @@
 #include "motion/pose.hpp"
 #include "pair/ignored_pairs.hpp"
 #include "pair/ring_set.hpp"
-#include "pair/validate_world.hpp"
 #include "proof/bytes.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/sha256.hpp"
@@ -98,13 +97,8 @@ void add_motion(Hasher& hash, const Body& body, const Scene& scene) {
   for (const MotionPiece& piece : pieces) add_piece(hash, piece);
 }
 
-void add_body(Hasher& hash, const Body& body, const Scene& scene) {
-  add_ring(hash, polygon_of(body));
-  add_motion(hash, body, scene);
-}
-
 /// All bodies with their parts and parents, then which pairs are not tested.
-void add_world(Hasher& hash, const Scene& scene) {
+void add_bodies(Hasher& hash, const Scene& scene) {
   const std::map<std::string, int> by_name = bodies_by_name(scene);
   const IgnoredPairs ignored(scene);
   hash.count(scene.bodies.size());
@@ -132,17 +126,13 @@ void add_world(Hasher& hash, const Scene& scene) {
 }  // namespace
 
 Fingerprint scene_fingerprint(const Scene& scene, Touch touch) {
-  const bool curved = proof::any_curves(scene), world = curved || is_world(scene);
-  Hasher hash(curved ? "taut curve 1" : world ? "taut world 1" : "taut scene 2");
+  const bool curved = proof::any_curves(scene);
+  Hasher hash(curved ? "taut curve 1" : "taut scene 3");
   hash.byte(touch == Touch::closed ? 1 : 0);
   hash.number(scene.start);
   hash.number(scene.end);
-  if (world) {
-    add_world(hash, scene);
-    if (curved) add_curves(hash, scene);
-  } else {
-    for (const Body& body : scene.bodies) add_body(hash, body, scene);
-  }
+  add_bodies(hash, scene);
+  if (curved) add_curves(hash, scene);
   return hash.finish();
 }
 

@@ -1,6 +1,6 @@
 #include "proof/header.hpp"
 
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "proof/curved_scene.hpp"
 
 namespace taut::internal::proof {
@@ -23,8 +23,8 @@ Header read_header(ByteReader& in, const Scene& scene) {
   if ((header.version == of_curves) != any_curves(scene))
     throw ProofError(header.version == of_curves ? "the log is about curves, and the scene has none"
                                                  : "the log is about polygons, and the scene has curves");
-  if (header.version == of_tilings && is_world(scene))
-    throw ProofError("the log is of a tiling around two bodies, and the scene is another one");
+  if (header.version == of_tilings && !is_ring_pair(scene))
+    throw ProofError("the log is of a tiling around two polygons, and the scene is another one");
   for (std::uint8_t& byte : header.fingerprint) byte = in.u8();
   const std::uint8_t touch = in.u8();
   header.kind = in.u8();

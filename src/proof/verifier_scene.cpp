@@ -44,8 +44,6 @@ int exponent_for(const Scene& scene) {
   return -exponent;
 }
 
-double diagonal_of(const VerifierBody& body) { return diagonal(body.rings->bounds()); }
-
 }  // namespace
 
 VerifierScene::VerifierScene(const Scene& scene)
@@ -126,23 +124,9 @@ Coverage VerifierScene::coverage() const {
 }
 
 PairPlan VerifierScene::plan(int a, int b) const {
-  if (diagonal_of((*this)[b]) > diagonal_of((*this)[a])) std::swap(a, b);
-  PairPlan plan;
-  plan.rings = {(*this)[a].rings, (*this)[b].rings};
-  plan.exponent = exponent_;
-  const MotionChain &p = (*this)[a].motions, &q = (*this)[b].motions;
-  plan.common.assign(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(count_common(p, q)));
-  for (std::size_t side = 0; side < 2; ++side) {
-    plan.names[side] = plan.rings[side]->name();
-    plan.maps[side].body = plan.rings[side]->body();
-  }
-  return plan;
+  return pair_of((*this)[a].rings, (*this)[a].motions, (*this)[b].rings, (*this)[b].motions);
 }
 
-MotionSegments VerifierScene::segments(const PairPlan& pair) const {
-  const MotionChain &p = (*this)[pair.rings[0]->body()].motions, &q = (*this)[pair.rings[1]->body()].motions;
-  const std::size_t common = pair.common.size();
-  return make_segments(without_first(p, common), without_first(q, common), start_, end_);
-}
+MotionSegments VerifierScene::segments(const PairPlan& pair) const { return segments_of(pair, start_, end_); }
 
 }  // namespace taut::internal::proof

@@ -41,7 +41,7 @@ class VerifierScene {
   bool tests_alike() const { return tests_alike_; }
   /// `tested`: all pairs that are asked about.
   Coverage coverage() const;
-  /// In their roles: P is the body with the longer diagonal, the first one if equal.
+  /// In their roles: P is the body with the larger diameter, the first one if equal.
   PairPlan plan(int a, int b) const;
   /// From start to end, in a frame that parents which both have are not in.
   MotionSegments segments(const PairPlan& pair) const;

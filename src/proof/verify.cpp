@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "motion/pieces.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "proof/curved_scene.hpp"
 #include "proof/header.hpp"
 #include "proof/lifetime.hpp"
@@ -39,7 +39,7 @@ class Verifier {
         shapes_(shapes_of(header)),
         plan_(plan_pair(scene)),
         geometry_(displaced_pair(plan_, shapes_ == Shapes::inwards)),
-        segments_(make_segments(plan_.pieces[0], plan_.pieces[1], scene.start, scene.end)),
+        segments_(segments_of(plan_, scene.start, scene.end)),
         map_(in_, Placement(geometry_, segments_[0], scene.start)),
         lifetimes_(geometry_),
         stretch_(geometry_) {
@@ -277,13 +277,8 @@ using namespace internal;
 
 Verified verify(const Scene& scene, std::istream& log) {
   const bool curved = proof::any_curves(scene);
-  if (curved) {
-    // Their polygons are in the log.
-  } else if (is_world(scene)) {
-    validate_world(scene);
-  } else {
-    validate(scene);
-  }
+  // The polygons that stand for curves are in the log.
+  if (!curved) validate_polygons(scene);
   try {
     if (curved) return proof::verify_curves(scene, log);
     proof::ByteReader in(log);

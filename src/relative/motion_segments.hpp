@@ -20,8 +20,8 @@ struct SegmentPlace {
 
 /// All segments from start to end, in order. A segment has more than a thousand bytes, and between a hundred thousand
 /// keyframes there are two hundred thousand segments. Engines, verifiers and queries visit them one after the other. So
-/// only their places are stored, and the segments used last. Copies share places and pieces, and construct segments of
-/// their own.
+/// only their places are stored, and the segments used last. Copies share places and pieces, and the segments that were
+/// constructed before.
 ///
 /// A reference to a segment is valid until sixteen others have been requested. A caller that needs it longer holds it
 /// (hold()), and then all callers share the same object. Not thread-safe.
@@ -34,7 +34,7 @@ class MotionSegments {
   /// One segment for each interval without a joint, and a bridge at each joint where a piece changes. p and q must have
   /// at least one motion each.
   MotionSegments(MotionChain p, MotionChain q, double start, double end);
-  MotionSegments(const MotionSegments& other) : route_(other.route_), first_(other.first_) {}
+  MotionSegments(const MotionSegments& other) : route_(other.route_), first_(other.first_), window_(other.window_) {}
   MotionSegments(MotionSegments&&) noexcept = default;
   MotionSegments& operator=(const MotionSegments& other) { return *this = MotionSegments(other); }
   MotionSegments& operator=(MotionSegments&&) noexcept = default;

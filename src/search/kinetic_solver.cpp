@@ -5,6 +5,7 @@
 
 #include "base/budget.hpp"
 #include "base/errors.hpp"
+#include "base/progress.hpp"
 #include "numeric/undecided.hpp"
 
 namespace taut::internal {
@@ -12,13 +13,17 @@ namespace {
 
 /// The number of events between two tests of the work done.
 constexpr std::uint64_t events_of_turn = 16;
+/// In units of checkpoint(): the work of a tiling per vertex.
+constexpr std::uint64_t work_of_vertex = 16;
 
 }  // namespace
 
-KineticSolver::KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
+KineticSolver::KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
+                             KineticObserver* observer)
     : world_(world),
       inwards_(inwards),
       budget_(budget),
+      observer_(observer),
       plan_(world.pair(a, b)),
       geometry_(displaced_pair(plan_, inwards)),
       segments_(world.segments(plan_)) {
@@ -34,6 +39,7 @@ void KineticSolver::ask_start() {
   } catch (const Undecidable& limit) {
     give_up(not_decided(limit), world_.start());
   }
+  if (observer_) observer_->started(*this);
 }
 
 void KineticSolver::resolve_start() {
@@ -43,15 +49,17 @@ void KineticSolver::resolve_start() {
   if (!engines_->overlap()) return;
   const auto how = [&] { return overlap_of_outlines(geometry_, segment, start, engines_->inside()); };
   const auto overlap_of = [&](const PairGeometry& shapes) {
-    return RingEngines(plan_, shapes, true, world_.both_segments(plan_, start)).overlap();
+    return RingEngines(plan_, shapes, true, segments_).overlap();
   };
-  take_start(contact_at_start(witness(), segment, start, how, overlap_of), start, result_);
+  take_start(contact_at_start(features(), segment, start, how, overlap_of), start, result_);
   engines_.reset();
 }
 
 void KineticSolver::begin(double from) {
   leave();
-  engines_ = std::make_unique<RingEngines>(plan_, geometry_, inwards_, world_.both_segments(plan_, from));
+  engines_ = std::make_unique<RingEngines>(plan_, geometry_, inwards_,
+                                           from == world_.start() ? segments_ : segments_of(plan_, from, world_.end()),
+                                           engine_observer());
   at_ = window_ = from;
 }
 
@@ -77,6 +85,7 @@ bool KineticSolver::work(double from, double to, std::uint64_t effort) {
   if (!open() && result_.free_until <= from) return true;
   try {
     if (!engines_ || (at_ != from && window_ != from)) {
+      if (effort < work_of_vertex * geometry_.size()) return false;
       begin(from);
       if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
     }
@@ -99,6 +108,8 @@ bool KineticSolver::advance(double to, std::uint64_t events) {
   const std::uint64_t before = engines_->events(), most = std::min(events, budget_.left);
   const RingEngines::Arrival arrival = engines_->advance(to, most);
   budget_.left -= engines_->events() - before;
+  report_parts("events", engines_->events());
+  report_time(engines_->proved_until());
   if (arrival == RingEngines::Arrival::contact) {
     note_contact();
   } else if (arrival == RingEngines::Arrival::there) {
@@ -121,7 +132,7 @@ std::vector<NearTiling> KineticSolver::tilings() const {
       if (!map.alive(h) || map.is_polygon_edge(h)) continue;
       const auto from = engines_->named_vertex(k, map.origin(h)), to = engines_->named_vertex(k, map.target(h));
       if (!from || !to) continue;
-      tiling.edges.push_back({witness().vertex(*from), witness().vertex(*to), !geometry_.same_body(*from, *to)});
+      tiling.edges.push_back({features().vertex(*from), features().vertex(*to), !geometry_.same_body(*from, *to)});
     }
     all.push_back(std::move(tiling));
   }
@@ -132,7 +143,7 @@ void KineticSolver::note_contact() {
   const RingEngines::Found& found = *engines_->contact();
   // The segments from a later time on are the last of all segments.
   const std::size_t segment = segments_.size() - engines_->segments().size() + found.segment;
-  result_ = contact_of(result_, witness(), segments_[segment], segment, found.contact, world_.start());
+  result_ = contact_of(result_, features(), segments_[segment], segment, found.contact, world_.start());
 }
 
 void KineticSolver::give_up(const std::string& reason, double until) {

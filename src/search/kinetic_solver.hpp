@@ -18,42 +18,59 @@ struct EventBudget {
   explicit EventBudget(std::uint64_t limit) : most(limit), left(limit) {}
 };
 
+class KineticSolver;
+
+/// Observes how a solver follows a pair that has one tiling: two bodies of one ring each.
+class KineticObserver {
+ public:
+  virtual ~KineticObserver() = default;
+  /// The start is decided: there is a tiling, or the solver has a result.
+  virtual void started(const KineticSolver&) {}
+  virtual void on_event(const KineticSolver& solver, const EngineEvent& event) = 0;
+};
+
 /// The tilings of the pair's rings are built where its first window begins, and followed through consecutive windows.
 /// After a gap, in which the bounding boxes show the bodies to be disjoint, they are rebuilt.
-class KineticSolver final : public PairSolver {
+class KineticSolver final : public PairSolver, private EngineObserver {
  public:
-  /// The world and the budget must outlive this object. Throws InputError if a body has features that are finer than
-  /// the displacement.
-  KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget);
+  /// The world, the budget, and the observer of events, which may be null, must outlive this object. Throws InputError
+  /// if a body has features that are finer than the displacement.
+  KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
+                KineticObserver* observer = nullptr);
 
   void ask_start() override;
-  void ask(double from, double to) override { work(from, to, UINT64_MAX); }
-  /// Like ask(), for about this much work. Returns true once the window is decided. Otherwise it can be called again
-  /// for the same window.
-  bool work(double from, double to, std::uint64_t effort);
+  /// Stops between two events, and builds no tiling that takes more work.
+  bool work(double from, double to, std::uint64_t effort) override;
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return instant_of(result_, segments_, geometry_); }
   StageCounts stages() const override;
   KineticCounts counts() const override;
+  const PairPlan& plan() const { return plan_; }
+  const PairGeometry& geometry() const { return geometry_; }
+  const MotionSegments& segments() const { return segments_; }
+  FeatureMap features() const { return {plan_, geometry_, inwards_}; }
   /// The time up to which the current tilings have been followed.
   double at() const { return at_; }
   /// The current tilings; null before the first window, and where the bodies overlap.
   RingEngines* engines() { return engines_.get(); }
+  const RingEngines* engines() const { return engines_.get(); }
   /// The tilings in the user's terms.
   std::vector<NearTiling> tilings() const;
 
  private:
+  void on_event(const EngineEvent& event) override { observer_->on_event(*this, event); }
+  EngineObserver* engine_observer() { return observer_ ? this : nullptr; }
   void resolve_start();
   void begin(double from);
   void leave();
   bool advance(double to, std::uint64_t events);
   void note_contact();
   void give_up(const std::string& reason, double until);
-  FeatureMap witness() const { return {plan_, geometry_, inwards_}; }
 
   const WorldPlan& world_;
   bool inwards_;
   EventBudget& budget_;
+  KineticObserver* observer_;
   PairPlan plan_;
   PairGeometry geometry_;
   MotionSegments segments_;  ///< from the world's start

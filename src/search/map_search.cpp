@@ -27,14 +27,8 @@ MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, dou
       proved_(start) {}
 
 const SharedSegments& MapSearch::segments(const PairPlan& plan) {
-  const bool mover_is_q = plan.rings[1] == mover_.rings;
-  SharedSegments& known = segments_[mover_is_q ? 1 : 0];
-  if (!known) {
-    const MotionChain rests{PieceList({MotionPiece{}})};
-    const MotionChain& moves = mover_.motions.empty() ? rests : mover_.motions;
-    known = std::make_shared<const MotionSegments>(mover_is_q ? make_segments(rests, moves, start_, end_)
-                                                              : make_segments(moves, rests, start_, end_));
-  }
+  SharedSegments& known = segments_[plan.rings[1] == mover_.rings ? 1 : 0];
+  if (!known) known = std::make_shared<const MotionSegments>(segments_of(plan, start_, end_));
   return known;
 }
 
@@ -49,16 +43,10 @@ SpacetimeSolver& MapSearch::pair(int body) {
 }
 
 PairPlan MapSearch::plan(int body) const {
-  return pair_of(bodies_.rings[static_cast<std::size_t>(body)], mover_.rings, bodies_.exponent, bodies_.extent);
+  return pair_of(bodies_.rings[static_cast<std::size_t>(body)], {}, mover_.rings, mover_.motions);
 }
 
-std::optional<Point> MapSearch::common_point(int body) {
-  const PairPlan pair = plan(body);
-  const PieceChain moves = pieces_at(mover_.motions, start_), rests = pieces_at({}, start_);
-  const bool mover_is_q = pair.rings[1] == mover_.rings;
-  return internal::common_point(pair, {mover_is_q ? rests : moves, mover_is_q ? moves : rests}, segments(pair)->front(),
-                                start_);
-}
+std::optional<Point> MapSearch::common_point(int body) const { return internal::common_point(plan(body), start_); }
 
 bool MapSearch::start() {
   std::vector<int> near;

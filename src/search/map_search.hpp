@@ -16,7 +16,7 @@ struct MapBodies {
   std::vector<SharedRings> rings;
   BoxTree boxes;
   int exponent = 0;
-  double extent = 0;
+  double extent = 0;  ///< the largest of a body, in the input's units
   std::shared_ptr<FreeCellsOnce> free_cells = std::make_shared<FreeCellsOnce>();
 };
 
@@ -41,7 +41,7 @@ class MapSearch {
     for (const auto& [body, pair] : pairs_) visit(*pair);
   }
   /// A point inside the mover and a body that it overlaps at the start.
-  std::optional<Point> common_point(int body);
+  std::optional<Point> common_point(int body) const;
   double proved() const { return proved_; }
   std::uint64_t tested() const { return pairs_.size(); }
   StageCounts stages() const { return stages_of(pairs_); }

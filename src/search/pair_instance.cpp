@@ -19,7 +19,10 @@ PairInstance::PairInstance(PairPlan pair, SharedSegments all_segments, bool inwa
       tree_q(tree_of(*plan.rings[1], inwards)) {}
 
 PairInstance::PairInstance(const WorldPlan& world, int a, int b, bool inwards)
-    : PairInstance(world.pair(a, b), std::make_shared<const MotionSegments>(world.segments(world.pair(a, b))),
-                   inwards) {}
+    : plan(world.pair(a, b)),
+      geometry(displaced_pair(plan, inwards)),
+      shared_segments(std::make_shared<const MotionSegments>(world.segments(plan))),
+      tree_p(tree_of(*plan.rings[0], inwards)),
+      tree_q(tree_of(*plan.rings[1], inwards)) {}
 
 }  // namespace taut::internal

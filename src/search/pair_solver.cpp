@@ -63,11 +63,7 @@ spacetime::ContactSearch SpacetimeSolver::search(double from, double to) const {
   return {search_.geometry, search_.trees(), search_.segments(), spacetime::TimeWindow{from, to, from == start_}};
 }
 
-void SpacetimeSolver::ask(double from, double to) {
-  if (!decided_before(from)) note(search(from, to).go_on());
-}
-
-bool SpacetimeSolver::try_ask(double from, double to, std::uint64_t effort) {
+bool SpacetimeSolver::work(double from, double to, std::uint64_t effort) {
   if (decided_before(from)) return true;
   const Budget turn(effort);
   if (!left_ || window_ != from) left_.emplace(search(from, to));

@@ -46,7 +46,10 @@ class PairSolver {
   virtual void ask_start() = 0;
   /// Determines whether there is a first contact within the window. The bodies are disjoint between the windows that
   /// are searched.
-  virtual void ask(double from, double to) = 0;
+  void ask(double from, double to) { work(from, to, UINT64_MAX); }
+  /// Like ask(), for about this much work, in units of checkpoint(). Returns true once the window is decided. Otherwise
+  /// nothing is recorded, and it can be called again for the same window.
+  virtual bool work(double from, double to, std::uint64_t effort) = 0;
   virtual const PairResult& result() const = 0;
   /// For a contact found in motion, the instant as a root.
   virtual std::optional<ContactInstant> instant() const = 0;
@@ -86,10 +89,7 @@ class SpacetimeSolver final : public PairSolver {
   SpacetimeSolver(PairInstance search, bool inwards, double start, double end);
 
   void ask_start() override;
-  void ask(double from, double to) override;
-  /// Like ask(), unless it takes more than this effort. Then nothing is recorded, and the result is false; the next
-  /// call for the same window resumes.
-  bool try_ask(double from, double to, std::uint64_t effort);
+  bool work(double from, double to, std::uint64_t effort) override;
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override {
     return instant_of(result_, search_.segments(), search_.geometry);

@@ -11,19 +11,20 @@ SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, bool inwards)
   return {PairInstance(world, std::min(a, b), std::max(a, b), inwards), inwards, world.start(), world.end()};
 }
 
-/// Runs both engines, to compare them.
+/// Runs both engines to the end, to compare them.
 class CrossCheckSolver final : public PairSolver {
  public:
-  CrossCheckSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
-      : kinetic_(world, a, b, inwards, budget), spacetime_(by_spacetime(world, a, b, inwards)) {}
+  CrossCheckSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget, KineticObserver* observer)
+      : kinetic_(world, a, b, inwards, budget, observer), spacetime_(by_spacetime(world, a, b, inwards)) {}
 
   void ask_start() override {
     kinetic_.ask_start();
     spacetime_.ask_start();
   }
-  void ask(double from, double to) override {
+  bool work(double from, double to, std::uint64_t) override {
     kinetic_.ask(from, to);
     spacetime_.ask(from, to);
+    return true;
   }
   const PairResult& result() const override { return kinetic_.result(); }
   std::optional<ContactInstant> instant() const override { return kinetic_.instant(); }
@@ -36,15 +37,15 @@ class CrossCheckSolver final : public PairSolver {
   SpacetimeSolver spacetime_;
 };
 
-/// Runs both engines in alternating slices. Most pairs are decided in the first slice of the spacetime engine, and
-/// never get a tiling.
+/// Runs both engines in alternating slices, until one has decided the window. Most pairs are decided in the first slice
+/// of the spacetime engine, and never get a tiling.
 class PortfolioSolver final : public PairSolver {
  public:
-  PortfolioSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget, std::uint64_t first_turn)
-      : world_(world),
+  PortfolioSolver(const SolverChoice& choice, const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
+      : choice_(choice),
+        world_(world),
         inwards_(inwards),
         budget_(budget),
-        first_turn_(first_turn),
         spacetime_(by_spacetime(world, a, b, inwards)),
         result_(spacetime_.result()) {}
 
@@ -52,21 +53,9 @@ class PortfolioSolver final : public PairSolver {
     spacetime_.ask_start();
     result_ = spacetime_.result();
   }
-  void ask(double from, double to) override {
-    if (!open() && result_.free_until <= from) return;
-    PortfolioMember by_boxes, by_tiling;
-    const auto in_boxes = [&](std::uint64_t effort) {
-      return end_of(spacetime_, spacetime_.try_ask(from, to, effort));
-    };
-    const auto in_tiling = [&](std::uint64_t effort) { return end_of(*kinetic_, kinetic_->work(from, to, effort)); };
-    if (by_boxes.work_until(first_turn_, in_boxes) == SliceResult::decided) return take(spacetime_);
-    by_tiling.begin([&] {
-      if (!kinetic_) kinetic_ = std::make_unique<KineticSolver>(world_, result_.a, result_.b, inwards_, budget_);
-    });
-    if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return take(spacetime_);
-    // The kinetic engine decides, unless limits stopped both and the other one went further.
-    const bool kinetic = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
-    take(kinetic ? static_cast<const PairSolver&>(*kinetic_) : spacetime_);
+  bool work(double from, double to, std::uint64_t) override {
+    if (open() || result_.free_until > from) decide(from, to);
+    return true;
   }
   const PairResult& result() const override { return result_; }
   std::optional<ContactInstant> instant() const override { return teller_ ? teller_->instant() : spacetime_.instant(); }
@@ -77,6 +66,26 @@ class PortfolioSolver final : public PairSolver {
   static bool decided(const PairSolver& pair) { return pair.result().outcome != Outcome::undecided; }
   static SliceResult end_of(const PairSolver& pair, bool done) {
     return !done ? SliceResult::open : decided(pair) ? SliceResult::decided : SliceResult::given_up;
+  }
+
+  void decide(double from, double to) {
+    PortfolioMember by_boxes, by_tiling;
+    const auto in_boxes = [&](std::uint64_t effort) { return end_of(spacetime_, spacetime_.work(from, to, effort)); };
+    const auto in_tiling = [&](std::uint64_t effort) { return end_of(*kinetic_, kinetic_->work(from, to, effort)); };
+    if (choice_.first == EngineName::spacetime &&
+        by_boxes.work_until(choice_.first_slice, in_boxes) == SliceResult::decided)
+      return take(spacetime_);
+    by_tiling.begin([&] {
+      if (!kinetic_)
+        kinetic_ = std::make_unique<KineticSolver>(world_, result_.a, result_.b, inwards_, budget_, choice_.observer);
+    });
+    if (choice_.first == EngineName::kinetic &&
+        by_tiling.work_until(choice_.first_slice, in_tiling) == SliceResult::decided)
+      return take(*kinetic_);
+    if (take_turns(by_tiling, in_tiling, by_boxes, in_boxes) == 2) return take(spacetime_);
+    // The kinetic engine decides, unless limits stopped both and the other one went further.
+    const bool kinetic = decided(*kinetic_) || kinetic_->result().free_until >= spacetime_.result().free_until;
+    take(kinetic ? static_cast<const PairSolver&>(*kinetic_) : spacetime_);
   }
 
   /// Takes the result of the engine that has decided the current window. The other engine has no result for it. An
@@ -91,10 +100,10 @@ class PortfolioSolver final : public PairSolver {
     teller_ = &decided;
   }
 
+  SolverChoice choice_;
   const WorldPlan& world_;
   bool inwards_;
   EventBudget& budget_;
-  std::uint64_t first_turn_;  ///< of the spacetime engine
   SpacetimeSolver spacetime_;
   std::unique_ptr<KineticSolver> kinetic_;
   PairResult result_;
@@ -103,23 +112,18 @@ class PortfolioSolver final : public PairSolver {
 
 }  // namespace
 
-std::unique_ptr<PairSolver> windowed_pair(EngineChoice engine, const WorldPlan& world, int a, int b, bool inwards,
-                                          EventBudget& budget) {
-  switch (engine) {
+std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, bool inwards,
+                                        EventBudget& budget) {
+  switch (choice.engine) {
     case EngineChoice::kinetic:
-      return std::make_unique<KineticSolver>(world, a, b, inwards, budget);
+      return std::make_unique<KineticSolver>(world, a, b, inwards, budget, choice.observer);
     case EngineChoice::spacetime:
       return std::make_unique<SpacetimeSolver>(by_spacetime(world, a, b, inwards));
     case EngineChoice::both:
-      return std::make_unique<CrossCheckSolver>(world, a, b, inwards, budget);
+      return std::make_unique<CrossCheckSolver>(world, a, b, inwards, budget, choice.observer);
     default:
-      return pair_in_turns(world, a, b, inwards, budget);
+      return std::make_unique<PortfolioSolver>(choice, world, a, b, inwards, budget);
   }
-}
-
-std::unique_ptr<PairSolver> pair_in_turns(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
-                                          std::uint64_t first_turn) {
-  return std::make_unique<PortfolioSolver>(world, a, b, inwards, budget, first_turn);
 }
 
 }  // namespace taut::internal

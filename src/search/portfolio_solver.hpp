@@ -8,14 +8,18 @@
 
 namespace taut::internal {
 
-/// The two bodies with the given engine, with both, or with both in alternating slices. The arguments must outlive the
-/// solver.
-std::unique_ptr<PairSolver> windowed_pair(EngineChoice engine, const WorldPlan& world, int a, int b, bool inwards,
-                                          EventBudget& budget);
+/// Which engines solve a pair, and who watches.
+struct SolverChoice {
+  EngineChoice engine = EngineChoice::usual;
+  /// Of `either`: the work of the first engine before the other one begins. Tilings of all parts take long to build.
+  std::uint64_t first_slice = 8192;
+  EngineName first = EngineName::spacetime;
+  KineticObserver* observer = nullptr;  ///< of the kinetic engine's events; may be null
+};
 
-/// The two bodies with both engines in alternating slices, starting again in each window. Tilings of all parts take
-/// long to build, so this much work by boxes is tried first.
-std::unique_ptr<PairSolver> pair_in_turns(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
-                                          std::uint64_t first_turn = 8192);
+/// The two bodies with the given engine, with both, or with both in alternating slices, which start again in each
+/// window. The arguments must outlive the solver.
+std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, bool inwards,
+                                        EventBudget& budget);
 
 }  // namespace taut::internal

@@ -21,11 +21,12 @@ struct WorldSearch::DecidedPairs {
   bool any() const { return !pairs.empty() || (above && above->any()); }
 };
 
-WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineChoice engine, std::uint64_t max_events)
+WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, const SolverChoice& choice,
+                         std::uint64_t max_events)
     : plan_(plan),
       inwards_(touch == Touch::open),
       all_(all),
-      engine_(engine),
+      choice_(choice),
       budget_(max_events),
       stop_(plan.end()),
       proved_(plan.start()) {}
@@ -36,11 +37,16 @@ PairSolver& WorldSearch::pair(int a, int b) {
   const std::pair<int, int> key(std::min(a, b), std::max(a, b));
   auto known = pairs_.find(key);
   // Constructed first, because a limit may interrupt that.
-  if (known == pairs_.end()) known = pairs_.emplace(key, windowed_pair(engine_, plan_, a, b, inwards_, budget_)).first;
+  if (known == pairs_.end()) known = pairs_.emplace(key, pair_solver(choice_, plan_, a, b, inwards_, budget_)).first;
   return *known->second;
 }
 
 bool WorldSearch::start() {
+  if (is_single_pair()) {
+    PairSolver& only = pair(0, 1);
+    only.ask_start();
+    return only.open();
+  }
   std::vector<int> bodies(plan_.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
   MeetingBoxes(plan_, bodies, plan_.start(), plan_.start()).each([&](int a, int b, bool) {
@@ -51,7 +57,18 @@ bool WorldSearch::start() {
   return all_ || stop_ > plan_.start();
 }
 
+/// Nothing happens after the start to bodies that move alike.
+void WorldSearch::search_single_pair() {
+  if (plan_.bodies()[0].group == plan_.bodies()[1].group) return;
+  pair(0, 1).ask(plan_.start(), plan_.end());
+}
+
 void WorldSearch::run() {
+  if (is_single_pair()) {
+    search_single_pair();
+    proved_ = plan_.end();
+    return;
+  }
   std::vector<int> bodies(plan_.bodies().size());
   std::iota(bodies.begin(), bodies.end(), 0);
   cover(plan_.start(), plan_.end(), bodies, nullptr, 0);

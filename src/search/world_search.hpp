@@ -13,15 +13,15 @@
 
 namespace taut::internal {
 
-/// The search proceeds through time in windows, which are halved where motions are fast relative to the bodies' sizes.
-/// In each window, boxes are swept and pruned. A pair whose boxes meet, and that shorter windows would not separate, is
-/// decided by an engine for the whole window. Windows come in order of time, so that a world with an early contact
-/// costs little.
+/// A single pair is searched over the whole time at once. Otherwise, the search proceeds through time in windows, which
+/// are halved where motions are fast relative to the bodies' sizes. In each window, boxes are swept and pruned. A pair
+/// whose boxes meet, and that shorter windows would not separate, is decided by an engine for the whole window. Windows
+/// come in order of time, so that a world with an early contact costs little.
 class WorldSearch {
  public:
   /// With `all`, every pair continues to its own first contact. Otherwise, events after the first contact do not
   /// matter.
-  WorldSearch(const WorldPlan& plan, Touch touch, bool all, EngineChoice engine = EngineChoice::spacetime,
+  WorldSearch(const WorldPlan& plan, Touch touch, bool all, const SolverChoice& choice,
               std::uint64_t max_events = UINT64_MAX);
   ~WorldSearch();
 
@@ -44,13 +44,15 @@ class WorldSearch {
  private:
   struct DecidedPairs;
   PairSolver& pair(int a, int b);
+  bool is_single_pair() const { return plan_.bodies().size() == 2; }
+  void search_single_pair();
   void cover(double from, double to, const std::vector<int>& bodies, const DecidedPairs* above, int depth);
   void settle(PairSolver& pair, double from, double to);
   bool over(double t) const { return !all_ && t > stop_; }
 
   const WorldPlan& plan_;
   bool inwards_, all_;
-  EngineChoice engine_;
+  SolverChoice choice_;
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;
   double stop_, proved_;

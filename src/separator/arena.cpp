@@ -26,7 +26,7 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, true);
   if (!geometry) return std::nullopt;
   arena->geometry = std::move(*geometry);
-  const MotionSegments segments = make_segments(arena->plan.pieces[0], arena->plan.pieces[1], 0, 0);
+  const MotionSegments segments = segments_of(arena->plan, 0, 0);
   const Placement placement(arena->geometry, segments.front(), 0);
   if (triangulate_free_space(placement, arena->triangulation, true)) return std::nullopt;
   const PairGeometry& g = arena->geometry;

@@ -11,6 +11,7 @@
 #include "numeric/undecided.hpp"
 #include "pair/pair_plan.hpp"
 #include "pair/placement.hpp"
+#include "pair/validate_scene.hpp"
 #include "separator/arena.hpp"
 #include "separator/curve.hpp"
 #include "separator/link_paths.hpp"
@@ -30,8 +31,7 @@ constexpr double tried_margins[] = {0x1p-7, 0x1p-9, 0x1p-12, 0x1p-16, 0x1p-22, 0
 
 VertexRef input_vertex(const Arena& arena, VertexId v) {
   const int side = arena.owner(v);
-  const BodyMap& map = arena.plan.maps[static_cast<std::size_t>(side)];
-  return {map.body, map.vertex(side == 0 ? v.value : v.value - arena.geometry.np)};
+  return arena.plan.rings[static_cast<std::size_t>(side)]->vertex(side == 0 ? v.value : v.value - arena.geometry.np);
 }
 
 int mixed_edges(const Arena& arena, const std::vector<VertexId>& cycle) {
@@ -63,7 +63,7 @@ std::vector<VertexId> contact_path(const Arena& arena) {
 MovingSeparator moving_separator(const Arena& arena) {
   MovingSeparator moving;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto body = static_cast<std::size_t>(arena.plan.maps[side].body);
+    const auto body = static_cast<std::size_t>(arena.plan.rings[side]->body());
     for (const VertexId v : arena.hulls[side]) moving.hulls[body].push_back(input_vertex(arena, v));
     moving.bichromatic_edges[body] = mixed_edges(arena, arena.hulls[side]);
   }
@@ -75,9 +75,13 @@ MovingSeparator moving_separator(const Arena& arena) {
   return moving;
 }
 
+/// The scaled polygon that plays this role.
+const Polygon& polygon_of(const PairPlan& plan, Role role) { return plan.rings[index_of(role)]->points(0); }
+
 std::vector<Point> both(const PairPlan& plan) {
-  std::vector<Point> all = *plan.polygons[0];
-  all.insert(all.end(), plan.polygons[1]->begin(), plan.polygons[1]->end());
+  std::vector<Point> all = polygon_of(plan, Role::p);
+  const Polygon& q = polygon_of(plan, Role::q);
+  all.insert(all.end(), q.begin(), q.end());
   return all;
 }
 
@@ -89,7 +93,8 @@ Polygon grown(const Polygon& polygon, double margin) {
 
 /// A curve around polygons that are a little larger, if they are still apart, in this plan's coordinates.
 std::optional<Curve> curve_at_distance(const PairPlan& plan, double margin) {
-  const std::optional<Arena> wide = make_arena(grown(*plan.polygons[0], margin), grown(*plan.polygons[1], margin));
+  const std::optional<Arena> wide =
+      make_arena(grown(polygon_of(plan, Role::p), margin), grown(polygon_of(plan, Role::q), margin));
   if (!wide) return std::nullopt;
   Curve curve = curve_of(link_bound(*wide).path, both(wide->plan));
   for (Point& v : curve.vertices) v = {std::ldexp(v.x, -wide->plan.exponent), std::ldexp(v.y, -wide->plan.exponent)};
@@ -112,7 +117,7 @@ MinimumLinkSeparator minimum_link_separator(const Arena& arena) {
   std::optional<Curve> best;
   const auto offer = [&](Curve curve) {
     if (best && best->edges() <= curve.edges()) return;
-    if (separates(curve, *plan.polygons[0], *plan.polygons[1])) best = std::move(curve);
+    if (separates(curve, polygon_of(plan, Role::p), polygon_of(plan, Role::q))) best = std::move(curve);
   };
   for (const double margin : tried_margins) {
     if (std::optional<Curve> curve = curve_at_distance(plan, margin)) offer(std::move(*curve));
@@ -172,7 +177,8 @@ std::array<Polygon, 2> placed(const Scene& scene, double t) {
 }
 
 Separator separator(const Scene& scene, double t) {
-  validated_facts(scene);
+  validate_polygons(scene);
+  require_ring_pair(scene, "a separator");
   if (!(t >= scene.start && t <= scene.end)) {
     throw InputError("", "the instant " + std::to_string(t) + " is outside the scene's time", "choose one within");
   }

@@ -32,15 +32,13 @@ ReportedPose frame_of(const MotionChain& common, double t) {
 VertexRef FeatureMap::vertex(VertexId v) const {
   const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
-  if (plan_.rings[side]) return plan_.rings[side]->vertex(k);
-  return {plan_.maps[side].body, plan_.maps[side].vertex(k)};
+  return plan_.rings[side]->vertex(k);
 }
 
 EdgeRef FeatureMap::edge(VertexId v) const {
   const std::size_t side = index_of(geometry_.role_of(v));
   const std::uint32_t k = geometry_.in_p(v) ? v.value : v.value - geometry_.np;
-  if (plan_.rings[side]) return plan_.rings[side]->edge(k);
-  return {plan_.maps[side].body, plan_.maps[side].edge(k)};
+  return plan_.rings[side]->edge(k);
 }
 
 Vector FeatureMap::in_frame(VertexId v, const MotionSegment& segment, double parameter) const {

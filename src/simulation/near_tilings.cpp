@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/kinetic_solver.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"

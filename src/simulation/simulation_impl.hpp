@@ -9,7 +9,7 @@
 #include "base/budget.hpp"
 #include "kinetic/session.hpp"
 #include "numeric/undecided.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "simulation/world_simulation.hpp"
 #include "taut/error.hpp"
 #include "taut/simulation.hpp"
@@ -20,7 +20,7 @@ using namespace internal;
 struct Simulation::Impl : private EngineObserver, private Tracer {
   Impl(const Scene& scene, const SimulationOptions& given) : options(given), free_until(scene.start) {
     changing([&] {
-      if (is_world(scene)) {
+      if (!is_ring_pair(scene)) {
         if (options.tracer)
           throw InputError("tracer", "events of a world are not traced", "trace two of its bodies alone");
         world = std::make_unique<WorldSimulation>(scene, options.touch, options.max_events);

@@ -6,15 +6,15 @@
 
 #include "check/earliest.hpp"
 #include "motion/pieces.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/overlap_witness.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
-#include "world/world_feature_map.hpp"
 
 namespace taut::internal {
 namespace {
 
 const Scene& validated(const Scene& scene) {
-  validate_world(scene);
+  validate_polygons(scene);
   return scene;
 }
 
@@ -152,7 +152,7 @@ void WorldSimulation::conclude() {
   take_earliest(events, answer_);
   now_ = std::max(now_, answer_.free_until);
   if (answer_.outcome != Outcome::overlap_at_start) return;
-  answer_.overlap_point = common_point(plan_, (*answer_.pair)[0], (*answer_.pair)[1]);
+  answer_.overlap_point = common_point(plan_.pair((*answer_.pair)[0], (*answer_.pair)[1]), plan_.start());
 }
 
 Coverage WorldSimulation::coverage() const { return plan_.coverage(plan_.coverage(0).apart); }

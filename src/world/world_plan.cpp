@@ -11,11 +11,6 @@
 namespace taut::internal {
 namespace {
 
-int index_of(const Scene& scene, const std::map<std::string, int>& by_name, const std::string& name) {
-  const auto found = by_name.find(name);
-  return found == by_name.end() ? static_cast<int>(scene.bodies.size()) : found->second;
-}
-
 /// A number that is the same for the same motions, and seldom for others: where a point is taken at some time.
 double key_of(const MotionChain& chain) {
   double sum = 0;
@@ -37,18 +32,6 @@ bool same_chain(const MotionChain& a, const MotionChain& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_pieces);
 }
 
-}  // namespace
-
-double largest_coordinate(const Body& body) {
-  double largest = 0;
-  for (const Part& part : parts_of(body)) {
-    for (const Point& p : part.outline) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  }
-  return largest;
-}
-
-namespace {
-
 std::uint64_t pairs_of(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
 }  // namespace
@@ -65,21 +48,28 @@ void WorldPlan::add_bodies(const Scene& scene) {
   std::frexp(largest, &exponent_);
   exponent_ = -exponent_;
   largest_ = std::ldexp(largest, exponent_);
-  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  bodies_.reserve(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     WorldBody body;
     body.rings = std::make_shared<const RingSet>(scene.bodies[i], static_cast<int>(i), exponent_);
-    extent_ = std::max(extent_, std::ldexp(body.rings->diagonal(), -exponent_));
     const PieceList own = PieceList::between(scene.bodies[i].motion, start_, end_, exponent_);
     if (!own.rests()) body.own = own;
-    const std::string& parent = scene.bodies[i].relative_to;
-    if (!parent.empty()) body.parent = index_of(scene, by_name, parent);
     bodies_.push_back(std::move(body));
   }
+  find_parents(scene);
   children_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].motions = chain_of(static_cast<int>(i));
     if (bodies_[i].parent >= 0) children_[static_cast<std::size_t>(bodies_[i].parent)].push_back(static_cast<int>(i));
+  }
+}
+
+void WorldPlan::find_parents(const Scene& scene) {
+  const auto has_parent = [](const Body& body) { return !body.relative_to.empty(); };
+  if (std::none_of(scene.bodies.begin(), scene.bodies.end(), has_parent)) return;
+  const std::map<std::string, int> by_name = bodies_by_name(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (has_parent(scene.bodies[i])) bodies_[i].parent = by_name.at(scene.bodies[i].relative_to);
   }
 }
 
@@ -222,46 +212,7 @@ Coverage WorldPlan::coverage(std::uint64_t tested) const {
 
 PairPlan WorldPlan::pair(int a, int b) const {
   const WorldBody &first = bodies_[static_cast<std::size_t>(a)], &second = bodies_[static_cast<std::size_t>(b)];
-  PairPlan plan = pair_of(first.rings, second.rings, exponent_, extent_);
-  plan.common.assign(first.motions.begin(),
-                     first.motions.begin() + static_cast<std::ptrdiff_t>(count_common(first.motions, second.motions)));
-  return plan;
-}
-
-PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent) {
-  const bool swap = second->diagonal() > first->diagonal();
-  PairPlan plan;
-  plan.rings = {swap ? second : first, swap ? first : second};
-  plan.exponent = exponent;
-  plan.extent = extent;
-  for (std::size_t side = 0; side < 2; ++side) {
-    plan.names[side] = plan.rings[side]->name();
-    plan.maps[side].body = plan.rings[side]->body();
-  }
-  return plan;
-}
-
-PieceChain pieces_at(const MotionChain& motions, double t) {
-  PieceChain chain;
-  for (const PieceList& pieces : motions) chain.push_back(pieces.at(t));
-  if (chain.empty()) chain.push_back(MotionPiece{});
-  return chain;
-}
-
-MotionSegments WorldPlan::segments(const PairPlan& pair) const {
-  return segments(pair.rings[0]->body(), pair.rings[1]->body(), start_);
-}
-
-std::array<MotionSegments, 2> WorldPlan::both_segments(const PairPlan& pair, double from) const {
-  const int p = pair.rings[0]->body(), q = pair.rings[1]->body();
-  return {segments(p, q, from), segments(q, p, from)};
-}
-
-MotionSegments WorldPlan::segments(int first, int second, double from) const {
-  const MotionChain& p = bodies_[static_cast<std::size_t>(first)].motions;
-  const MotionChain& q = bodies_[static_cast<std::size_t>(second)].motions;
-  const std::size_t common = count_common(p, q);
-  return make_segments(without_first(p, common), without_first(q, common), from, end_);
+  return pair_of(first.rings, first.motions, second.rings, second.motions);
 }
 
 }  // namespace taut::internal

@@ -16,14 +16,6 @@
 
 namespace taut::internal {
 
-using SharedRings = std::shared_ptr<const RingSet>;
-
-/// The largest magnitude of a coordinate of the body's outlines.
-double largest_coordinate(const Body& body);
-
-/// Two bodies in their roles: P is the larger one, by its bounds. Coordinates are the input's times 2^exponent.
-PairPlan pair_of(const SharedRings& first, const SharedRings& second, int exponent, double extent);
-
 /// One body: its rings, and how it moves.
 struct WorldBody {
   SharedRings rings;
@@ -33,9 +25,6 @@ struct WorldBody {
   PieceList own = {};  ///< seen from its parent; empty if it rests there
   int parent = -1;
 };
-
-/// The piece of each motion that holds at that time; of a body at rest, one that rests.
-PieceChain pieces_at(const MotionChain& motions, double t);
 
 /// All bodies in one scale, their groups, and which pairs are asked about.
 class WorldPlan {
@@ -66,14 +55,12 @@ class WorldPlan {
   std::vector<int> followers(int body) const;
 
   PairPlan pair(int a, int b) const;
-  /// Of that pair, from start to end, in a frame that parents which both have are not in.
-  MotionSegments segments(const PairPlan& pair) const;
-  /// The same from a later time on; and with the roles exchanged.
-  std::array<MotionSegments, 2> both_segments(const PairPlan& pair, double from) const;
+  /// Of that pair, from start to end.
+  MotionSegments segments(const PairPlan& pair) const { return segments_of(pair, start_, end_); }
 
  private:
-  MotionSegments segments(int p, int q, double from) const;
   void add_bodies(const Scene& scene);
+  void find_parents(const Scene& scene);
   MotionChain chain_of(int body) const;
   void find_groups();
   void note_moving();
@@ -85,7 +72,6 @@ class WorldPlan {
   double start_, end_;
   int exponent_ = 0;
   double largest_ = 0;
-  double extent_ = 0;
   std::vector<WorldBody> bodies_;
   std::vector<std::vector<int>> children_;
   int groups_ = 0;

@@ -216,8 +216,8 @@ class Bodies:
 
     def __init__(self, plan, inwards):
         moved = []
-        for k, seed in ((0, 1), (1, 0x1234567)):
-            moved += displaced(plan.rings[k], inwards, seed)
+        for k in (0, 1):
+            moved += displaced(plan.rings[k], inwards, seed_of(plan.order[k], 0))
         self.np, self.size = len(plan.rings[0]), len(moved)
         self.scale = max(exponent_of(x) for v, d in moved for x in v + d)
         whole = 1 << self.scale
@@ -227,15 +227,25 @@ class Bodies:
         self.legs = plan.legs(self)
 
 
+MASK = (1 << 64) - 1
+
+
+def seed_of(body, ring):
+    """Different for any two rings of a scene."""
+    return (0x9E3779B97F4A7C15 * (body + 1) + 0xBF58476D1CE4E5B9 * (ring + 1)) & MASK
+
+
 class Plan:
     def __init__(self, scene):
         self.start, self.end = (float(t) for t in scene["time"])
         polygons = [[(float(x), float(y)) for x, y in body["polygon"]] for body in scene["bodies"]]
         motions = [pieces_between(body.get("motion"), self.start, self.end) for body in scene["bodies"]]
-        self.hashed = b"".join([number(self.start), number(self.end)] + [
-            struct.pack("<I", len(ring)) + b"".join(number(c) for v in ring for c in v) +
-            struct.pack("<I", len(pieces)) + b"".join(piece.bytes() for piece in pieces)
-            for ring, pieces in zip(polygons, motions)])
+        # One part of one ring each, no parent, nothing ignored.
+        self.hashed = b"".join([number(self.start), number(self.end), struct.pack("<I", 2)] + [
+            struct.pack("<III", 1, 1, len(ring)) + b"".join(number(c) for v in ring for c in v) +
+            struct.pack("<II", 0xFFFFFFFF, len(pieces)) + b"".join(piece.bytes() for piece in pieces) + bytes([0])
+            for ring, pieces in zip(polygons, motions)] + [struct.pack("<I", 0)])
+        self.hashed += bytes([1]) if scene.get("at_rest") == "test" else b""
         self.exponent = -math.frexp(max(abs(c) for ring in polygons for v in ring for c in v))[1]
         p = 1 if diameter(polygons[1]) > diameter(polygons[0]) else 0
         self.order = (p, 1 - p)
@@ -255,7 +265,7 @@ class Plan:
         return self.known[inwards]
 
     def fingerprint(self, closed):
-        return hashlib.sha256(b"taut scene 2" + bytes([closed]) + self.hashed).digest()
+        return hashlib.sha256(b"taut scene 3" + bytes([closed]) + self.hashed).digest()
 
     def vertex_name(self, v):
         side = 0 if v < len(self.rings[0]) else 1

@@ -76,7 +76,7 @@ class Pair:
     """P and Q; vertices of P, then of Q. All of it is independent of logs, and so is what was found out about it."""
 
     def __init__(self, scene, a, b, inwards):
-        if scene.bodies[b].diagonal > scene.bodies[a].diagonal:
+        if scene.bodies[b].diameter > scene.bodies[a].diameter:
             a, b = b, a
         self.bodies = scene.bodies[a], scene.bodies[b]
         self.np, self.size = (len(self.bodies[0].points), sum(len(body.points) for body in self.bodies))

@@ -3,6 +3,7 @@
 The scene must be valid."""
 
 import copy
+import functools
 import hashlib
 import math
 import struct
@@ -11,11 +12,10 @@ from fractions import Fraction
 import cosines
 from balls import (J1, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jpolynomial_about_middle,
                    jroot, jsub, jturn)
-from bodies import INFINITE, displaced, given_pieces, is_clockwise, made_between, number, trimmed
+from bodies import (INFINITE, diameter, displaced, given_pieces, is_clockwise, made_between, number, seed_of,
+                    trimmed)
 from covered import NotCovered
 from keyframes import compiled
-
-MASK = (1 << 64) - 1
 
 
 def packed(polynomial):
@@ -148,19 +148,20 @@ class Body:
         outer = [p for ring in rings if not ring.hole for p in ring.points()]
         self.box = (min(p[0] for p in outer), min(p[1] for p in outer),
                     max(p[0] for p in outer), max(p[1] for p in outer))
-        x, y = self.box[2] - self.box[0], self.box[3] - self.box[1]
-        m = max(x, y)
-        self.diagonal = m * math.sqrt((x / m) * (x / m) + (y / m) * (y / m))
+        self.outer = outer
         self.known = {}
+
+    @functools.cached_property
+    def diameter(self):
+        return diameter(self.outer)
 
     def displaced(self, inwards):
         """Integers times 2^-BITS."""
         if inwards not in self.known:
             out = []
             for k, ring in enumerate(self.rings):
-                seed = (0x9E3779B97F4A7C15 * (self.index + 1) + 0xBF58476D1CE4E5B9 * (k + 1)) & MASK
                 out += [(exact(v[0]) + exact(d[0]), exact(v[1]) + exact(d[1]))
-                        for v, d in ring.displaced(inwards, seed)]
+                        for v, d in ring.displaced(inwards, seed_of(self.index, k))]
             self.known[inwards] = out
         return self.known[inwards]
 
@@ -222,34 +223,25 @@ class Scene:
     def _hashed(self, json, given):
         """Without what comes before and in between: the name and the touch mode."""
         out = number(self.start) + number(self.end)
-        plain = all("polygon" in b and not isinstance(b["polygon"], dict) and not b.get("relative_to")
-                    for b in json["bodies"])
-        self.is_world = not (plain and len(given) == 2 and not json.get("ignore"))
 
         def ring_bytes(ring):
             return struct.pack("<I", len(ring)) + b"".join(number(c) for v in ring for c in v)
 
-        if self.is_world:
-            out += struct.pack("<I", len(given))
+        out += struct.pack("<I", len(given))
         for k, rings in enumerate(given):
             pieces = struct.pack("<I", len(self.own[k])) + b"".join(p.bytes() for p in self.own[k])
-            if not self.is_world:
-                out += ring_bytes(rings[0][0]) + pieces
-                continue
             parts = [[r[0] for r in rings if r[2] == part] for part in range(rings[-1][2] + 1)]
             out += struct.pack("<I", len(parts))
             for part in parts:
                 out += struct.pack("<I", len(part)) + b"".join(ring_bytes(ring) for ring in part)
             out += struct.pack("<I", self.parents[k] & 0xFFFFFFFF) + pieces + bytes([self.ignored_by_all[k]])
-        if self.is_world:
-            out += struct.pack("<I", len(self.ignored))
-            out += b"".join(struct.pack("<II", a, b) for a, b in sorted(self.ignored))
-            out += bytes([1]) if self.at_rest_tested else b""
+        out += struct.pack("<I", len(self.ignored))
+        out += b"".join(struct.pack("<II", a, b) for a, b in sorted(self.ignored))
+        out += bytes([1]) if self.at_rest_tested else b""
         return out
 
     def fingerprint(self, closed):
-        name = b"taut world 1" if self.is_world else b"taut scene 2"
-        return hashlib.sha256(name + bytes([closed]) + self.hashed).digest()
+        return hashlib.sha256(b"taut scene 3" + bytes([closed]) + self.hashed).digest()
 
     def _find_chains(self):
         moved = [cut_at_extremes(pieces, self.start, self.end) for pieces in self.own]

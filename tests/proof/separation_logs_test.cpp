@@ -13,7 +13,7 @@
 #include "check/apart_writer.hpp"
 #include "generators/generators.hpp"
 #include "log_text.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "proof/bytes.hpp"
 #include "proof/format.hpp"
 #include "proof/header.hpp"
@@ -74,8 +74,8 @@ void expect_separations_prove(const Scene& scene, Touch touch, SeparationCounts&
   ASSERT_GE(v.contact->time.hi, answer.contact->time.lo);
   // Before a joint of a world the windows end early, since the other pairs' jumps are there.
   ASSERT_LE(v.free_until, v.contact->time.lo);
-  ASSERT_GE(v.free_until, is_world(scene) ? std::nextafter(v.contact->time.lo, scene.start) : v.contact->time.lo);
-  if (is_world(scene) && v.contact->time.hi > scene.start) {
+  ASSERT_GE(v.free_until, !is_ring_pair(scene) ? std::nextafter(v.contact->time.lo, scene.start) : v.contact->time.lo);
+  if (!is_ring_pair(scene) && v.contact->time.hi > scene.start) {
     ASSERT_EQ(v.contact->vertex, answer.contact->vertex);
     ASSERT_EQ(v.contact->edge, answer.contact->edge);
   }

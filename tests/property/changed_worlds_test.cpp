@@ -5,7 +5,7 @@
 
 #include "base/budget.hpp"
 #include "motion/pieces.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "search/near_pairs.hpp"
 #include "support/effort.hpp"
 #include "support/large_world.hpp"
@@ -100,7 +100,7 @@ TEST(ChangedWorlds, WhoeverMeetsIsNear) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed + 5);
     Scene scene = scene_of(large_world(seed).world);
-    validate_world(scene);
+    validate_polygons(scene);
     WorldPlan plan(scene);
     NearPairs near(plan);
     near.begin(scene.start);

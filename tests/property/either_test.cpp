@@ -75,32 +75,40 @@ TEST(Either, CostsLittleMoreThanTheBetterEngine) {
   EXPECT_LT(all, 2 * better_all);
 }
 
-/// By turns of which each is longer than the one before, and the first ones far too short for anything.
-Answer by_turns(Run& run, std::uint64_t turn) {
-  int turns = 0;
-  while (!run.work(turn)) {
-    if (++turns > 400) {
-      ADD_FAILURE() << "no end after " << turns << " turns";
+/// By slices of which each is longer than the one before, and the first ones far too short for anything.
+PairResult by_slices(const WorldPlan& plan, EngineChoice engine, bool inwards, std::uint64_t slice) {
+  EventBudget budget(UINT64_MAX);
+  const auto solver = pair_solver({engine}, plan, 0, 1, inwards, budget);
+  solver->ask_start();
+  int slices = 0;
+  while (!solver->work(plan.start(), plan.end(), slice)) {
+    if (++slices > 400) {
+      ADD_FAILURE() << "no end after " << slices << " slices";
       break;
     }
-    turn += turn / 8 + 1;
+    slice += slice / 8 + 1;
   }
-  return run.answer();
+  return solver->result();
 }
 
-/// A run that is left in the middle of whatever it was at, and taken up again, comes to the same end by the same events
-/// as one that is not.
-TEST(Either, ShortTurnsComeToTheSameEnd) {
+/// A search that is left and taken up again comes to the same end as one that is not.
+TEST(Either, ShortSlicesComeToTheSameEnd) {
   for (std::uint64_t number = 0; number < effort(250); ++number) {
     const SoakScene s = number % 3 == 0 ? soak_scene(number) : soak_contact_scene(number);
-    CheckOptions options;
-    options.touch = s.touch;
-    options.tell_touching = false;
     SCOPED_TRACE("scene " + std::to_string(number));
-    const std::uint64_t first_turn = 1 + number % 97;
     try {
-      expect_same_answer(by_turns(*begin_spacetime(s.scene, options), first_turn), run_spacetime(s.scene, options));
-      expect_same_answer(by_turns(*begin_kinetic(s.scene, options), first_turn), run_kinetic(s.scene, options));
+      validate(s.scene);
+      const WorldPlan plan(s.scene);
+      for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+        const PairResult at_once = by_slices(plan, engine, s.touch == Touch::open, UINT64_MAX);
+        const PairResult result = by_slices(plan, engine, s.touch == Touch::open, 1 + number % 97);
+        ASSERT_EQ(result.outcome, at_once.outcome) << to_string(engine);
+        EXPECT_EQ(result.free_until, at_once.free_until);
+        ASSERT_EQ(result.contact.has_value(), at_once.contact.has_value());
+        if (result.contact) {
+          EXPECT_EQ(result.contact->time.hi, at_once.contact->time.hi);
+        }
+      }
     } catch (const InputError&) {
       // Some injections spoil a scene.
     }
@@ -145,8 +153,9 @@ TEST(Either, AddsUpWindowsThatEitherEngineDecides) {
     const WorldPlan plan(scene);
     EventBudget budget(UINT64_MAX);
     const bool inwards = seed % 2 == 0;
-    const auto alone = windowed_pair(EngineChoice::spacetime, plan, 0, 1, inwards, budget),
-               turns = pair_in_turns(plan, 0, 1, inwards, budget, rng.below(600));
+    const auto alone = pair_solver({EngineChoice::spacetime}, plan, 0, 1, inwards, budget),
+               turns = pair_solver({EngineChoice::either, static_cast<std::uint64_t>(rng.below(600))}, plan, 0, 1,
+                                   inwards, budget);
     alone->ask_start();
     turns->ask_start();
     ASSERT_EQ(turns->result().outcome, alone->result().outcome);

@@ -97,10 +97,11 @@ Place place(const MotionPiece& piece, const DisplacedPoint& v, const Wide& t) {
 
 /// The vertex of a feature in the pair's own numbers.
 VertexId vertex_of(const PairPlan& plan, int body, int index, bool edge) {
-  const std::size_t side = plan.maps[0].body == body ? 0 : 1;
-  const BodyMap& map = plan.maps[side];
+  const std::size_t side = plan.body(Role::p) == body ? 0 : 1;
+  const RingMap& map = plan.rings[side]->rings()[0];
+  const auto before = static_cast<std::uint32_t>(side == 0 ? 0 : plan.rings[0]->size());
   for (std::uint32_t k = 0; k < map.size; ++k) {
-    if ((edge ? map.edge(k) : map.vertex(k)) == index) return VertexId(side == 0 ? k : plan.maps[0].size + k);
+    if ((edge ? map.edge(k) : map.vertex(k)) == index) return VertexId(before + k);
   }
   return VertexId();
 }
@@ -110,7 +111,7 @@ int side_at(const PairPlan& plan, const PairGeometry& g, const Contact& contact,
   const Precision precision(2000);
   const VertexId a = vertex_of(plan, contact.edge.body, contact.edge.index, true), b = g.next(a);
   const VertexId c = vertex_of(plan, contact.vertex.body, contact.vertex.index, false);
-  const auto at = [&](VertexId v) { return place(plan.pieces[g.in_p(v) ? 0 : 1][0], g.point(v), Wide(t)); };
+  const auto at = [&](VertexId v) { return place(plan.motions[g.in_p(v) ? 0 : 1][0][0], g.point(v), Wide(t)); };
   const Place pa = at(a), pb = at(b), pc = at(c);
   return ((pb.x - pa.x) * (pc.y - pa.y) - (pb.y - pa.y) * (pc.x - pa.x)).sign();
 }
@@ -130,7 +131,7 @@ TEST(Enclosure, OfAContactContainsItsRoot) {
     const TimeInterval& time = answer.contact->time;
     const PairPlan plan = plan_pair(scene);
     const PairGeometry geometry = displaced_pair(plan, options.touch == Touch::open);
-    ASSERT_EQ(plan.pieces[0].size() * plan.pieces[1].size(), 1u);
+    ASSERT_EQ(plan.motions[0][0].size() * plan.motions[1][0].size(), 1u);
     ++contacts;
     ASSERT_LE(time.lo, time.hi);
     ASSERT_LE(side_at(plan, geometry, *answer.contact, time.lo), 0);

@@ -40,7 +40,7 @@ struct JoinCounts {
 /// Compares the tilings joined and from scratch at some instants of a scene with one piece of motion a body.
 void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCounts& counts) {
   const PairPlan plan = plan_pair(scene);
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   for (const bool inwards : {true, false}) {
     const PairGeometry geometry = displaced_pair(plan, inwards);
     const auto p = tile_shape(geometry.p(), node::p_tree);

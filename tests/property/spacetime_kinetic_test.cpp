@@ -37,11 +37,9 @@ void compare_contacts(const PairPlan& plan, const PairGeometry& g, const MotionS
   EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
   EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
   EXPECT_LE(hi - lo, 1e-11 * scale);
-  const auto side = [&](VertexId v) { return g.in_p(v) ? 0u : 1u; };
-  const auto local = [&](VertexId v) { return g.in_p(v) ? v.value : v.value - g.np; };
-  const BodyMap &vertex = plan.maps[side(second.found.vertex)], &edge = plan.maps[side(second.found.edge)];
-  const bool agree = same(first.vertex, vertex.body, vertex.vertex(local(second.found.vertex))) &&
-                     same(first.edge, edge.body, edge.edge(local(second.found.edge)));
+  const FeatureMap features(plan, g, true);
+  const bool agree =
+      first.vertex == features.vertex(second.found.vertex) && first.edge == features.edge(second.found.edge);
   if (!agree) ++counts.other_pair;
   EXPECT_TRUE(agree) << "vertex " << second.found.vertex.value << " edge " << second.found.edge.value;
 }
@@ -52,7 +50,7 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   const Answer first = check(scene, options);
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, touch == Touch::open);
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   if (spacetime::overlapping(geometry, segments[0], scene.start)) {
     ++counts.overlap;
     const bool at_start = first.contact && first.contact->time.hi == scene.start;

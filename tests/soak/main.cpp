@@ -31,16 +31,10 @@ namespace taut::testing {
 using namespace internal;
 namespace {
 
-/// A writer that also counts which stage answered.
-class CountingWriter : public ProofWriter {
- public:
-  using ProofWriter::ProofWriter;
-  void ended(const Session& session, const Answer& answer) override {
-    stages = session.engine().stages();
-    ProofWriter::ended(session, answer);
-  }
-  StageCounts stages;
-};
+Answer answer_of(const Scene& scene, CheckOptions options, EngineChoice engine) {
+  options.engine = engine;
+  return run_engines(scene, options);
+}
 
 /// What a proof says must be what the engines say.
 std::string refutation(const Answer& answer, const Verified& v) {
@@ -53,7 +47,7 @@ std::string refutation(const Answer& answer, const Verified& v) {
 
 /// Prepared shapes must not change anything.
 std::string prepared_difference(const SoakScene& s, const CheckOptions& options, const Answer& bare) {
-  const Answer answer = run_kinetic(prepared(s.scene), options);
+  const Answer answer = answer_of(prepared(s.scene), options, EngineChoice::kinetic);
   if (answer.outcome != bare.outcome) return "prepared shapes give another outcome";
   if (answer.events != bare.events) return "prepared shapes give another number of events";
   if (!bare.contact) return {};
@@ -113,11 +107,16 @@ std::string examine(const SoakScene& s, std::uint64_t number, const Limits& limi
   options.touch = s.touch;
   options.limits.max_seconds = limits.seconds;
   std::ostringstream log;
-  CountingWriter writer(s.scene, s.touch, log);
+  ProofWriter writer(s.scene, s.touch, log);
   try {
-    const Answer kinetic = run_kinetic(s.scene, options, writer);
-    const Answer answer = agreed(kinetic, run_spacetime(s.scene, options));
-    stages += writer.stages;
+    CheckOptions by_tiling = options;
+    by_tiling.engine = EngineChoice::kinetic;
+    Run run(s.scene, by_tiling, &writer);
+    run.run();
+    writer.end(run.answer());
+    const Answer kinetic = run.answer_with_touching();
+    const Answer answer = agreed(kinetic, answer_of(s.scene, options, EngineChoice::spacetime));
+    if (run.search()) stages += run.search()->stages();
     tally.events += kinetic.events;
     if (const std::string wrong = judgement(s, limits, answer, tally); !wrong.empty()) return wrong;
     if (kinetic.outcome == Outcome::undecided) return "undecided: " + kinetic.reason;

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "motion/pieces.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "support/consistency.hpp"
 #include "support/every_pair.hpp"
 #include "support/world_changes.hpp"
@@ -146,7 +146,7 @@ class WorldExamination {
   }
 
   std::string simulated() {
-    if (!is_world(scene_)) return {};
+    if (is_ring_pair(scene_)) return {};
     ++tally_.simulated;
     Simulation simulation(scene_, options_.touch);
     simulation.advance_to(scene_.end);

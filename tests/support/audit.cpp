@@ -144,7 +144,7 @@ RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditC
   guarded(result, [&] {
     const PairPlan plan = world.pair(a, b);
     const PairGeometry geometry = displaced_pair(plan, inwards);
-    RingEngines engines(plan, geometry, inwards, world.both_segments(plan, world.start()), &observer);
+    RingEngines engines(plan, geometry, inwards, world.segments(plan), &observer);
     if (engines.overlap()) {
       result.outcome = Outcome::overlap_at_start;
       return;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/hull.hpp"
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 #include "taut/error.hpp"
 
 namespace taut::testing {
@@ -216,7 +216,7 @@ Scene cavity_scene(std::uint64_t seed, Cavity cavity, const CavityOptions& optio
   for (;;) {
     Scene scene = attempted_scene(rng, cavity, options);
     try {
-      validate_world(scene);
+      validate_polygons(scene);
       return scene;
     } catch (const InputError&) {
       // What was cut off an island's tip has left something in the bar.

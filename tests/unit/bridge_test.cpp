@@ -141,7 +141,7 @@ void compare_bridges(const Placement& placement, BridgeCounts& counts) {
 /// At some instants of a scene's first segment.
 void compare_bridges(const Scene& scene, int instants, BridgeCounts& counts) {
   const PairPlan plan = plan_pair(scene);
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   const PairGeometry geometry = displaced_pair(plan, true);
   for (int i = 0; i < instants; ++i) {
     const double t = segments[0].start + (segments[0].end - segments[0].start) * (i + 0.5) / instants;
@@ -198,7 +198,7 @@ TEST(RootBridge, CostsInProportionToTheChains) {
   const auto cost = [](int lip_points) {
     const Scene scene = tight_mouth({lip_points, 0.1, 6, 0, 1.2});
     const PairPlan plan = plan_pair(scene);
-    const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+    const MotionSegments segments = segments_of(plan, scene.start, scene.end);
     const PairGeometry geometry = displaced_pair(plan, true);
     const Placement placement(geometry, segments[0], scene.start);
     const FreeChains chains = chains_at(placement).value();

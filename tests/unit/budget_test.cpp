@@ -243,13 +243,13 @@ TEST_P(Interruption, OfProofs) {
   });
 }
 
-/// A limit that is reached while shapes are prepared for both engines makes an answer, too. It had been thrown through.
-TEST(InterruptionOfBothEngines, WhileShapesArePrepared) {
+/// A limit that is reached before any search makes an answer, too. It had been thrown through.
+TEST(InterruptionOfBothEngines, BeforeAnySearch) {
   for (const Hostile& hostile : hostile_scenes()) {
     if (std::string(hostile.name) != "a cavity") continue;
     const Scene scene = hostile.make();
     const Budget past(Limits{0});
-    const Answer answer = run_either(scene, {});
+    const Answer answer = run_engines(scene, {});
     EXPECT_EQ(answer.outcome, Outcome::undecided);
     EXPECT_EQ(answer.reason, "the time limit was reached");
     EXPECT_EQ(answer.free_until, scene.start);

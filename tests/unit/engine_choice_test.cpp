@@ -3,8 +3,8 @@
 
 #include <atomic>
 
-#include "check/run.hpp"
 #include "generators/generators.hpp"
+#include "search/portfolio_solver.hpp"
 #include "taut/check.hpp"
 
 namespace taut {
@@ -157,23 +157,21 @@ TEST(Either, SaysWhatThatEngineSaysByItself) {
   }
 }
 
-/// Runs that are left and taken up again.
-TEST(Either, ManyShortTurnsAreOneLongOne) {
+/// Searches that are left and taken up again.
+TEST(Either, ManyShortSlicesAreOneLongOne) {
   const Scene scene = gen::make_gears({});
-  const CheckOptions options;
-  for (const auto begin : {+[](const Scene&s, const CheckOptions&o) { return begin_kinetic(s, o); }, begin_spacetime}) {
-    const auto whole = begin(scene, options);
-    ASSERT_TRUE(whole->work(UINT64_MAX));
-    const auto parts = begin(scene, options);
-    int turns = 1;
-    for (std::uint64_t effort = 1; !parts->work(effort); effort = effort * 3 / 2 + 1) {
-      EXPECT_EQ(parts->answer().outcome, Outcome::undecided);
-      ++turns;
-    }
-    EXPECT_GT(turns, 3);
-    EXPECT_EQ(parts->answer().outcome, whole->answer().outcome);
-    EXPECT_EQ(parts->answer().events, whole->answer().events);
-    EXPECT_EQ(parts->answer().free_until, whole->answer().free_until);
+  const WorldPlan plan(scene);
+  for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+    EventBudget budget(UINT64_MAX);
+    const auto whole = pair_solver({engine}, plan, 0, 1, true, budget),
+               parts = pair_solver({engine}, plan, 0, 1, true, budget);
+    whole->ask(scene.start, scene.end);
+    int slices = 1;
+    for (std::uint64_t effort = 1; !parts->work(scene.start, scene.end, effort); effort = effort * 3 / 2 + 1) ++slices;
+    EXPECT_GT(slices, 3);
+    EXPECT_EQ(parts->result().outcome, whole->result().outcome);
+    EXPECT_EQ(parts->counts().events, whole->counts().events);
+    EXPECT_EQ(parts->result().free_until, whole->result().free_until);
   }
 }
 

@@ -30,7 +30,7 @@ struct CurvedSetting {
     const PairPlan plan = plan_pair(scene);
     CurvedSetting s;
     s.geometry = displaced_pair(plan, seed % 2 == 0);
-    for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+    for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
       if (!segment.bridge && !(segment.translation && segment.degree <= 1)) s.segments.push_back(segment);
     }
     return s;
@@ -140,7 +140,7 @@ TEST(FixedPointExpansion, TurnsTellWhetherZeroIsReached) {
       const Scene scene = riding(height);
       const PairPlan plan = plan_pair(scene);
       const PairGeometry geometry = displaced_pair(plan, !inwards);
-      const MotionSegment segment = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end).front();
+      const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
       FrameExpansionCache frames;
       frames.reset(segment);
       const FrameExpansion* const frame = frames.around(0.25 + 1e-12, 0.25 + 1e-12);

@@ -24,7 +24,7 @@ struct LineSetting {
     const PairPlan plan = plan_pair(scene);
     LineSetting s;
     s.geometry = displaced_pair(plan, seed % 2 == 0);
-    for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+    for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
       if (!segment.bridge) s.segment = segment;
     }
     return s;

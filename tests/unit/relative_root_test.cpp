@@ -56,7 +56,7 @@ Counts check_all(const Scene& scene) {
   Counts counts;
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  const MotionSegment segment = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end).front();
+  const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
   FrameExpansionCache frames;
   ExpansionCache functions;
   frames.reset(segment);

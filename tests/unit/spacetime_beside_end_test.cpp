@@ -60,7 +60,7 @@ void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at
 void compare(const Scene& scene, Seen& seen) {
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
-  for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+  for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
     for (const bool at_end : {false, true}) {
       if (segment.bridge || !segment.singular_at(at_end ? segment.end : segment.start)) continue;
       for (const Ways ways : {Ways::into, Ways::both}) compare(geometry, segment, at_end, ways, seen);
@@ -103,7 +103,7 @@ TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
   int sharpened = 0;
-  for (const MotionSegment& segment : make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)) {
+  for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
     if (segment.bridge || !segment.singular_at(segment.start)) continue;
     PreciseCrossings crossings(geometry, segment, Ways::both);
     const auto np = static_cast<std::uint32_t>(geometry.np), all = static_cast<std::uint32_t>(geometry.size());
@@ -145,7 +145,7 @@ TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
   const Scene scene = dip_in_the_last_double();
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, false);
-  const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end);
+  const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   const MotionSegment& segment = segments[segments.size() - 1];
   int pairs = 0;
   for (std::uint32_t e = 0; e < geometry.np; ++e) {

@@ -39,7 +39,7 @@ struct Setting {
 
 Setting setting(const Scene& scene, bool inwards = true) {
   const PairPlan plan = plan_pair(scene);
-  return {displaced_pair(plan, inwards), make_segments(plan.pieces[0], plan.pieces[1], scene.start, scene.end)};
+  return {displaced_pair(plan, inwards), segments_of(plan, scene.start, scene.end)};
 }
 
 DisplacedPoint exactly(const Point& p) { return {p.x, p.y, 0, 0}; }

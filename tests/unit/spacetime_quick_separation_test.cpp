@@ -48,7 +48,7 @@ TEST(Glances, WhatTheyShowIsFree) {
     const PairGeometry geometry = displaced_pair(plan, rng.chance(0.5));
     const Hierarchy p = hierarchy_of_p(geometry), q = hierarchy_of_q(geometry);
     const double from = rng.real(0, 1), to = from + (1 - from) * rng.unit();
-    const MotionSegments segments = make_segments(plan.pieces[0], plan.pieces[1], from, to);
+    const MotionSegments segments = segments_of(plan, from, to);
     for (const MotionSegment& segment : segments) {
       const bool apart = quickly_apart({p, q}, segment, segment.start, segment.end);
       const SpacetimeResult truth = first_contact(geometry, {p, q}, MotionSegments(segment));

@@ -56,7 +56,7 @@ TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
   const Scene scene = passing("1");
   const PairPlan plan = plan_pair(scene);
   const PairGeometry geometry = displaced_pair(plan, true);
-  MotionSegment segment = MotionSegment::motion(plan.pieces[0][0], plan.pieces[1][0], 0, 4);
+  MotionSegment segment = MotionSegment::motion(plan.motions[0][0][0], plan.motions[1][0][0], 0, 4);
   FrameMemory memory;
   memory.reset(segment);
   const PreciseTriple function(

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/budget.hpp"
-#include "check/run.hpp"
+#include "search/portfolio_solver.hpp"
 #include "taut/check.hpp"
 #include "taut/io.hpp"
 #include "taut/proof.hpp"
@@ -66,26 +66,23 @@ INSTANTIATE_TEST_SUITE_P(
         Limits{"needle_that_turns_on_its_tip", 3'000, 20'000}),
     [](const auto& test) { return std::string(test.param.scene); });
 
-/// In turns, as two engines share a question, it costs little more: what a turn ends is gone on with.
-std::uint64_t work_in_turns(const Scene& scene, bool kinetic) {
-  CheckOptions options;
-  options.engine = kinetic ? EngineChoice::kinetic : EngineChoice::spacetime;
+std::uint64_t work_in_slices(const Scene& scene, EngineChoice engine, std::uint64_t first) {
   const std::uint64_t before = work_spent();
-  const std::unique_ptr<Run> run = kinetic ? begin_kinetic(scene, options) : begin_spacetime(scene, options);
-  for (std::uint64_t total = 640; !run->work(total - std::min(total - 1, work_spent() - before));) total += total / 8;
+  const WorldPlan plan(scene);
+  EventBudget budget(UINT64_MAX);
+  const auto solver = pair_solver({engine}, plan, 0, 1, true, budget);
+  for (std::uint64_t effort = first; !solver->work(scene.start, scene.end, effort);) effort += effort / 8;
   return work_spent() - before;
 }
 
-TEST(SearchesInTurns, AreNotDoneAnewInEach) {
+/// In slices, as two engines share a question, it costs little more: what a slice ends is gone on with.
+TEST(SearchesInSlices, AreNotDoneAnewInEach) {
   for (const char* name : {"touches_of_many_corners_at_one_instant", "six_fold_tangency", "slivers_touch_and_part",
                            "needles_that_pass_in_order_six", "fourth_order_touch_while_turning"}) {
     const Scene scene = read_scene(std::string("tests/corpus/") + name + ".json");
-    for (const bool kinetic : {true, false}) {
-      CheckOptions options;
-      const std::uint64_t before = work_spent();
-      (kinetic ? begin_kinetic(scene, options) : begin_spacetime(scene, options))->work(UINT64_MAX);
-      const std::uint64_t at_once = work_spent() - before;
-      EXPECT_LT(work_in_turns(scene, kinetic), at_once + at_once / 2 + 2000) << name << (kinetic ? " kinetic" : "");
+    for (const EngineChoice engine : {EngineChoice::kinetic, EngineChoice::spacetime}) {
+      const std::uint64_t at_once = work_in_slices(scene, engine, UINT64_MAX);
+      EXPECT_LT(work_in_slices(scene, engine, 640), at_once + at_once / 2 + 2000) << name << " " << to_string(engine);
     }
   }
 }

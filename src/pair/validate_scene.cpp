@@ -1,29 +1,30 @@
-#include "pair/validate_world.hpp"
+#include "pair/validate_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "geometry/part_validation.hpp"
 #include "geometry/prepared_shape.hpp"
 #include "geometry/shape_facts.hpp"
 #include "motion/pieces.hpp"
 #include "pair/ring_set.hpp"
-#include "pair/validate_time.hpp"
 #include "taut/error.hpp"
 #include "taut/validate.hpp"
 
 namespace taut::internal {
 namespace {
 
-using Names = std::map<std::string, BodyId>;
+using Names = std::map<std::string_view, BodyId>;
 
 Names names_of(const Scene& scene) {
   Names names;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const std::string& name = scene.bodies[i].name;
     if (name == "*") throw InputError("bodies", "a body is called \"*\"", "in \"ignore\" that is every other body");
-    if (!names.emplace(name, static_cast<BodyId>(i)).second)
+    // Nothing refers to a body without a name.
+    if (!name.empty() && !names.emplace(name, static_cast<BodyId>(i)).second)
       throw InputError("bodies", "two bodies are called \"" + name + "\"",
                        "give the bodies different names: answers call them by name");
   }
@@ -43,12 +44,11 @@ InputError located(const InputError& error, BodyId body, std::size_t part, std::
   return InputError(error.place(), error.problem(), error.hint(), std::move(culprits));
 }
 
-void validate_prepared(const Body& body, BodyId id) {
-  try {
-    validate_polygon_of(body);
-  } catch (const InputError& error) {
-    throw located(error, id, 0, 0);
-  }
+void validate_prepared(const Body& body) {
+  if (body.polygon.empty() || body.prepared->polygon() == body.polygon) return;
+  throw InputError(body.name, "the prepared shape was made of another polygon",
+                   "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
+                   "which may be left out then");
 }
 
 /// Its rings, one by one and together; grows the range of magnitudes, and the bounds of the body.
@@ -61,26 +61,29 @@ void validate_shape(const Body& body, BodyId id, ShapeFacts& range, Bounds& box)
     box.lo = {std::min(box.lo.x, facts.bounds.lo.x), std::min(box.lo.y, facts.bounds.lo.y)};
     box.hi = {std::max(box.hi.x, facts.bounds.hi.x), std::max(box.hi.y, facts.bounds.hi.y)};
   };
-  if (body.parts.empty() && body.prepared) {
-    validate_prepared(body, id);
-    return take(body.prepared->facts());
-  }
-  const std::vector<Part> parts = parts_of(body);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::size_t at = 0;  // the ring that is looked at; 0 again for all together
-    const auto validate = [&](const Polygon& ring, std::size_t number) {
-      at = number;
-      validate_polygon(ring, ring_name(body, i, number));
-      take(facts_of(ring));
-    };
-    try {
-      validate(parts[i].outline, 0);
-      for (std::size_t j = 0; j < parts[i].holes.size(); ++j) validate(parts[i].holes[j], j + 1);
-      at = 0;
-      validate_holes(parts[i], ring_name(body, i, 0));
-    } catch (const InputError& error) {
-      throw located(error, id, i, at);
+  // What is being validated: a part, and its ring, or 0 for all of its rings together.
+  std::size_t part = 0, ring = 0;
+  const auto validate = [&](const Polygon& polygon) {
+    validate_polygon(polygon, ring_name(body, part, ring));
+    take(facts_of(polygon));
+  };
+  try {
+    if (body.parts.empty() && body.prepared) {
+      validate_prepared(body);
+      take(body.prepared->facts());
+    } else if (body.parts.empty()) {
+      validate(body.polygon);
     }
+    for (part = 0; part < body.parts.size(); ++part) {
+      const Part& given = body.parts[part];
+      ring = 0;
+      validate(given.outline);
+      for (ring = 1; ring <= given.holes.size(); ++ring) validate(given.holes[ring - 1]);
+      ring = 0;
+      validate_holes(given, ring_name(body, part, 0));
+    }
+  } catch (const InputError& error) {
+    throw located(error, id, part, ring);
   }
 }
 
@@ -114,25 +117,25 @@ void validate_ignored(const Scene& scene, const Names& names) {
 
 }  // namespace
 
-void validate_polygon_of(const Body& body) {
-  if (!body.prepared) {
-    validate_polygon(body.polygon, body.name);
-  } else if (!body.polygon.empty() && body.prepared->polygon() != body.polygon) {
-    throw InputError(body.name, "the prepared shape was made of another polygon",
-                     "set Body::prepared to what prepare(polygon) returns for the body's own polygon, "
-                     "which may be left out then");
-  }
-}
-
-bool is_world(const Scene& scene) {
-  const auto plain = [](const Body& body) {
-    return body.parts.empty() && body.relative_to.empty() && body.curves.empty();
+bool is_ring_pair(const Scene& scene) {
+  const auto one_ring = [](const Body& body) {
+    const bool simple = body.parts.empty() || (body.parts.size() == 1 && body.parts[0].holes.empty());
+    return simple && body.curves.empty() && body.relative_to.empty();
   };
-  return scene.bodies.size() != 2 || !scene.ignore.empty() ||
-         !std::all_of(scene.bodies.begin(), scene.bodies.end(), plain);
+  return scene.bodies.size() == 2 && scene.ignore.empty() &&
+         std::all_of(scene.bodies.begin(), scene.bodies.end(), one_ring);
 }
 
-void validate_world(const Scene& scene) {
+void require_ring_pair(const Scene& scene, const std::string& use) {
+  for (const Body& body : scene.bodies) refuse_curves(body);
+  if (is_ring_pair(scene)) return;
+  throw InputError(
+      "bodies",
+      use + " needs two bodies, each one polygon without holes in the world's frame, and the scene is another one",
+      "`check` takes any number of bodies, with parts, holes, parents and ignored pairs");
+}
+
+void validate_polygons(const Scene& scene) {
   for (const Body& body : scene.bodies) refuse_curves(body);
   validate_time(scene);
   if (scene.bodies.empty()) throw InputError("bodies", "the scene has no bodies", "write at least one");
