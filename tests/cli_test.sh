@@ -116,7 +116,7 @@ expect 2 '' '--tolerance: 0 is not a positive number' import plate.svg --toleran
 expect 2 '' '--output|-o' import plate.svg --json
 # Lines as people draw them: what stays open is an error, in the picture, and may be closed or left out.
 cat >open.svg <<'END'
-<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="cut" fill="none">
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="cut" fill="none" stroke="black">
 <path d="M0 0H40V40H0V0.5"/><circle cx="20" cy="20" r="5"/><path d="M30 30h5"/></g><g id="mark" fill="none" stroke="red"><circle cx="5" cy="5" r="2"/></g></svg>
 END
 expect 2 '' 'open.svg:2:1: an outline stays open, with a gap of 0.5 from \(0' import open.svg --svg open_report.svg
@@ -171,6 +171,13 @@ expect 2 '' 'resolution' cells primitive.json
 sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
 expect 2 '' 'broken.svg:2:17: this is no command of a path, at character 13' import broken.svg
 echo '<svg><text>a</text></svg>' >empty.svg
+echo '<svg width="20mm" viewBox="0 0 20 20"><rect width="9" height="9" fill="none"/></svg>' >unseen.svg
+expect 2 '' 'hint: give the shapes a stroke' import unseen.svg
+echo '<svg height="20MM" viewBox="0 0 10 10"><style>g>.a{fill:none} .a:nth-child(1){stroke:red}</style><g><rect class="a" width="4" height="4"/></g></svg>' >rules.svg
+expect 2 '' 'rules.svg:1:[0-9]+: the rule ".a:nth-child\(1\)" has ":nth-child\(1\)", which is not read' import rules.svg
+expect 2 '' 'hint: style the elements by their classes or ids, or leave it as it is with --open skip' import rules.svg
+sed -i 's/:nth-child(1)//' rules.svg
+expect 0 '\[8, -8\]|8,-8' 'units: mm \(2 mm for each' import rules.svg
 expect 2 '' 'empty.svg: nothing in the file encloses an area; skipped: <text>' import empty.svg
 
 # Answers.

@@ -75,7 +75,9 @@ void BodyMaker::add(Drawing drawing) {
       reasons += (reasons.empty() ? "; " : ", ") + ("the line at " + open.place) + " is open";
     }
     fail(drawing.file, "nothing in the file encloses an area" + reasons,
-         "draw closed lines; ends that do not meet are joined with --join E, or by --open close");
+         drawing.remedy.empty()
+             ? "draw closed lines; ends that do not meet are joined with --join E, or by --open close"
+             : drawing.remedy);
   }
   file_.kept = finder.found();
   import_.files.push_back(std::move(file_));

@@ -91,6 +91,7 @@ struct Skipped {
   bool unread = false;  ///< it was to be seen in the drawing, and may have been meant as a part of a body
   int times = 1;
   std::vector<LostShape> shapes = {};  ///< of all of its kind and layer
+  std::string remedy = {};             ///< of what changes shapes, and is none itself
 };
 
 /// A curve that a scene can have, and the points that stand for it between its ends; at least one.
@@ -103,6 +104,12 @@ struct KeptCurve {
 inline Skipped lost(const std::string& place, const std::string& what, const std::string& reason,
                     const std::string& layer = "") {
   return {place, what, reason, layer, "", true, 1, {{place, {}}}};
+}
+
+/// A style that was not read: it may change any shape.
+inline Skipped lost_style(const std::string& place, const std::string& what, const std::string& reason,
+                          const std::string& remedy) {
+  return {place, what, reason, "", "", true, 1, {{place, {}}}, remedy};
 }
 
 /// Curves that became chords.
@@ -125,6 +132,7 @@ struct Drawing {
   std::vector<Skipped> skipped;
   CurveCounts curves;
   std::vector<std::string> notes = {};  ///< decisions that a person should know of
+  std::string remedy = {};              ///< what to do if nothing in the file encloses an area; empty for the usual
   std::vector<KeptCurve> kept = {};
   std::vector<Chorded> chorded = {};
   std::vector<std::string> layer_names = {};  ///< that options may name; if empty, those of `layers`

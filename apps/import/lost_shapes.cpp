@@ -19,6 +19,13 @@ void add_edges(const Polygon& ring, std::vector<SegmentBox>& boxes) {
   for (std::size_t i = 0; i < ring.size(); ++i) boxes.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
 }
 
+std::string consequence_of(const Skipped& skipped, const LostShape& shape, const std::string& layer) {
+  if (!skipped.remedy.empty()) return "; it may change the shape of any body";
+  if (shape.points.empty()) return "; where it lies is not known, and it may be a hole or an outline of any body";
+  return fmt::format("; it lies in material of layer \"{}\", or across its boundary, and may be a hole or an outline",
+                     io::excerpt(layer));
+}
+
 }  // namespace
 
 /// A hole may lie wherever material is. What is filled in material, or along its boundary, changes nothing; what goes
@@ -64,15 +71,12 @@ void BodyMaker::require_nothing_lost(const Drawing& drawing) {
   for (const Skipped& skipped : file_.skipped) {
     for (const LostShape& shape : skipped.shapes) {
       const auto layer = layer_at(shape, edges);
-      if (!layer) continue;
+      if (!layer && skipped.remedy.empty()) continue;
       fail(shape.place,
-           fmt::format("{} {}{}", skipped.what, skipped.reason,
-                       shape.points.empty()
-                           ? "; where it lies is not known, and it may be a hole or an outline of any body"
-                           : fmt::format("; it lies in material of layer \"{}\", or across its boundary, and may be a "
-                                         "hole or an outline",
-                                         io::excerpt(drawing.layers[*layer].name))),
-           "draw it anew as lines, arcs, polylines or paths, or leave it as it is with --open skip");
+           skipped.what + " " + skipped.reason +
+               consequence_of(skipped, shape, layer ? drawing.layers[*layer].name : ""),
+           (skipped.remedy.empty() ? "draw it anew as lines, arcs, polylines or paths" : skipped.remedy) +
+               ", or leave it as it is with --open skip");
       break;
     }
   }

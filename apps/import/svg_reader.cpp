@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "import/svg_path.hpp"
+#include "import/svg_shapes.hpp"
 #include "import/svg_styles.hpp"
-#include "import/svg_values.hpp"
+#include "import/svg_viewport.hpp"
 #include "import/xml_tree.hpp"
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
@@ -32,11 +32,45 @@ bool is_see_through(const std::string& fill) {
 
 constexpr int deepest_clone = 16;
 constexpr std::size_t most_cloned = 1000000;
+/// Of what surrounds all layers.
+constexpr int no_layer = 1000000000;
+const char* const percent_reason = "has a length in percent of the page, whose size is not known";
+
+/// A drawing in the drawing, or a symbol: what reaches beyond it is not seen.
+struct Frame {
+  Affine where;  ///< from the unit square
+  std::string place;
+};
+
+/// How far a shape reaches beyond a frame.
+enum class Beyond { nothing, part, all };
+
+Beyond beyond_frame(const std::vector<Chain>& chains, const Frame& frame) {
+  const Affine& f = frame.where;
+  const double area = f.a * f.d - f.b * f.c;
+  double lo_x = INFINITY, lo_y = INFINITY, hi_x = -INFINITY, hi_y = -INFINITY;
+  for (const Chain& chain : chains) {
+    for (const Point& p : chain.points) {
+      const double x = p.x - f.e, y = p.y - f.f;
+      const double u = (x * f.d - y * f.c) / area, v = (y * f.a - x * f.b) / area;
+      lo_x = std::min(lo_x, u);
+      hi_x = std::max(hi_x, u);
+      lo_y = std::min(lo_y, v);
+      hi_y = std::max(hi_y, v);
+    }
+  }
+  constexpr double rounding = 1e-6;
+  if (lo_x >= -rounding && lo_y >= -rounding && hi_x <= 1 + rounding && hi_y <= 1 + rounding) return Beyond::nothing;
+  return hi_x <= 0 || hi_y <= 0 || lo_x >= 1 || lo_y >= 1 ? Beyond::all : Beyond::part;
+}
 
 /// What an element hands down to those inside it.
 struct Surroundings {
   Affine where;
+  Viewport viewport;
+  std::vector<Frame> frames;
   bool filled = true, displayed = true, hidden = false;
+  bool stroked = false, clear_filling = false, clear_line = false, no_width = false;
   std::string color;  ///< of the line, or else of the filling
   Fill fill = Fill::nonzero;
   int layer = -1;
@@ -46,7 +80,7 @@ struct Surroundings {
 class SvgReader {
  public:
   SvgReader(const XmlTree& xml, const std::string& file, const ImportSettings& settings, double tolerance)
-      : xml_(xml), settings_(settings), flattener_(settings, tolerance, file) {
+      : xml_(xml), settings_(settings), flattener_(settings, tolerance, file), styles_(xml) {
     drawing_.file = file;
     drawing_.format = "SVG";
   }
@@ -68,6 +102,8 @@ class SvgReader {
       open(node);
     }
     tell_what_is_not_drawn();
+    if (unpainted_ > 0 && drawing_.diagonal() == 0)
+      drawing_.remedy = "give the shapes a stroke, as stroke=\"black\", or a fill";
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
@@ -82,12 +118,15 @@ class SvgReader {
 
   void open(std::size_t node) {
     const XmlElement& element = xml_.element(node);
+    const Surroundings& around = open_.back().around;
     if (element.name == "g" || element.name == "a" || element.name == "switch") {
-      open_.push_back({node + 1, xml_.end(node), inside(element, true)});
-    } else if (is_shape(element.name)) {
-      read_shape(element, inside(element, false));
+      open_.push_back({node + 1, xml_.end(node), inside(node, around, true)});
+    } else if (is_svg_shape(element.name)) {
+      read_shape(element, inside(node, around, false));
+    } else if (element.name == "svg") {
+      open_frame(node, inside(node, around, true), element);
     } else if (element.name == "use") {
-      open_clone(element);
+      open_clone(node);
     } else if (element.name == "defs" || element.name == "symbol") {
       definitions_.push_back(node);
     } else {
@@ -102,16 +141,23 @@ class SvgReader {
       throw InputError(element.place,
                        "the document is not an SVG drawing: its element is <" + io::excerpt(element.name) + ">",
                        "give an SVG drawing, or WKT, GeoJSON or DXF with its usual file ending");
-    Surroundings root;
-    const double unit = unit_of(element) * settings_.scale;
-    root.where = scaling(unit, -unit);
+    const Page page = page_of(element);
+    drawing_.units = page.units;
     drawing_.millimetre = settings_.scale;
-    if (element.find("transform")) root.where = root.where * parse_transform(element);
-    open_.push_back({1, xml_.end(0), root});
+    if (!page.note.empty()) drawing_.notes.push_back(page.note);
+    open_.push_back({1, xml_.end(0), {}});
+    Surroundings root;
+    root.where = scaling(page.across * settings_.scale, -page.up * settings_.scale);
+    root.viewport = page.viewport;
+    root.layer = no_layer;
+    root = inside(0, root, true);
+    root.layer = -1;
+    open_.back().around = std::move(root);
   }
 
   /// What a <use> stands for, as if it were within it.
-  void open_clone(const XmlElement& use) {
+  void open_clone(std::size_t node) {
+    const XmlElement& use = xml_.element(node);
     const std::string* link = use.find("href");
     if (!link) link = use.find("xlink:href");
     const auto target = link && !link->empty() && (*link)[0] == '#' ? xml_.by_id(link->substr(1)) : std::nullopt;
@@ -120,17 +166,39 @@ class SvgReader {
     if (elsewhere) return lose(use, "clones what is in another file");
     if (!target) return unread(use, "clones what is not in the file");
     const XmlElement& what = xml_.element(*target);
-    if (what.name == "symbol" && what.find("viewBox"))
-      return lose(use, "clones a symbol with a viewBox: unlink it in the program that drew it");
-    Surroundings s = inside(use, true, what);
+    Surroundings s = inside(node, open_.back().around, true, &what);
     if (++s.clones > deepest_clone)
       throw InputError(use.place, "clones are within clones more than 16 deep",
                        "an element must not clone what it is within: unlink the clone");
-    s.where = s.where * translation(user_length(use, "x", 0), user_length(use, "y", 0));
+    const double x = user_length(use, "x", s.viewport, 0), y = user_length(use, "y", s.viewport, 0);
+    if (std::isnan(x) || std::isnan(y)) return lose(use, percent_reason);
+    s.where = s.where * translation(x, y);
     drawn_definitions_.insert(*target);
-    if (what.name != "symbol") return open_.push_back({*target, xml_.end(*target), s});
-    // What stands for the symbol is a group.
-    open_.push_back({*target + 1, xml_.end(*target), s});
+    if (what.name == "symbol" || what.name == "svg") return open_frame(*target, inside(*target, s, true), use);
+    open_.push_back({*target, xml_.end(*target), s});
+  }
+
+  /// A drawing in the drawing, or a symbol, in a viewport as large as `sized` says, or else it itself.
+  void open_frame(std::size_t node, Surroundings s, const XmlElement& sized) {
+    const XmlElement& element = xml_.element(node);
+    const auto size = [&](const char* key, double all) {
+      return user_length(sized, key, s.viewport, user_length(element, key, s.viewport, all));
+    };
+    const Viewport viewport{size("width", s.viewport.width), size("height", s.viewport.height)};
+    const double x = user_length(element, "x", s.viewport, 0), y = user_length(element, "y", s.viewport, 0);
+    const auto box = view_box_of(element);
+    const bool known = !std::isnan(viewport.width) && !std::isnan(viewport.height);
+    if (std::isnan(x) || std::isnan(y) || (box && !known)) return lose(element, percent_reason);
+    if (element.find("refX") || element.find("refY")) return lose(element, "has refX or refY, which are not read");
+    if (viewport.width <= 0 || viewport.height <= 0)
+      return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
+    s.where = s.where * translation(x, y);
+    const std::string overflow = styles_.style_of(node).word("overflow");
+    if (known && overflow != "visible" && overflow != "auto")
+      s.frames.push_back({s.where * scaling(viewport.width, viewport.height), element.place});
+    if (box) s.where = s.where * fitted(*box, viewport, element);
+    s.viewport = box ? Viewport{box->width, box->height} : viewport;
+    open_.push_back({node + 1, xml_.end(node), std::move(s)});
   }
 
   /// Shapes of definitions that no clone has drawn.
@@ -140,67 +208,43 @@ class SvgReader {
       bool idle = false;
       for (std::size_t node = definition; node < xml_.end(definition) && !idle;) {
         const bool drawn = drawn_definitions_.count(node) != 0;
-        idle = !drawn && is_shape(xml_.element(node).name);
+        idle = !drawn && is_svg_shape(xml_.element(node).name);
         node = drawn || is_paint(xml_.element(node).name) ? xml_.end(node) : node + 1;
       }
       if (idle) drawing_.skip(element.place, "<" + element.name + ">", "is not drawn where it stands, nor cloned");
     }
   }
 
-  /// How long a unit of the drawing is in millimetres, where the document says so; otherwise 1.
-  double unit_of(const XmlElement& root) {
-    const std::string* width = root.find("width");
-    const std::string* box = root.find("viewBox");
-    const auto length = width ? parse_length(*width) : std::nullopt;
-    const auto millimetre = length ? millimetres(length->unit) : std::nullopt;
-    double across = 0;
-    if (box) {
-      NumberScanner scanner(*box);
-      scanner.number();
-      scanner.number();
-      across = scanner.number().value_or(0);
-      if (!(across > 0))
-        throw InputError(root.place, "viewBox=\"" + io::excerpt(*box) + "\" is not x, y, width and height",
-                         "write four numbers, the last two above 0");
-    }
-    if (!millimetre || !(length->value > 0)) {
-      drawing_.units = "the drawing's own";
-      return 1;
-    }
-    const double unit = box ? length->value * *millimetre / across : 25.4 / 96;
-    drawing_.units = "mm (" + io::number_text(unit) + " mm for each of the drawing's own)";
-    return unit;
-  }
-
-  /// The words of style sheets are the same in capitals.
-  std::string word_of(const XmlElement& element, const std::string& name) const {
-    std::string word = styles_.property(element, name);
-    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return word;
-  }
-
-  Surroundings inside(const XmlElement& element, bool group) { return inside(element, group, element); }
-
   /// `named`: by which the layer is called where the element itself has no name.
-  Surroundings inside(const XmlElement& element, bool group, const XmlElement& named) {
-    Surroundings s = open_.back().around;
+  Surroundings inside(std::size_t node, Surroundings s, bool group, const XmlElement* named = nullptr) {
+    const XmlElement& element = xml_.element(node);
+    const ElementStyle style = styles_.style_of(node);
     s.where = s.where * parse_transform(element);
-    const std::string fill = styles_.property(element, "fill"), rule = word_of(element, "fill-rule");
-    if (!fill.empty() && word_of(element, "fill") != "inherit") s.filled = !is_see_through(word_of(element, "fill"));
-    const std::string stroke = styles_.property(element, "stroke");
-    for (const std::string* color : {&fill, &stroke})
-      if (!color->empty() && *color != "inherit" && *color != "none") s.color = *color;
-    if (!rule.empty() && rule != "inherit") s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
-    const std::string visibility = word_of(element, "visibility");
-    if (!visibility.empty() && visibility != "inherit") s.hidden = visibility != "visible";
-    if (word_of(element, "display") == "none") s.displayed = false;
+    paint(style, s);
+    const std::string rule = style.word("fill-rule"), visibility = style.word("visibility");
+    if (!rule.empty()) s.fill = rule == "evenodd" ? Fill::even_odd : Fill::nonzero;
+    if (!visibility.empty()) s.hidden = visibility != "visible";
+    // All within it goes with it.
+    if (style.word("display") == "none" || style.is_zero("opacity")) s.displayed = false;
     tell_what_is_not_obeyed(element);
     if (s.layer < 0) {
       s.layer = static_cast<int>(drawing_.layers.size());
       const std::string name = name_of(element, group);
-      drawing_.layers.push_back({name.empty() ? name_of(named, group) : name, {}});
+      drawing_.layers.push_back({name.empty() && named ? name_of(*named, group) : name, {}});
     }
     return s;
+  }
+
+  /// Whether fillings and lines are to be seen.
+  static void paint(const ElementStyle& style, Surroundings& s) {
+    const std::string fill = style.word("fill"), stroke = style.word("stroke");
+    if (!fill.empty()) s.filled = !is_see_through(fill);
+    if (!stroke.empty()) s.stroked = !is_see_through(stroke);
+    for (const char* paint : {"fill", "stroke"})
+      if (!style.word(paint).empty() && style.word(paint) != "none") s.color = style.text(paint);
+    if (!style.word("fill-opacity").empty()) s.clear_filling = style.is_zero("fill-opacity");
+    if (!style.word("stroke-opacity").empty()) s.clear_line = style.is_zero("stroke-opacity");
+    if (!style.word("stroke-width").empty()) s.no_width = style.is_zero("stroke-width");
   }
 
   void tell_what_is_not_obeyed(const XmlElement& element) {
@@ -212,19 +256,13 @@ class SvgReader {
     }
     const std::string property = unread_in_style(element);
     if (!property.empty())
-      drawing_.skip(lost(element.place, "\"" + property + "\" in a style", "is not read: use the attribute"));
+      drawing_.skip(lost_style(element.place, "\"" + property + "\" in a style", "is not read", "use the attribute"));
   }
 
   static std::string name_of(const XmlElement& element, bool group) {
     const std::string* label = group ? element.find("inkscape:label") : nullptr;
     if (!label || label->empty()) label = element.find("id");
     return label ? *label : "";
-  }
-
-  static bool is_shape(const std::string& name) {
-    for (const char* known : {"path", "rect", "circle", "ellipse", "polygon", "polyline", "line"})
-      if (name == known) return true;
-    return false;
   }
 
   /// What fills or marks others.
@@ -235,14 +273,20 @@ class SvgReader {
   }
 
   void read_shape(const XmlElement& element, const Surroundings& s) {
-    if (s.hidden || !s.displayed) return drawing_.skip(element.place, "<" + element.name + ">", "is not visible");
-    if (is_background(element)) return unread(element, "is as large as the page: its background");
-    if (in_percent(element)) return lose(element, "has a size in percent of the page");
-    std::vector<Chain> chains = chains_of(element, s.where);
-    if (chains.empty()) return drawing_.skip(element.place, "<" + element.name + ">", "has no extent");
+    const std::string what = "<" + element.name + ">";
+    if (s.hidden || !s.displayed) return drawing_.skip(element.place, what, "is not visible");
+    const bool filled = s.filled && !s.clear_filling && element.name != "line";
+    if (!filled && (!s.stroked || s.clear_line || s.no_width)) {
+      ++unpainted_;
+      return drawing_.skip(element.place, what, "has neither a fill nor a stroke: it is not visible");
+    }
+    if (is_background(element, s, filled)) return unread(element, "is as large as the page: its background");
+    if (has_unknown_size(element, s.viewport)) return lose(element, percent_reason);
+    std::vector<Chain> chains = svg_shape(element, s.viewport, s.where, flattener_);
+    if (chains.empty()) return drawing_.skip(element.place, what, "has no extent");
+    if (is_beyond_frames(element, s, chains)) return;
     Layer& layer = settings_.by == Grouping::color ? drawing_.layer(s.color.empty() ? "no color" : s.color)
                                                    : drawing_.layers[static_cast<std::size_t>(s.layer)];
-    const bool filled = s.filled && element.name != "line";
     if (filled) {
       // What is filled is closed.
       for (Chain& chain : chains) chain.closed = true;
@@ -254,81 +298,25 @@ class SvgReader {
     for (Chain& chain : chains) lines->chains.push_back(std::move(chain));
   }
 
-  static bool is_background(const XmlElement& element) {
+  /// Of the page itself, not of a drawing in it. A frame around the page may be a line to cut.
+  static bool is_background(const XmlElement& element, const Surroundings& s, bool filled) {
     const std::string *width = element.find("width"), *height = element.find("height");
-    return element.name == "rect" && width && height && *width == "100%" && *height == "100%";
+    return filled && s.frames.empty() && element.name == "rect" && width && height && *width == "100%" &&
+           *height == "100%";
   }
 
-  static bool in_percent(const XmlElement& element) {
-    for (const char* key : {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2"}) {
-      const std::string* value = element.find(key);
-      if (value && !value->empty() && value->back() == '%') return true;
+  /// What is in part beyond a frame is told: its whole is taken.
+  bool is_beyond_frames(const XmlElement& element, const Surroundings& s, const std::vector<Chain>& chains) {
+    for (const Frame& frame : s.frames) {
+      const Beyond beyond = beyond_frame(chains, frame);
+      if (beyond == Beyond::all) {
+        drawing_.skip(element.place, "<" + element.name + ">", "lies beyond the frame at " + frame.place);
+        return true;
+      }
+      if (beyond == Beyond::part)
+        unread(element, "reaches beyond the frame at " + frame.place + ", which hides a part of it: it is taken whole");
     }
     return false;
-  }
-
-  std::vector<Chain> chains_of(const XmlElement& e, const Affine& where) {
-    if (e.name == "path") return read_path(e, where, flattener_);
-    if (e.name == "rect") return rectangle(e, where);
-    if (e.name == "polygon" || e.name == "polyline") return points_of(e, where);
-    const auto length = [&e](const char* key) { return user_length(e, key, 0); };
-    if (e.name == "line") {
-      const Point a{length("x1"), length("y1")}, b{length("x2"), length("y2")};
-      if (a == b) return {};
-      return {{{where(a), where(b)}, false, e.place}};
-    }
-    const bool circle = e.name == "circle";
-    const double rx = length(circle ? "r" : "rx"), ry = length(circle ? "r" : "ry");
-    if (!(rx > 0 && ry > 0)) return {};
-    Chain chain{{}, true, e.place};
-    flattener_.ellipse(chain.points, where({length("cx"), length("cy")}), where.turn({rx, 0}), where.turn({0, ry}));
-    return {chain};
-  }
-
-  std::vector<Chain> rectangle(const XmlElement& e, const Affine& where) {
-    const double x = user_length(e, "x", 0), y = user_length(e, "y", 0);
-    const double width = user_length(e, "width", 0), height = user_length(e, "height", 0);
-    if (!(width > 0 && height > 0)) return {};
-    double rx = user_length(e, "rx", -1), ry = user_length(e, "ry", -1);
-    if (rx < 0) rx = std::max(ry, 0.0);
-    if (ry < 0) ry = rx;
-    rx = std::min(rx, width / 2);
-    ry = std::min(ry, height / 2);
-    Chain chain{{}, true, e.place};
-    const auto corner = [&](double cx, double cy, int quarter) {
-      if (rx == 0 || ry == 0) return chain.points.push_back(where({cx, cy}));
-      const Affine turn = rotation(90 * quarter);
-      // From the quarter's first axis to the next one.
-      const Point a{turn.a * rx, turn.b * ry}, b{turn.c * rx, turn.d * ry};
-      const Point middle{cx - a.x - b.x, cy - a.y - b.y};
-      chain.points.push_back(where({middle.x + a.x, middle.y + a.y}));
-      flattener_.arc(chain.points, where(middle), where.turn(a), where.turn(b), 0, 3.14159265358979323846 / 2,
-                     where({middle.x + b.x, middle.y + b.y}));
-    };
-    corner(x + width, y + height, 0);
-    corner(x, y + height, 1);
-    corner(x, y, 2);
-    corner(x + width, y, 3);
-    return {chain};
-  }
-
-  std::vector<Chain> points_of(const XmlElement& e, const Affine& where) const {
-    const std::string* text = e.find("points");
-    if (!text) return {};
-    NumberScanner scanner(*text);
-    Chain chain{{}, e.name == "polygon", e.place};
-    while (!scanner.at_end()) {
-      const auto x = scanner.number(), y = scanner.number();
-      if (!x || !y) {
-        throw InputError(e.place,
-                         "points=\"...\" has something else than pairs of numbers, at character " +
-                             std::to_string(scanner.position() + 1),
-                         "write points=\"x,y x,y ...\"");
-      }
-      chain.points.push_back(where({*x, *y}));
-    }
-    if (chain.points.size() < 2) return {};
-    return {chain};
   }
 
   /// What describes the drawing, or is of its program, is no part of it; other elements are told.
@@ -337,7 +325,6 @@ class SvgReader {
     if (described.count(element.name) || element.name.find(':') != std::string::npos) return;
     if (element.name == "style" || element.name == "script" || is_paint(element.name)) return;
     if (element.name == "text") return unread(element, "is text: turn it into paths if it is to be part of a body");
-    if (element.name == "svg") return lose(element, "is a drawing in the drawing: ungroup it");
     unread(element, "is no path or basic shape");
   }
 
@@ -359,7 +346,7 @@ class SvgReader {
   std::vector<Level> open_;
   std::vector<std::size_t> definitions_;
   std::set<std::size_t> drawn_definitions_;
-  std::size_t cloned_ = 0;
+  std::size_t cloned_ = 0, unpainted_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 
 #include "import/svg_values.hpp"
 #include "io/text_file.hpp"
@@ -16,7 +17,8 @@ namespace {
 constexpr std::size_t most_rules = 1000;
 
 const std::set<std::string>& read_properties() {
-  static const std::set<std::string> names{"fill", "fill-rule", "stroke", "display", "visibility"};
+  static const std::set<std::string> names{"fill",           "fill-rule", "fill-opacity", "stroke",     "stroke-width",
+                                           "stroke-opacity", "opacity",   "display",      "visibility", "overflow"};
   return names;
 }
 
@@ -83,66 +85,51 @@ std::string without_important(const std::string& value, bool& important) {
   return trimmed_text(value.substr(0, mark));
 }
 
-bool has_class(const XmlElement& element, const std::string& wanted) {
-  const std::string* classes = element.find("class");
-  if (!classes) return false;
-  std::size_t at = 0;
-  while ((at = classes->find(wanted, at)) != std::string::npos) {
-    const std::size_t end = at + wanted.size();
-    const auto space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-    if ((at == 0 || space((*classes)[at - 1])) && (end == classes->size() || space((*classes)[end]))) return true;
-    at = end;
-  }
-  return false;
+std::string in_lower_case(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+/// Is the block of a @media rule for a picture on a screen? Unknown where more is asked for than the kind of medium.
+enum class Medium { screen, other, unknown };
+Medium medium_of(const std::string& query) {
+  bool unknown = false, screen = false;
+  each_piece(query, ',', [&](const std::string& piece) {
+    std::string word = in_lower_case(piece);
+    if (word.starts_with("only ")) word = trimmed_text(word.substr(5));
+    if (word == "screen" || word == "all")
+      screen = true;
+    else if (word != "print" && word != "speech")
+      unknown = true;
+  });
+  if (trimmed_text(query).empty() || screen) return Medium::screen;
+  return unknown ? Medium::unknown : Medium::other;
 }
 
 }  // namespace
 
-bool StyleSheet::Rule::fits(const XmlElement& element) const {
-  if (!name.empty() && name != element.name) return false;
-  if (!id.empty()) {
-    const std::string* found = element.find("id");
-    if (!found || *found != id) return false;
-  }
-  return std::all_of(classes.begin(), classes.end(), [&](const std::string& c) { return has_class(element, c); });
+std::string ElementStyle::text(const std::string& name) const {
+  const auto value = values_.find(name);
+  return value == values_.end() ? "" : value->second;
 }
 
-/// False for what is more than a name, classes and an id.
-bool StyleSheet::read_selector(const std::string& text, Rule& rule) {
-  const auto in_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || static_cast<unsigned char>(c) >= 0x80;
-  };
-  std::size_t i = 0;
-  const auto word = [&] {
-    const std::size_t begin = i;
-    while (i < text.size() && in_word(text[i])) ++i;
-    return text.substr(begin, i - begin);
-  };
-  if (text.empty()) return false;
-  if (text[0] == '*') {
-    i = 1;
-  } else {
-    rule.name = word();
-  }
-  rule.weight = rule.name.empty() ? 0 : 1;
-  while (i < text.size()) {
-    const char mark = text[i++];
-    const std::string found = word();
-    if (found.empty() || (mark != '.' && mark != '#') || (mark == '#' && !rule.id.empty())) return false;
-    if (mark == '.') rule.classes.push_back(found);
-    if (mark == '#') rule.id = found;
-    rule.weight += mark == '.' ? 100 : 10000;
-  }
-  return true;
+std::string ElementStyle::word(const std::string& name) const {
+  const std::string word = in_lower_case(text(name));
+  return word == "inherit" || word == "unset" ? "" : word;
 }
 
-std::map<std::string, StyleSheet::Value> StyleSheet::read_declarations(const std::string& text, const XmlElement& style,
-                                                                       Drawing& drawing) const {
-  std::map<std::string, Value> values;
+bool ElementStyle::is_zero(const std::string& name) const {
+  const auto length = parse_length(text(name));
+  return length && length->value == 0;
+}
+
+StyleSheet::Values StyleSheet::read_declarations(const std::string& text, const XmlElement& style,
+                                                 Drawing& drawing) const {
+  Values values;
   each_piece(text, ';', [&](const std::string& piece) {
     const auto [name, given] = declaration_of(piece);
     if (moving_properties().count(name))
-      drawing.skip(lost(style.place, "\"" + name + "\" in a style sheet", "is not read: use the attribute"));
+      drawing.skip(lost_style(style.place, "\"" + name + "\" in a style sheet", "is not read", "use the attribute"));
     if (!read_properties().count(name)) return;
     Value value;
     value.text = without_important(given, value.important);
@@ -152,24 +139,43 @@ std::map<std::string, StyleSheet::Value> StyleSheet::read_declarations(const std
   return values;
 }
 
-void StyleSheet::add(const std::string& selectors, const std::map<std::string, Value>& values, const XmlElement& style,
-                     Drawing& drawing) {
+void StyleSheet::add(const std::string& selectors, const Values& values, const XmlElement& style, Drawing& drawing) {
   if (values.empty()) return;
-  each_piece(selectors, ',', [&](const std::string& selector) {
-    Rule rule;
-    rule.values = values;
-    if (!read_selector(selector, rule))
-      return drawing.skip(style.place, "the rule \"" + io::excerpt(selector, 30) + "\"",
-                          "is not read: only names, classes and ids are");
+  for (Selector& selector : parse_selectors(selectors)) {
+    if (!selector.unread.empty()) {
+      // Which elements it is about is not known.
+      if (may_change_shapes(selector))
+        drawing.skip(lost_style(style.place, "the rule \"" + io::excerpt(trimmed_text(selectors), 40) + "\"",
+                                "has \"" + io::excerpt(selector.unread, 30) + "\", which is not read",
+                                "style the elements by their classes or ids"));
+      continue;
+    }
     if (rules_.size() == most_rules)
       throw InputError(style.place, "style sheets have more than 1000 rules about what is seen",
                        "save the drawing as plain SVG, without style sheets");
-    rules_.push_back(std::move(rule));
-  });
+    rules_.push_back({std::move(selector), values});
+  }
+}
+
+/// Does the selector match a shape, or what shapes may be in?
+bool StyleSheet::may_change_shapes(const Selector& selector) const {
+  static const std::set<std::string> around{"g", "a", "svg", "use", "symbol", "switch", "defs"};
+  for (std::size_t node = 0; node < xml_.size(); ++node) {
+    const std::string& name = xml_.element(node).name;
+    if ((is_svg_shape(name) || around.count(name)) && matches(selector, xml_, node)) return true;
+  }
+  return false;
 }
 
 void StyleSheet::read(const std::string& text, const XmlElement& style, Drawing& drawing) {
-  const std::string css = bare_css(text);
+  const auto media = style.find("media");
+  if (media)
+    read_at_rule("@media " + *media, bare_css(text), style, drawing);
+  else
+    read_rules(bare_css(text), style, drawing);
+}
+
+void StyleSheet::read_rules(const std::string& css, const XmlElement& style, Drawing& drawing) {
   for (std::size_t i = 0; i < css.size();) {
     const std::size_t open = css.find('{', i), stop = css.find(';', i);
     const std::string head = trimmed_text(css.substr(i, std::min(open, stop) - i));
@@ -177,53 +183,66 @@ void StyleSheet::read(const std::string& text, const XmlElement& style, Drawing&
     const bool at_rule = !head.empty() && head[0] == '@';
     if (at_rule && stop < open) {
       i = stop + 1;
-    } else if (open == std::string::npos) {
-      break;
-    } else {
-      const std::size_t end = behind_block(css, open);
-      if (!at_rule)
-        add(trimmed_text(css.substr(i, open - i)),
-            read_declarations(css.substr(open + 1, end - open - 2), style, drawing), style, drawing);
-      i = end;
+      read_at_rule(head, "", style, drawing);
+      continue;
     }
-    // Fonts and character sets change nothing.
-    const std::string word = head.substr(0, head.find_first_of(" \t\r\n(\""));
-    if (at_rule && word != "@font-face" && word != "@charset" && word != "@namespace")
-      drawing.skip(style.place, io::excerpt(word, 30), "in a style sheet is not read");
+    if (open == std::string::npos) break;
+    const std::size_t end = behind_block(css, open);
+    const std::string block = css.substr(open + 1, std::max(end, open + 2) - open - 2);
+    if (at_rule)
+      read_at_rule(head, block, style, drawing);
+    else
+      add(css.substr(i, open - i), read_declarations(block, style, drawing), style, drawing);
+    i = end;
   }
 }
 
-StyleSheet::Found StyleSheet::find(const XmlElement& element, const std::string& name) const {
-  Found best;
-  for (const Rule& rule : rules_) {
-    const auto value = rule.values.find(name);
-    if (value == rule.values.end() || !rule.fits(element)) continue;
-    const int weight = rule.weight + (value->second.important ? 100000000 : 0);
-    if (weight >= best.weight) best = {&value->second, weight};
-  }
-  return best;
+void StyleSheet::read_at_rule(const std::string& head, const std::string& block, const XmlElement& style,
+                              Drawing& drawing) {
+  const std::string word = in_lower_case(head.substr(0, head.find_first_of(" \t\r\n(\"")));
+  const Medium medium = word == "@media" ? medium_of(head.substr(6)) : Medium::unknown;
+  // Fonts and character sets change nothing, and what moves is drawn as it is before it moves.
+  static const std::set<std::string> idle{"@font-face", "@charset", "@namespace", "@page", "@keyframes"};
+  if (idle.count(word) || medium == Medium::other) return;
+  if (medium == Medium::screen) return read_rules(block, style, drawing);
+  Drawing unused;
+  StyleSheet within(xml_);
+  within.read_rules(block, style, unused);
+  const std::string rule = "the rule \"" + io::excerpt(head, 40) + "\"", reason = "in a style sheet is not read";
+  if (within.rules_.empty() && unused.skipped.empty())
+    drawing.skip({style.place, rule, reason, "", "", true});
+  else
+    drawing.skip(lost_style(style.place, rule, reason, "write what is in it by itself"));
 }
 
-std::string StyleSheet::property(const XmlElement& element, const std::string& name) const {
-  const Found rule = find(element, name);
-  std::string value;
-  bool given = false, important = false;
+ElementStyle StyleSheet::style_of(std::size_t node) const {
+  const XmlElement& element = xml_.element(node);
+  // What outdoes the others, by importance and then by where it stands.
+  using Weight = std::pair<bool, Specificity>;
+  std::map<std::string, std::pair<Weight, std::string>> best;
+  const auto offer = [&best](const std::string& name, const Weight& weight, const std::string& text) {
+    if (text.empty()) return;
+    const auto known = best.find(name);
+    if (known == best.end() || known->second.first <= weight) best[name] = {weight, text};
+  };
+  for (const auto& [name, value] : element.attributes)
+    if (read_properties().count(name)) offer(name, {false, {-1, 0, 0}}, trimmed_text(value));
+  for (const Rule& rule : rules_)
+    if (matches(rule.selector, xml_, node))
+      for (const auto& [name, value] : rule.values)
+        offer(name, {value.important, rule.selector.specificity}, value.text);
   if (const std::string* style = element.find("style")) {
     each_piece(*style, ';', [&](const std::string& piece) {
-      const auto [found, text] = declaration_of(piece);
-      if (found != name) return;
-      bool strong = false;
-      const std::string bare = without_important(text, strong);
-      if (given && important && !strong) return;
-      value = bare;
-      given = true;
-      important = strong;
+      const auto [name, given] = declaration_of(piece);
+      if (!read_properties().count(name)) return;
+      bool important = false;
+      const std::string text = without_important(given, important);
+      offer(name, {important, {1000000, 0, 0}}, text);
     });
   }
-  if (rule.value && (!given || (rule.value->important && !important))) return rule.value->text;
-  if (given) return value;
-  const std::string* attribute = element.find(name);
-  return attribute ? trimmed_text(*attribute) : "";
+  ElementStyle style;
+  for (auto& [name, value] : best) style.values_[name] = std::move(value.second);
+  return style;
 }
 
 std::string unread_in_style(const XmlElement& element) {
@@ -235,6 +254,11 @@ std::string unread_in_style(const XmlElement& element) {
     });
   }
   return unread;
+}
+
+bool is_svg_shape(const std::string& name) {
+  static const std::set<std::string> shapes{"path", "rect", "circle", "ellipse", "polygon", "polyline", "line"};
+  return shapes.count(name) != 0;
 }
 
 }  // namespace taut::drawing

@@ -6,52 +6,64 @@
 #include <string>
 #include <vector>
 
+#include "import/css_selectors.hpp"
 #include "import/drawing.hpp"
-#include "import/xml_reader.hpp"
+#include "import/xml_tree.hpp"
 
 namespace taut::drawing {
 
-/// The rules of a drawing's style sheets. Selectors are names, classes, ids, and these written together; other ones,
-/// and properties by which a sheet would move shapes, are told where they would matter.
+/// The properties of an element by itself, as the cascade has them.
+class ElementStyle {
+ public:
+  /// As it is written; empty if nothing is said.
+  std::string text(const std::string& name) const;
+  /// In small letters: the words of style sheets are the same in capitals. Empty if the element takes over what
+  /// surrounds it.
+  std::string word(const std::string& name) const;
+  /// A number or a percentage that is 0.
+  bool is_zero(const std::string& name) const;
+
+ private:
+  friend class StyleSheet;
+  std::map<std::string, std::string> values_;
+};
+
+/// The rules of a drawing's style sheets. What is not read of them, and may change a shape, is a lost shape.
 class StyleSheet {
  public:
+  explicit StyleSheet(const XmlTree& xml) : xml_(xml) {}
+
   /// Adds the rules of one <style> element. Throws InputError where there are too many.
   void read(const std::string& css, const XmlElement& style, Drawing& drawing);
 
-  /// The property of an element by itself, as the cascade has it: its attribute `style`, rules, its attribute of that
-  /// name; empty if none of them says anything. Of "fill", "fill-rule", "stroke", "display" and "visibility".
-  std::string property(const XmlElement& element, const std::string& name) const;
+  /// From the element's attribute `style`, the rules that match it, and its attributes of the properties' names.
+  ElementStyle style_of(std::size_t node) const;
 
  private:
   struct Value {
     std::string text;
     bool important = false;
   };
+  using Values = std::map<std::string, Value>;
   struct Rule {
-    std::string name, id;
-    std::vector<std::string> classes;
-    std::map<std::string, Value> values;
-    int weight = 0;  ///< ids before classes before names
-
-    bool fits(const XmlElement& element) const;
-  };
-  /// A declaration, and by what it outdoes others.
-  struct Found {
-    const Value* value = nullptr;
-    int weight = -1;
+    Selector selector;
+    Values values;
   };
 
-  static bool read_selector(const std::string& text, Rule& rule);
-  std::map<std::string, Value> read_declarations(const std::string& text, const XmlElement& style,
-                                                 Drawing& drawing) const;
-  void add(const std::string& selectors, const std::map<std::string, Value>& values, const XmlElement& style,
-           Drawing& drawing);
-  Found find(const XmlElement& element, const std::string& name) const;
+  void read_rules(const std::string& css, const XmlElement& style, Drawing& drawing);
+  void read_at_rule(const std::string& head, const std::string& block, const XmlElement& style, Drawing& drawing);
+  Values read_declarations(const std::string& text, const XmlElement& style, Drawing& drawing) const;
+  void add(const std::string& selectors, const Values& values, const XmlElement& style, Drawing& drawing);
+  bool may_change_shapes(const Selector& selector) const;
 
-  std::vector<Rule> rules_;  ///< later ones outdo earlier ones of the same weight
+  const XmlTree& xml_;
+  std::vector<Rule> rules_;  ///< later ones outdo earlier ones of the same specificity
 };
 
 /// What an element's attribute `style` says about where and what it is, and is not read: "transform", say; or empty.
 std::string unread_in_style(const XmlElement& element);
+
+/// path, rect, circle, ellipse, polygon, polyline and line.
+bool is_svg_shape(const std::string& name);
 
 }  // namespace taut::drawing

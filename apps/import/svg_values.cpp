@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "io/number_text.hpp"
 #include "io/text_file.hpp"
@@ -26,6 +27,13 @@ std::optional<Affine> transformation(const std::string& name, const std::vector<
   if (name == "skewX" && n == 1) return Affine{1, 0, std::tan(v[0] * degree), 1, 0, 0};
   if (name == "skewY" && n == 1) return Affine{1, std::tan(v[0] * degree), 0, 1, 0, 0};
   return std::nullopt;
+}
+
+/// A hundredth of what the attribute's percentages refer to; of lengths in any direction, that is a mean.
+double percent_of(const std::string& key, const Viewport& viewport) {
+  const double w = viewport.width / 100, h = viewport.height / 100;
+  if (key == "r") return std::sqrt((w * w + h * h) / 2);
+  return key == "height" || key.find('y') != std::string::npos ? h : w;
 }
 
 }  // namespace
@@ -69,7 +77,9 @@ std::optional<Length> parse_length(const std::string& text) {
   std::size_t position = 0;
   const auto value = io::scan_number(s, &position);
   if (!value || !std::isfinite(*value)) return std::nullopt;
-  return Length{*value, trimmed_text(s.substr(position))};
+  std::string unit = trimmed_text(s.substr(position));
+  for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return Length{*value, std::move(unit)};
 }
 
 std::optional<double> millimetres(const std::string& unit) {
@@ -78,17 +88,18 @@ std::optional<double> millimetres(const std::string& unit) {
   if (unit == "in") return 25.4;
   if (unit == "pt") return 25.4 / 72;
   if (unit == "pc") return 25.4 / 6;
-  if (unit == "Q") return 0.25;
+  if (unit == "q") return 0.25;
   return std::nullopt;
 }
 
-double user_length(const XmlElement& element, const char* key, double otherwise) {
+double user_length(const XmlElement& element, const char* key, const Viewport& viewport, double otherwise) {
   const std::string* text = element.find(key);
-  if (!text) return otherwise;
+  if (!text || trimmed_text(*text) == "auto") return otherwise;
   const auto length = parse_length(*text);
   if (length && (length->unit.empty() || length->unit == "px")) return length->value;
   // A user's unit is a pixel where nothing else is said: 96 to the inch.
   if (length && millimetres(length->unit)) return length->value * *millimetres(length->unit) * (96 / 25.4);
+  if (length && length->unit == "%") return length->value * percent_of(key, viewport);
   throw InputError(element.place, std::string(key) + "=\"" + io::excerpt(*text) + "\" is no length",
                    "write a number, in the drawing's own units");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ class NumberScanner {
   std::size_t position_ = 0;
 };
 
-/// A length with its unit: "12.5mm".
+/// A length with its unit in small letters: "12.5mm".
 struct Length {
   double value = 0;
   std::string unit;
@@ -37,9 +38,15 @@ std::optional<Length> parse_length(const std::string& text);
 /// How many millimetres the unit has; nothing for pixels, percent and font sizes.
 std::optional<double> millimetres(const std::string& unit);
 
-/// The value of an attribute as a length in the user's own units, or `otherwise`. Throws InputError for other units
-/// than px.
-double user_length(const XmlElement& element, const char* key, double otherwise);
+/// The size that lengths in percent refer to, in the user's own units; NaN where it is not known.
+struct Viewport {
+  double width = std::numeric_limits<double>::quiet_NaN();
+  double height = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The value of an attribute as a length in the user's own units, or `otherwise`, also for "auto"; NaN if it is in
+/// percent of what is not known. Throws InputError for units like em.
+double user_length(const XmlElement& element, const char* key, const Viewport& viewport, double otherwise);
 
 /// The attribute `transform`. Throws InputError.
 Affine parse_transform(const XmlElement& element);

@@ -23,6 +23,7 @@ std::string with_entities(const std::string& text) {
 XmlTree::XmlTree(const std::string& text, const std::string& file) {
   XmlReader reader(text, file);
   std::vector<std::size_t> open;
+  std::vector<std::optional<std::size_t>> last(1);  // that was closed, at each depth
   std::size_t style_from = 0;
   for (;;) {
     const XmlReader::Event event = reader.next();
@@ -32,11 +33,15 @@ XmlTree::XmlTree(const std::string& text, const std::string& file) {
       node.end = nodes_.size();
       if (node.element.name == "style" && node.end == open.back() + 1)
         styles_[open.back()] = with_entities(text.substr(style_from, reader.begin() - style_from));
+      last.pop_back();
+      last.back() = open.back();
       open.pop_back();
       continue;
     }
-    open.push_back(nodes_.size());
-    nodes_.push_back({reader.element(), 0});
+    nodes_.push_back({reader.element(), 0, std::nullopt, last.back()});
+    if (!open.empty()) nodes_.back().parent = open.back();
+    open.push_back(nodes_.size() - 1);
+    last.emplace_back();
     style_from = reader.position();
     if (const std::string* id = reader.element().find("id")) ids_.emplace(*id, open.back());
   }

@@ -17,6 +17,7 @@ class XmlTree {
   struct Node {
     XmlElement element;
     std::size_t end = 0;
+    std::optional<std::size_t> parent = {}, previous = {};
   };
 
   /// Throws InputError.
@@ -25,6 +26,9 @@ class XmlTree {
   std::size_t size() const { return nodes_.size(); }
   const XmlElement& element(std::size_t node) const { return nodes_[node].element; }
   std::size_t end(std::size_t node) const { return nodes_[node].end; }
+  /// The element around this one, and the one before it within the same.
+  std::optional<std::size_t> parent(std::size_t node) const { return nodes_[node].parent; }
+  std::optional<std::size_t> previous(std::size_t node) const { return nodes_[node].previous; }
   /// The first element that has this id.
   std::optional<std::size_t> by_id(const std::string& id) const;
   /// What stands within the <style> elements, in the order of the document; by node.

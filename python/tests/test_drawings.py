@@ -6,7 +6,7 @@ import taut2d
 from taut2d import InputError
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-OPEN = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="plate" fill="none">
+OPEN = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40"><g id="plate" fill="none" stroke="black">
 <path d="M 0 0 H 40 V 40 H 0 V 0.5"/><rect x="10" y="10" width="10" height="10"/><path d="M 5 5 H 8"/></g></svg>"""
 
 
@@ -43,7 +43,7 @@ def test_an_outline_that_stays_open_is_a_fault(tmp_path):
 
 def test_layers_and_words(tmp_path):
     file = tmp_path / "layers.svg"
-    file.write_text('<svg><g id="a" fill="none"><rect width="9" height="9"/></g><g id="b" fill="none">'
+    file.write_text('<svg><g id="a" fill="none" stroke="black"><rect width="9" height="9"/></g><g id="b" fill="none" stroke="black">'
                     '<rect x="2" y="2" width="2" height="2"/></g></svg>')
     assert taut2d.read_drawing(file).area == pytest.approx(77)
     assert "1 contour is a hole" in taut2d.read_drawing(file).files[0].notes[0]

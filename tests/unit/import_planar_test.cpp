@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/text_file.hpp"
 #include "support/drawings.hpp"
 #include "taut/error.hpp"
 
@@ -42,7 +43,6 @@ TEST(ImportPlanar, ReadsWhatWasReported) {
                                              {"one_line_twice_refused.dxf", 400, 0, 1, 1, 0},
                                              {"dup_circle_hole.dxf", 400 - disc, 0.3, 1, 1, 1},
                                              {"boxes_corner_loop.svg", 400, 1e-9, 1, 1, 0},
-                                             {"gap_outline.svg", 6400, 0.1, 1, 1, 1},
                                              {"holes_on_other_layer.dxf", 2173.8, 1, 1, 1, 2},
                                              {"style_entities.svg", 6400, 0, 1, 1, 1},
                                              {"metre_plate.dxf", 2173.8e-6, 1e-6, 1, 1, 2},
@@ -57,6 +57,10 @@ TEST(ImportPlanar, ReadsWhatWasReported) {
     expect_totals(import, r.area, r.parts, r.holes, r.within);
     EXPECT_EQ(import.bodies.size(), r.bodies);
   }
+  std::string gap = internal::io::read_text_file((folder / "gap_outline.svg").string(), 10000);
+  EXPECT_TRUE(examine(gap, "gap.svg").bodies.empty()) << "it has neither fills nor strokes";
+  gap.insert(gap.find("fill:none"), "stroke:red;");
+  expect_totals(examine(gap, "gap.svg"), 6400, 1, 1, 0.1);
   const Import latin = drawing::examine_files({(folder / "latin1_layers.dxf").string()}, {});
   EXPECT_EQ(latin.bodies.at(0).name,
             "pi\xC3\xA8"

@@ -569,8 +569,8 @@ test("the slider of a scene that was changed ends at its contact", async () => {
 });
 
 const drawing = (gap) => `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" viewBox="0 0 40 40">
-<g id="plate" fill="none"><path d="M0 0H40V40H0V${gap}"/><circle cx="20" cy="20" r="5"/></g>
-<g id="pin" fill="none"><circle cx="60" cy="5" r="3"/><path d="M50 30h5"/></g></svg>`;
+<g id="plate" fill="none" stroke="black"><path d="M0 0H40V40H0V${gap}"/><circle cx="20" cy="20" r="5"/></g>
+<g id="pin" fill="none" stroke="black"><circle cx="60" cy="5" r="3"/><path d="M50 30h5"/></g></svg>`;
 const asFile = (name, text) => ({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 const report = (page) => page.evaluate(() => document.getElementById("importreport").innerText);
 
