@@ -20,6 +20,15 @@ using namespace internal;
 
 namespace {
 
+/// Names as the drawing spells them, where it does not matter how.
+std::vector<std::string> spelled(const Drawing& drawing, std::vector<std::string> names) {
+  if (!drawing.any_case) return names;
+  for (std::string& name : names)
+    for (const std::string& known : drawing.layer_names)
+      if (folded_case(known) == folded_case(name)) name = known;
+  return names;
+}
+
 bool names_layer(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -84,14 +93,16 @@ void BodyMaker::add(Drawing drawing) {
 }
 
 void BodyMaker::choose_layers(Drawing& drawing) const {
-  if (!settings_.layers.empty()) {
-    require_known(drawing, settings_.layers, "--layer");
+  const std::vector<std::string> layers = spelled(drawing, settings_.layers),
+                                 merged = spelled(drawing, settings_.merged);
+  if (!layers.empty()) {
+    require_known(drawing, layers, "--layer");
     if (drawing.format != "DXF")
-      std::erase_if(drawing.layers, [this](const Layer& layer) { return !names_layer(settings_.layers, layer.name); });
+      std::erase_if(drawing.layers, [&](const Layer& layer) { return !names_layer(layers, layer.name); });
   }
-  require_known(drawing, settings_.merged, "--merge-layers");
-  if (settings_.merge_all || !settings_.merged.empty() || settings_.by == Grouping::nesting)
-    merge_layers(drawing, settings_.merged, settings_.merge_all || settings_.by == Grouping::nesting);
+  require_known(drawing, merged, "--merge-layers");
+  if (settings_.merge_all || !merged.empty() || settings_.by == Grouping::nesting)
+    merge_layers(drawing, merged, settings_.merge_all || settings_.by == Grouping::nesting);
 }
 
 /// The first one of them gets what the others have.

@@ -51,8 +51,9 @@ struct Fineness {
 /// the diagonal for smaller and larger ones. `millimetre` is how long one is in the scene; 1 if that is not known.
 Fineness fineness_of(const ImportSettings& settings, double millimetre, double diagonal);
 
-/// What is inside, where rings lie in each other.
-enum class Fill { even_odd, nonzero };
+/// What is inside, where rings lie in each other: what an odd number of them goes around, what any goes around more
+/// often one way than the other, and what just one goes around, counterclockwise.
+enum class Fill { even_odd, nonzero, once };
 
 /// Points joined by straight lines.
 struct Chain {
@@ -136,6 +137,7 @@ struct Drawing {
   std::vector<KeptCurve> kept = {};
   std::vector<Chorded> chorded = {};
   std::vector<std::string> layer_names = {};  ///< that options may name; if empty, those of `layers`
+  bool any_case = false;                      ///< are names the same in small letters and capitals?
   bool nests = true;                          ///< may lines of one layer be holes in what another one encloses?
   double millimetre = 1;                      ///< how long one is in the scene, if that is known
   Fineness fineness = {};

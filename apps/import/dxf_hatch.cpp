@@ -1,8 +1,10 @@
 #include "import/dxf_hatch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "import/dxf_entities.hpp"
+#include "import/faces.hpp"
 #include "taut/error.hpp"
 
 namespace taut::drawing {
@@ -26,13 +28,15 @@ class HatchReader {
       seek(92);
       const int kind = count(92);
       chain_ = {{}, true, item_.place()};
+      constexpr int text_box = 8;
       // MPOLYGON has polylines only, whose kind says so, too.
       if ((kind & 2) != 0 || item_.type() == "MPOLYGON")
         polyline();
       else
         edges();
       if (chain_.points.size() > 1 && chain_.points.front() == chain_.points.back()) chain_.points.pop_back();
-      if (chain_.points.size() > 1) chains.push_back(std::move(chain_));
+      // The room for a text in a filling is no hole in the material.
+      if (chain_.points.size() > 1 && (kind & text_box) == 0) chains.push_back(std::move(chain_));
     }
     return chains;
   }
@@ -175,8 +179,17 @@ Chain solid_boundary(const DxfItem& item, const Affine& where) {
   return chain;
 }
 
+Fill fill_of_hatch(const DxfItem& item) {
+  const int style = item.type() == "HATCH" ? item.integer(75) : 0;
+  return style == 1 ? Fill::once : style == 2 ? Fill::nonzero : Fill::even_odd;
+}
+
 std::vector<Chain> hatch_boundaries(const DxfItem& item, const Affine& where, Flattener& flattener) {
-  return HatchReader(item, where, flattener).read();
+  std::vector<Chain> chains = HatchReader(item, where, flattener).read();
+  // With all of them counterclockwise, a point is wound around as often as boundaries go around it.
+  for (Chain& chain : chains)
+    if (doubled_area(chain.points) < 0) std::reverse(chain.points.begin(), chain.points.end());
+  return chains;
 }
 
 }  // namespace taut::drawing

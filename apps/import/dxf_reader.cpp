@@ -10,6 +10,7 @@
 #include "base/progress.hpp"
 #include "import/dxf_entities.hpp"
 #include "import/dxf_hatch.hpp"
+#include "import/text_encoding.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
 
@@ -22,6 +23,7 @@ constexpr int deepest_block = 16;
 constexpr std::size_t most_entities = 5000000;
 
 struct Block {
+  std::string name;
   Point base;
   std::vector<const DxfItem*> items;
   bool external = false;  ///< it is in another file
@@ -81,6 +83,7 @@ class DxfReader {
       : items_(items), settings_(settings), flattener_(settings, tolerance, file) {
     drawing_.file = file;
     drawing_.format = "DXF";
+    drawing_.any_case = true;
     set_unit(0);
   }
 
@@ -122,8 +125,8 @@ class DxfReader {
       } else if (section == "TABLES" && item.type() == "LAYER") {
         read_layer(item);
       } else if (section == "BLOCKS" && item.type() == "BLOCK") {
-        block = &blocks_[item.text(2)];
-        *block = {item.point(10), {}, (item.integer(70) & 4) != 0};
+        block = &blocks_[folded_case(item.text(2))];
+        *block = {item.text(2), item.point(10), {}, (item.integer(70) & 4) != 0};
       } else if (section == "BLOCKS" && item.type() == "ENDBLK") {
         block = nullptr;
       } else if (section == "BLOCKS" && block) {
@@ -144,8 +147,19 @@ class DxfReader {
 
   void read_layer(const DxfItem& item) {
     const int color = item.integer(62, 7);
-    if ((item.integer(70) & 1) != 0 || color < 0) hidden_.insert(item.text(2));
-    colors_[item.text(2)] = std::abs(color);
+    const std::string name = layer_named(item.text(2));
+    if ((item.integer(70) & 1) != 0) frozen_.insert(name);
+    if (color < 0) off_.insert(name);
+    colors_[name] = std::abs(color);
+  }
+
+  /// The layer as the file spells it first: "CUT" and "cut" are one.
+  const std::string& layer_named(const std::string& name) {
+    const auto [known, is_new] = spellings_.emplace(folded_case(name), name);
+    if (!is_new && known->second != name && respelled_.insert(name).second)
+      drawing_.notes.push_back("layers \"" + io::excerpt(known->second) + "\" and \"" + io::excerpt(name) +
+                               "\" are one: DXF does not tell capitals from small letters");
+    return known->second;
   }
 
   void read_entities(const std::vector<const DxfItem*>& items, const Affine& where, const Inherited& inherited,
@@ -163,7 +177,7 @@ class DxfReader {
         if (i + 1 < items.size() && items[i + 1]->type() == "SEQEND") ++i;
       }
       Inherited own = inherited;
-      const std::string layer = item.text(8, "0");
+      const std::string& layer = layer_named(item.text(8, "0"));
       if (layer != "0" || inherited.layer.empty()) own.layer = layer;
       try {
         own.color = color_of(item, own.layer, inherited.color);
@@ -200,8 +214,11 @@ class DxfReader {
                    const Inherited& own, int depth) {
     const std::string& type = item.type();
     if (item.integer(67) != 0) return skip(item, own.layer, "is in paper space, not in the model", false);
-    if (hidden_.count(own.layer)) return skip(item, own.layer, "is on a layer that is off or frozen", false);
-    if (!wanted(own.layer)) return;
+    // A layer that is off hides of a block what lies on it. One that is frozen hides the block.
+    const bool block = type == "INSERT";
+    if (frozen_.count(own.layer) || (off_.count(own.layer) && !block))
+      return skip(item, own.layer, "is on a layer that is off or frozen", false);
+    if (!block && !wanted(own.layer)) return;
     if (item.integer(60) != 0) return skip(item, own.layer, "is not visible", false);
     const auto plane = own_plane(item);
     if (!plane) {
@@ -218,12 +235,14 @@ class DxfReader {
       return insert(item, placed, own, depth);
     }
     if (type == "HATCH" || type == "MPOLYGON") {
-      Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_)};
+      Filling filling{&item, own.layer, group_of(item, own), hatch_boundaries(item, placed, flattener_),
+                      fill_of_hatch(item)};
       if (filling.chains.empty()) return lose(item, own.layer, "has no boundary", {});
       return fillings_.push_back(std::move(filling));
     }
     if (type == "SOLID" || type == "TRACE")
-      return fillings_.push_back({&item, own.layer, group_of(item, own), {solid_boundary(item, placed)}});
+      return fillings_.push_back(
+          {&item, own.layer, group_of(item, own), {solid_boundary(item, placed)}, Fill::even_odd});
     std::optional<Chain> chain;
     if (type == "POLYLINE") {
       if ((item.integer(70) & (16 | 64)) != 0) return lose(item, own.layer, "is a mesh", corners_of(vertices, placed));
@@ -243,7 +262,8 @@ class DxfReader {
   bool wanted(const std::string& layer) {
     layers_.insert(layer);
     return settings_.layers.empty() ||
-           std::find(settings_.layers.begin(), settings_.layers.end(), layer) != settings_.layers.end();
+           std::any_of(settings_.layers.begin(), settings_.layers.end(),
+                       [&layer](const std::string& name) { return folded_case(name) == folded_case(layer); });
   }
 
   static const char* reason_for(const std::string& type) {
@@ -264,7 +284,7 @@ class DxfReader {
                               std::move(shapes)));
         continue;
       }
-      drawing_.layer(filling.group).sheets.push_back({"", Fill::even_odd, std::move(filling.chains)});
+      drawing_.layer(filling.group).sheets.push_back({"", filling.fill, std::move(filling.chains)});
     }
   }
 
@@ -288,13 +308,16 @@ class DxfReader {
 
   void insert(const DxfItem& item, const Affine& where, Inherited own, int depth) {
     const std::string name = item.text(2);
-    const auto block = blocks_.find(name);
+    const auto block = blocks_.find(folded_case(name));
+    const bool here = block != blocks_.end() && !block->second.external;
+    if (!here && !wanted(own.layer)) return;
     if (block == blocks_.end())
       return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is not in the file", {});
     if (block->second.external)
       return lose(item, own.layer, "inserts the block \"" + io::excerpt(name) + "\", which is in another file", {});
     if (depth == deepest_block) return lose(item, own.layer, "is within blocks that are more than 16 deep", {});
-    if (depth == 0) own.group = name + (inserted_[name]++ > 0 ? " " + std::to_string(inserted_[name]) : "");
+    const std::string& spelled = block->second.name;
+    if (depth == 0) own.group = spelled + (inserted_[spelled]++ > 0 ? " " + std::to_string(inserted_[spelled]) : "");
     const int columns = item.integer(70, 1), rows = item.integer(71, 1);
     const Point at = item.point(10), base = block->second.base;
     const Affine turn = rotation(item.number(50));
@@ -331,6 +354,7 @@ class DxfReader {
     const DxfItem* item;
     std::string layer, group;
     std::vector<Chain> chains;
+    Fill fill;
   };
 
   const std::vector<DxfItem>& items_;
@@ -340,7 +364,8 @@ class DxfReader {
   std::vector<const DxfItem*> entities_;
   std::map<std::string, Block> blocks_;
   std::map<std::string, int> inserted_, colors_;
-  std::set<std::string> hidden_, layers_;
+  std::map<std::string, std::string> spellings_;  ///< of layers, by their names in small letters
+  std::set<std::string> off_, frozen_, layers_, respelled_;
   std::vector<Filling> fillings_;
   std::size_t entities_read_ = 0, fitted_ = 0;
   std::string first_fitted_;  ///< of splines without control points

@@ -63,8 +63,7 @@ class OutlineMaker {
     if (!any_alive()) return std::move(out_);
     const FaceMap faces(graph_, alive_);
     FaceKeys keys;
-    for (const Turns& turns : turns_around(graph_, faces))
-      keys.push_back((fill == Fill::nonzero ? turns.winding != 0 : turns.times % 2 != 0) ? 1 : 0);
+    for (const Turns& turns : turns_around(graph_, faces)) keys.push_back(is_inside(turns, fill) ? 1 : 0);
     find_crossings(contours_of(graph_, alive_));
     finish(faces, keys);
     return std::move(out_);
@@ -106,6 +105,11 @@ class OutlineMaker {
   }
 
  private:
+  static bool is_inside(const Turns& turns, Fill fill) {
+    if (fill == Fill::even_odd) return turns.times % 2 != 0;
+    return fill == Fill::nonzero ? turns.winding != 0 : turns.winding == 1;
+  }
+
   bool any_alive() const { return std::find(alive_.begin(), alive_.end(), true) != alive_.end(); }
 
   void join() {

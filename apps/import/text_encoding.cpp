@@ -35,7 +35,35 @@ std::string valid_part(const std::string& text) {
   return s;
 }
 
+/// Of characters below U+0800.
+unsigned small_letter(unsigned c) {
+  const auto within = [c](unsigned first, unsigned last) { return c >= first && c <= last; };
+  if (within('A', 'Z') || (within(0xC0, 0xDE) && c != 0xD7) || within(0x391, 0x3A9) || within(0x410, 0x42F))
+    return c + 0x20;
+  if (within(0x400, 0x40F)) return c + 0x50;
+  // Letters that come in pairs, the capital first.
+  if (within(0x100, 0x137) || within(0x14A, 0x177) || within(0x460, 0x481) || within(0x48A, 0x4BF)) return c | 1u;
+  if (within(0x139, 0x148) || within(0x179, 0x17E)) return c + (c & 1u);
+  return c;
+}
+
 }  // namespace
+
+std::string folded_case(const std::string& utf8) {
+  std::string s;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(utf8[i]);
+    if (byte < 0x80) {
+      s += utf8_of(small_letter(byte));
+    } else if ((byte & 0xE0) == 0xC0 && i + 1 < utf8.size()) {
+      const auto second = static_cast<unsigned char>(utf8[++i]);
+      s += utf8_of(small_letter((byte & 0x1Fu) << 6 | (second & 0x3Fu)));
+    } else {
+      s += utf8[i];
+    }
+  }
+  return s;
+}
 
 bool is_utf8(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {

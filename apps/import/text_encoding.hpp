@@ -11,6 +11,9 @@ bool is_utf8(const std::string& text);
 /// does not know, becomes U+FFFD, a character for each byte.
 std::string to_utf8(const std::string& text, const std::string& encoding);
 
+/// In small letters, as far as they are Latin, Greek or Cyrillic: to compare names.
+std::string folded_case(const std::string& utf8);
+
 /// A character as UTF-8.
 std::string utf8_of(unsigned long character);
 
