@@ -171,6 +171,11 @@ expect 2 '' 'resolution' cells primitive.json
 sed 's/V40H0Z/V40H0X/' plate.svg >broken.svg
 expect 2 '' 'broken.svg:2:17: this is no command of a path, at character 13' import broken.svg
 echo '<svg><text>a</text></svg>' >empty.svg
+echo '(kicad_pcb (gr_rect (start 0 0) (end 9 9) (layer Edge.Cuts)) (via (at 3 3) (drill 0.4)) (footprint H (at 6 6) (pad "" np_thru_hole circle (at 0 0) (drill 3))))' >drilled.kicad_pcb
+expect 0 '"polygon"' 'note: drills are no holes of the board: 1 of pads and 1 of vias, 0.4 to 3 wide' import drilled.kicad_pcb
+expect 0 '"parts":1,"holes":1' '' import drilled.kicad_pcb --drills 2 --json -o drilled.json
+expect 0 '"parts":1,"holes":2' '' import drilled.kicad_pcb --drills 0 --json -o drilled.json
+expect 2 '' '--drills: -1 is not a sensible number' import drilled.kicad_pcb --drills -1
 echo '<svg width="20mm" viewBox="0 0 20 20"><rect width="9" height="9" fill="none"/></svg>' >unseen.svg
 expect 2 '' 'hint: give the shapes a stroke' import unseen.svg
 echo '<svg height="20MM" viewBox="0 0 10 10"><style>g>.a{fill:none} .a:nth-child(1){stroke:red}</style><g><rect class="a" width="4" height="4"/></g></svg>' >rules.svg

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "geometry/part_validation.hpp"
@@ -71,6 +72,7 @@ void BodyMaker::add(Drawing drawing) {
     for (Sheet& sheet : drawing.layers[k].sheets)
       if (!sheet.lines) read_sheet(drawing.layers[k], sheet, parts_[k]);
   read_lines(drawing);
+  for (std::size_t k = 0; k < parts_.size(); ++k) cut_out(drawing.layers[k], parts_[k]);
   require_nothing_lost(drawing);
   for (std::size_t k = 0; k < parts_.size(); ++k) make_bodies(drawing.layers[k].name, std::move(parts_[k]));
   if (import_.scene.bodies.size() == before && import_.faults.size() == faults) {
@@ -117,7 +119,8 @@ void BodyMaker::merge_layers(Drawing& drawing, const std::vector<std::string>& n
       left.push_back(std::move(layer));
       first = &left.back();
     } else {
-      for (Sheet& sheet : layer.sheets) first->sheets.push_back(std::move(sheet));
+      std::move(layer.sheets.begin(), layer.sheets.end(), std::back_inserter(first->sheets));
+      std::move(layer.cutouts.begin(), layer.cutouts.end(), std::back_inserter(first->cutouts));
     }
   }
   drawing.layers = std::move(left);
@@ -142,6 +145,27 @@ void BodyMaker::add_region(Region region, const std::string& name, const std::st
                            std::vector<Named>& parts) {
   for (Part& part : cut_where_rings_touch(std::move(region.part)))
     parts.push_back({name, place, std::move(part), nest});
+}
+
+/// What is in a part once, and in no cutout: outlines run counterclockwise, holes and cutouts clockwise.
+void BodyMaker::cut_out(Layer& layer, std::vector<Named>& parts) {
+  if (layer.cutouts.empty()) return;
+  require_range(layer.cutouts);
+  OutlineSettings settings = outline_settings();
+  settings.repair = 0;
+  std::vector<Named> left;
+  for (Named& named : parts) {
+    const SegmentBox box = box_of(named.part.outline);
+    std::vector<Chain> rings{{named.part.outline, true, named.place}};
+    for (const Polygon& hole : named.part.holes) rings.push_back({hole, true, named.place});
+    for (const Chain& cutout : layer.cutouts)
+      if (box.meets(box_of(cutout.points))) rings.push_back(cutout);
+    for (std::size_t k = 0; k < rings.size(); ++k)
+      if ((doubled_area(rings[k].points) < 0) == (k == 0)) std::reverse(rings[k].points.begin(), rings[k].points.end());
+    for (Region& region : outlines_of_fill(rings, Fill::once, settings).regions)
+      add_region(std::move(region), named.name, named.place, named.nest, left);
+  }
+  parts = std::move(left);
 }
 
 /// Polygons whose holes the file itself states. Those that are not valid are repaired if that was asked for.

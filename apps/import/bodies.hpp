@@ -38,6 +38,7 @@ class BodyMaker {
   void read_lines(Drawing& drawing);
   void read_set(const Drawing& drawing, const std::vector<std::size_t>& set, std::size_t number,
                 std::vector<Piece>& pieces);
+  void cut_out(Layer& layer, std::vector<Named>& parts);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
   void require_nothing_lost(const Drawing& drawing);
   void read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);

@@ -38,6 +38,7 @@ struct ImportSettings {
   std::vector<std::string> layers;    ///< only these, if there are any
   std::vector<std::string> merged;    ///< these layers are one
   bool merge_all = false;             ///< all layers are one
+  std::optional<double> drills;       ///< of a board: those that are at least so wide are holes in it
   bool unknown_free = false;          ///< of a robot's map: cells that are neither free nor occupied are no obstacles
   std::size_t max_points = 20000000;  ///< of a whole file: a hostile one must not fill the memory
 };
@@ -76,6 +77,7 @@ struct Sheet {
 struct Layer {
   std::string name;
   std::vector<Sheet> sheets;
+  std::vector<Chain> cutouts = {};  ///< closed, and taken out of what the sheets enclose, also across its boundary
 };
 
 /// A shape that was not read, although it may bound material, as texts and dimensions do not.

@@ -1,11 +1,14 @@
 #include "import/kicad_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "import/affine.hpp"
 #include "import/curves.hpp"
+#include "import/kicad_drills.hpp"
+#include "import/rounded_rectangle.hpp"
 #include "import/s_expression.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -16,6 +19,7 @@ using namespace internal;
 namespace {
 
 constexpr double kicad_turn = 2 * 3.14159265358979323846;
+const char* const board_name = "board";
 
 /// The centre of the circle through three points; nothing if they are on a line.
 std::optional<Point> centre_of(const Point& a, const Point& b, const Point& c) {
@@ -29,7 +33,11 @@ class KicadReader {
  public:
   KicadReader(const SExpression& board, const std::string& text, const std::string& file,
               const ImportSettings& settings, double tolerance)
-      : board_(board), text_(text), settings_(settings), flattener_(settings, tolerance, file) {
+      : board_(board),
+        text_(text),
+        flattener_(settings, tolerance, file),
+        root_(scaling(settings.scale, -settings.scale)),
+        drills_(root_, settings.drills, flattener_) {
     drawing_.file = file;
     drawing_.format = "KiCad board";
     drawing_.units = "mm";
@@ -39,27 +47,36 @@ class KicadReader {
   }
 
   Drawing read() {
-    const Affine root = scaling(settings_.scale, -settings_.scale);
     for (const SExpression& item : board_.items) {
       if (item.word == "footprint" || item.word == "module")
-        read_footprint(item, root);
+        read_footprint(item);
+      else if (item.word == "via")
+        drills_.read(item, root_, place(item));
       else
-        read_graphic(item, "gr_", root, "");
+        read_graphic(item, "gr_", root_, "");
     }
+    drawing_.notes = drills_.notes();
+    for (Layer& layer : drawing_.layers)
+      if (layer.name == board_name) layer.cutouts = drills_.take_holes();
     drawing_.curves = flattener_.counts();
     drawing_.kept = flattener_.take_kept();
     return std::move(drawing_);
   }
 
  private:
-  void read_footprint(const SExpression& footprint, const Affine& root) {
+  void read_footprint(const SExpression& footprint) {
     const SExpression* at = footprint.find("at");
     const double x = at ? at->number(0).value_or(0) : 0, y = at ? at->number(1).value_or(0) : 0;
     const double degrees = at ? at->number(2).value_or(0) : 0;
     // Angles go counterclockwise on the screen, where y points down.
-    const Affine where = root * translation(x, y) * rotation(-degrees);
+    const Affine where = root_ * translation(x, y) * rotation(-degrees);
     const std::string name = reference_of(footprint);
-    for (const SExpression& item : footprint.items) read_graphic(item, "fp_", where, name);
+    for (const SExpression& item : footprint.items) {
+      if (item.word == "pad")
+        drills_.read(item, where, place(item));
+      else
+        read_graphic(item, "fp_", where, name);
+    }
   }
 
   /// R1, say.
@@ -74,7 +91,7 @@ class KicadReader {
 
   void read_graphic(const SExpression& item, const std::string& prefix, const Affine& where, const std::string& name) {
     static const std::map<std::string, std::string> read{
-        {"Edge.Cuts", "board"}, {"F.CrtYd", "courtyards F"}, {"B.CrtYd", "courtyards B"}};
+        {"Edge.Cuts", board_name}, {"F.CrtYd", "courtyards F"}, {"B.CrtYd", "courtyards B"}};
     if (!item.list || item.word.rfind(prefix, 0) != 0) return;
     const auto layer = read.find(item.text("layer"));
     if (layer == read.end()) return;
@@ -83,7 +100,7 @@ class KicadReader {
     Chain chain{{}, false, place(item)};
     if (!trace(kind, item, where, chain))
       return drawing_.skip(lost(place(item), item.word, "is no line or curve that is read", layer->second));
-    lines(layer->second, layer->second == "board" ? "" : name).push_back(std::move(chain));
+    lines(layer->second, layer->second == board_name ? "" : name).push_back(std::move(chain));
   }
 
   /// The lines of one footprint are by themselves: their outlines may lie in each other.
@@ -102,8 +119,7 @@ class KicadReader {
     if (kind == "line" && start && end) {
       chain.points = {where(*start), where(*end)};
     } else if (kind == "rect" && start && end) {
-      chain.points = {where(*start), where({end->x, start->y}), where(*end), where({start->x, end->y})};
-      chain.closed = true;
+      chain = rectangle(*start, *end, item, where);
     } else if (kind == "circle" && centre && end) {
       const double r = std::hypot(end->x - centre->x, end->y - centre->y);
       chain.closed = true;
@@ -113,16 +129,27 @@ class KicadReader {
     } else if (kind == "arc" && start && end && item.find("angle")) {
       // Up to KiCad 5: the centre, the start, and the angle clockwise on the screen.
       return turn_around(*start, *end, item.find("angle")->number(0).value_or(0), where, chain);
-    } else if (kind == "poly" || kind == "curve") {
-      return points_of(kind == "curve", item, where, chain);
+    } else if (kind == "poly") {
+      return corners_of(item, where, chain);
+    } else if (kind == "curve") {
+      return bezier_of(item, where, chain);
     } else {
       return false;
     }
     return true;
   }
 
+  Chain rectangle(const Point& a, const Point& b, const SExpression& item, const Affine& where) {
+    const Point low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
+    const SExpression* radius = item.find("radius");
+    const double most = std::min(high.x - low.x, high.y - low.y) / 2;
+    const double r = std::clamp(radius ? radius->number(0).value_or(0) : 0, 0.0, most);
+    return rounded_rectangle(low, high, r, r, where, place(item), flattener_);
+  }
+
+  /// Behind the points that the chain has.
   bool arc(const Point& a, const Point& b, const Point& c, const Affine& where, Chain& chain) {
-    chain.points = {where(a)};
+    chain.points.push_back(where(a));
     const auto centre = centre_of(a, b, c);
     if (!centre) {
       chain.points.push_back(where(c));
@@ -149,9 +176,25 @@ class KicadReader {
     return true;
   }
 
-  bool points_of(bool bezier, const SExpression& item, const Affine& where, Chain& chain) {
+  /// "(xy X Y)", and "(arc (start X Y) (mid X Y) (end X Y))" in between.
+  bool corners_of(const SExpression& item, const Affine& where, Chain& chain) {
     const SExpression* list = item.find("pts");
     if (!list) return false;
+    for (const SExpression& corner : list->items) {
+      const auto x = corner.number(0), y = corner.number(1);
+      const auto start = corner.point("start"), middle = corner.point("mid"), end = corner.point("end");
+      if (corner.word == "xy" && x && y)
+        chain.points.push_back(where({*x, *y}));
+      else if (corner.word != "arc" || !start || !middle || !end || !arc(*start, *middle, *end, where, chain))
+        return false;
+    }
+    chain.closed = true;
+    return chain.points.size() > 1;
+  }
+
+  bool bezier_of(const SExpression& item, const Affine& where, Chain& chain) {
+    const SExpression* list = item.find("pts");
+    if (!list || list->items.size() != 4) return false;
     std::vector<ControlPoint> control;
     for (const SExpression& point : list->items) {
       const auto x = point.number(0), y = point.number(1);
@@ -159,14 +202,8 @@ class KicadReader {
       const Point p = where({*x, *y});
       control.push_back({p.x, p.y, 1});
     }
-    if (control.size() < 2 || (bezier && control.size() != 4)) return false;
     chain.points.push_back(control[0].point());
-    if (bezier) {
-      flattener_.bezier(chain.points, control);
-    } else {
-      for (std::size_t i = 1; i < control.size(); ++i) chain.points.push_back(control[i].point());
-      chain.closed = true;
-    }
+    flattener_.bezier(chain.points, control);
     return true;
   }
 
@@ -187,8 +224,9 @@ class KicadReader {
 
   const SExpression& board_;
   const std::string& text_;
-  ImportSettings settings_;
   Flattener flattener_;
+  Affine root_;
+  KicadDrills drills_;
   Drawing drawing_;
   std::size_t counted_ = 0;
   int line_ = 1;

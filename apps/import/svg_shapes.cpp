@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "import/rounded_rectangle.hpp"
 #include "import/svg_path.hpp"
 #include "taut/error.hpp"
 
@@ -55,22 +56,7 @@ class SvgShape {
     if (ry < 0) ry = rx;
     rx = std::min(rx, width / 2);
     ry = std::min(ry, height / 2);
-    Chain chain{{}, true, element_.place};
-    const auto corner = [&](double cx, double cy, int quarter) {
-      if (rx == 0 || ry == 0) return chain.points.push_back(where_({cx, cy}));
-      const Affine turn = rotation(90 * quarter);
-      // From the quarter's first axis to the next one.
-      const Point a{turn.a * rx, turn.b * ry}, b{turn.c * rx, turn.d * ry};
-      const Point middle{cx - a.x - b.x, cy - a.y - b.y};
-      chain.points.push_back(where_({middle.x + a.x, middle.y + a.y}));
-      flattener_.arc(chain.points, where_(middle), where_.turn(a), where_.turn(b), 0, 3.14159265358979323846 / 2,
-                     where_({middle.x + b.x, middle.y + b.y}));
-    };
-    corner(x + width, y + height, 0);
-    corner(x, y + height, 1);
-    corner(x, y, 2);
-    corner(x + width, y, 3);
-    return {chain};
+    return {rounded_rectangle({x, y}, {x + width, y + height}, rx, ry, where_, element_.place, flattener_)};
   }
 
   std::vector<Chain> corners() const {

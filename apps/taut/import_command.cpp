@@ -52,6 +52,7 @@ int run_import(ImportArguments arguments) {
   require_size("--scale", settings.scale, false);
   require_size("--join", settings.join, true);
   require_size("--repair", settings.repair, true);
+  require_size("--drills", settings.drills, true);
   settings.merge_all = arguments.merged == "*";
   if (!settings.merge_all) settings.merged = names_in(arguments.merged);
   std::optional<Progress> progress(std::in_place);
@@ -130,6 +131,8 @@ void add_import(const Command& app, Action& action) {
   add_layer_options(command, *arguments);
   command.add_option("--scale", settings.scale, "multiply all lengths by S (1)").value("S");
   command.add_flag("--split", settings.split, "a body for each part, instead of one for each group or layer");
+  command.add_option("--drills", settings.drills, "of a board: drills that are at least D wide are holes in it (none)")
+      .value("D");
   command.add_flag("--unknown-free", settings.unknown_free,
                    "what a robot's map does not know is no obstacle (it is one)");
   command.add_flag("--strict", settings.strict, "what is not read is an error");

@@ -55,6 +55,7 @@ void bind_drawings(pybind11::module_& module) {
       .def_readwrite("layers", &ImportSettings::layers)
       .def_readwrite("merged", &ImportSettings::merged)
       .def_readwrite("merge_all", &ImportSettings::merge_all)
+      .def_readwrite("drills", &ImportSettings::drills)
       .def_readwrite("unknown_free", &ImportSettings::unknown_free)
       .def("group_by", [](ImportSettings& s, const std::string& word) { s.by = grouping_of(word); })
       .def("leave_open", [](ImportSettings& s, const std::string& word) {

@@ -21,6 +21,7 @@ class ImportSettings:
     layers: list[str]
     merged: list[str]
     merge_all: bool
+    drills: Optional[float]
     unknown_free: bool
     def __init__(self) -> None: ...
     def group_by(self, word: str) -> None: ...

@@ -184,7 +184,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
                  tolerance: Optional[float] = None, join: Optional[float] = None, repair: Optional[float] = None,
                  open: OpenLines = "error", by: Grouping = "auto", layers: Sequence[str] = (),
                  merge_layers: Union[bool, Sequence[str]] = (), scale: float = 1.0, curves: bool = False,
-                 split: bool = False, unknown_free: bool = False, strict: bool = False,
+                 split: bool = False, drills: Optional[float] = None, unknown_free: bool = False, strict: bool = False,
                  faults: Faults = "raise") -> Drawing:
     """A scene of SVG and DXF drawings, of boards of KiCad, WKT and GeoJSON files, and maps of map_server; bodies rest.
 
@@ -198,8 +198,8 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     ``by``: what becomes a body: "auto": layers, but contours in material of another layer are its holes; "layer",
     "color", "group" or "nesting". ``layers``: only these. ``merge_layers``: these, or all if True, are one.
     ``scale``: all lengths are multiplied by it. ``curves``: arcs and Bezier curves stay what they are. ``split``: a body
-    for each part. ``unknown_free``: what a robot's map does not know is no obstacle. ``strict``: what is not read is an
-    error.
+    for each part. ``drills``: those of a board that are at least so wide are holes in it. ``unknown_free``: what a
+    robot's map does not know is no obstacle. ``strict``: what is not read is an error.
     ``faults``: "raise": the first fault is raised; "report": the result has them, and no scene.
 
     Raises InputError with file, line and remedy where a file cannot be read, and for faults: outlines that stay open,
@@ -212,6 +212,7 @@ def read_drawing(path: Union[str, os.PathLike[str], Sequence[Union[str, os.PathL
     factor = _length(scale, "scale", False)
     settings.scale = 1.0 if factor is None else factor
     settings.curves, settings.split, settings.strict = bool(curves), bool(split), bool(strict)
+    settings.drills = _length(drills, "drills", True)
     settings.unknown_free = bool(unknown_free)
     settings.layers = list(layers)
     settings.merge_all = merge_layers is True
