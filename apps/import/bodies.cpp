@@ -11,6 +11,7 @@
 #include "geometry/touching_rings.hpp"
 #include "import/body_text.hpp"
 #include "import/kept_curves.hpp"
+#include "import/overlaps.hpp"
 #include "import/text_encoding.hpp"
 #include "io/text_file.hpp"
 #include "taut/error.hpp"
@@ -137,14 +138,17 @@ void BodyMaker::read_sheet(const Layer& layer, Sheet& sheet, std::vector<Named>&
     file_.repairs.push_back({"loop", sheet.chains[repair.source].place, layer.name, repair.at, repair.size});
   for (const auto& [at, source] : outlines.crossings)
     file_.crossings.push_back({sheet.chains[source].place, layer.name, at});
+  const int source = sources_++;
   for (std::size_t i = 0; i < outlines.regions.size(); ++i)
-    add_region(std::move(outlines.regions[i]), sheet.name, sheet.chains[outlines.sources[i]].place, -1, parts);
+    add_region(std::move(outlines.regions[i]),
+               {sheet.name, sheet.chains[outlines.sources[i]].place, {}, -1, source, false}, parts);
 }
 
-void BodyMaker::add_region(Region region, const std::string& name, const std::string& place, int nest,
-                           std::vector<Named>& parts) {
-  for (Part& part : cut_where_rings_touch(std::move(region.part)))
-    parts.push_back({name, place, std::move(part), nest});
+void BodyMaker::add_region(Region region, const Named& like, std::vector<Named>& parts) {
+  for (Part& part : cut_where_rings_touch(std::move(region.part))) {
+    parts.push_back(like);
+    parts.back().part = std::move(part);
+  }
 }
 
 /// What is in a part once, and in no cutout: outlines run counterclockwise, holes and cutouts clockwise.
@@ -163,7 +167,7 @@ void BodyMaker::cut_out(Layer& layer, std::vector<Named>& parts) {
     for (std::size_t k = 0; k < rings.size(); ++k)
       if ((doubled_area(rings[k].points) < 0) == (k == 0)) std::reverse(rings[k].points.begin(), rings[k].points.end());
     for (Region& region : outlines_of_fill(rings, Fill::once, settings).regions)
-      add_region(std::move(region), named.name, named.place, named.nest, left);
+      add_region(std::move(region), {named.name, named.place, {}, named.nest, named.source, named.lines}, left);
   }
   parts = std::move(left);
 }
@@ -171,7 +175,7 @@ void BodyMaker::cut_out(Layer& layer, std::vector<Named>& parts) {
 /// Polygons whose holes the file itself states. Those that are not valid are repaired if that was asked for.
 void BodyMaker::read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts) {
   for (Part& part : sheet.parts) {
-    Named named{sheet.name, file_.file, std::move(part)};
+    Named named{sheet.name, file_.file, std::move(part), -1, sources_++, false};
     const std::size_t faults = import_.faults.size();
     if (is_valid(named, layer.name) || !settings_.repair) {
       parts.push_back(std::move(named));
@@ -196,7 +200,8 @@ void BodyMaker::read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>&
                          point_text(repair.at), repair.size),
              fmt::format("allow it with --repair {:.3g}, or mend the file", repair.size * 1.01));
     }
-    for (Region& region : outlines.regions) add_region(std::move(region), sheet.name, file_.file, -1, parts);
+    for (Region& region : outlines.regions)
+      add_region(std::move(region), {sheet.name, file_.file, {}, -1, named.source, false}, parts);
   }
 }
 
@@ -232,18 +237,47 @@ void BodyMaker::make_bodies(const std::string& name, std::vector<Named> parts) {
   });
   if (parts.empty()) return;
   if (settings_.split) {
-    for (Named& named : parts) add_body(named.name.empty() ? name : named.name, {std::move(named.part)});
+    for (Named& named : parts) {
+      const std::string own = named.name.empty() ? name : named.name;
+      std::vector<Named> alone;
+      alone.push_back(std::move(named));
+      add_body(own, std::move(alone));
+    }
     return;
   }
-  std::map<int, std::vector<Part>> bodies;
-  for (Named& named : parts) bodies[named.nest].push_back(std::move(named.part));
+  std::map<int, std::vector<Named>> bodies;
+  for (Named& named : parts) bodies[named.nest].push_back(std::move(named));
   for (auto& [nest, all] : bodies) add_body(name, std::move(all));
 }
 
-void BodyMaker::add_body(const std::string& wanted, std::vector<Part> parts) {
+/// By how much the parts' areas exceed that of their union. What is drawn on material may be a hole to one who reads
+/// it otherwise: the report says how it was read.
+double BodyMaker::overlap_of(const std::string& name, const std::vector<Named>& parts) {
+  // Rings that are not valid have been told.
+  if (!import_.faults.empty()) return 0;
+  std::vector<SourcedPart> sourced;
+  for (const Named& named : parts) sourced.push_back({&named.part, named.source, named.lines});
+  const Overlaps overlaps = overlaps_of(sourced, outline_settings());
+  const auto note = [&](const std::vector<std::size_t>& inner, const char* one, const char* many, const char* remedy) {
+    if (inner.empty()) return;
+    file_.notes.push_back(fmt::format("body {}: {} {}, the first one at {}: no hole, it adds nothing to the body ({})",
+                                      io::excerpt(name), inner.size(), inner.size() == 1 ? one : many,
+                                      parts[inner.front()].place, remedy));
+  };
+  note(overlaps.lines_in_filled, "contour drawn as a line lies in a filled shape",
+       "contours drawn as lines lie in filled shapes", "if it is one, draw the shape around it as a line, too");
+  note(overlaps.filled_in_lines, "filled shape lies in a contour drawn as a line",
+       "filled shapes lie in contours drawn as lines", "if it is one, draw it as a line, too");
+  return overlaps.area;
+}
+
+void BodyMaker::add_body(const std::string& wanted, std::vector<Named> named) {
   Body body;
   body.name = unused_name(wanted);
-  BodyReport report{body.name, file_.file, parts.size(), 0, 0, 0, {}, {}};
+  const double overlap = overlap_of(body.name, named);
+  std::vector<Part> parts;
+  for (Named& one : named) parts.push_back(std::move(one.part));
+  BodyReport report{body.name, file_.file, parts.size(), 0, 0, -overlap, overlap, {}, {}};
   SegmentBox box = box_of(parts.front().outline);
   for (const Part& part : parts) {
     box.include(box_of(part.outline));

@@ -25,7 +25,9 @@ class BodyMaker {
   struct Named {
     std::string name, place;
     Part part;
-    int nest = -1;  ///< the number of the outermost outline around it, where that counts
+    int nest = -1;       ///< the number of the outermost outline around it, where that counts
+    int source = 0;      ///< parts of one source do not overlap
+    bool lines = false;  ///< drawn as lines, not filled
   };
   struct Piece {
     Region region;
@@ -45,10 +47,11 @@ class BodyMaker {
   void read_parts(const Layer& layer, Sheet& sheet, std::vector<Named>& parts);
   void take_report(const Outlines& outlines, const std::vector<Chain>& chains, const std::vector<std::string>& layers);
   void note_holes(const Outlines& outlines, const std::vector<std::string>& layers);
-  void add_region(Region region, const std::string& name, const std::string& place, int nest,
-                  std::vector<Named>& parts);
+  /// With all but the part itself as `like` has it.
+  void add_region(Region region, const Named& like, std::vector<Named>& parts);
   void make_bodies(const std::string& name, std::vector<Named> parts);
-  void add_body(const std::string& wanted, std::vector<Part> parts);
+  void add_body(const std::string& wanted, std::vector<Named> named);
+  double overlap_of(const std::string& name, const std::vector<Named>& parts);
   void take_curves(const std::vector<Part>& parts, Body& body) const;
   bool is_valid(const Named& named, const std::string& layer);
   OutlineSettings outline_settings() const;
@@ -65,6 +68,7 @@ class BodyMaker {
   const class CurveFinder* finder_ = nullptr;  ///< of the file that is read, where curves are kept
   FileReport file_;
   std::vector<std::vector<Named>> parts_;  ///< of each layer of the drawing
+  int sources_ = 0;                        ///< that have a number
   std::map<std::string, int> names_;
   std::set<std::string> used_;
 };

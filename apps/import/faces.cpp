@@ -312,6 +312,16 @@ std::vector<Turns> turns_around(const LineGraph& graph, const FaceMap& faces) {
 
 std::vector<Region> regions_of(const FaceMap& faces, const FaceKeys& keys) { return RegionTracer(faces, keys).trace(); }
 
+std::vector<double> areas_of_faces(const FaceMap& faces) {
+  const Subdivision& map = faces.map;
+  std::vector<double> areas(slot(map.faces()), 0);
+  for (int h = 0; h < map.half_edges(); ++h) {
+    const Point &origin = map.point(map.origin(0)), &a = map.point(map.origin(h)), &b = map.point(map.target(h));
+    areas[slot(map.face(h))] += ((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x)) / 2;
+  }
+  return areas;
+}
+
 double doubled_area(const Polygon& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -42,6 +42,9 @@ struct Turns {
 /// Of each face.
 std::vector<Turns> turns_around(const LineGraph& graph, const FaceMap& faces);
 
+/// Of each face, less the faces within it; rounded. That of the unbounded one, which is face 0, has no meaning.
+std::vector<double> areas_of_faces(const FaceMap& faces);
+
 /// A connected piece of material.
 struct Region {
   Part part;                 ///< its rings are simple, and touch each other at vertices at most

@@ -65,8 +65,9 @@ struct FileReport {
 struct BodyReport {
   std::string name, file;
   std::size_t parts = 0, holes = 0, vertices = 0;
-  double area = 0;  ///< of the chords, where there are curves; parts that overlap count twice
-  Point low, high;  ///< the box around it
+  double area = 0;     ///< of the union of the parts; of the chords, where there are curves
+  double overlap = 0;  ///< by which the areas of the parts exceed that
+  Point low, high;     ///< the box around it
 };
 
 struct Import {

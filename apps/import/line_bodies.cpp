@@ -19,10 +19,6 @@ std::string counted_text(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-bool holds(const SegmentBox& outer, const SegmentBox& inner) {
-  return outer.lo_x <= inner.lo_x && outer.lo_y <= inner.lo_y && outer.hi_x >= inner.hi_x && outer.hi_y >= inner.hi_y;
-}
-
 /// Do all vertices of the ring lie within the other one?
 bool lies_within(const Polygon& ring, const Polygon& outer) {
   return std::all_of(ring.begin(), ring.end(), [&](const Point& p) { return roughly_inside(outer, p); });
@@ -100,7 +96,9 @@ void BodyMaker::read_lines(Drawing& drawing) {
         outermost.push_back({piece.region.part.outline, nest});
       }
     }
-    add_region(std::move(piece.region), piece.name, piece.place, nest, parts_[piece.layer]);
+    // Sets of lines are read apart, and may overlap.
+    const int source = -1 - static_cast<int>(piece.set);
+    add_region(std::move(piece.region), {piece.name, piece.place, {}, nest, source, true}, parts_[piece.layer]);
   }
 }
 
@@ -109,7 +107,7 @@ void BodyMaker::require_clear_nesting(const Drawing& drawing, const std::vector<
   for (const Piece& inner : pieces) {
     const Polygon& ring = inner.region.part.outline;
     for (const Piece& outer : pieces) {
-      if (inner.set == outer.set || !holds(box_of(outer.region.part.outline), box_of(ring))) continue;
+      if (inner.set == outer.set || !box_of(outer.region.part.outline).holds(box_of(ring))) continue;
       const auto& holes = outer.region.part.holes;
       const bool in_hole = std::any_of(holes.begin(), holes.end(),
                                        [&](const Polygon& hole) { return roughly_inside(hole, ring.front()); });

@@ -48,11 +48,11 @@ std::vector<FaceFacts> facts_of_faces(const LineGraph& graph, const std::vector<
   const std::vector<int> block = blocks_of(graph, alive);
   const std::vector<BlockFacts> blocks = facts_of_blocks(graph, block);
   std::vector<FaceFacts> facts(static_cast<std::size_t>(map.faces()));
-  const Point origin = map.point(map.origin(0));
+  const std::vector<double> areas = areas_of_faces(faces);
+  for (std::size_t f = 0; f < facts.size(); ++f) facts[f].area = areas[f];
   for (int h = 0; h < map.half_edges(); ++h) {
     const Point &a = map.point(map.origin(h)), &b = map.point(map.target(h));
     FaceFacts& face = facts[static_cast<std::size_t>(map.face(h))];
-    face.area += ((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x)) / 2;
     face.around += std::hypot(b.x - a.x, b.y - a.y);
     if (face.box)
       face.box->include(SegmentBox(a, b));

@@ -207,9 +207,10 @@ std::string file_json(const FileReport& file) {
 
 std::string body_json(const BodyReport& b) {
   return fmt::format(
-      "{{\"name\":{},\"file\":{},\"parts\":{},\"holes\":{},\"vertices\":{},\"area\":{},\"box\":[{},{}]}}",
+      "{{\"name\":{},\"file\":{},\"parts\":{},\"holes\":{},\"vertices\":{},\"area\":{},\"overlap\":{},\"box\":[{},{}]}"
+      "}",
       io::string_text(b.name), io::string_text(b.file), b.parts, b.holes, b.vertices, io::number_text(b.area),
-      point_json(b.low), point_json(b.high));
+      io::number_text(b.overlap), point_json(b.low), point_json(b.high));
 }
 
 std::string fault_json(const InputError& fault) {
@@ -225,10 +226,11 @@ std::string report_text(const Import& import, const ImportSettings&) {
     s += file_text(file);
     for (const BodyReport& body : import.bodies) {
       if (body.file != file.file) continue;
-      s += fmt::format("  body {}: {}, {}, {}, area {:.6g}, {:.5g} x {:.5g}\n", body.name,
+      s += fmt::format("  body {}: {}, {}, {}, area {:.6g}{}, {:.5g} x {:.5g}\n", body.name,
                        counted(body.parts, "part", "parts"), counted(body.holes, "hole", "holes"),
-                       counted(body.vertices, "vertex", "vertices"), body.area, body.high.x - body.low.x,
-                       body.high.y - body.low.y);
+                       counted(body.vertices, "vertex", "vertices"), body.area,
+                       body.overlap > 0 ? fmt::format(" (parts overlap by {:.4g})", body.overlap) : "",
+                       body.high.x - body.low.x, body.high.y - body.low.y);
     }
   }
   return s;

@@ -100,7 +100,8 @@ class DrawingFile:
 
 @dataclass(frozen=True)
 class DrawingBody:
-    """A body in numbers. ``area``: of its parts; ``box``: the lower left and the upper right corner."""
+    """A body in numbers. ``area``: of the union of its parts; ``box``: the lower left and the upper right corner;
+    ``overlap``: by how much the areas of the parts exceed that of their union."""
 
     name: str
     file: str
@@ -109,6 +110,7 @@ class DrawingBody:
     vertices: int
     area: float
     box: Tuple[_Point, _Point]
+    overlap: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -159,7 +161,7 @@ def _file(value: dict[str, Any]) -> DrawingFile:
 def _drawing(scene: str, report: str, svg: str) -> Drawing:
     value = json.loads(report)
     bodies = tuple(DrawingBody(b["name"], b["file"], b["parts"], b["holes"], b["vertices"], float(b["area"]),
-                               (_place(b["box"][0]), _place(b["box"][1]))) for b in value["bodies"])
+                               (_place(b["box"][0]), _place(b["box"][1])), float(b["overlap"])) for b in value["bodies"])
     faults = tuple(InputError(f["place"], f["problem"], f["hint"]) for f in value["faults"])
     return Drawing(Scene.from_json(scene) if scene else None, tuple(_file(f) for f in value["files"]), bodies, faults,
                    report, svg)

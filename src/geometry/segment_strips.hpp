@@ -21,6 +21,7 @@ struct SegmentBox {
         hi_x(std::max(a.x, b.x) + margin),
         hi_y(std::max(a.y, b.y) + margin) {}
   bool meets(const SegmentBox& o) const { return lo_x <= o.hi_x && o.lo_x <= hi_x && lo_y <= o.hi_y && o.lo_y <= hi_y; }
+  bool holds(const SegmentBox& o) const { return lo_x <= o.lo_x && lo_y <= o.lo_y && hi_x >= o.hi_x && hi_y >= o.hi_y; }
   void include(const SegmentBox& o) {
     lo_x = std::min(lo_x, o.lo_x);
     lo_y = std::min(lo_y, o.lo_y);

@@ -20,7 +20,7 @@ Import board_of(const std::string& items, std::optional<double> drills = {}, dou
   return examine("(kicad_pcb (version 20260206) " + items + ")", "b.kicad_pcb", settings);
 }
 
-const char* const square = "(gr_rect (start 30 30) (end 0 0) (layer \"Edge.Cuts\"))";
+const char* const board_square = "(gr_rect (start 30 30) (end 0 0) (layer \"Edge.Cuts\"))";
 
 TEST(ImportKicad, RoundsRectangles) {
   const auto area = [](const std::string& radius) {
@@ -41,7 +41,7 @@ TEST(ImportKicad, ReadsPolygonsWithArcs) {
 
 /// Pads: a mounting hole, a slot that stands upright on the board, a small one; vias: one through the board, one not.
 const std::string drilled =
-    std::string(square) +
+    std::string(board_square) +
     "(footprint H (layer F.Cu) (at 10 10 90) (property Reference H1)"
     " (pad \"\" np_thru_hole circle (at 0 0 90) (size 3.2 3.2) (drill 3.2) (layers *.Cu *.Mask))"
     " (pad 2 thru_hole oval (at -10 10 180) (size 3 5) (drill oval 2 4 (offset 9 9)) (layers *.Cu))"
@@ -55,7 +55,7 @@ TEST(ImportKicad, CountsDrillsThatAreNoHoles) {
   EXPECT_NE(import.files[0].notes[0].find("3 of pads and 1 of vias, 0.4 to 3.2 wide"), std::string::npos)
       << import.files[0].notes[0];
   EXPECT_NE(import.files[0].notes[1].find("1 of blind"), std::string::npos);
-  EXPECT_TRUE(board_of(square).files[0].notes.empty());
+  EXPECT_TRUE(board_of(board_square).files[0].notes.empty());
 }
 
 TEST(ImportKicad, MakesDrillsHoles) {
@@ -79,7 +79,7 @@ TEST(ImportKicad, MakesDrillsHoles) {
 }
 
 TEST(ImportKicad, CutsNotchesAndOverlappingDrills) {
-  const auto vias = [](const std::string& places) { return totals_of(board_of(square + places, 0)); };
+  const auto vias = [](const std::string& places) { return totals_of(board_of(board_square + places, 0)); };
   const auto via = [](const std::string& at) { return "(via (at " + at + ") (drill 2) (size 3))"; };
   const testing::Totals notch = vias(via("0 15"));
   EXPECT_NEAR(notch.area, 900 - kicad_pi / 2, 0.1);
