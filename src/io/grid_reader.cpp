@@ -32,7 +32,7 @@ class MapYaml {
     std::size_t number = 0;
     for (std::size_t at = 0; at <= text.size(); ++number) {
       const std::size_t end = std::min(text.find('\n', at), text.size());
-      add(text.substr(at, end - at), number + 1);
+      if (!add(text.substr(at, end - at), number + 1)) break;
       at = end + 1;
     }
   }
@@ -85,21 +85,52 @@ class MapYaml {
   struct Line {
     std::size_t number;
     std::string value;
+    bool dashes = false;  ///< the value is a list whose items are on lines of their own
   };
 
-  void add(std::string line, std::size_t number) {
+  /// False at the end of the document.
+  bool add(std::string line, std::size_t number) {
+    char quote = 0;
     for (std::size_t k = 0; k < line.size(); ++k) {
-      if (line[k] == '#' && (k == 0 || line[k - 1] == ' ' || line[k - 1] == '\t')) line.resize(k);
+      const bool first = k == 0 || line[k - 1] == ' ' || line[k - 1] == '\t' || line[k - 1] == ':';
+      if (quote != 0)
+        quote = line[k] == quote ? '\0' : quote;
+      else if (first && (line[k] == '"' || line[k] == '\''))
+        quote = line[k];
+      else if (first && line[k] == '#' && (k == 0 || line[k - 1] != ':'))
+        line.resize(k);
     }
     line = trimmed(line);
-    if (line.empty() || line == "---") return;
+    if (line == "...") return false;
+    if (line.empty() || line.starts_with("---") || line.front() == '%') return true;
+    if (continues(line)) return true;
     const std::size_t colon = line.find(':');
     if (colon == std::string::npos)
       throw InputError(file_ + ":" + std::to_string(number), "the line \"" + excerpt(line) + "\" is no `key: value`",
                        yaml_shape);
     const std::string key = trimmed(line.substr(0, colon));
-    if (!lines_.emplace(key, Line{number, trimmed(line.substr(colon + 1))}).second)
+    const auto [place, is_new] = lines_.emplace(key, Line{number, trimmed(line.substr(colon + 1))});
+    if (!is_new)
       throw InputError(file_ + ":" + std::to_string(number), "`" + excerpt(key) + "` is given twice", yaml_shape);
+    last_ = &place->second;
+    return true;
+  }
+
+  /// Of the value before: items of a list, each on a line after a dash, or more of one in brackets.
+  bool continues(const std::string& line) {
+    if (!last_) return false;
+    std::string& value = last_->value;
+    const bool item = line == "-" || line.starts_with("- ") || line.starts_with("-\t");
+    if (item && (value.empty() || last_->dashes)) {
+      last_->dashes = true;
+      if (!value.empty()) value.pop_back();
+      value += (value.empty() ? "[" : ", ") + trimmed(line.substr(1)) + "]";
+      return true;
+    }
+    const bool open = !value.empty() && value.front() == '[' && value.find(']') == std::string::npos;
+    if (!open && !(value.empty() && line.front() == '[')) return false;
+    value += (value.empty() ? "" : " ") + line;
+    return true;
   }
 
   const Line& found(const std::string& key) const {
@@ -118,6 +149,7 @@ class MapYaml {
 
   std::string file_;
   std::map<std::string, Line> lines_;
+  Line* last_ = nullptr;
 };
 
 /// P2 (numbers) or P5 (bytes).

@@ -171,6 +171,25 @@ TEST_F(GridFiles, BytesAndNumbers) {
             (std::vector<std::uint8_t>{1, 0, 1, 0, 1, 1}));
 }
 
+TEST_F(GridFiles, ReadsListsInAllForms) {
+  write("map.pgm", "P2 2 1 255 0 255");
+  const std::string rest = "image: 'map.pgm' # '\nresolution: 0.5\n";
+  for (const std::string origin :
+       {"origin:\n - -1.0\n - 2\n - 0\n", "origin:\n- -1.0\n-\t2\n\n- 0.0 # yaw\n", "origin:\n  [-1.0, 2, 0]\n",
+        "origin: [-1.0,\n  2,\n  0]\n", "origin: [ -1.0, 2, 0 ]\n...\nnonsense\n"}) {
+    EXPECT_EQ(read_grid(write("map.yaml", "%YAML 1.1\n--- # a map\n" + rest + origin)).origin, (Point{-1, 2}))
+        << origin;
+    if (origin.find("...") == std::string::npos) {
+      EXPECT_EQ(read_grid(write("map.yaml", origin + rest)).origin, (Point{-1, 2})) << origin;
+    }
+  }
+  const std::string pgm = "P2 2 1 255 0 255";
+  EXPECT_NE(fault(rest + "origin:\n - 1\n - 2\n", pgm).find("map.yaml:3: `origin` has 2 numbers"), std::string::npos);
+  EXPECT_NE(fault(rest + "origin:\n - a\n", pgm).find("\"a\" is not a finite number"), std::string::npos);
+  EXPECT_NE(fault(rest + "origin: [1,\n", pgm).find("is not a list in brackets"), std::string::npos);
+  EXPECT_NE(fault(rest + "- 1\n", pgm).find("map.yaml:3: the line \"- 1\" is no `key: value`"), std::string::npos);
+}
+
 TEST_F(GridFiles, FaultsHavePlacesAndRemedies) {
   const std::string pgm = "P2 2 1 255 0 255";
   EXPECT_EQ(fault("resolution: 1\norigin: [0, 0, 0]\n", pgm).substr(0, 29), "map.yaml: `image` is missing\n");
