@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "import/bodies.hpp"
 #include "import/dxf_reader.hpp"
 #include "import/kicad_reader.hpp"
 #include "import/png_image.hpp"
 #include "import/svg_reader.hpp"
+#include "import/text_encoding.hpp"
 #include "io/number_text.hpp"
 #include "io/outline_reader.hpp"
 #include "io/text_file.hpp"
@@ -55,7 +57,7 @@ Drawing read_map(std::string text, const std::string& file, const ImportSettings
     drawing.layers.push_back({name, {Sheet{"", Fill::even_odd, {}, false, std::move(parts)}}});
   };
   if (wkt) {
-    add(stem_of(file), io::parse_wkt(text, file, {}));
+    add(stem_of(file), io::parse_wkt(std::move(text), file, {}));
     drawing.fineness = fineness_of(settings, 1, drawing.diagonal());
     return drawing;
   }
@@ -92,14 +94,17 @@ Drawing read_occupancy(const std::string& file, const ImportSettings& settings) 
 
 Drawing read_drawing(std::string text, const std::string& file, const ImportSettings& settings) {
   const std::string ending = ending_of(file);
+  to_plain_utf8(text);
   if (ending == ".svg") return read_svg(text, file, settings);
   if (ending == ".dxf") return read_dxf(text, file, settings);
   if (ending == ".kicad_pcb") return read_kicad(text, file, settings);
   if (ending == ".wkt") return read_map(std::move(text), file, settings, true);
-  if (ending == ".geojson" || ending == ".json") return read_map(std::move(text), file, settings, false);
-  throw InputError(file,
-                   "the ending of the file's name is none of .svg, .dxf, .kicad_pcb, .wkt, .geojson, .json and .yaml",
-                   "give the file the ending of its format");
+  static const std::set<std::string> json{".geojson", ".json", ".geojsonl", ".geojsons", ".ndjson"};
+  if (json.count(ending)) return read_map(std::move(text), file, settings, false);
+  throw InputError(
+      file,
+      "the ending of the file's name is none of .svg, .dxf, .kicad_pcb, .wkt, .geojson, .geojsonl, .json and .yaml",
+      "give the file the ending of its format");
 }
 
 Import examine_drawings(std::vector<Drawing> drawings, const ImportSettings& settings) {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "io/text_file.hpp"
+
 namespace taut::drawing {
 
 namespace {
@@ -93,6 +95,21 @@ std::string to_utf8(const std::string& text, const std::string& encoding) {
   }
   iconv_close(converter);
   return valid_part(out);
+}
+
+void to_plain_utf8(std::string& text) {
+  const auto byte = [&text](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  if (text.size() >= 2) {
+    const bool marked = (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
+    // Without a mark: the first character of all that is read is in ASCII.
+    if (marked)
+      text = to_utf8(text, "UTF-16");
+    else if (byte(0) != 0 && byte(1) == 0)
+      text = to_utf8(text, "UTF-16LE");
+    else if (byte(0) == 0 && byte(1) != 0)
+      text = to_utf8(text, "UTF-16BE");
+  }
+  internal::io::drop_byte_order_mark(text);
 }
 
 std::string utf8_of(unsigned long c) {

@@ -14,6 +14,9 @@ std::string to_utf8(const std::string& text, const std::string& encoding);
 /// In small letters, as far as they are Latin, Greek or Cyrillic: to compare names.
 std::string folded_case(const std::string& utf8);
 
+/// Without a byte order mark, and what is UTF-16 as UTF-8.
+void to_plain_utf8(std::string& text);
+
 /// A character as UTF-8.
 std::string utf8_of(unsigned long character);
 

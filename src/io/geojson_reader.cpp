@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "io/json_document.hpp"
 #include "io/json_numbers.hpp"
@@ -68,8 +69,15 @@ class GeoJsonReader {
   GeoJsonReader(const JsonDocument& document, const ReadLimits& limits, bool lenient)
       : document_(document), limits_(limits), lenient_(lenient) {}
 
-  std::vector<GeoFeature> read() {
-    read_object(0, "");
+  /// `sequence`: of values in an array that was made of them.
+  std::vector<GeoFeature> read(bool sequence) {
+    if (sequence)
+      for_each_element(0, "", [this](std::size_t i, const std::string& p) { read_object(i, p); });
+    else
+      read_object(0, "");
+    const bool any = std::any_of(features_.begin(), features_.end(),
+                                 [](const GeoFeature& feature) { return !feature.parts.empty(); });
+    if (!lenient_ && !any && empty_) throw *empty_;
     return std::move(features_);
   }
 
@@ -80,7 +88,7 @@ class GeoJsonReader {
     const std::string prefix = path.empty() ? "" : path + ".";
     if (name == "FeatureCollection") {
       const std::size_t list = get_member(document_, here, path, "features", JsonKind::array);
-      require_some(list, prefix + "features", "there are no features");
+      note_if_empty(list, prefix + "features", "there are no features");
       for_each_element(list, prefix + "features", [this](std::size_t i, const std::string& p) { read_object(i, p); });
     } else if (name == "Feature") {
       features_.push_back({feature_name(here), {}, {}});
@@ -94,9 +102,10 @@ class GeoJsonReader {
   void read_geometry_of_feature(std::size_t here, const std::string& path) {
     const std::string inner = path.empty() ? "geometry" : path + ".geometry";
     const std::size_t geometry = find_member(document_, here, "geometry");
-    if (lenient_ && geometry != 0 && document_.at(geometry).kind() == JsonKind::null) {
-      features_.back().skipped.push_back(document_.error(geometry, inner, "a feature without a geometry", "").what());
-      return;
+    if (geometry != 0 && document_.at(geometry).kind() == JsonKind::null) {
+      const InputError error = document_.error(geometry, inner, "a feature without a geometry", write_polygon());
+      if (!empty_) empty_ = error;
+      return features_.back().skipped.push_back(error.place() + ": " + error.problem());
     }
     read_geometry(get_member(document_, here, path, "geometry", JsonKind::object), inner);
   }
@@ -107,17 +116,17 @@ class GeoJsonReader {
     const std::string prefix = path.empty() ? "" : path + ".";
     if (name == "GeometryCollection") {
       const std::size_t list = get_member(document_, here, path, "geometries", JsonKind::array);
-      require_some(list, prefix + "geometries", "there are no geometries");
+      note_if_empty(list, prefix + "geometries", "there are no geometries");
       for_each_element(list, prefix + "geometries",
                        [this](std::size_t i, const std::string& p) { read_geometry(i, p); });
     } else if (name == "Polygon") {
       read_polygon(get_member(document_, here, path, "coordinates", JsonKind::array), prefix + "coordinates");
     } else if (name == "MultiPolygon") {
       const std::size_t list = get_member(document_, here, path, "coordinates", JsonKind::array);
-      require_some(list, prefix + "coordinates", "there are no polygons");
+      note_if_empty(list, prefix + "coordinates", "there are no polygons");
       for_each_element(list, prefix + "coordinates",
                        [this](std::size_t i, const std::string& p) { read_polygon(i, p); });
-    } else {
+    } else if (!has_empty_coordinates(here)) {
       const InputError error = document_.error(
           type, prefix + "type", "expected a Polygon or MultiPolygon, found " + found_type(name), write_polygon());
       if (!lenient_) throw error;
@@ -127,13 +136,14 @@ class GeoJsonReader {
 
   void read_polygon(std::size_t rings, const std::string& path) {
     document_.require(rings, JsonKind::array, path, polygon_shape);
-    require_some(rings, path, "the polygon is empty");
+    const bool none = note_if_empty(rings, path, "the polygon is empty");
+    if (none || note_if_empty(rings + 1, element_path(path, 0), "the polygon is empty")) return;
     Part part;
     for_each_element(rings, path, [&](std::size_t i, const std::string& p) {
       Polygon ring = read_ring(i, p);
       if (i == rings + 1)
         part.outline = std::move(ring);
-      else
+      else if (!ring.empty())
         part.holes.push_back(std::move(ring));
     });
     add_parts(features_.back().parts, std::move(part));
@@ -158,8 +168,16 @@ class GeoJsonReader {
     return document_.at(name).kind() == JsonKind::number ? value_text(document_, name) : "";
   }
 
-  void require_some(std::size_t array, const std::string& path, const char* problem) const {
-    if (document_.after(array) == array + 1) throw document_.error(array, path, problem, write_polygon());
+  /// What is empty adds nothing; it is an error where nothing else is there.
+  bool note_if_empty(std::size_t array, const std::string& path, const char* problem) {
+    if (document_.at(array).kind() != JsonKind::array || document_.after(array) != array + 1) return false;
+    if (!empty_) empty_ = document_.error(array, path, problem, write_polygon());
+    return true;
+  }
+
+  bool has_empty_coordinates(std::size_t geometry) {
+    const std::size_t coordinates = find_member(document_, geometry, "coordinates");
+    return coordinates != 0 && note_if_empty(coordinates, "coordinates", "the geometry is empty");
   }
 
   template <class Visit>
@@ -173,13 +191,44 @@ class GeoJsonReader {
   const ReadLimits& limits_;
   bool lenient_;
   std::vector<GeoFeature> features_;
+  std::optional<InputError> empty_;  ///< the first thing in which there is nothing
 };
+
+/// Values one after the other, as newline-delimited GeoJSON and RFC 8142 have them, as one array; no line changes its
+/// place. False where the text is one value, or something else.
+bool make_array(std::string& text) {
+  constexpr char separator = '\x1E';
+  std::string array;
+  int depth = 0, values = 0;
+  bool quoted = false;
+  array.reserve(text.size() + 16);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      array += c;
+      if (c == '\\' && i + 1 < text.size()) array += text[++i];
+      quoted = c != '"';
+      continue;
+    }
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (depth == 0 && c != '{' && c != separator && !space) return false;
+    if (depth == 0 && c == '{') array += values++ == 0 ? '[' : ',';
+    depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
+    quoted = c == '"';
+    array += c == separator && depth == 0 ? ' ' : c;
+  }
+  if (values < 2 && text.find(separator) == std::string::npos) return false;
+  text = std::move(array) + "]";
+  return values > 0;
+}
 
 std::vector<GeoFeature> read_features(std::string text, const std::string& name, const ReadLimits& limits, bool lenient,
                                       Quoting quoting) {
+  drop_byte_order_mark(text);
+  const bool sequence = make_array(text);
   const JsonDocument document = parse_json(std::move(text), name, write_polygon(), quoting);
   require_distinct_keys(document);
-  return GeoJsonReader(document, limits, lenient).read();
+  return GeoJsonReader(document, limits, lenient).read(sequence);
 }
 
 }  // namespace

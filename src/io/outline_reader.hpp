@@ -10,7 +10,7 @@
 namespace taut::internal::io {
 
 /// As taut::read_wkt_parts and taut::read_geojson_parts, but from text; `name` stands for the file in messages.
-std::vector<Part> parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits);
+std::vector<Part> parse_wkt(std::string text, const std::string& name, const ReadLimits& limits);
 std::vector<Part> parse_geojson(std::string text, const std::string& name, const ReadLimits& limits);
 
 /// The outline of the only part. Throws InputError if there are more, or holes.

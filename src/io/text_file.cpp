@@ -31,7 +31,12 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
     throw InputError(path, std::string("cannot read the file: ") + std::strerror(errno),
                      "give the path of a text file");
   }
+  drop_byte_order_mark(text);
   return text;
+}
+
+void drop_byte_order_mark(std::string& text) {
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);
 }
 
 std::string place_in_text(const std::string& text, const std::string& name, std::size_t offset) {

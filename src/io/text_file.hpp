@@ -9,8 +9,12 @@ namespace taut::internal::io {
 /// The folder that a path is in: "." for a bare name.
 std::string folder_of(const std::string& path);
 
-/// The whole file. Throws InputError if it cannot be read or has more than `max_bytes` bytes.
+/// The whole file, but for a byte order mark. Throws InputError if it cannot be read or has more than `max_bytes`
+/// bytes.
 std::string read_text_file(const std::string& path, std::size_t max_bytes);
+
+/// Drops the mark by which some programs say that a text is UTF-8.
+void drop_byte_order_mark(std::string& text);
 
 /// Throws InputError if `text` has more than `max_bytes` bytes.
 void require_size(const std::string& text, const std::string& name, std::size_t max_bytes);

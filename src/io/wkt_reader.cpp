@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "geometry/touching_rings.hpp"
 #include "io/number_text.hpp"
@@ -35,7 +37,10 @@ class WktReader {
       while (take(';')) {
       }
       skip_space();
-      if (position_ == text_.size()) return std::move(parts_);
+      if (position_ == text_.size()) {
+        if (parts_.empty()) fail_empty();
+        return std::move(parts_);
+      }
       if (!std::isalpha(static_cast<unsigned char>(text_[position_])))
         fail("unexpected text after the " + std::string(word == "POLYGON" ? "polygon" : "geometry"),
              "write one geometry after the other, each with its own brackets");
@@ -43,38 +48,80 @@ class WktReader {
   }
 
  private:
-  /// What follows its name; `depth` collections are around it.
-  void read_geometry(const std::string& word, int depth) {
-    const bool collection = word == "GEOMETRYCOLLECTION", several = word == "MULTIPOLYGON";
-    if (word != "POLYGON" && !several && !collection) fail("expected POLYGON or MULTIPOLYGON" + found(word));
-    if (depth == max_nesting) fail("collections are nested more than " + std::to_string(max_nesting) + " deep");
-    const std::string dimensions = read_word();
-    if (dimensions == "EMPTY") fail_empty();
-    if (word == "POLYGON") return read_polygon();
-    expect('(', several ? "before the first polygon" : "before the first geometry");
-    do {
-      const std::string inner = read_word();
-      if (collection)
-        read_geometry(inner, depth + 1);
-      else if (inner == "EMPTY")
-        fail_empty();
-      else
-        read_polygon();
-    } while (take(','));
-    expect(')', several ? "after the polygons" : "after the geometries");
+  enum class Kind { polygon, polygons, surface, collection, other, unknown };
+
+  /// "POLYGONZ" is "POLYGON Z". Words that are unknown are not quoted, the file may be any.
+  static Kind kind_of(std::string word, std::string* dimensions) {
+    static const std::map<std::string, Kind> kinds{
+        {"POLYGON", Kind::polygon},       {"TRIANGLE", Kind::polygon},
+        {"MULTIPOLYGON", Kind::polygons}, {"POLYHEDRALSURFACE", Kind::surface},
+        {"TIN", Kind::surface},           {"GEOMETRYCOLLECTION", Kind::collection},
+        {"POINT", Kind::other},           {"MULTIPOINT", Kind::other},
+        {"LINESTRING", Kind::other},      {"MULTILINESTRING", Kind::other},
+        {"CIRCULARSTRING", Kind::other},  {"COMPOUNDCURVE", Kind::other},
+        {"MULTICURVE", Kind::other},      {"CURVEPOLYGON", Kind::other},
+        {"MULTISURFACE", Kind::other},
+    };
+    for (const char* end : {"", "ZM", "Z", "M"}) {
+      if (!word.ends_with(end)) continue;
+      const auto kind = kinds.find(word.substr(0, word.size() - std::string(end).size()));
+      if (kind == kinds.end()) continue;
+      *dimensions = end;
+      return kind->second;
+    }
+    return Kind::unknown;
   }
 
-  void read_polygon() {
+  /// What follows its name; `depth` collections are around it. What is empty adds nothing.
+  void read_geometry(const std::string& word, int depth) {
+    std::string dimensions;
+    const Kind kind = kind_of(word, &dimensions);
+    if (kind == Kind::unknown)
+      fail(std::string("expected POLYGON or MULTIPOLYGON") + (word.empty() ? "" : ", found another word"));
+    const std::size_t before = position_;
+    if (depth == max_nesting) fail("collections are nested more than " + std::to_string(max_nesting) + " deep");
+    std::string next = read_word();
+    if (next == "Z" || next == "M" || next == "ZM") {
+      dimensions = next;
+      next = read_word();
+    }
+    if (!next.empty() && next != "EMPTY") fail("expected \"(\" or EMPTY after " + word);
+    if (next == "EMPTY") return note_empty();
+    if (kind == Kind::other) {
+      position_ = before;
+      fail("expected POLYGON or MULTIPOLYGON, found " + word);
+    }
+    has_z_ = dimensions != "M";
+    height_.reset();
+    if (kind == Kind::polygon) return read_polygon(false);
+    expect('(', kind == Kind::collection ? "before the first geometry" : "before the first polygon");
+    do {
+      const std::string inner = read_word();
+      if (kind == Kind::collection)
+        read_geometry(inner, depth + 1);
+      else if (inner == "EMPTY")
+        note_empty();
+      else
+        read_polygon(kind == Kind::surface);
+    } while (take(','));
+    expect(')', kind == Kind::collection ? "after the geometries" : "after the polygons");
+  }
+
+  /// Faces of a surface must be in one plane, above that of the scene.
+  void read_polygon(bool flat) {
     expect('(', "before the first ring");
     Part part;
-    part.outline = read_ring();
-    while (take(',')) part.holes.push_back(read_ring());
+    part.outline = read_ring(flat);
+    while (take(',')) part.holes.push_back(read_ring(flat));
     expect(')', "after the ring");
+    std::erase_if(part.holes, [](const Polygon& hole) { return hole.empty(); });
+    if (part.outline.empty()) return note_empty();
     add_parts(parts_, std::move(part));
   }
 
-  Polygon read_ring() {
+  Polygon read_ring(bool flat) {
     Polygon ring;
+    if (read_word() == "EMPTY") return ring;
     expect('(', "before the vertices");
     do {
       // One more than the limit, for the repeated vertex.
@@ -82,8 +129,11 @@ class WktReader {
       const double x = read_coordinate(), y = read_coordinate();
       ring.push_back({x, y});
       skip_space();
-      while (position_ < text_.size() && text_[position_] != ',' && text_[position_] != ')') {
-        read_coordinate();  // Z, M
+      for (int k = 0; position_ < text_.size() && text_[position_] != ',' && text_[position_] != ')'; ++k) {
+        const double more = read_coordinate();  // Z, M
+        if (flat && has_z_ && k == 0 && height_.value_or(more) != more)
+          fail("the surface is not flat: its z coordinates differ", "project it into the plane of the scene");
+        if (k == 0) height_ = more;
         skip_space();
       }
     } while (take(','));
@@ -103,15 +153,6 @@ class WktReader {
       fail("the number is too large", "numbers must fit a 64-bit floating-point number (about 1.8e308 at most)");
     }
     return *number;
-  }
-
-  /// The geometries of WKT that are not polygons; other words are not quoted, the file may be any.
-  static std::string found(const std::string& word) {
-    if (word.empty()) return "";
-    for (const char* known : {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "CURVEPOLYGON", "MULTISURFACE"}) {
-      if (word == known) return ", found " + word;
-    }
-    return ", found another word";
   }
 
   std::string read_word() {
@@ -138,7 +179,12 @@ class WktReader {
     if (!take(c)) fail(std::string("expected \"") + c + "\" " + where);
   }
 
-  [[noreturn]] void fail_empty() { fail("the polygon is empty"); }
+  void note_empty() { empty_at_ = position_; }
+
+  [[noreturn]] void fail_empty() {
+    position_ = empty_at_;
+    fail("the polygon is empty");
+  }
 
   [[noreturn]] void fail_size() {
     fail("more vertices than the limit of " + std::to_string(limits_.max_vertices),
@@ -152,7 +198,9 @@ class WktReader {
   const std::string& text_;
   std::string name_;
   const ReadLimits& limits_;
-  std::size_t position_ = 0;
+  std::size_t position_ = 0, empty_at_ = 0;
+  bool has_z_ = true;             ///< is the third coordinate z, and not m?
+  std::optional<double> height_;  ///< z of the surface that is read
   std::vector<Part> parts_;
 };
 
@@ -173,7 +221,8 @@ Polygon only_outline(std::vector<Part> parts, const std::string& name) {
                    "one outline is wanted here: leave the rest out, or read the file as parts, as scenes do");
 }
 
-std::vector<Part> parse_wkt(const std::string& text, const std::string& name, const ReadLimits& limits) {
+std::vector<Part> parse_wkt(std::string text, const std::string& name, const ReadLimits& limits) {
+  drop_byte_order_mark(text);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw InputError(name, "the file is empty", "write POLYGON ((x y, x y, x y, ...))");
   }

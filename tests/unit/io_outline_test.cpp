@@ -166,7 +166,7 @@ std::vector<testing::BadInput> bad_geojson() {
       {"no_polygons", R"({"type":"MultiPolygon","coordinates":[]})", "o.geojson:1:38: coordinates",
        "there are no polygons", shape},
       {"no_geometry", R"({"type":"Feature","geometry":null})", "o.geojson:1:30: geometry",
-       "expected an object, found null", shape},
+       "a feature without a geometry", shape},
       {"half_a_hole", R"({"type":"Polygon","coordinates":[[[0,0]],[[1]]]})", "o.geojson:1:43: coordinates[1][0]",
        "two coordinates, found 1", "[x, y]"},
       {"no_ring", R"({"type":"Polygon","coordinates":[]})", "o.geojson:1:33: coordinates", "the polygon is empty",
