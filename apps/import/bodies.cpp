@@ -54,6 +54,7 @@ OutlineSettings BodyMaker::outline_settings() const {
 
 void BodyMaker::add(Drawing drawing) {
   file_ = {};
+  coarse_join_ = false;
   file_.file = drawing.file;
   file_.format = drawing.format;
   file_.units = drawing.units;
@@ -86,10 +87,11 @@ void BodyMaker::add(Drawing drawing) {
       if (reasons.size() > 400) break;
       reasons += (reasons.empty() ? "; " : ", ") + ("the line at " + open.place) + " is open";
     }
+    const char* const usual = "draw closed lines; ends that do not meet are joined with --join E, or by --open close";
     fail(drawing.file, "nothing in the file encloses an area" + reasons,
-         drawing.remedy.empty()
-             ? "draw closed lines; ends that do not meet are joined with --join E, or by --open close"
-             : drawing.remedy);
+         !drawing.remedy.empty() ? drawing.remedy
+         : coarse_join_          ? "give a smaller distance to --join: lines are shorter than it"
+                                 : usual);
   }
   file_.kept = finder.found();
   import_.files.push_back(std::move(file_));

@@ -9,6 +9,7 @@
 
 #include "geometry/segment_strips.hpp"
 #include "import/import.hpp"
+#include "import/layer_plan.hpp"
 #include "import/outlines.hpp"
 
 namespace taut::drawing {
@@ -38,8 +39,7 @@ class BodyMaker {
   void choose_layers(Drawing& drawing) const;
   static void merge_layers(Drawing& drawing, const std::vector<std::string>& names, bool all);
   void read_lines(Drawing& drawing);
-  void read_set(const Drawing& drawing, const std::vector<std::size_t>& set, std::size_t number,
-                std::vector<Piece>& pieces);
+  void note_coarse_join(const std::vector<LineLayer>& lines);
   void cut_out(Layer& layer, std::vector<Named>& parts);
   void require_clear_nesting(const Drawing& drawing, const std::vector<Piece>& pieces);
   void require_nothing_lost(const Drawing& drawing);
@@ -67,6 +67,7 @@ class BodyMaker {
   Import& import_;
   const class CurveFinder* finder_ = nullptr;  ///< of the file that is read, where curves are kept
   FileReport file_;
+  bool coarse_join_ = false;               ///< lines are shorter than the distance at which they are joined
   std::vector<std::vector<Named>> parts_;  ///< of each layer of the drawing
   int sources_ = 0;                        ///< that have a number
   std::map<std::string, int> names_;

@@ -42,6 +42,7 @@ void BodyMaker::read_lines(Drawing& drawing) {
     }
     if (!layer.chains.empty()) lines.push_back(std::move(layer));
   }
+  note_coarse_join(lines);
   LayerPlan plan;
   const OutlineSettings settings = outline_settings();
   if (settings_.by == Grouping::automatic && drawing.nests)
@@ -100,6 +101,26 @@ void BodyMaker::read_lines(Drawing& drawing) {
     const int source = -1 - static_cast<int>(piece.set);
     add_region(std::move(piece.region), {piece.name, piece.place, {}, nest, source, true}, parts_[piece.layer]);
   }
+}
+
+/// A distance that was given, and is larger than what is drawn, joins all of it.
+void BodyMaker::note_coarse_join(const std::vector<LineLayer>& lines) {
+  if (!settings_.join) return;
+  std::size_t all = 0, small = 0;
+  std::string first;
+  for (const LineLayer& layer : lines) {
+    for (const Chain& chain : layer.chains) {
+      const double extent = box_of(chain.points).extent();
+      ++all;
+      if (!(extent > 0 && extent <= *settings_.join)) continue;
+      if (small++ == 0) first = chain.place;
+    }
+  }
+  if (small == 0) return;
+  file_.notes.push_back(
+      fmt::format("--join {:.4g} is larger than {} of {}, the first one at {}: they may vanish or move",
+                  *settings_.join, small, counted_text(all, "line", "lines"), first));
+  coarse_join_ = true;
 }
 
 /// A piece within material of a layer that is read apart could be a hole in it, or a body on it.
