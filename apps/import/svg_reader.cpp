@@ -86,8 +86,8 @@ class SvgReader {
   }
 
   Drawing read() {
-    open_root();
     for (const auto& [node, css] : xml_.style_texts()) styles_.read(css, xml_.element(node), drawing_);
+    open_root();
     while (!open_.empty()) {
       Level& level = open_.back();
       if (level.next == level.end) {
