@@ -54,7 +54,7 @@ std::vector<std::string> KicadDrills::notes() const {
   std::vector<std::string> notes;
   if (!holes_.empty())
     notes.push_back(
-        fmt::format("{} of the board {}", holes_.size(), holes_.size() == 1 ? "drill is a hole" : "drills are holes"));
+        fmt::format("{} {} of the board", holes_.size(), holes_.size() == 1 ? "drill is a hole" : "drills are holes"));
   if (pads_ + vias_ > 0) {
     const std::string of = pads_ == 0   ? counted_drills(vias_, "vias")
                            : vias_ == 0 ? counted_drills(pads_, "pads")

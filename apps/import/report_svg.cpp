@@ -19,18 +19,10 @@ const char* const open_color = "#d62828";
 const char* const gap_color = "#e07b00";
 const char* const repair_color = "#2a6fdb";
 
-/// The rings of a body as polygons: of curves, their ends do.
-std::vector<Polygon> rings_of(const Body& body) {
-  std::vector<Polygon> rings;
-  const auto add = [&rings](const Part& part) {
-    rings.push_back(part.outline);
-    rings.insert(rings.end(), part.holes.begin(), part.holes.end());
-  };
-  if (!body.polygon.empty()) rings.push_back(body.polygon);
-  for (const Part& part : body.parts) add(part);
-  if (!body.curves.empty())
-    for (const Part& part : flatten(body.curves, CurveSide::outer, 1e300, body.name)) add(part);
-  return rings;
+/// The parts of a body as polygons: of curves, their ends do.
+std::vector<Part> parts_of(const Body& body) {
+  if (!body.curves.empty()) return flatten(body.curves, CurveSide::outer, 1e300, body.name);
+  return body.polygon.empty() ? body.parts : std::vector<Part>{{body.polygon, {}}};
 }
 
 class ReportPicture {
@@ -64,17 +56,23 @@ class ReportPicture {
     return d;
   }
 
+  std::string ring_path(const Polygon& ring) const {
+    std::vector<Point> pixels;
+    for (const Point& p : ring) pixels.push_back(canvas_.pixel(p));
+    return io::outline_path(pixels);
+  }
+
+  /// Each part is a path of its own: where parts overlap is no hole.
   std::string body(const Body& body) const {
-    std::string d;
-    for (const Polygon& ring : rings_of(body)) {
-      std::vector<Point> pixels;
-      for (const Point& p : ring) pixels.push_back(canvas_.pixel(p));
-      d += io::outline_path(pixels);
+    std::string s =
+        fmt::format("<g fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#46566a\" stroke-width=\"0.8\"><title>{}</title>",
+                    body_color, io::escape_xml(body.name));
+    for (const Part& part : parts_of(body)) {
+      std::string d = ring_path(part.outline);
+      for (const Polygon& hole : part.holes) d += ring_path(hole);
+      s += "<path d=\"" + d + "\"/>";
     }
-    return fmt::format(
-        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#46566a\" stroke-width=\"0.8\"><title>{}"
-        "</title></path>\n",
-        d, body_color, io::escape_xml(body.name));
+    return s + "</g>\n";
   }
 
   /// `id`: by which a page finds it.

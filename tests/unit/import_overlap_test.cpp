@@ -43,6 +43,15 @@ TEST(ImportOverlap, GivesTheAreaOfTheUnion) {
               "d.json", {21, 4});
 }
 
+TEST(ImportOverlap, IsNoHoleInThePicture) {
+  const Import import =
+      examine(svg_group("<rect width='9' height='9'/><rect x='2' y='2' width='3' height='3'/>"), "d.svg");
+  const std::string picture = report_svg(import);
+  std::size_t paths = 0;
+  for (std::size_t at = 0; (at = picture.find("<path d=", at)) != std::string::npos; ++at) ++paths;
+  EXPECT_EQ(paths, 2u) << picture;
+}
+
 TEST(ImportOverlap, SaysHowLinesOnFilledShapesAreRead) {
   const auto notes = [](const std::string& inside) { return examine(svg_group(inside), "d.svg").files[0].notes; };
   const std::string rect = "<rect width='9' height='9' ", circle = "<circle cx='4' cy='4' r='2' ",
