@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -105,8 +106,10 @@ class LineKeys {
       : contour_(all.edges), faces_(faces), block_(blocks_of(graph, alive)), label_(slot(faces.map.faces()), unknown) {
     std::vector<bool> contours(alive.size());
     for (std::size_t e = 0; e < alive.size(); ++e) contours[e] = alive[e] && contour_[e];
-    contour_block_ = blocks_of(graph, contours);
-    const FaceMap cells(graph, contours);
+    contour_block_ = contours == alive ? block_ : blocks_of(graph, contours);
+    // Often all lines are contours.
+    const auto other = contours == alive ? std::nullopt : std::optional<FaceMap>(std::in_place, graph, contours);
+    const FaceMap& cells = other ? *other : faces;
     find_cells(cells);
     surrounded_ = SurroundedCells(graph, all, contour_block_, cells);
     const std::size_t blocks = graph.edges.size();

@@ -10,6 +10,7 @@
 
 #include "geometry/predicates.hpp"
 #include "geometry/segment_strips.hpp"
+#include "import/body_text.hpp"
 
 namespace taut::drawing {
 using namespace internal;
@@ -41,17 +42,9 @@ class Planner {
   Planner(const std::vector<LineLayer>& layers, const OutlineSettings& settings)
       : layers_(layers), settings_(settings), set_(layers.size()) {
     std::iota(set_.begin(), set_.end(), 0);
-    std::vector<SegmentBox> boxes;
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      for (const Chain& chain : layers[k].chains) {
-        const std::size_t n = chain.points.size();
-        for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i) {
-          segments_.push_back({chain.points[i], chain.points[(i + 1) % n], k, &chain});
-          boxes.emplace_back(segments_.back().a, segments_.back().b);
-        }
-      }
-    }
-    strips_ = std::make_unique<SegmentStrips>(std::move(boxes));
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      for (const Chain& chain : layers[k].chains) add_segments(chain, k, segments_);
+    strips_ = std::make_unique<SegmentStrips>(boxes_of(segments_));
   }
 
   LayerPlan plan() {
@@ -76,6 +69,19 @@ class Planner {
   }
 
  private:
+  static void add_segments(const Chain& chain, std::size_t layer, std::vector<LayerSegment>& segments) {
+    const std::size_t n = chain.points.size();
+    for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < n; ++i)
+      segments.push_back({chain.points[i], chain.points[(i + 1) % n], layer, &chain});
+  }
+
+  static std::vector<SegmentBox> boxes_of(const std::vector<LayerSegment>& segments) {
+    std::vector<SegmentBox> boxes;
+    boxes.reserve(segments.size());
+    for (const LayerSegment& segment : segments) boxes.emplace_back(segment.a, segment.b);
+    return boxes;
+  }
+
   bool join_where_ends_meet() {
     bool any = false;
     for (std::size_t root = 0; root < layers_.size(); ++root) {
@@ -120,9 +126,31 @@ class Planner {
     settled_.erase(to);
   }
 
+  /// The segments of chains whose boxes meet those of other sets: others cross nothing of these.
+  std::vector<LayerSegment> segments_near_others() const {
+    std::vector<std::pair<const Chain*, std::size_t>> chains;
+    std::vector<SegmentBox> boxes;
+    for (std::size_t k = 0; k < layers_.size(); ++k) {
+      for (const Chain& chain : layers_[k].chains) {
+        if (chain.points.empty()) continue;
+        chains.emplace_back(&chain, k);
+        boxes.push_back(box_of(chain.points));
+      }
+    }
+    std::vector<bool> near(chains.size(), false);
+    SegmentStrips(std::move(boxes)).each_pair([&](std::size_t i, std::size_t j) {
+      if (set_[chains[i].second] != set_[chains[j].second]) near[i] = near[j] = true;
+    });
+    std::vector<LayerSegment> segments;
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      if (near[i]) add_segments(*chains[i].first, chains[i].second, segments);
+    return segments;
+  }
+
   void find_crossings() {
-    strips_->each_pair([&](std::size_t i, std::size_t j) {
-      const LayerSegment &s = segments_[i], &t = segments_[j];
+    const std::vector<LayerSegment> segments = segments_near_others();
+    SegmentStrips(boxes_of(segments)).each_pair([&](std::size_t i, std::size_t j) {
+      const LayerSegment &s = segments[i], &t = segments[j];
       const std::size_t a = std::min(set_[s.layer], set_[t.layer]), b = std::max(set_[s.layer], set_[t.layer]);
       if (a == b || where_.count({a, b}) || !cross_clearly(s, t, settings_.join)) return;
       where_[{a, b}] = {(std::max(std::min(s.a.x, s.b.x), std::min(t.a.x, t.b.x)) +

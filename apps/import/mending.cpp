@@ -83,9 +83,10 @@ std::map<int, int> merges_of(const LineGraph& graph, const FaceMap& faces, const
   return merges;
 }
 
-bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, double join, double size,
-                          std::vector<Repair>& repairs) {
-  const FaceMap faces(graph, alive);
+}  // namespace
+
+bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, const FaceMap& faces, double join,
+                          double size, std::vector<Repair>& repairs) {
   if (faces.map.half_edges() == 0) return false;
   const std::vector<FaceFacts> facts = facts_of_faces(graph, alive, faces);
   const auto is_sliver = [join](const FaceFacts& face) { return 4 * face.area <= join * face.around; };
@@ -110,8 +111,6 @@ bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, doub
   }
   return !merges.empty();
 }
-
-}  // namespace
 
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs) {
   if (!(size > 0)) return false;
@@ -147,11 +146,6 @@ bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, st
     });
   }
   return repairs.size() > before;
-}
-
-bool mend_lines(const LineGraph& graph, std::vector<bool>& alive, double join, double size,
-                std::vector<Repair>& repairs) {
-  return cut_loops(graph, alive, size, repairs) || dissolve_small_faces(graph, alive, join, size, repairs);
 }
 
 }  // namespace taut::drawing

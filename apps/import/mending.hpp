@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "import/faces.hpp"
 #include "import/line_graph.hpp"
 
 namespace taut::drawing {
@@ -20,10 +21,10 @@ struct Repair {
 /// longer alive. False if there are none.
 bool cut_loops(const LineGraph& graph, std::vector<bool>& alive, double size, std::vector<Repair>& repairs);
 
-/// Cuts loops; and where there are none, joins faces to the one with which they share most of their boundary: those
-/// that are narrower than half of `join`, between lines that are meant to be one, and those that are no larger than
-/// `size`, at a larger block. False if there was nothing to do.
-bool mend_lines(const LineGraph& graph, std::vector<bool>& alive, double join, double size,
-                std::vector<Repair>& repairs);
+/// Joins faces to the one with which they share most of their boundary: those that are narrower than half of `join`,
+/// between lines that are meant to be one, and those that are no larger than `size`, at a larger block. `faces` are
+/// those of the edges that are alive; edges between joined ones no longer are. False if there was nothing to do.
+bool dissolve_small_faces(const LineGraph& graph, std::vector<bool>& alive, const FaceMap& faces, double join,
+                          double size, std::vector<Repair>& repairs);
 
 }  // namespace taut::drawing

@@ -46,9 +46,8 @@ class OutlineMaker {
     prune(true);
     find_suspicious();
     if (settings_.close && !out_.suspicious.empty()) close();
-    mend();
+    const FaceMap faces = mend();
     if (!any_alive()) return std::move(out_);
-    const FaceMap faces(graph_, alive_);
     const Contours contours = contours_of(graph_, alive_);
     find_crossings(contours);
     finish(faces, keys_of_lines(graph_, alive_, contours, faces));
@@ -187,8 +186,13 @@ class OutlineMaker {
       out_.crossings.emplace_back(graph_.point(node), graph_.edge(contours.rings[ring].front()).source);
   }
 
-  void mend() {
-    while (mend_lines(graph_, alive_, settings_.join, settings_.repair, out_.repairs)) prune(false);
+  /// The faces that are left.
+  FaceMap mend() {
+    for (;; prune(false)) {
+      if (cut_loops(graph_, alive_, settings_.repair, out_.repairs)) continue;
+      FaceMap faces(graph_, alive_);
+      if (!dissolve_small_faces(graph_, alive_, faces, settings_.join, settings_.repair, out_.repairs)) return faces;
+    }
   }
 
   void finish(const FaceMap& faces, const FaceKeys& keys) {

@@ -92,7 +92,10 @@ class SegmentStrips {
   void each_near(const SegmentBox& box, const Visit& visit) const {
     if (strips_.empty()) return;
     for (std::size_t s = strip_of(box.lo_y); s <= strip_of(box.hi_y); ++s) {
-      for (const std::size_t i : strips_[s]) {
+      // Those before end left of the box.
+      const auto first = std::lower_bound(reach_[s].begin(), reach_[s].end(), box.lo_x) - reach_[s].begin();
+      for (auto k = static_cast<std::size_t>(first); k < strips_[s].size(); ++k) {
+        const std::size_t i = strips_[s][k];
         if (boxes_[i].lo_x > box.hi_x) break;
         if (boxes_[i].meets(box) && strip_of(std::max(box.lo_y, boxes_[i].lo_y)) == s) visit(i);
       }
