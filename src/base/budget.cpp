@@ -24,8 +24,7 @@ Budget::Budget(const Limits& limits) : stop_(limits.stop), limited_(limits.max_s
   innermost = this;
 }
 
-Budget::Budget(std::uint64_t effort, std::uint64_t overtime)
-    : end_(after(spent, effort)), until_(after(end_, overtime)), outer_(innermost) {
+Budget::Budget(std::uint64_t effort) : end_(after(spent, effort)), outer_(innermost) {
   innermost = this;
   next_look = spent + between_looks;
 }
@@ -40,17 +39,7 @@ void Budget::check() const {
 
 void Budget::look() {
   check();
-  if (spent < until_) return;
-  exhausted_ = true;
-  throw Interrupted{"the effort was used up"};
-}
-
-void Budget::look_ahead(std::uint64_t work) {
-  check();
-  if (work <= end_ && spent <= end_ - work) return;
-  exhausted_ = true;
-  wanted_ = work;
-  throw Interrupted{"the effort was used up"};
+  if (spent >= end_) throw Interrupted{"the effort was used up"};
 }
 
 UnmeteredScope::UnmeteredScope() : spent_(spent), next_look_(next_look), unlimited_(UINT64_MAX) {}
@@ -67,16 +56,10 @@ void checkpoint(std::uint64_t work) {
   innermost->look();
 }
 
-void checkpoint_before(std::uint64_t work) {
-  if (innermost) innermost->look_ahead(work);
-}
-
-void count_kept_work(std::uint64_t work) {
-  if (innermost) innermost->kept_ += work;
-}
-
 void count_work(std::uint64_t work) { spent += work; }
 
 std::uint64_t work_spent() { return spent; }
+
+Slice::Slice(std::uint64_t effort) : end_(after(spent, effort)) {}
 
 }  // namespace taut::internal

@@ -21,35 +21,22 @@ class Budget {
 
   /// The seconds count from now.
   explicit Budget(const Limits& limits);
-  /// A budget for about this much work from now on; deterministic. Work begun by then may continue for as much as
-  /// `overtime`.
-  explicit Budget(std::uint64_t effort, std::uint64_t overtime = 0);
+  /// A budget for about this much work from now on; deterministic.
+  explicit Budget(std::uint64_t effort);
   ~Budget();
   Budget(const Budget&) = delete;
   Budget& operator=(const Budget&) = delete;
 
   /// Throws Interrupted if it is time to stop.
   void check() const;
-  /// Was the effort used up?
-  bool exhausted() const { return exhausted_; }
-  /// The work that the next operation needs, if it was not begun because less was left.
-  std::uint64_t wanted() const { return wanted_; }
-  /// The amount of interrupted work that is not lost.
-  std::uint64_t kept() const { return kept_; }
 
  private:
   friend void checkpoint(std::uint64_t);
-  friend void checkpoint_before(std::uint64_t);
-  friend void count_kept_work(std::uint64_t);
   void look();
-  void look_ahead(std::uint64_t work);
 
   const std::atomic<bool>* stop_ = nullptr;
   bool limited_ = false;
-  std::uint64_t end_ = UINT64_MAX, until_ = UINT64_MAX;  ///< the values of work_spent() at the end, without overtime
-                                                         ///< and with it
-  bool exhausted_ = false;
-  std::uint64_t wanted_ = 0, kept_ = 0;
+  std::uint64_t end_ = UINT64_MAX;  ///< the value of work_spent() at the end
   Clock::time_point deadline_{};
   Budget* outer_;
 };
@@ -73,14 +60,20 @@ class UnmeteredScope {
 /// some 50 ns in 2020. Operations that cost far more state their work. So the work of different engines can be
 /// compared, and is the same on every machine.
 void checkpoint(std::uint64_t work = 1);
-/// Called before an operation of about this much work that would have to restart if interrupted. Throws now if less is
-/// left.
-void checkpoint_before(std::uint64_t work);
-/// Records that this much of the work interrupted now will be resumed, not repeated.
-void count_kept_work(std::uint64_t work);
 /// Counts the work without a test, where nothing may be left half done.
 void count_work(std::uint64_t work);
 /// The total work that this thread has counted so far.
 std::uint64_t work_spent();
+
+/// A share of the work for a method that can pause between two steps of its own, as two boxes that are compared, or an
+/// event. Nothing ends in the middle of a step, so a slice may take longer by one step.
+class Slice {
+ public:
+  explicit Slice(std::uint64_t effort = UINT64_MAX);
+  bool used_up() const { return work_spent() >= end_; }
+
+ private:
+  std::uint64_t end_;
+};
 
 }  // namespace taut::internal

@@ -12,9 +12,9 @@ namespace taut::internal {
 enum class SliceResult : unsigned char { open, given_up, decided };
 
 /// One of the two methods, and the work that it has done. Neither may be ahead of the other by more than an eighth of
-/// its work, so an answer costs little more than twice the cost of the better one alone. A method with a long operation
-/// that cannot be interrupted may leave its slices unused until there is room for that. For the other one, unused
-/// slices count as used.
+/// its work, so an answer costs little more than twice the cost of the better one alone. A method pauses
+/// between two steps only. It may leave its slices unused until there is room for a long step; for the other one,
+/// unused slices count as used.
 class PortfolioMember {
  public:
   /// The first slice: the work of a small query.

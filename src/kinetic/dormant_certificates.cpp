@@ -21,8 +21,6 @@ constexpr std::size_t subdivision_threshold = 4;
 constexpr std::size_t sample_size = 64;
 constexpr double worthwhile_share = 0.6;
 constexpr int regions_per_segment = 4;
-/// In units of checkpoint(), for each certificate.
-constexpr std::uint64_t work_of_region = 3;
 
 }  // namespace
 
@@ -91,7 +89,6 @@ bool DormantCertificates::choose(const MotionSegment& segment, double t, std::si
     --skip_;
     return false;
   }
-  checkpoint_before(work_of_region * certificates_.size());
   --regions_left_;
   for (const double share : {1.0, 0x1p-4, 0x1p-8}) {
     const double until = t + (segment.end - t) * share;

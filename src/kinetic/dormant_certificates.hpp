@@ -42,12 +42,10 @@ class DormantCertificates {
   /// The action that the engine must take after look().
   enum class Due : unsigned char {
     nothing,     ///< nothing has changed
-    unknown,     ///< not determined yet; look() never returns this
     those_open,  ///< the certificates of open() are due
     as_marked,   ///< is_dormant() is new; certificates that were_dormant() and no longer are dormant are due, too
   };
-  /// Determines which of the `active` certificates are dormant from t on. `all_due`: none is scheduled yet. An
-  /// interruption is possible only before it begins.
+  /// Determines which of the `active` certificates are dormant from t on. `all_due`: none is scheduled yet.
   Due look(const MotionSegment& segment, double t, std::size_t active, bool all_due);
   bool is_dormant(CertificateId id) const { return dormant_[id.value]; }
   bool was_dormant(CertificateId id) const { return dormant_before_[id.value]; }

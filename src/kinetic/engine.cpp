@@ -93,7 +93,6 @@ class Requeue {
 /// Ensures that the earliest failure up to `limit` is isolated and certainly the earliest, and stores it in next_.
 bool Engine::find_next(double limit) {
   while (!queue_.empty()) {
-    work_kept_ = work_spent();
     checkpoint(work_of_evaluation);
     const CertificateId top = queue_.top();
     Certificate& c = certificates_[top.value];
@@ -139,7 +138,6 @@ bool Engine::certainly_first(CertificateId head) {
 }
 
 std::optional<std::pair<double, double>> Engine::next_event(double t) {
-  make_whole();
   while (state_ == EngineState::running) {
     const bool last = current_ + 1 == segments_.size();
     const double limit = segment().bridge ? segment().end : std::min(t, segment().end);
@@ -163,10 +161,6 @@ std::optional<std::pair<double, double>> Engine::next_event(double t) {
 
 bool Engine::step(double t) {
   if (state_ != EngineState::running) return false;
-  if (repaired_.open) {
-    finish_event();
-    return true;
-  }
   if (next_event(t)) {
     checkpoint(TaylorModelCache::is_straight(segment()) ? work_of_event_on_lines : work_of_event);
     process(next_, segment().bridge ? segment().end : std::min(t, segment().end));
@@ -180,7 +174,6 @@ bool Engine::step(double t) {
 
 double Engine::proved_until() const {
   if (state_ != EngineState::running) return time();
-  if (!is_whole()) return reached();
   const double settled = std::min(dormant_.until(), segment().end);
   const double first = queue_.empty() ? settled : std::min(certificates_[queue_.top().value].lo, settled);
   return segment().time(std::max(first, reached_));
@@ -211,33 +204,25 @@ void Engine::enter_segment() {
 /// Ensures that every certificate is dormant or scheduled from t on. `all_due`: none is scheduled yet; otherwise those
 /// that were not dormant already are.
 void Engine::check_dormant(double t, bool all_due) {
-  sweep_ = {DormantCertificates::Due::unknown, all_due, t, 0};
-  finish_sweep();
-}
-
-void Engine::finish_sweep() {
-  if (sweep_.due == DormantCertificates::Due::unknown)
-    sweep_.due = dormant_.look(segment(), sweep_.t, active_, sweep_.all_due);
+  using Due = DormantCertificates::Due;
+  const Due due = dormant_.look(segment(), t, active_, all_due);
+  if (due == Due::nothing) return;
   const std::vector<CertificateId>& open = dormant_.open();
-  const bool those_open = sweep_.due == DormantCertificates::Due::those_open;
-  const std::size_t count = those_open                                          ? open.size()
-                            : sweep_.due == DormantCertificates::Due::as_marked ? certificates_.size()
-                                                                                : 0;
-  for (std::size_t& i = sweep_.next; i < count; ++i) {
+  const bool those_open = due == Due::those_open;
+  const std::size_t count = those_open ? open.size() : certificates_.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const CertificateId id = those_open ? open[i] : CertificateId(i);
     Certificate& c = certificates_[id.value];
     if (!c.corner.valid()) continue;
-    if (those_open || (!dormant_.is_dormant(id) && (sweep_.all_due || dormant_.was_dormant(id)))) {
-      work_kept_ = work_spent();
+    if (those_open || (!dormant_.is_dormant(id) && (all_due || dormant_.was_dormant(id)))) {
       // A line costs half of that.
       checkpoint(TaylorModelCache::is_straight(segment()) ? i % 2 * work_of_evaluation : work_of_evaluation);
-      schedule(id, sweep_.t);
+      schedule(id, t);
     } else if (dormant_.is_dormant(id)) {
       queue_.remove(id);
       solver_.rest(c);
     }
   }
-  sweep_.due = DormantCertificates::Due::nothing;
 }
 
 void Engine::schedule(CertificateId id, double t) {
@@ -259,10 +244,8 @@ HalfedgeId Engine::closing_corner(const Certificate& c, Now& now, VertexId& midd
 /// Changes nothing until everything on which the repair depends is known.
 void Engine::process(CertificateId id, double limit) {
   Certificate& c = certificates_[id.value];
-  repaired_.now = solver_.event(c);
-  Now& now = repaired_.now;
-  EngineEvent& event = repaired_.event;
-  event = {now.lo, now.hi, &segment(), current_, c.u, c.v, c.w, c.corner, {}, false, map_.node(c.corner)};
+  Now now = solver_.event(c);
+  EngineEvent event{now.lo, now.hi, &segment(), current_, c.u, c.v, c.w, c.corner, {}, false, map_.node(c.corner)};
   reached_ = now.lo;
   if (c.sign > 0) {
     VertexId middle;
@@ -284,36 +267,28 @@ void Engine::process(CertificateId id, double limit) {
     if (observer_) observer_->on_event(event);
     return;
   }
-  take_up(report);
-  finish_event();
+  start_corners(report, now);
+  max_active_ = std::max(max_active_, active_);
+  if (observer_) observer_->on_event(event);
 }
 
-/// Collects the corners that a repair may have changed.
-void Engine::take_up(const RepairReport& report) {
+/// Starts the certificates of the corners that a repair may have changed.
+void Engine::start_corners(const RepairReport& report, Now& now) {
   if (report.removed.valid()) {
     drop_corner(report.removed);
     drop_corner(PlanarMap::twin(report.removed));
   }
-  repaired_.count = repaired_.next = 0;
+  std::array<CertificateId, 6> fresh;
+  std::size_t count = 0;
   for (std::uint32_t i = 0; i < report.corner_count; ++i) {
-    const CertificateId id = certificate_to_start(report.corners[i], repaired_.now);
-    if (id.valid()) repaired_.fresh[repaired_.count++] = id;
+    const CertificateId id = certificate_to_start(report.corners[i], now);
+    if (id.valid()) fresh[count++] = id;
   }
-  repaired_.open = true;
-}
-
-void Engine::finish_event() {
-  for (; repaired_.next < repaired_.count; ++repaired_.next) {
-    work_kept_ = work_spent();
-    const CertificateId id = repaired_.fresh[repaired_.next];
-    solver_.start_at(certificates_[id.value], repaired_.now);
-    dormant_.unsettle(id);
-    queue_.update(id);
+  for (std::size_t k = 0; k < count; ++k) {
+    solver_.start_at(certificates_[fresh[k].value], now);
+    dormant_.unsettle(fresh[k]);
+    queue_.update(fresh[k]);
   }
-  max_active_ = std::max(max_active_, active_);
-  // The observer may be interrupted, too. It is then notified again.
-  if (observer_) observer_->on_event(repaired_.event);
-  repaired_.open = false;
 }
 
 std::size_t Engine::bytes() const {

@@ -43,8 +43,8 @@ struct KnownTilings {
 
 /// Follows a sequence of segments. Once its buffers have grown, it allocates nothing per event.
 ///
-/// An exception thrown by a checkpoint of a long search may interrupt it in the middle of an event, and it can be
-/// resumed. All work completed by then is kept, and only the interrupted search is repeated.
+/// An exception thrown by a checkpoint, or by Undecidable, may leave it in the middle of an event. Then it tells up to
+/// when everything is proved (reached()), and it must not be used any more.
 class Engine {
  public:
   /// Builds the tiling at the start of the first segment, which must not be a bridge.
@@ -68,9 +68,6 @@ class Engine {
   double proved_until() const;
   /// The corresponding time in the middle of an event, after an exception.
   double reached() const { return segment().time(reached_); }
-  /// The value of work_spent() when the current operation began. All work before that is kept if the operation is
-  /// interrupted.
-  std::uint64_t work_kept() const { return work_kept_; }
 
   /// Processes the next event whose failure time is at most t. Returns false after a contact, or if there is no such
   /// event; in the latter case the engine has advanced to t.
@@ -108,9 +105,8 @@ class Engine {
   bool certainly_first(CertificateId head);
   void process(CertificateId id, double limit);
   HalfedgeId closing_corner(const Certificate& c, Now& now, VertexId& middle, bool& three);
-  void take_up(const RepairReport& report);
+  void start_corners(const RepairReport& report, Now& now);
   CertificateId certificate_to_start(HalfedgeId h, const Now& now);
-  void finish_event();
   void drop_corner(HalfedgeId h);
   /// The vertices of the corner that h enters.
   struct Corner {
@@ -122,14 +118,7 @@ class Engine {
   void reserve_for_segments();
   void enter_segment();
   void check_dormant(double t, bool all_due);
-  void finish_sweep();
   void schedule(CertificateId id, double t);
-  /// Is no operation half done? Otherwise the queue lacks some of the certificates that are due.
-  bool is_whole() const { return !repaired_.open && sweep_.due == DormantCertificates::Due::nothing; }
-  void make_whole() {
-    if (sweep_.due != DormantCertificates::Due::nothing) finish_sweep();
-    if (repaired_.open) finish_event();
-  }
 
   PairGeometry geometry_;
   MotionSegments segments_;
@@ -143,23 +132,6 @@ class Engine {
   BlockArray<CertificateId> certificate_of_;  ///< by half-edge
   EventQueue queue_;
   DormantCertificates dormant_;
-  /// Certificates that are due at t. Those from number `next` on are not scheduled yet.
-  struct Sweep {
-    DormantCertificates::Due due = DormantCertificates::Due::nothing;
-    bool all_due = false;
-    double t = 0;
-    std::size_t next = 0;
-  };
-  Sweep sweep_;
-  /// The last event, while some certificates of its corners have not been started yet.
-  struct Repaired {
-    bool open = false;
-    EngineEvent event;
-    Now now;
-    std::array<CertificateId, 6> fresh;
-    std::size_t count = 0, next = 0;
-  };
-  Repaired repaired_;
   CertificateId next_;
   double parameter_ = 0;
   double reached_ = 0;  ///< a lower bound of the last event's time
@@ -167,7 +139,6 @@ class Engine {
   std::optional<Overlap> overlap_;
   std::optional<FoundContact> contact_;
   std::uint64_t events_ = 0;
-  std::uint64_t work_kept_ = 0;
   std::size_t active_ = 0, initial_ = 0, max_active_ = 0;
   RootState initial_root_ = RootState::disjoint;
   StageCounts at_start_;

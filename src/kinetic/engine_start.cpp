@@ -40,7 +40,6 @@ StaticTiling unmetered_tiling(Placement& placement, const KnownTilings& known) {
 /// The counted work does not depend on what is known: neither does which of two engines is first.
 StaticTiling tiling_of(Placement& placement, const KnownTilings& known) {
   const std::uint64_t work = work_of_start + work_of_vertex * placement.size();
-  checkpoint_before(work);
   StaticTiling tiling = unmetered_tiling(placement, known);
   count_work(work);
   return tiling;
@@ -75,11 +74,7 @@ void Engine::begin(const Placement& placement) {
   queue_.reserve(certificates_.capacity());
   initial_ = max_active_ = active_;
   reserve_for_segments();
-  try {
-    enter_segment();
-  } catch (const Interrupted&) {
-    // The work done so far would be lost. The first step continues it, or is interrupted.
-  }
+  enter_segment();
   solver_.reserve(active_);
 }
 

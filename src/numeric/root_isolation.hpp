@@ -164,8 +164,7 @@ class Progress {
 /// Roots that ranges separate require only a few halvings. After this many, the signs of derivatives are evaluated.
 inline constexpr int halvings_without_parent_bounds = 3;
 
-/// Searches for the first root in (a, b] at which a function's sign changes. A search interrupted by a checkpoint can
-/// be resumed.
+/// Searches for the first root in (a, b] at which a function's sign changes.
 template <class Real>
 class SignChangeSearch {
  public:
@@ -182,10 +181,9 @@ class SignChangeSearch {
     root_.reset();
     exhausted_ = false;
   }
-  /// The root, isolated. Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted. Further
-  /// calls give the same result.
+  /// The root, isolated. Nothing if there is none: then the sign holds on (a, b]. Throws PrecisionExhausted.
   template <class Function, class Cut = Halves>
-  std::optional<RootEnclosure<Real>> go_on(const Function& f, const Cut& cut = {}) {
+  std::optional<RootEnclosure<Real>> run(const Function& f, const Cut& cut = {}) {
     // Depth first from the left.
     for (; !ends_.empty() && !root_ && !exhausted_; --budget_) {
       if (budget_ == 0) throw PrecisionExhausted{};
@@ -247,14 +245,13 @@ class SignChangeSearch {
   bool exhausted_ = false;
 };
 
-/// Runs the whole search at once.
+/// The search with a buffer that outlives the call, so that the event loop allocates nothing.
 template <class Real, class Function, class Cut = Halves>
 std::optional<RootEnclosure<Real>> first_sign_change(const Function& f, int sign, const Real& a, const Real& b,
                                                      const Cut& cut = {}, int budget = 200000) {
-  // The buffer outlives the call, so that the event loop allocates nothing.
   thread_local SignChangeSearch<Real> search;
   search.begin(sign, a, b, budget);
-  return search.go_on(f, cut);
+  return search.run(f, cut);
 }
 
 /// Is the enclosure as short as possible, with ends only a few units in the last place apart?

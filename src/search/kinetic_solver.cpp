@@ -83,6 +83,7 @@ StageCounts KineticSolver::stages() const {
 
 bool KineticSolver::work(double from, double to, std::uint64_t effort) {
   if (!open() && result_.free_until <= from) return true;
+  const Slice slice(effort);
   try {
     if (!engines_ || (at_ != from && window_ != from)) {
       if (effort < work_of_vertex * geometry_.size()) return false;
@@ -90,9 +91,8 @@ bool KineticSolver::work(double from, double to, std::uint64_t effort) {
       if (engines_->overlap()) throw StructureError("bodies that were apart overlap");
     }
     window_ = from;
-    const std::uint64_t begun = work_spent();
     while (!advance(to, events_of_turn)) {
-      if (work_spent() - begun >= effort) return false;
+      if (slice.used_up()) return false;
     }
     return true;
   } catch (const Undecidable& limit) {

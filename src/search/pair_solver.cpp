@@ -65,13 +65,12 @@ spacetime::ContactSearch SpacetimeSolver::search(double from, double to) const {
 
 bool SpacetimeSolver::work(double from, double to, std::uint64_t effort) {
   if (decided_before(from)) return true;
-  const Budget turn(effort);
   if (!left_ || window_ != from) left_.emplace(search(from, to));
   window_ = from;
-  const spacetime::SpacetimeResult result = left_->go_on();
-  if (turn.exhausted()) return false;
+  const std::optional<spacetime::SpacetimeResult> result = left_->advance(Slice(effort));
+  if (!result) return false;
   left_.reset();
-  note(result);
+  note(*result);
   return true;
 }
 

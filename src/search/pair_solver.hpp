@@ -105,7 +105,7 @@ class SpacetimeSolver final : public PairSolver {
   PairInstance search_;
   bool inwards_;
   double start_, end_;
-  std::optional<spacetime::ContactSearch> left_;  ///< an interrupted search of a window
+  std::optional<spacetime::ContactSearch> left_;  ///< the search of a window that has not ended
   double window_ = 0;                             ///< the beginning of that window
   PairResult result_;
   StageCounts stages_;

@@ -3,7 +3,6 @@
 
 #include "numeric/stages.hpp"
 #include "sign/expansion_cache.hpp"
-#include "sign/kept_searches.hpp"
 #include "sign/taylor_frames.hpp"
 
 namespace taut::internal {
@@ -13,7 +12,6 @@ struct FrameMemory {
   FrameExpansionCache expansions;
   ExpansionCache functions;
   TaylorFrames models;
-  KeptSearches searches;
   StageCounts stages;
 
   /// Makes room for the needs of events at one instant.
@@ -25,7 +23,6 @@ struct FrameMemory {
     expansions.reset(segment);
     functions.clear();
     models.clear();
-    searches.clear();
   }
 };
 

@@ -89,9 +89,9 @@ template <class Real>
 std::optional<RootEnclosure<Real>> PreciseTriple::sign_change(const PreciseFunction<Real>& f, int sign,
                                                               const PreciseTime& from, double to) const {
   const Real a = exactly<Real>(from.hi());
-  const auto refined = [&](RootEnclosure<Real>& root) { refine_root(f, sign, root, 0); };
-  KeptSearches* const kept = memory_ ? &memory_->searches : nullptr;
-  return sharp_root(kept, {function_, sign, from.hi(), to, 0}, f, a, Real(to), Halves{}, refined);
+  auto root = first_sign_change<Real>(f, sign, a, Real(to));
+  if (root) refine_root(f, sign, *root, 0);
+  return root;
 }
 
 int PreciseTriple::sign_at(const PreciseTime& t, Stage stage) const {
@@ -184,12 +184,11 @@ std::optional<PreciseTime> PreciseTriple::first_failure(int sign, const PreciseT
       return *decided_by(Stage::first_order, answer);
     }
   }
-  const KeptSearch kept{memory_ ? &memory_->searches : nullptr, function_};
   const auto search = [&](auto zero, Stage stage) -> std::optional<PreciseTime> {
     using Real = decltype(zero);
     const PreciseFunction<Real> f = function<Real>();
     if (end != 0) {
-      if (const auto answer = search_from_end<Real>(segment_, f, end, sign, from, to, stage, kept)) return *answer;
+      if (const auto answer = search_from_end<Real>(segment_, f, end, sign, from, to, stage)) return *answer;
     }
     const auto root = sign_change(f, sign, from, to);
     if (!root) return std::nullopt;

@@ -11,17 +11,10 @@
 #include <optional>
 
 #include "numeric/root_isolation.hpp"
-#include "sign/kept_searches.hpp"
 #include "sign/precise_function.hpp"
 #include "sign/precise_time.hpp"
 
 namespace taut::internal {
-
-/// The store in which a search of a certificate function is kept, if any.
-struct KeptSearch {
-  KeptSearches* searches = nullptr;
-  CertificateFunction function{};
-};
 
 /// The number of intervals that a search may examine. In doubles, a search succeeds soon, or it sees only terms that
 /// cancel.
@@ -32,15 +25,14 @@ inline constexpr int search_budget = std::is_same_v<Real, double> ? 100 : 200000
 template <class Real, class Function = PreciseFunction<Real>>
 class SearchFromEnd {
  public:
-  SearchFromEnd(const Function& f, double end, double direction, const KeptSearch& kept = {})
-      : f_(f), end_(end), direction_(direction), kept_(kept) {}
+  SearchFromEnd(const Function& f, double end, double direction) : f_(f), end_(end), direction_(direction) {}
 
   Jet<Real> operator()(const Ball<Real>& s) const { return f_(TimeFromEnd<Real>{end_, direction_, s}); }
 
   /// Like PreciseTriple::first_failure, at this precision. Throws PrecisionExhausted.
   std::optional<PreciseTime> first_failure(int sign, const RealMax& from, double to, Stage stage) const {
     const Ball<Real> first = root_of_distance(from), last = root_of_distance(RealMax(to));
-    const auto root = search({kept_.function, sign, from, to, direction_ > 0 ? 1 : -1}, first.lower(), last.upper());
+    const auto root = search(sign, first.lower(), last.upper());
     if (!root) return std::nullopt;
     // The search starts a little before `from`, unless that is the end itself. If the function falls over an interval
     // that contains `from`, the root comes after `from`; an interval before it shows nothing.
@@ -133,19 +125,17 @@ class SearchFromEnd {
   };
 
   /// The root, as tight as this precision allows.
-  std::optional<RootEnclosure<Real>> search(const KeptSearches::Key& key, const Real& a, const Real& b) const {
-    const int sign = key.sign;
+  std::optional<RootEnclosure<Real>> search(int sign, const Real& a, const Real& b) const {
     if constexpr (std::is_same_v<Real, double>) {
       auto root = first_sign_change<Real>(*this, sign, a, b, Magnitudes{}, search_budget<Real>);
       if (root && !is_sharp(*root)) internal::refine(*this, sign, *root);
       return root;
     } else {
       const Expanded expanded(*this, direction_ > 0 ? b : a);
-      const auto refined = [&](RootEnclosure<Real>& root) {
-        internal::refine(expanded, sign, root);
-        if (!is_sharp(root)) internal::refine(*this, sign, root);
-      };
-      return sharp_root(kept_.searches, key, expanded, a, b, Magnitudes{}, refined);
+      auto root = first_sign_change<Real>(expanded, sign, a, b, Magnitudes{});
+      if (root) internal::refine(expanded, sign, *root);
+      if (root && !is_sharp(*root)) internal::refine(*this, sign, *root);
+      return root;
     }
   }
   Ball<Real> root_of_distance(const RealMax& t) const {
@@ -167,7 +157,6 @@ class SearchFromEnd {
 
   const Function& f_;
   double end_, direction_;
-  KeptSearch kept_;
 };
 
 /// The distance from a singular end of the segment within which a search starts from that end.
@@ -202,10 +191,9 @@ inline std::optional<double> division(const MotionSegment& segment, const Precis
 /// Nothing if this precision does not decide.
 template <class Real, class Function>
 std::optional<std::optional<PreciseTime>> search_from_end(const MotionSegment& segment, const Function& f, int end,
-                                                          int sign, const PreciseTime& from, double to, Stage stage,
-                                                          const KeptSearch& kept = {}) {
+                                                          int sign, const PreciseTime& from, double to, Stage stage) {
   try {
-    const SearchFromEnd<Real, Function> search(f, end > 0 ? segment.start : segment.end, end, kept);
+    const SearchFromEnd<Real, Function> search(f, end > 0 ? segment.start : segment.end, end);
     return search.first_failure(sign, from.hi(), to, stage);
   } catch (const PrecisionExhausted&) {
     return std::nullopt;

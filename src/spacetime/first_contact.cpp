@@ -30,15 +30,14 @@ class ContactOnSegment {
         flat_sides_(geometry, trees, segment_),
         proved_(from) {}
 
-  /// The first contact on [from, to] of the segment's parameter.
-  std::optional<Crossing> run(double from, double to) {
-    walk_.through(from, to);
-    return finished();
-  }
-  /// The same after an interruption.
-  std::optional<Crossing> go_on() {
-    walk_.go_on();
-    return finished();
+  /// Searches [from, to] of the segment's parameter for the first contact.
+  void begin(double from, double to) { walk_.begin(from, to); }
+  /// Returns false if the slice was used up before the end.
+  bool advance(const Slice& slice) { return walk_.advance(slice); }
+  /// The first contact, after the end.
+  std::optional<Crossing> finished() {
+    if (best_) leaves_.precise().tighten(*best_);
+    return best_;
   }
   /// All crossings instead, each once.
   std::vector<Crossing> run_through(double from, double to) {
@@ -78,10 +77,6 @@ class ContactOnSegment {
   }
 
  private:
-  std::optional<Crossing> finished() {
-    if (best_) leaves_.precise().tighten(*best_);
-    return best_;
-  }
   /// The window around t for the leaves of the stretch that ends at `end`.
   FrameWindow& window_at(double t, double end) {
     if (!segment_.translation) return walk_.window();
@@ -110,8 +105,7 @@ class ContactOnSegment {
         found_.push_back(std::move(*found));
         continue;
       }
-      // Stretches come in their order: the pair's own crossing, found before, or found again after an interruption, is
-      // not later.
+      // Stretches come in their order: the pair's own crossing, found before, is not later.
       const bool own = best_ && best_->pair.vertex == pair.vertex && best_->pair.edge == pair.edge;
       if (!own && (!best_ || leaves_.precise().before(*found, *best_))) best_ = std::move(found);
       return;
@@ -170,22 +164,24 @@ struct ContactSearch::State {
     if (window) return clipped(at, *window);
     return at.bridge ? TimeInterval{0, 1} : TimeInterval{at.start, at.end};
   }
-  std::optional<Crossing> search_segment(const TimeInterval& interval) {
-    if (search) return search->go_on();
-    if (window && quickly_apart(trees, segments[segment], interval.lo, interval.hi)) return std::nullopt;
+  /// Returns false if the segment needs no search: nothing meets.
+  bool begin_segment(const TimeInterval& interval) {
+    if (search) return true;
+    if (window && quickly_apart(trees, segments[segment], interval.lo, interval.hi)) return false;
     search.emplace(geometry, trees, segments.hold(segment), interval.lo);
-    return search->run(interval.lo, interval.hi);
+    search->begin(interval.lo, interval.hi);
+    return true;
   }
   SpacetimeResult result() {
     SpacetimeResult all = counts;
     if (search) search->count(all);
     return all;
   }
-  SpacetimeResult stopped(const std::string& reason) {
+  SpacetimeResult stopped(const std::string& reason, double proved) {
     SpacetimeResult all = result();
     all.reason = reason;
     all.segment = segment;
-    all.lo = search->proved();
+    all.lo = search ? search->proved() : proved;
     return all;
   }
   void leave_segment(const TimeInterval& interval) {
@@ -193,20 +189,24 @@ struct ContactSearch::State {
     search.reset();
     if (interval.hi >= segments[segment].end) segments[segment].forget();
   }
-  SpacetimeResult go_on() {
+  /// Nothing if the slice was used up before the end.
+  std::optional<SpacetimeResult> advance(const Slice& slice) {
     for (; segment < segments.size() && !(window && segments.place(segment).start > window->to); ++segment) {
       const std::optional<TimeInterval> interval = part();
       if (!interval) continue;
       try {
-        if (const std::optional<Crossing> found = search_segment(*interval)) {
-          SpacetimeResult all = result();
-          note(*found, segment, segments[segment].end, all);
-          return all;
+        if (begin_segment(*interval)) {
+          if (!search->advance(slice)) return std::nullopt;
+          if (const std::optional<Crossing> found = search->finished()) {
+            SpacetimeResult all = result();
+            note(*found, segment, segments[segment].end, all);
+            return all;
+          }
         }
       } catch (const Undecidable& limit) {
-        return stopped(not_decided(limit));
+        return stopped(not_decided(limit), interval->lo);
       } catch (const Interrupted& limit) {
-        return stopped(limit.reason);
+        return stopped(limit.reason, interval->lo);
       }
       leave_segment(*interval);
     }
@@ -223,10 +223,12 @@ ContactSearch::ContactSearch(const PairGeometry& geometry, const TreePair& trees
 ContactSearch::~ContactSearch() = default;
 ContactSearch::ContactSearch(ContactSearch&&) noexcept = default;
 
-SpacetimeResult ContactSearch::go_on() { return state_->go_on(); }
+std::optional<SpacetimeResult> ContactSearch::advance(const Slice& slice) { return state_->advance(slice); }
+
+SpacetimeResult ContactSearch::run() { return *state_->advance(Slice()); }
 
 SpacetimeResult first_contact(const PairGeometry& geometry, const TreePair& trees, const MotionSegments& segments) {
-  return ContactSearch(geometry, trees, segments).go_on();
+  return ContactSearch(geometry, trees, segments).run();
 }
 
 std::vector<SegmentCrossing> all_crossings(const PairGeometry& geometry, const TreePair& trees,

@@ -51,9 +51,11 @@ class ContactSearch {
                 const std::optional<TimeWindow>& window = std::nullopt);
   ~ContactSearch();
   ContactSearch(ContactSearch&&) noexcept;
-  /// The result is `undecided` if a checkpoint interrupts the search; the next call resumes it there. Counts in the
-  /// result refer to the search from its beginning.
-  SpacetimeResult go_on();
+  /// Continues until the end, or until the slice is used up: then there is no result yet. The result is `undecided` if
+  /// a checkpoint interrupts the search. Counts in it refer to the search from its beginning.
+  std::optional<SpacetimeResult> advance(const Slice& slice);
+  /// Runs to the end at once.
+  SpacetimeResult run();
 
  private:
   struct State;

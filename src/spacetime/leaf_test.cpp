@@ -166,12 +166,10 @@ std::optional<Crossing> LeafTest::first(FrameWindow& window, const VertexEdge& p
   }
   if (beside_end_.tells(pair, t)) return beside_end_.first(pair, t, limit);
   Functions f = functions(pair);
-  Trail& trail = trails_[geometry_.in_p(pair.vertex) ? 0 : 1];
-  if (!trail.is_of(pair, window.start(), t)) trail = {pair, window.start(), t, t, window.length() * first_stride, 0};
-  t = trail.t;
-  int& steps = trail.steps;
-  double& stride = trail.stride;
-  for (; t < limit; trail.t = t) {
+  int steps = 0;
+  double stride = window.length() * first_stride;
+  // There is no crossing before t.
+  while (t < limit) {
     checkpoint(work_of_step);
     if (++steps > few_steps && beside_end_.is_near(t)) return beside_end_.first(pair, t, limit);
     const double left = limit - t;

@@ -33,17 +33,6 @@ class LeafTest {
   std::uint64_t roots() const { return roots_; }
 
  private:
-  /// The progress of the pair's steps in a window. An interrupted search resumes when it is requested again.
-  struct Trail {
-    VertexEdge pair{};
-    double window = 0, from = 0;  ///< where the steps began
-    double t = 0, stride = 0;     ///< there is no crossing before t
-    int steps = 0;
-
-    bool is_of(const VertexEdge& other, double start, double at) const {
-      return pair.vertex == other.vertex && pair.edge == other.edge && window == start && from == at && steps > 0;
-    }
-  };
   /// The line's function is positive to the left of the edge's line. The others are negative beyond its start, and
   /// beyond its end.
   struct Functions {
@@ -71,8 +60,7 @@ class LeafTest {
   /// For pairs that doubles once failed to decide: the line's function in the first order of the displacement, if it is
   /// zero without it, as where a vertex slides along an edge.
   std::unordered_map<std::uint64_t, std::optional<FastFunction>> first_orders_;
-  std::array<Trail, 2> trails_;  ///< for pairs with vertices of P, and of Q
-  StageCounts stages_;           ///< counts of the cases that these functions decided
+  StageCounts stages_;  ///< counts of the cases that these functions decided
   std::uint64_t roots_ = 0;
 };
 

@@ -45,8 +45,7 @@ constexpr double subdivision_threshold = 0.75;
 ///   double distance_of_interest()                        pairs of boxes that stay farther apart need no look
 /// and, optionally, `nearer_first`, by which of a pair's halves the nearer one comes first.
 ///
-/// What an interruption point ends in the middle can be gone on with: stretches that are still to be looked at are
-/// kept, and a pair of boxes leaves the list when it has been looked at.
+/// A slice ends between two pairs of boxes: those that are still to be looked at are the state of the walk.
 template <class Query>
 class Walk {
  public:
@@ -55,18 +54,23 @@ class Walk {
 
   /// From the root of both trees, throughout [from, to] of the segment's parameter.
   void through(double from, double to) {
+    begin(from, to);
+    advance(Slice());
+  }
+  /// The same, for advance() to do.
+  void begin(double from, double to) {
     from_ = reached_ = from;
     to_ = to;
     begun_ = false;
     levels_.clear();
     spans_.assign(1, {to, {{0, 0}}});
-    go_on();
   }
-  /// After an interruption: the rest of it.
-  void go_on() {
+  /// Returns false if the slice was used up before the end.
+  bool advance(const Slice& slice) {
     do {
-      work_off();
+      if (!work_off(slice)) return false;
     } while (begin_next());
+    return true;
   }
   /// At an instant of it. Windows have a length: this one begins with the instant, or ends with the segment. Where the
   /// motion is singular, it moves the less the shorter the window is.
@@ -80,7 +84,7 @@ class Walk {
       if (window_->smooth() || some < whole * shortest_instant) break;
     }
     begin_at_root(t, t);
-    work_off();
+    work_off(Slice());
   }
   /// In the middle of a stretch that somebody has, with that one's errors.
   void in_middle_of(const Stretch& s) {
@@ -88,7 +92,7 @@ class Walk {
     begin_pairs(levels_.back());
     stretch_.emplace(s);
     stretch_->r = 0;
-    work_off();
+    work_off(Slice());
   }
   /// The window around the stretch at hand, unless the segment is a translation.
   FrameWindow& window() { return *window_; }
@@ -187,21 +191,22 @@ class Walk {
     double middle() const { return start + (end - start) / 2; }
   };
 
-  /// All that there is on levels_, the last one first.
-  void work_off() {
+  /// All that there is on levels_, the last one first; false if the slice was used up before.
+  bool work_off(const Slice& slice) {
     while (!levels_.empty()) {
       const Level level = levels_.back();
       if (!stretch_ && !begin(level)) {
         levels_.pop_back();
         continue;
       }
-      look(level);
+      if (!look(level, slice)) return false;
       stretch_.reset();
       levels_.pop_back();
       if (pairs_.size() == level.last) continue;
       levels_.push_back({level.middle(), level.end, level.last, pairs_.size()});
       levels_.push_back({level.start, level.middle(), level.last, pairs_.size()});
     }
+    return true;
   }
   void begin_pairs(const Level& level) {
     pairs_.resize(level.last);
@@ -214,17 +219,18 @@ class Walk {
     stretch_.emplace(stretch(level.start, level.end));
     return true;
   }
-  /// At all pairs of a stretch.
-  void look(const Level& level) {
+  /// At all pairs of a stretch; false if the slice was used up before.
+  bool look(const Level& level, const Slice& slice) {
     const bool divisible =
         stretch_->r > question_.shortest && level.start < level.middle() && level.middle() < level.end;
     const double scale = segment_.translation || !window_ ? segment_.end - segment_.start : window_->length();
     const StretchOfTime time{*stretch_, level.start, level.end, divisible, scale};
     for (;;) {
       if (todo_.empty()) {
-        if (next_ == level.last) return;
+        if (next_ == level.last) return true;
         todo_.push_back(pairs_[next_++]);
       }
+      if (slice.used_up()) return false;
       checkpoint();
       const BoxPair pair = todo_.back();
       const BoxNode &p = trees_.p.node(pair.p), &q = trees_.q.node(pair.q);

@@ -9,9 +9,6 @@
 namespace taut::internal {
 namespace {
 
-/// In units of checkpoint(), about: to triangulate outlines and to pull strings through them.
-constexpr std::uint64_t work_of_outline_edge = 12;
-
 /// Finds which nodes must be done anew, and the outline that remains, with the joined map's numbers.
 class OutlineBuilder {
  public:
@@ -260,7 +257,6 @@ class Joiner {
   /// Returns false if the outlines are not disjoint.
   bool add_faces(const ShapeOutline& outline_p, const ShapeOutline& outline_q, std::vector<HalfedgeId>& hull_p,
                  std::vector<HalfedgeId>& hull_q) {
-    checkpoint_before(work_of_outline_edge * (outline_p.edges.size() + outline_q.edges.size()));
     std::vector<VertexId> vertices;
     vertices.reserve(outline_p.edges.size() + outline_q.edges.size());
     const auto corners = [&](const ShapeOutline& outline) {

@@ -149,28 +149,5 @@ TEST(SearchByDerivatives, FindsTheRootThatATouchOfOddOrderCrossesAt) {
   }
 }
 
-/// Stopped after every few steps, it comes to the same in as many of them.
-TEST(SignChangeSearch, GoesOnWhereItWasStopped) {
-  const HighTouch whole(0.3, 4, -0x1p-160), parts(0.3, 4, -0x1p-160);
-  const auto expected = first_sign_change<Number>(whole, 1, Number(0.0), Number(2.0));
-  SignChangeSearch<Number> search;
-  search.begin(1, Number(0.0), Number(2.0));
-  int stops = 0;
-  for (;;) {
-    const Budget turn(64);
-    try {
-      const auto root = search.go_on(parts);
-      ASSERT_TRUE(root && expected);
-      EXPECT_EQ(root->lo, expected->lo);
-      EXPECT_EQ(root->hi, expected->hi);
-      break;
-    } catch (const Interrupted&) {
-      ASSERT_LT(++stops, 1000);
-    }
-  }
-  EXPECT_GT(stops, 0);
-  EXPECT_EQ(parts.asked, whole.asked);
-}
-
 }  // namespace
 }  // namespace taut::testing
