@@ -35,10 +35,9 @@ class Animation {
         loop_(options.seconds + options.pause) {}
 
   std::string draw() const {
-    std::string out =
-        io::svg_tag(canvas_.width(), canvas_.height(), "font-family=\"sans-serif\" font-size=\"13\"") +
-        "<style>.still{display:none}@media (prefers-reduced-motion:reduce){.moving{display:none}.still{display:"
-        "inline}}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    std::string out = io::svg_tag(canvas_.width(), canvas_.height(),
+                                  std::string("font-family=\"sans-serif\" font-size=\"13\" ") + io::pauses_on_click) +
+                      io::moving_style + "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     const std::string title =
         io::escape_xml(options_.title.empty() ? io::excerpt(scene_.bodies[0].name + " and " + scene_.bodies[1].name, 80)
                                               : options_.title);

@@ -3,8 +3,9 @@
 
 namespace taut::internal::io {
 
-inline constexpr const char* body_fill[2] = {"#2f5d8a", "#b3622a"};
-inline constexpr const char* body_line[2] = {"#12304d", "#5e2d0c"};
+/// Those of the first two bodies in pictures of many: see body_look().
+inline constexpr const char* body_fill[2] = {"#2a6f9e", "#e59345"};
+inline constexpr const char* body_line[2] = {"#032e4b", "#683e15"};
 inline constexpr const char* tiling_colour = "#5f6b76";
 inline constexpr const char* pq_colour = "#c2187a";
 inline constexpr const char* convex_colour = "#1b1b1b";

@@ -44,6 +44,15 @@ class SvgTrack {
   std::vector<std::string> values_;
 };
 
+/// An attribute of a moving picture that is opened by itself: a click pauses it, and the next one goes on.
+inline constexpr const char* pauses_on_click =
+    "onclick=\"this.animationsPaused()?this.unpauseAnimations():this.pauseAnimations()\"";
+
+/// Shows the last frame alone to those who prefer pictures that rest.
+inline constexpr const char* moving_style =
+    "<style>.still{display:none}@media (prefers-reduced-motion:reduce){.moving{display:none}.still{display:inline}}"
+    "</style>\n";
+
 /// What moving pictures share: a loop of so many frames and a pause at its end, of which the last one shows how the
 /// motion ends.
 struct SvgLoop {

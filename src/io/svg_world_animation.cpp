@@ -38,9 +38,7 @@ class WorldAnimation {
 
   std::string draw() const {
     const std::string title = options_.draw.title.empty() ? io::world_title(scene_) : options_.draw.title;
-    std::string out = io::world_head(canvas_, title,
-                                     "<style>.still{display:none}@media (prefers-reduced-motion:reduce)"
-                                     "{.moving{display:none}.still{display:inline}}</style>\n");
+    std::string out = io::world_head(canvas_, title, true);
     out += "<g class=\"moving\">\n" + layers(true) + "</g>\n<g class=\"still\">\n" + layers(false) + "</g>\n";
     if (options_.draw.legend) out += legend_.draw(canvas_.height() - legend_.height());
     return out + "</svg>\n";

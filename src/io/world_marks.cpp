@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/svg_style.hpp"
+#include "io/svg_track.hpp"
 #include "io/text_file.hpp"
 
 namespace taut::internal::io {
@@ -118,12 +119,13 @@ Point middle_of(const WorldShapes& shapes, const std::vector<BodyPose>& poses, c
 
 }  // namespace
 
-std::string world_head(const SvgCanvas& canvas, const std::string& title, const std::string& style) {
-  return svg_tag(canvas.width(), canvas.height(), "font-family=\"sans-serif\" font-size=\"13\"") +
+std::string world_head(const SvgCanvas& canvas, const std::string& title, bool moving) {
+  const std::string font = "font-family=\"sans-serif\" font-size=\"13\"";
+  return svg_tag(canvas.width(), canvas.height(), moving ? font + " " + pauses_on_click : font) +
          fmt::format(
              "{0}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
              "<title>{1}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{1}</text>\n",
-             style, escape_xml(title));
+             moving ? moving_style : "", escape_xml(title));
 }
 
 std::string body_shape(const std::vector<std::string>& parts, std::size_t body, double line_width) {

@@ -11,8 +11,8 @@
 
 namespace taut::internal::io {
 
-/// The opening tag and the title. `style` may be empty.
-std::string world_head(const SvgCanvas& canvas, const std::string& title, const std::string& style = {});
+/// The opening tag and the title. A picture that moves pauses when it is clicked, and rests for those who prefer that.
+std::string world_head(const SvgCanvas& canvas, const std::string& title, bool moving = false);
 /// Lines get thinner as the picture gets crowded.
 double world_outline_width(const WorldShapes& shapes);
 

@@ -42,11 +42,11 @@ const palette: { [Name in keyof Colours]: [Colours[Name], Colours[Name]] } = {
   muted: ["#5b6875", "#9aa8b5"],
   line: ["#d5dce3", "#2c3844"],
   bodyFill: [
-    ["#2f5d8a", "#b3622a"],
+    ["#2a6f9e", "#e59345"],
     ["#3f7fc0", "#cf7a3a"],
   ],
   bodyLine: [
-    ["#12304d", "#5e2d0c"],
+    ["#032e4b", "#683e15"],
     ["#a9d2fb", "#ffcfa3"],
   ],
   worldLine: ["", "#dfe6ec"],
