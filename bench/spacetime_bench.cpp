@@ -38,7 +38,7 @@ struct Certified {
   explicit Certified(const Case& c)
       : wanted(c),
         plan(plan_pair(c.scene)),
-        geometry(displaced_pair(plan, true)),
+        geometry(displaced_pair(plan, Offset::inward)),
         segments(segments_of(plan, c.scene.start, c.scene.end)) {}
   double seconds() {
     const Stopwatch watch;

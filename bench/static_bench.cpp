@@ -32,7 +32,7 @@ void report(benchmark::State& state, std::size_t vertices, double seconds, std::
 void tiling(benchmark::State& state, std::size_t vertices) {
   const Scene scene = bay(vertices);
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, true);
+  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
   const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   const Placement placement(geometry, segments.front(), scene.start);
   double seconds = 0;

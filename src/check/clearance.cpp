@@ -99,7 +99,7 @@ class ClearanceSearch {
   }
 
   void search(const BoxedPair& pair) {
-    const PairInstance search(plan_, pair.a, pair.b, false);
+    const PairInstance search(plan_, pair.a, pair.b, Offset::outward);
     NearestPoints found;
     found.pair = {pair.a, pair.b};
     if (!touching(search, found)) {
@@ -132,7 +132,7 @@ class ClearanceSearch {
     if (contact.outcome == spacetime::SpacetimeResult::free) return false;
     if (contact.outcome == spacetime::SpacetimeResult::undecided) throw TouchUndecided{contact.reason};
     const MotionSegment& segment = search.segments()[contact.segment];
-    const Contact said = FeatureMap(search.plan, search.geometry, false).contact(contact.found, segment);
+    const Contact said = FeatureMap(search.plan, search.geometry, Offset::outward).contact(contact.found, segment);
     found.time = said.time;
     found.points = {said.point, said.point};
     return true;

@@ -54,7 +54,7 @@ class ProfileSearch {
       for (int b = a + 1; b < n; ++b) {
         if (!plan_.asked(a, b)) continue;
         checkpoint();
-        pairs_.push_back({{a, b}, PairInstance(plan_, a, b, false), {}});
+        pairs_.push_back({{a, b}, PairInstance(plan_, a, b, Offset::outward), {}});
         while (next != touching.intervals.end() && next->pair == pairs_.back().pair)
           pairs_.back().touching.push_back(*next++);
       }

@@ -19,10 +19,10 @@ namespace taut {
 using namespace internal;
 namespace {
 
-void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards, bool plain,
+void search_pair(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, Offset offset, bool plain,
                  Intervals& answer) {
   const std::string stopped = what_stops([&] {
-    for (OverlapInterval& found : overlap_intervals(plan, a, b, near, inwards, plain))
+    for (OverlapInterval& found : overlap_intervals(plan, a, b, near, offset, plain))
       answer.intervals.push_back(std::move(found));
   });
   if (!stopped.empty()) answer.undecided.push_back({{a, b}, Outcome::undecided, {}, plan.start(), stopped});
@@ -68,7 +68,7 @@ Intervals intervals(const Scene& scene, const CheckOptions& options) {
   std::uint64_t searched = 0;
   for (const auto& [pair, stretches] : near.pairs()) {
     report_parts("pairs", searched++, near.pairs().size());
-    search_pair(plan, pair.first, pair.second, single ? throughout : stretches, options.touch == Touch::open, single,
+    search_pair(plan, pair.first, pair.second, single ? throughout : stretches, offset_for(options.touch), single,
                 answer);
   }
   conclude(answer);

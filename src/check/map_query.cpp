@@ -74,7 +74,7 @@ MapQuery::Impl::Impl(const StaticMap& of, const std::vector<RobotLink>& links, c
   }
   if (links.empty()) throw InputError("robot", "there is no link", "give at least one");
   own.resize(links.size());
-  search.emplace(*bodies, std::move(rings), options.touch == Touch::open, options.links_meet);
+  search.emplace(*bodies, std::move(rings), offset_for(options.touch), options.links_meet);
 }
 
 void MapQuery::Impl::line(std::size_t link, const PoseSE2& from, const PoseSE2& to) {
@@ -187,9 +187,9 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
     if (best.outcome == Outcome::free || lo < best.lo) best = {r.outcome, lo, hi, link, body, other};
     if (r.outcome == Outcome::undecided) reason = r.reason;
   };
-  const bool inwards = search->inwards();
+  const Offset offset = search->offset();
   for (std::size_t k = 0; k < own.size(); ++k) {
-    MapSearch among(*bodies, {search->links()[k].rings, chain_of(motions, k, start, end), 0}, start, end, inwards);
+    MapSearch among(*bodies, {search->links()[k].rings, chain_of(motions, k, start, end), 0}, start, end, offset);
     if (among.start()) among.run();
     for (const PairResult& r : among.results()) note(r, static_cast<int>(k), std::min(r.a, r.b), -1);
   }
@@ -198,7 +198,7 @@ RobotFinding MapQuery::Impl::on_any_motion(std::span<const Motion> motions, doub
     PairPlan plan = pair_of(search->links()[a].rings, chain_of(motions, a, start, end), search->links()[b].rings,
                             chain_of(motions, b, start, end));
     auto segments = std::make_shared<const MotionSegments>(segments_of(plan, start, end));
-    SpacetimeSolver pair(PairInstance(std::move(plan), std::move(segments), inwards), inwards, start, end);
+    SpacetimeSolver pair(PairInstance(std::move(plan), std::move(segments), offset), offset, start, end);
     pair.ask_start();
     if (pair.open()) pair.ask(start, end);
     note(pair.result(), p, -1, q);

@@ -29,7 +29,7 @@ class MarginSearch {
         plan_(scene),
         clearance_(clearance),
         margin_(std::ldexp(clearance, plan_.exponent())),
-        inwards_(options.touch == Touch::open),
+        offset_(offset_for(options.touch)),
         stop_(plan_.end()) {
     answer_.free_until = plan_.end();
   }
@@ -61,7 +61,7 @@ class MarginSearch {
     PairMargin pair;
     pair.bodies = {a, b};
     pair.free_until = plan_.end();
-    settle(PairInstance(plan_, a, b, inwards_), pair);
+    settle(PairInstance(plan_, a, b, offset_), pair);
     if (options_.all_pairs) answer_.pairs.push_back(pair);
     if (pair.outcome == Outcome::free) return;
     // Other pairs are followed a little further, so that those that come closer at the same time are detected.
@@ -111,8 +111,8 @@ class MarginSearch {
   /// displaced inwards only if the given ones are closer.
   void take_start(const PairInstance& search, const MarginResult& found, PairMargin& pair) const {
     const double start = plan_.start();
-    if (!inwards_) {
-      const PairInstance smaller(plan_, pair.bodies[0], pair.bodies[1], true);
+    if (offset_ == Offset::outward) {
+      const PairInstance smaller(plan_, pair.bodies[0], pair.bodies[1], Offset::inward);
       const MarginResult closer =
           spacetime::first_closer(smaller.geometry, smaller.trees(), smaller.segments(), margin_, {start, start});
       if (closer.outcome == MarginResult::undecided) {
@@ -132,13 +132,15 @@ class MarginSearch {
   }
 
   ContactBracket bracket_of(const PairInstance& search, const MarginResult& found) const {
-    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.plan, !inwards_);
+    const std::optional<PairGeometry> other = displaced_pair_if_possible(search.plan, opposite(offset_));
     const MotionSegment& segment = search.segments()[found.segment];
     if (found.at_once) return {found.lo, found.hi, false};
-    if (!other) return {inwards_ ? segment.start : found.lo, inwards_ ? found.hi : segment.end, true};
+    if (!other)
+      return {offset_ == Offset::inward ? segment.start : found.lo, offset_ == Offset::inward ? found.hi : segment.end,
+              true};
     const spacetime::PreciseApproaches here(search.geometry, segment, margin_), there(*other, segment, margin_);
     return bracket_of_sides(
-        found.lo, found.hi, inwards_, segment, [&](double t) { return here.side(found.pair, t); },
+        found.lo, found.hi, offset_, segment, [&](double t) { return here.side(found.pair, t); },
         [&](double t) { return there.side(found.pair, t); });
   }
 
@@ -150,7 +152,7 @@ class MarginSearch {
     nearest.hi = clearance_;
     nearest.time = {pair.time.hi, pair.time.hi};
     pair.nearest = nearest;
-    const FeatureMap witness(search.plan, search.geometry, inwards_);
+    const FeatureMap witness(search.plan, search.geometry, offset_);
     CloseFeatures features;
     features.vertex = witness.vertex(vertex);
     if (found.pair.is_edge) {
@@ -202,7 +204,7 @@ class MarginSearch {
   const CheckOptions& options_;
   WorldPlan plan_;
   double clearance_, margin_;  ///< in the scene's units, and in internal units
-  bool inwards_;
+  Offset offset_;
   double stop_;
   std::vector<PairMargin> events_;
   MarginAnswer answer_;

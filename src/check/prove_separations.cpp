@@ -68,9 +68,9 @@ double end_of_windows(const proof::VerifierScene& scene, double until) {
 
 /// The proof that nothing happens up to the time in the answer; none for other answers.
 template <class AnyAnswer>
-std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, bool inwards,
+std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::VerifierScene& proved, Offset offset,
                                        double margin) {
-  SeparationsWriter writer(proved, inwards, margin);
+  SeparationsWriter writer(proved, offset, margin);
   if (answer.outcome == Outcome::free) return writer.free();
   const double until = end_of_windows(proved, answer.free_until);
   if (answer.outcome != Outcome::undecided || until <= proved.start()) return std::nullopt;
@@ -80,15 +80,15 @@ std::optional<SeparationsBody> freedom(const AnyAnswer& answer, const proof::Ver
 /// The body of the log of an answer, without its header; none if there is nothing to prove.
 std::optional<SeparationsBody> body_of_log(const Run& run, const proof::VerifierScene& proved, const Answer& answer,
                                            Touch touch) {
-  const bool inwards = touch == Touch::open;
-  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, 0);
+  const Offset offset = offset_for(touch);
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, offset, 0);
   // If there are two bodies, their only pair has its own section.
   const double until = proved.size() == 2 ? std::clamp(answer.free_until, proved.start(), proved.end())
                                           : end_of_windows(proved, answer.free_until);
   const std::vector<PairResult> results = run.search()->results();
   const PairResult* named = earliest(answer, results);
-  if (named->touching) return SeparationsWriter(proved, true).touching(*named);
-  return SeparationsWriter(proved, inwards).contact(*named, until);
+  if (named->touching) return SeparationsWriter(proved, Offset::inward).touching(*named);
+  return SeparationsWriter(proved, offset).contact(*named, until);
 }
 
 }  // namespace
@@ -123,14 +123,14 @@ namespace {
 std::optional<SeparationsBody> body_about_clearance(const Scene& scene, const MarginAnswer& answer, double clearance,
                                                     Touch touch) {
   const proof::VerifierScene proved(scene);
-  const bool inwards = touch == Touch::open;
+  const Offset offset = offset_for(touch);
   const double margin = std::ldexp(clearance, proved.exponent());
-  if (answer.outcome != Outcome::contact) return freedom(answer, proved, inwards, margin);
+  if (answer.outcome != Outcome::contact) return freedom(answer, proved, offset, margin);
   const PairMargin& first = *answer.first;
-  if (!inwards && first.time.hi <= proved.start())
-    return SeparationsWriter(proved, true, margin).close_at_start(first.bodies, *first.features);
+  if (offset == Offset::outward && first.time.hi <= proved.start())
+    return SeparationsWriter(proved, Offset::inward, margin).close_at_start(first.bodies, *first.features);
   const double until = end_of_windows(proved, answer.free_until);
-  return SeparationsWriter(proved, inwards, margin).closer(first.bodies, *first.features, {until, first.time.hi});
+  return SeparationsWriter(proved, offset, margin).closer(first.bodies, *first.features, {until, first.time.hi});
 }
 
 }  // namespace

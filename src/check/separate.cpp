@@ -24,7 +24,7 @@ class SeparationSearch {
   SeparationSearch(const Scene& scene, double travel) : plan_(scene), ignored_(scene), travel_(travel) {
     for (const WorldBody& body : plan_.bodies()) {
       standing_.push_back(std::make_unique<const StandingBody>(
-          StandingBody{VerticesAtPose(body, plan_.start(), true), tree_of(*body.rings, true)}));
+          StandingBody{VerticesAtPose(body, plan_.start(), Offset::inward), tree_of(*body.rings, Offset::inward)}));
       left_.push_back(static_cast<int>(left_.size()));
     }
   }
@@ -72,7 +72,7 @@ class SeparationSearch {
       for (int b = a + 1; b < n; ++b) {
         checkpoint();
         if (ignored_.has(a, b)) continue;
-        const PairInstance pair(plan_, a, b, true);
+        const PairInstance pair(plan_, a, b, Offset::inward);
         if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], plan_.start()))
           return std::array<BodyId, 2>{a, b};
       }

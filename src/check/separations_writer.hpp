@@ -27,8 +27,8 @@ struct SeparationsBody {
 class SeparationsWriter {
  public:
   /// The scene must outlive this object. The margin is in internal units; 0 for a query about contact.
-  SeparationsWriter(const proof::VerifierScene& scene, bool inwards, double margin = 0)
-      : scene_(scene), world_(scene, inwards, margin) {}
+  SeparationsWriter(const proof::VerifierScene& scene, Offset offset, double margin = 0)
+      : scene_(scene), world_(scene, offset, margin) {}
 
   /// Nothing meets.
   SeparationsBody free();

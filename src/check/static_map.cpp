@@ -90,12 +90,12 @@ class MapRun {
   }
 
   Answer run() {
-    Answer answer = asked(options_.touch == Touch::open);
+    Answer answer = asked(offset_for(options_.touch));
     if (answer.outcome != Outcome::free || options_.touch != Touch::open || !options_.tell_touching || !beyond_doubles_)
       return answer;
     // The bodies are free by an amount below the resolution of doubles: test whether they touch.
     try {
-      const Answer touching = asked(false);
+      const Answer touching = asked(Offset::outward);
       answer.touching = touching.contact;
       answer.run_seconds += touching.run_seconds;
       answer.touching_undecided = touching.reason;
@@ -106,11 +106,11 @@ class MapRun {
   }
 
  private:
-  Answer asked(bool inwards) {
+  Answer asked(Offset offset) {
     const Clock::time_point begun = Clock::now();
     Answer answer;
     answer.engine = EngineName::spacetime;
-    MapSearch search(bodies_, mover_, start_, end_, inwards);
+    MapSearch search(bodies_, mover_, start_, end_, offset);
     std::string stopped;
     try {
       scope_.check();

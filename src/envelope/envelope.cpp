@@ -35,7 +35,7 @@ struct LinkedPair {
   std::array<BodyId, 2> bodies;
 
   LinkedPair(const WorldPlan& world, int a, int b, const std::vector<Chain>& chains)
-      : search(world, a, b, false), cells(search.geometry, search.trees()), bodies{a, b} {
+      : search(world, a, b, Offset::outward), cells(search.geometry, search.trees()), bodies{a, b} {
     of_p = chains[static_cast<std::size_t>(search.plan.rings[0]->body())];
     of_q = chains[static_cast<std::size_t>(search.plan.rings[1]->body())];
     drop_common(of_p, of_q);
@@ -44,7 +44,7 @@ struct LinkedPair {
 
 /// Two bodies that no joint moves against each other overlap.
 bool overlap_at_rest(const WorldPlan& world, int a, int b) {
-  const PairInstance pair(world, a, b, true);
+  const PairInstance pair(world, a, b, Offset::inward);
   return spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start()).has_value();
 }
 

@@ -114,9 +114,9 @@ DisplacedPolygon::DisplacedPolygon(std::vector<DisplacedPoint> vertices, std::ve
   }
 }
 
-Displacement displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed) {
+Displacement displace(std::span<const Point> polygon, Offset offset, double delta, std::uint64_t seed) {
   const std::size_t n = polygon.size();
-  const double side = inwards ? 1.0 : -1.0;
+  const double side = offset == Offset::inward ? 1.0 : -1.0;
   Displacement out;
   out.points.reserve(n);
   double farthest = 0;
@@ -138,13 +138,13 @@ Displacement displace(std::span<const Point> polygon, bool inwards, double delta
   return out;
 }
 
-SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards, std::uint64_t seed) {
-  Displacement moved = displace(polygon, inwards, displacement_unit, seed);
+SharedPolygon displaced_polygon(const std::vector<Point>& polygon, Offset offset, std::uint64_t seed) {
+  Displacement moved = displace(polygon, offset, displacement_unit, seed);
   std::optional<DisplacementFault> fault;
   if (moved.too_sharp) {
     fault = {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0};
   } else if (!has_room(polygon, moved.farthest)) {
-    fault = find_displacement_fault(moved.points, inwards, moved.farthest);
+    fault = find_displacement_fault(moved.points, offset, moved.farthest);
   }
   return std::make_shared<const DisplacedPolygon>(std::move(moved.points), fault);
 }

@@ -11,6 +11,11 @@
 
 namespace taut::internal {
 
+/// The side to which a body is displaced: into its material, or away from it.
+enum class Offset : std::uint8_t { inward, outward };
+inline Offset opposite(Offset offset) { return offset == Offset::inward ? Offset::outward : Offset::inward; }
+inline std::size_t index_of(Offset offset) { return static_cast<std::size_t>(offset); }
+
 /// A vertex that is exactly (x + dx, y + dy): the input's point, and a displacement far below its resolution.
 struct DisplacedPoint {
   double x, y;
@@ -73,12 +78,12 @@ struct Displacement {
   std::optional<std::uint32_t> too_sharp;  ///< a corner without a displacement in doubles; its vertex stays in place
 };
 
-/// Displaces every vertex of a counterclockwise simple polygon towards the inside (`inwards`) or the outside, by an
+/// Displaces every vertex of a counterclockwise simple polygon towards the inside (`offset`) or the outside, by an
 /// amount that depends only on `seed` and the vertex's index. Where `too_sharp` is empty, both edges of each vertex
 /// move by between `delta` and 2 `delta` there, to the side asked for, and so do all their points in between.
 ///
 /// Corners are too sharp below about 2^-42 radians. Vertices in line are none.
-Displacement displace(std::span<const Point> polygon, bool inwards, double delta, std::uint64_t seed);
+Displacement displace(std::span<const Point> polygon, Offset offset, double delta, std::uint64_t seed);
 
 /// The polygon displaced by `displacement_unit`, with these laws, or a fault. Coordinates are at most 1 in magnitude.
 /// 1. The displaced ring is simple and counterclockwise.
@@ -86,6 +91,6 @@ Displacement displace(std::span<const Point> polygon, bool inwards, double delta
 /// 3. Each of its edges lies between delta and 2 delta to that side of the line of the polygon's edge, and each vertex
 ///    within `displacement_limit` of the polygon's, in each coordinate.
 /// Hence what bodies displaced inwards do, the bodies do; and what the bodies do, those displaced outwards do.
-SharedPolygon displaced_polygon(const std::vector<Point>& polygon, bool inwards, std::uint64_t seed);
+SharedPolygon displaced_polygon(const std::vector<Point>& polygon, Offset offset, std::uint64_t seed);
 
 }  // namespace taut::internal

@@ -196,7 +196,7 @@ bool has_room(const std::vector<Point>& polygon, double farthest) {
          std::all_of(polygon.begin(), polygon.end(), [&](const Point& v) { return coarse(v.x) && coarse(v.y); });
 }
 
-std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards,
+std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, Offset offset,
                                                          double farthest) {
   const double room = std::max(displacement_room, farthest);
   RingCheck check(ring, room);
@@ -206,7 +206,8 @@ std::optional<DisplacementFault> find_displacement_fault(const std::vector<Displ
   Ring original;
   original.reserve(ring.size());
   for (const DisplacedPoint& v : ring) original.push_back(before_displacement(v));
-  const bool right_side = inwards ? contains(original, ring[0], room) : contains(ring, original[0], room);
+  const bool right_side =
+      offset == Offset::inward ? contains(original, ring[0], room) : contains(ring, original[0], room);
   if (right_side && is_counterclockwise(ring, room)) return std::nullopt;
   return DisplacementFault{DisplacementFault::Kind::close_edges, static_cast<std::uint32_t>(ring.size() - 1), 0};
 }

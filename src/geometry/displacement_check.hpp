@@ -14,7 +14,7 @@ bool has_room(const std::vector<Point>& polygon, double farthest);
 
 /// Two edges that come so close that the displaced ring meets itself or the ring it was made of, or lies on the wrong
 /// side of it. Each corner must keep its own law, and no vertex move by `farthest` or more. Exact; about O(n log n).
-std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, bool inwards,
+std::optional<DisplacementFault> find_displacement_fault(const std::vector<DisplacedPoint>& ring, Offset offset,
                                                          double farthest);
 
 }  // namespace taut::internal

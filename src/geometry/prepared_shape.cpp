@@ -29,7 +29,7 @@ std::shared_ptr<const ShapeInRole> PreparedShape::make(const ShapeRole& role) co
   auto fresh = std::make_shared<ShapeInRole>();
   fresh->role = role;
   fresh->polygon = scaled_locked(role.exponent);
-  fresh->displaced = displaced_polygon(*fresh->polygon, role.inwards, role.seed);
+  fresh->displaced = displaced_polygon(*fresh->polygon, role.offset, role.seed);
   return fresh;
 }
 

@@ -18,7 +18,7 @@ namespace taut::internal {
 /// What a body is in one scene: in which units, and how it is displaced.
 struct ShapeRole {
   std::uint64_t seed = 0;  ///< of the displacement
-  bool inwards = true;
+  Offset offset = Offset::inward;
   int exponent = 0;  ///< coordinates are the input's times 2^exponent
 
   friend bool operator==(const ShapeRole&, const ShapeRole&) = default;

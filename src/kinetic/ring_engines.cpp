@@ -11,9 +11,9 @@
 
 namespace taut::internal {
 
-RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, MotionSegments segments,
+RingEngines::RingEngines(const PairPlan& plan, const PairGeometry& geometry, Offset offset, MotionSegments segments,
                          EngineObserver* observer)
-    : plan_(plan), geometry_(geometry), inwards_(inwards), segments_(std::move(segments)) {
+    : plan_(plan), geometry_(geometry), offset_(offset), segments_(std::move(segments)) {
   const RingMeetings meetings = meetings_at_start();
   inside_ = meetings.inside;
   overlap_ = inside_.has_value();
@@ -46,12 +46,12 @@ const MotionSegments& RingEngines::segments_in_roles(bool exchanged) {
 
 /// The ring that plays this role.
 const LoneRing& RingEngines::ring_of(const Run& run, Role role) const {
-  return set_of(run, role).lone(ring_number(run, role), inwards_);
+  return set_of(run, role).lone(ring_number(run, role), offset_);
 }
 
 const ShapeTiling* RingEngines::tiling_of(const Run& run, Role role) const {
   const LoneRing& ring = ring_of(run, role);
-  return set_of(run, role).kept_of<ShapeTiling>(ring_number(run, role), inwards_, role, [&] {
+  return set_of(run, role).kept_of<ShapeTiling>(ring_number(run, role), offset_, role, [&] {
     return tile_shape(ring.polygon, role == Role::p ? node::p_tree : node::q_tree);
   });
 }

@@ -20,7 +20,7 @@ class RingEngines {
  public:
   /// Builds the tilings at the start of the segments, which are those of the plan. The plan, the geometry and the
   /// observer, which may be null, must outlive this object. Throws Undecidable.
-  RingEngines(const PairPlan& plan, const PairGeometry& geometry, bool inwards, MotionSegments segments,
+  RingEngines(const PairPlan& plan, const PairGeometry& geometry, Offset offset, MotionSegments segments,
               EngineObserver* observer = nullptr);
 
   /// Do the bodies overlap at the start of the segments? If so, no other query is allowed.
@@ -94,7 +94,7 @@ class RingEngines {
 
   const PairPlan& plan_;
   const PairGeometry& geometry_;
-  bool inwards_;
+  Offset offset_;
   bool keeps_tilings_ = false;  ///< of each ring alone, since there are several queries about it
   const MotionSegments& segments_in_roles(bool exchanged);
   RingMeetings meetings_at_start();

@@ -17,16 +17,16 @@ namespace taut::internal {
 
 namespace {
 
-const ShapeTiling* known_tiling(const PairPlan& plan, Role role, bool inwards) {
+const ShapeTiling* known_tiling(const PairPlan& plan, Role role, Offset offset) {
   const RingSet& rings = *plan.rings[index_of(role)];
   if (!rings.is_prepared()) return nullptr;
-  const SharedPolygon& polygon = rings.displaced(inwards);
-  return rings.kept_of<ShapeTiling>(0, inwards, role,
+  const SharedPolygon& polygon = rings.displaced(offset);
+  return rings.kept_of<ShapeTiling>(0, offset, role,
                                     [&] { return tile_shape(polygon, role == Role::p ? node::p_tree : node::q_tree); });
 }
 
-KnownTilings known_tilings(const PairPlan& plan, bool inwards) {
-  return {known_tiling(plan, Role::p, inwards), known_tiling(plan, Role::q, inwards)};
+KnownTilings known_tilings(const PairPlan& plan, Offset offset) {
+  return {known_tiling(plan, Role::p, offset), known_tiling(plan, Role::q, offset)};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Session::Session(const Scene& scene, Touch touch, Tracer* tracer, EngineObserver
   validate_polygons(scene);
   require_ring_pair(scene, "a simulation of a tiling");
   plan_ = plan_pair(scene);
-  build(touch == Touch::open);
+  build(offset_for(touch));
   if (engine_->state() == EngineState::overlap) resolve_overlap();
 }
 
@@ -56,10 +56,10 @@ void Session::resolve_overlap() {
   overlap_point_ = common_point(plan_, start_);
 }
 
-void Session::build(bool inwards) {
-  inwards_ = inwards;
-  engine_ = std::make_unique<Engine>(displaced_pair(plan_, inwards), segments_of(plan_, start_, end_),
-                                     static_cast<EngineObserver*>(this), known_tilings(plan_, inwards));
+void Session::build(Offset offset) {
+  offset_ = offset;
+  engine_ = std::make_unique<Engine>(displaced_pair(plan_, offset), segments_of(plan_, start_, end_),
+                                     static_cast<EngineObserver*>(this), known_tilings(plan_, offset));
 }
 
 bool Session::finished() const { return overlap_at_start_ || contact_ || engine_->state() != EngineState::running; }

@@ -43,10 +43,10 @@ class Session : private EngineObserver {
 
  private:
   void on_event(const EngineEvent& event) override;
-  void build(bool inwards);
+  void build(Offset offset);
   void resolve_overlap();
   void note_contact();
-  FeatureMap witness() const { return {plan_, engine_->geometry(), inwards_}; }
+  FeatureMap witness() const { return {plan_, engine_->geometry(), offset_}; }
 
   double start_, end_;
   PairPlan plan_;
@@ -55,7 +55,7 @@ class Session : private EngineObserver {
   std::unique_ptr<Engine> engine_;
   std::optional<Contact> contact_;
   std::optional<StartOverlap> touching_;
-  bool inwards_ = true;  ///< the direction of the displacement
+  Offset offset_ = Offset::inward;  ///< the direction of the displacement
   bool overlap_at_start_ = false;
   std::optional<Point> overlap_point_;
 };

@@ -69,35 +69,35 @@ class Fitter {
   Fitter(double fit, double way, int exponent) : fit_(fit), way_(std::ldexp(way, -exponent)), exponent_(exponent) {}
 
   Part part(const Body& body, const Part& given, std::size_t index) {
-    Part shrunk{in_given_order(given.outline, true, ring_name(body, index, 0)), {}};
+    Part shrunk{in_given_order(given.outline, Offset::inward, ring_name(body, index, 0)), {}};
     for (std::size_t i = 0; i < given.holes.size(); ++i)
-      shrunk.holes.push_back(in_given_order(given.holes[i], false, ring_name(body, index, i + 1)));
+      shrunk.holes.push_back(in_given_order(given.holes[i], Offset::outward, ring_name(body, index, i + 1)));
     return shrunk;
   }
   Part part(const Body& body, const JoinedPart& joined) {
-    const auto of = [&](const JoinedRing& r, bool inwards) {
-      return ring(r.points, inwards, {body.name, r.points.size(), false, &r});
+    const auto of = [&](const JoinedRing& r, Offset offset) {
+      return ring(r.points, offset, {body.name, r.points.size(), false, &r});
     };
-    Part shrunk{of(joined.outline, true), {}};
-    for (const JoinedRing& hole : joined.holes) shrunk.holes.push_back(of(hole, false));
+    Part shrunk{of(joined.outline, Offset::inward), {}};
+    for (const JoinedRing& hole : joined.holes) shrunk.holes.push_back(of(hole, Offset::outward));
     return shrunk;
   }
 
  private:
-  Polygon in_given_order(const Polygon& given, bool inwards, const std::string& name) {
+  Polygon in_given_order(const Polygon& given, Offset offset, const std::string& name) {
     const bool reversed = polygon_orientation(given) < 0;
     Polygon turned = given;
     if (reversed) std::reverse(turned.begin(), turned.end());
-    Polygon shrunk = ring(turned, inwards, {name, given.size(), reversed});
+    Polygon shrunk = ring(turned, offset, {name, given.size(), reversed});
     if (reversed) std::reverse(shrunk.begin(), shrunk.end());
     return shrunk;
   }
 
   /// Counterclockwise, displaced.
-  Polygon ring(const Polygon& given, bool inwards, const RingNames& names) {
+  Polygon ring(const Polygon& given, Offset offset, const RingNames& names) {
     std::vector<Point> points;
     for (const Point& p : given) points.push_back({std::ldexp(p.x, -exponent_), std::ldexp(p.y, -exponent_)});
-    Displacement moved = displace(points, inwards, way_, ++seed_);
+    Displacement moved = displace(points, offset, way_, ++seed_);
     if (moved.too_sharp) refuse(names, {DisplacementFault::Kind::sharp_corner, *moved.too_sharp, 0});
     Polygon shrunk;
     for (DisplacedPoint& p : moved.points) {
@@ -109,7 +109,7 @@ class Fitter {
     }
     const double farthest = moved.farthest * (1 + 0x1p-20);
     if (!has_room(points, farthest)) {
-      const auto fault = find_displacement_fault(moved.points, inwards, farthest);
+      const auto fault = find_displacement_fault(moved.points, offset, farthest);
       if (fault) refuse(names, *fault);
     }
     return shrunk;

@@ -59,7 +59,7 @@ class GrownRing {
   GrownRing(const Polygon& ring, double by, std::uint64_t seed) : by_(by), seed_(seed) {
     // A vertex moves by no more than so many times `by`, and edges beside one that others than it cut off are longer.
     constexpr double longest_way = 6, least_room = 24;
-    const Displacement grown = displace(ring, false, by, seed);
+    const Displacement grown = displace(ring, Offset::outward, by, seed);
     const auto n = static_cast<std::uint32_t>(ring.size());
     for (std::uint32_t k = 0; k < n; ++k) {
       const Corner corner{ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]};

@@ -201,7 +201,7 @@ std::vector<Point> wedge(const Point& a, const Point& b, const Point& c, const P
 /// The wedge at an edge of P and one of Q that cross, if the inward shapes have such edges.
 std::vector<Point> beside_crossing(const PairPlan& plan, const MotionSegment& segment, double t, const PlacedFrame& p,
                                    const PlacedFrame& q) {
-  const std::optional<PairGeometry> inner = displaced_pair_if_possible(plan, true);
+  const std::optional<PairGeometry> inner = displaced_pair_if_possible(plan, Offset::inward);
   if (!inner) return {};
   const auto crossing = crossing_edges(Placement(*inner, segment, t));
   if (!crossing) return {};

@@ -60,13 +60,13 @@ MotionSegments exchanged_segments_of(const PairPlan& pair, double start, double 
   return MotionSegments(pair.motions[1], pair.motions[0], start, end);
 }
 
-PairGeometry displaced_pair(const PairPlan& plan, bool inwards) {
-  return {plan.rings[0]->displaced(inwards), plan.rings[1]->displaced(inwards)};
+PairGeometry displaced_pair(const PairPlan& plan, Offset offset) {
+  return {plan.rings[0]->displaced(offset), plan.rings[1]->displaced(offset)};
 }
 
-std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, bool inwards) {
+std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, Offset offset) {
   try {
-    return displaced_pair(plan, inwards);
+    return displaced_pair(plan, offset);
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -43,10 +43,13 @@ MotionSegments segments_of(const PairPlan& pair, double start, double end);
 /// The same with the roles exchanged.
 MotionSegments exchanged_segments_of(const PairPlan& pair, double start, double end);
 
-/// The two bodies, displaced inwards or outwards. Throws InputError where one of them has features that are finer than
+/// The question about bodies is answered by bodies displaced to this side.
+inline Offset offset_for(Touch touch) { return touch == Touch::open ? Offset::inward : Offset::outward; }
+
+/// The two bodies, displaced. Throws InputError where one of them has features that are finer than
 /// the displacement.
-PairGeometry displaced_pair(const PairPlan& plan, bool inwards);
+PairGeometry displaced_pair(const PairPlan& plan, Offset offset);
 /// The same, or nothing.
-std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, bool inwards);
+std::optional<PairGeometry> displaced_pair_if_possible(const PairPlan& plan, Offset offset);
 
 }  // namespace taut::internal

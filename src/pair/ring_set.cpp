@@ -104,38 +104,38 @@ EdgeRef RingSet::edge(std::uint32_t k) const {
   return {index_, m.edge(k - m.offset), m.part, m.ring};
 }
 
-const SharedPolygon& RingSet::displaced(bool inwards) const {
+const SharedPolygon& RingSet::displaced(Offset offset) const {
   const std::lock_guard lock(mutex_);
-  SharedPolygon& place = displaced_[inwards ? 0 : 1];
+  SharedPolygon& place = displaced_[index_of(offset)];
   if (place) return place;
   const UnmeteredScope making;
-  return place = displace_rings(inwards);
+  return place = displace_rings(offset);
 }
 
 /// Less material is a larger hole.
-SharedPolygon RingSet::displaced_ring(std::size_t ring, bool inwards) const {
+SharedPolygon RingSet::displaced_ring(std::size_t ring, Offset offset) const {
   const RingMap& map = maps_[ring];
   const std::uint64_t seed = seed_of(index_, ring);
   SharedPolygon displaced;
   if (prepared_) {
-    const auto& kept = in_role_[inwards ? 0 : 1] = prepared_->in_role({seed, inwards, exponent_});
+    const auto& kept = in_role_[index_of(offset)] = prepared_->in_role({seed, offset, exponent_});
     displaced = kept->displaced;
   } else {
-    displaced = displaced_polygon(points(ring), inwards != (map.ring > 0), seed);
+    displaced = displaced_polygon(points(ring), map.ring > 0 ? opposite(offset) : offset, seed);
   }
   if (displaced->fault) refuse(map, *displaced->fault);
   return displaced;
 }
 
-SharedPolygon RingSet::displace_rings(bool inwards) const {
-  if (rings_.size() == 1) return displaced_ring(0, inwards);
+SharedPolygon RingSet::displace_rings(Offset offset) const {
+  if (rings_.size() == 1) return displaced_ring(0, offset);
   std::vector<DisplacedPoint> points;
   points.reserve(size_);
   std::vector<RingSpan> spans;
   for (std::size_t i = 0; i < rings_.size(); ++i) {
     const RingMap& map = maps_[i];
     const bool hole = map.ring > 0;
-    std::vector<DisplacedPoint> vertices = displaced_ring(i, inwards)->points;
+    std::vector<DisplacedPoint> vertices = displaced_ring(i, offset)->points;
     if (hole) reverse_order(vertices);
     spans.push_back({map.offset, map.size, hole});
     points.insert(points.end(), vertices.begin(), vertices.end());
@@ -143,10 +143,10 @@ SharedPolygon RingSet::displace_rings(bool inwards) const {
   return std::make_shared<const DisplacedPolygon>(std::move(points), std::move(spans));
 }
 
-const LoneRing& RingSet::lone(std::size_t ring, bool inwards) const {
-  const SharedPolygon& all = displaced(inwards);
+const LoneRing& RingSet::lone(std::size_t ring, Offset offset) const {
+  const SharedPolygon& all = displaced(offset);
   const std::lock_guard lock(mutex_);
-  const auto [place, fresh] = lone_[inwards ? 0 : 1].try_emplace(ring);
+  const auto [place, fresh] = lone_[index_of(offset)].try_emplace(ring);
   LoneRing& result = place->second;
   if (!fresh && result.polygon) return result;
   const UnmeteredScope making;

@@ -92,15 +92,15 @@ class RingSet {
   const std::string& name() const { return name_; }
 
   /// Displaced towards the material, or away from it. Throws InputError where a feature is finer than the displacement.
-  const SharedPolygon& displaced(bool inwards) const;
+  const SharedPolygon& displaced(Offset offset) const;
   /// One of them alone; made when first asked for. Throws Undecidable where a hole's corners are all too sharp for it.
-  const LoneRing& lone(std::size_t ring, bool inwards) const;
+  const LoneRing& lone(std::size_t ring, Offset offset) const;
   /// What the spacetime engine makes of the displaced rings, once: they are displaced by then. It is kept here, or with
   /// the shape if that was prepared.
   template <class T, class Make>
-  const T& kept(bool inwards, const Make& make) const {
+  const T& kept(Offset offset, const Make& make) const {
     const std::lock_guard lock(mutex_);
-    const std::size_t side = inwards ? 0 : 1;
+    const std::size_t side = index_of(offset);
     if (in_role_[side]) return *in_role_[side]->kept<T>(ShapeInRole::hierarchy, make);
     std::shared_ptr<const void>& place = kept_[side];
     if (!place) {
@@ -113,11 +113,11 @@ class RingSet {
   bool is_prepared() const { return prepared_ != nullptr; }
   /// What the kinetic engine makes of one displaced ring in a role, once; null if that is what was made of it.
   template <class T, class Make>
-  const T* kept_of(std::size_t ring, bool inwards, Role role, const Make& make) const {
+  const T* kept_of(std::size_t ring, Offset offset, Role role, const Make& make) const {
     const std::lock_guard lock(mutex_);
-    if (const auto& shape = in_role_[inwards ? 0 : 1])
+    if (const auto& shape = in_role_[index_of(offset)])
       return shape->kept<T>(role == Role::p ? ShapeInRole::tiling_of_p : ShapeInRole::tiling_of_q, make);
-    auto& kept = kept_of_[inwards ? 0 : 1];
+    auto& kept = kept_of_[index_of(offset)];
     const std::pair key(ring, role);
     auto place = kept.find(key);
     if (place == kept.end()) {
@@ -133,8 +133,8 @@ class RingSet {
   void add_ring(const Polygon& ring, int part, int number);
   void add(const Points& points, const ShapeFacts& facts, int part, int number);
   const RingMap& ring_of(std::uint32_t k) const;
-  SharedPolygon displace_rings(bool inwards) const;
-  SharedPolygon displaced_ring(std::size_t ring, bool inwards) const;
+  SharedPolygon displace_rings(Offset offset) const;
+  SharedPolygon displaced_ring(std::size_t ring, Offset offset) const;
   [[noreturn]] void refuse(const RingMap& ring, const DisplacementFault& fault) const;
 
   int index_, exponent_;

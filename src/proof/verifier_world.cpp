@@ -10,7 +10,7 @@ namespace taut::internal::proof {
 
 const EdgeRanges& VerifierWorld::ranges(const RingSet& body) {
   std::unique_ptr<EdgeRanges>& made = ranges_[static_cast<std::size_t>(body.body())];
-  if (!made) made = std::make_unique<EdgeRanges>(*body.displaced(inwards_));
+  if (!made) made = std::make_unique<EdgeRanges>(*body.displaced(offset_));
   return *made;
 }
 
@@ -18,7 +18,7 @@ VerifierPair& VerifierWorld::pair(int a, int b) {
   std::unique_ptr<VerifierPair>& place = pairs_[{a, b}];
   if (place) return *place;
   PairPlan plan = scene_.plan(a, b);
-  PairGeometry geometry = displaced_pair(plan, inwards_);
+  PairGeometry geometry = displaced_pair(plan, offset_);
   MotionSegments segments = scene_.segments(plan);
   const EdgeRanges &p = ranges(*plan.rings[0]), &q = ranges(*plan.rings[1]);
   place = std::make_unique<VerifierPair>(std::move(plan), std::move(geometry), std::move(segments), p, q);

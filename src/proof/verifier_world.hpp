@@ -41,11 +41,11 @@ struct SegmentStretch {
 class VerifierWorld {
  public:
   /// The scene must outlive it. The margin is in internal units.
-  VerifierWorld(const VerifierScene& scene, bool inwards, double margin = 0)
-      : scene_(scene), inwards_(inwards), margin_(margin), ranges_(static_cast<std::size_t>(scene.size())) {}
+  VerifierWorld(const VerifierScene& scene, Offset offset, double margin = 0)
+      : scene_(scene), offset_(offset), margin_(margin), ranges_(static_cast<std::size_t>(scene.size())) {}
 
   const VerifierScene& scene() const { return scene_; }
-  bool inwards() const { return inwards_; }
+  Offset offset() const { return offset_; }
   double margin() const { return margin_; }
   VerifierPair& pair(int a, int b);
   /// Around a box around a body has to be so much room.
@@ -55,7 +55,7 @@ class VerifierWorld {
   const EdgeRanges& ranges(const RingSet& body);
 
   const VerifierScene& scene_;
-  bool inwards_;
+  Offset offset_;
   double margin_;
   std::vector<std::unique_ptr<EdgeRanges>> ranges_;  ///< by body
   std::map<std::pair<int, int>, std::unique_ptr<VerifierPair>> pairs_;

@@ -30,6 +30,8 @@ Shapes shapes_of(const Header& header) {
   return header.kind ? Shapes::outwards : Shapes::inwards;
 }
 
+Offset offset_of(Shapes shapes) { return shapes == Shapes::inwards ? Offset::inward : Offset::outward; }
+
 class Verifier {
  public:
   Verifier(const Scene& scene, ByteReader& in, const Header& header)
@@ -38,7 +40,7 @@ class Verifier {
         header_(header),
         shapes_(shapes_of(header)),
         plan_(plan_pair(scene)),
-        geometry_(displaced_pair(plan_, shapes_ == Shapes::inwards)),
+        geometry_(displaced_pair(plan_, offset_of(shapes_))),
         segments_(segments_of(plan_, scene.start, scene.end)),
         map_(in_, Placement(geometry_, segments_[0], scene.start)),
         lifetimes_(geometry_),
@@ -67,7 +69,7 @@ class Verifier {
 
  private:
   const MotionSegment& segment() const { return *segment_; }
-  FeatureMap witness() const { return {plan_, geometry_, shapes_ == Shapes::inwards}; }
+  FeatureMap witness() const { return {plan_, geometry_, offset_of(shapes_)}; }
 
   /// One record; false after the last.
   bool record() {
@@ -202,10 +204,11 @@ class Verifier {
       throw ProofError("a contact at the start needs a tiling around the inward shapes, and nothing else");
     if (e.value >= geometry_.np || f.value < geometry_.np || f.value >= geometry_.size())
       throw ProofError("the edges that cross do not exist");
-    const PairGeometry outer = displaced_pair(plan_, false);
+    const PairGeometry outer = displaced_pair(plan_, Offset::outward);
     const Placement place(outer, segments_[0], scene_.start, Positions::on_demand);
     require_crossing(place, e, f);
-    result_.contact = FeatureMap(plan_, outer, false).contact_of_overlap({true, e, f, {}}, segments_[0], scene_.start);
+    result_.contact =
+        FeatureMap(plan_, outer, Offset::outward).contact_of_overlap({true, e, f, {}}, segments_[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
     result_.outcome = Outcome::contact;

@@ -29,7 +29,7 @@ class SeparationsVerifier {
         claim_(claim_of(header)),
         plan_(scene),
         margin_(read_margin()),
-        world_(plan_, header.touch == Touch::open || claim_ == Claim::touching, margin_) {}
+        world_(plan_, claim_ == Claim::touching ? Offset::inward : offset_for(header.touch), margin_) {}
 
   Verified run() {
     result_.kind = ProofKind::separations;
@@ -210,7 +210,7 @@ class SeparationsVerifier {
   }
 
   void conclude_closer(const VerifierPair& pair, VertexId vertex, VertexId peer, bool is_edge, double until) {
-    const FeatureMap witness(pair.plan, pair.geometry, world_.inwards());
+    const FeatureMap witness(pair.plan, pair.geometry, world_.offset());
     ProvedCloseness found;
     found.features.vertex = witness.vertex(vertex);
     if (is_edge) found.features.edge = witness.edge(peer);
@@ -228,7 +228,7 @@ class SeparationsVerifier {
     const VertexId vertex = read_vertex(pair), peer = read_vertex(pair);
     const std::uint8_t is_edge = in_.u8();
     if (pair.geometry.same_body(vertex, peer) || is_edge > 1) throw ProofError("a closeness that cannot be");
-    const PairGeometry outer = displaced_pair(pair.plan, false);
+    const PairGeometry outer = displaced_pair(pair.plan, Offset::outward);
     if (!closer_at(outer, pair.segments[0], margin_, {vertex, peer}, is_edge == 1, {scene_.start, 0, 0}))
       throw ProofError("the two features are not as close as the clearance at the start");
     result_.contact_at = ContactAt::start;
@@ -243,7 +243,7 @@ class SeparationsVerifier {
   }
 
   void conclude(const VerifierPair& pair, const Incidence& hit, const MotionSegment& segment, const Instant& tight) {
-    result_.contact = FeatureMap(pair.plan, pair.geometry, world_.inwards())
+    result_.contact = FeatureMap(pair.plan, pair.geometry, world_.offset())
                           .contact({hit.vertex, hit.edge, tight.lo, std::min(tight.hi, segment.end)}, segment);
     TimeInterval& time = result_.contact->time;
     time.lo = std::max(time.lo, scene_.start);
@@ -264,7 +264,7 @@ class SeparationsVerifier {
     const VerifierPair& pair = world_.pair(a, b);
     const std::uint8_t how = in_.u8();
     const VertexId e = read_vertex(pair), f = read_vertex(pair);
-    const PairGeometry outer = displaced_pair(pair.plan, false);
+    const PairGeometry outer = displaced_pair(pair.plan, Offset::outward);
     const Placement place(outer, pair.segments[0], scene_.start, Positions::on_demand);
     const StartOverlap overlap{how == 0, outer.in_p(e) ? e : f, outer.in_p(e) ? f : e, e};
     if (overlap.crossing) {
@@ -272,7 +272,8 @@ class SeparationsVerifier {
     } else if (!inside_the_other(place, e)) {
       throw ProofError("the vertex is not inside the other body");
     }
-    result_.contact = FeatureMap(pair.plan, outer, false).contact_of_overlap(overlap, pair.segments[0], scene_.start);
+    result_.contact =
+        FeatureMap(pair.plan, outer, Offset::outward).contact_of_overlap(overlap, pair.segments[0], scene_.start);
     result_.contact_at = ContactAt::start;
     result_.free_until = scene_.start;
   }

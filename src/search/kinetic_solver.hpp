@@ -35,7 +35,7 @@ class KineticSolver final : public PairSolver, private EngineObserver {
  public:
   /// The world, the budget, and the observer of events, which may be null, must outlive this object. Throws InputError
   /// if a body has features that are finer than the displacement.
-  KineticSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget,
+  KineticSolver(const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget,
                 KineticObserver* observer = nullptr);
 
   void ask_start() override;
@@ -48,7 +48,7 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   const PairPlan& plan() const { return plan_; }
   const PairGeometry& geometry() const { return geometry_; }
   const MotionSegments& segments() const { return segments_; }
-  FeatureMap features() const { return {plan_, geometry_, inwards_}; }
+  FeatureMap features() const { return {plan_, geometry_, offset_}; }
   /// The time up to which the current tilings have been followed.
   double at() const { return at_; }
   /// The current tilings; null before the first window, and where the bodies overlap.
@@ -68,7 +68,7 @@ class KineticSolver final : public PairSolver, private EngineObserver {
   void give_up(const std::string& reason, double until);
 
   const WorldPlan& world_;
-  bool inwards_;
+  Offset offset_;
   EventBudget& budget_;
   KineticObserver* observer_;
   PairPlan plan_;

@@ -16,12 +16,12 @@ constexpr int deepest_halving = 30;
 
 }  // namespace
 
-MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, bool inwards)
+MapSearch::MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, Offset offset)
     : bodies_(bodies),
       mover_(std::move(mover)),
       start_(start),
       end_(end),
-      inwards_(inwards),
+      offset_(offset),
       size_(diagonal(mover_.rings->bounds())),
       stop_(end),
       proved_(start) {}
@@ -37,7 +37,7 @@ SpacetimeSolver& MapSearch::pair(int body) {
   if (!place) {
     PairPlan roles = plan(body);
     const SharedSegments& all = segments(roles);
-    place = std::make_unique<SpacetimeSolver>(PairInstance(std::move(roles), all, inwards_), inwards_, start_, end_);
+    place = std::make_unique<SpacetimeSolver>(PairInstance(std::move(roles), all, offset_), offset_, start_, end_);
   }
   return *place;
 }

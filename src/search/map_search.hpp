@@ -27,7 +27,7 @@ struct MapBodies {
 class MapSearch {
  public:
   /// The motion is that of the mover, scaled, on [start, end]. `bodies` must outlive the search.
-  MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, bool inwards);
+  MapSearch(const MapBodies& bodies, WorldBody mover, double start, double end, Offset offset);
 
   /// Determines overlaps, and contacts, at the start. Returns false if nothing is left to search.
   bool start();
@@ -55,7 +55,7 @@ class MapSearch {
   const MapBodies& bodies_;
   WorldBody mover_;
   double start_, end_;
-  bool inwards_;
+  Offset offset_;
   double size_;  ///< of the mover's box at rest
   double stop_, proved_;
   std::array<SharedSegments, 2> segments_;  ///< with the mover as P, and as Q

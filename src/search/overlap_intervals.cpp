@@ -26,9 +26,9 @@ struct Cluster {
 
 class IntervalSearch {
  public:
-  IntervalSearch(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, bool inwards,
+  IntervalSearch(const WorldPlan& plan, int a, int b, const std::vector<TimeInterval>& near, Offset offset,
                  bool precisely)
-      : plan_(plan), near_(near), precisely_(precisely), pair_(plan, a, b, inwards), inwards_(inwards), bodies_{a, b} {}
+      : plan_(plan), near_(near), precisely_(precisely), pair_(plan, a, b, offset), offset_(offset), bodies_{a, b} {}
 
   std::vector<OverlapInterval> run() {
     find_clusters();
@@ -120,7 +120,7 @@ class IntervalSearch {
     return spacetime::overlapping(pair_.geometry, pair_.trees(), *segments.hold(k), t).has_value();
   }
   Contact contact_of(const SegmentCrossing& c, Passage passage) const {
-    Contact contact = FeatureMap(pair_.plan, pair_.geometry, inwards_)
+    Contact contact = FeatureMap(pair_.plan, pair_.geometry, offset_)
                           .contact({c.vertex, c.edge, c.lo, c.hi}, pair_.segments()[c.segment], passage);
     contact.time = {std::max(contact.time.lo, plan_.start()), std::min(contact.time.hi, plan_.end())};
     return contact;
@@ -154,7 +154,7 @@ class IntervalSearch {
   const std::vector<TimeInterval>& near_;
   bool precisely_;
   PairInstance pair_;
-  bool inwards_;
+  Offset offset_;
   std::array<BodyId, 2> bodies_;
   std::vector<Cluster> clusters_;
   std::vector<OverlapInterval> found_;
@@ -163,9 +163,9 @@ class IntervalSearch {
 }  // namespace
 
 std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
-                                               const std::vector<TimeInterval>& near, bool inwards, bool precisely) {
+                                               const std::vector<TimeInterval>& near, Offset offset, bool precisely) {
   if (near.empty()) return {};
-  return IntervalSearch(plan, a, b, near, inwards, precisely).run();
+  return IntervalSearch(plan, a, b, near, offset, precisely).run();
 }
 
 }  // namespace taut::internal

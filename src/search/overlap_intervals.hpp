@@ -15,6 +15,6 @@ namespace taut::internal {
 /// that end intervals or that rougher enclosures do not separate. If several occur at one instant, the one named by an
 /// interval may depend on this. Throws Undecidable.
 std::vector<OverlapInterval> overlap_intervals(const WorldPlan& plan, int a, int b,
-                                               const std::vector<TimeInterval>& near, bool inwards, bool precisely);
+                                               const std::vector<TimeInterval>& near, Offset offset, bool precisely);
 
 }  // namespace taut::internal

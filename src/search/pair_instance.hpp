@@ -12,12 +12,12 @@ namespace taut::internal {
 using SharedSegments = std::shared_ptr<const MotionSegments>;
 
 /// Built once, and kept with the body.
-const spacetime::Hierarchy& tree_of(const RingSet& rings, bool inwards);
+const spacetime::Hierarchy& tree_of(const RingSet& rings, Offset offset);
 
 struct PairInstance {
   /// Throws InputError if a body has features that are finer than the displacement.
-  PairInstance(PairPlan pair, SharedSegments all_segments, bool inwards);
-  PairInstance(const WorldPlan& world, int a, int b, bool inwards);
+  PairInstance(PairPlan pair, SharedSegments all_segments, Offset offset);
+  PairInstance(const WorldPlan& world, int a, int b, Offset offset);
 
   spacetime::TreePair trees() const { return {tree_p, tree_q}; }
   const MotionSegments& segments() const { return *shared_segments; }

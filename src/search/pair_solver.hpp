@@ -86,7 +86,7 @@ StageCounts stages_of(const Pairs& pairs) {
 class SpacetimeSolver final : public PairSolver {
  public:
   /// Searches [start, end] of the world's time.
-  SpacetimeSolver(PairInstance search, bool inwards, double start, double end);
+  SpacetimeSolver(PairInstance search, Offset offset, double start, double end);
 
   void ask_start() override;
   bool work(double from, double to, std::uint64_t effort) override;
@@ -103,7 +103,7 @@ class SpacetimeSolver final : public PairSolver {
   bool decided_before(double t) const { return !open() && result_.free_until <= t; }
 
   PairInstance search_;
-  bool inwards_;
+  Offset offset_;
   double start_, end_;
   std::optional<spacetime::ContactSearch> left_;  ///< the search of a window that has not ended
   double window_ = 0;                             ///< the beginning of that window

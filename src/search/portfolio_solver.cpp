@@ -7,15 +7,15 @@
 namespace taut::internal {
 namespace {
 
-SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, bool inwards) {
-  return {PairInstance(world, std::min(a, b), std::max(a, b), inwards), inwards, world.start(), world.end()};
+SpacetimeSolver by_spacetime(const WorldPlan& world, int a, int b, Offset offset) {
+  return {PairInstance(world, std::min(a, b), std::max(a, b), offset), offset, world.start(), world.end()};
 }
 
 /// Runs both engines to the end, to compare them.
 class CrossCheckSolver final : public PairSolver {
  public:
-  CrossCheckSolver(const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget, KineticObserver* observer)
-      : kinetic_(world, a, b, inwards, budget, observer), spacetime_(by_spacetime(world, a, b, inwards)) {}
+  CrossCheckSolver(const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget, KineticObserver* observer)
+      : kinetic_(world, a, b, offset, budget, observer), spacetime_(by_spacetime(world, a, b, offset)) {}
 
   void ask_start() override {
     kinetic_.ask_start();
@@ -41,12 +41,12 @@ class CrossCheckSolver final : public PairSolver {
 /// of the spacetime engine, and never get a tiling.
 class PortfolioSolver final : public PairSolver {
  public:
-  PortfolioSolver(const SolverChoice& choice, const WorldPlan& world, int a, int b, bool inwards, EventBudget& budget)
+  PortfolioSolver(const SolverChoice& choice, const WorldPlan& world, int a, int b, Offset offset, EventBudget& budget)
       : choice_(choice),
         world_(world),
-        inwards_(inwards),
+        offset_(offset),
         budget_(budget),
-        spacetime_(by_spacetime(world, a, b, inwards)),
+        spacetime_(by_spacetime(world, a, b, offset)),
         result_(spacetime_.result()) {}
 
   void ask_start() override {
@@ -77,7 +77,7 @@ class PortfolioSolver final : public PairSolver {
       return take(spacetime_);
     by_tiling.begin([&] {
       if (!kinetic_)
-        kinetic_ = std::make_unique<KineticSolver>(world_, result_.a, result_.b, inwards_, budget_, choice_.observer);
+        kinetic_ = std::make_unique<KineticSolver>(world_, result_.a, result_.b, offset_, budget_, choice_.observer);
     });
     if (choice_.first == EngineName::kinetic &&
         by_tiling.work_until(choice_.first_slice, in_tiling) == SliceResult::decided)
@@ -102,7 +102,7 @@ class PortfolioSolver final : public PairSolver {
 
   SolverChoice choice_;
   const WorldPlan& world_;
-  bool inwards_;
+  Offset offset_;
   EventBudget& budget_;
   SpacetimeSolver spacetime_;
   std::unique_ptr<KineticSolver> kinetic_;
@@ -112,17 +112,17 @@ class PortfolioSolver final : public PairSolver {
 
 }  // namespace
 
-std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, bool inwards,
+std::unique_ptr<PairSolver> pair_solver(const SolverChoice& choice, const WorldPlan& world, int a, int b, Offset offset,
                                         EventBudget& budget) {
   switch (choice.engine) {
     case EngineChoice::kinetic:
-      return std::make_unique<KineticSolver>(world, a, b, inwards, budget, choice.observer);
+      return std::make_unique<KineticSolver>(world, a, b, offset, budget, choice.observer);
     case EngineChoice::spacetime:
-      return std::make_unique<SpacetimeSolver>(by_spacetime(world, a, b, inwards));
+      return std::make_unique<SpacetimeSolver>(by_spacetime(world, a, b, offset));
     case EngineChoice::both:
-      return std::make_unique<CrossCheckSolver>(world, a, b, inwards, budget, choice.observer);
+      return std::make_unique<CrossCheckSolver>(world, a, b, offset, budget, choice.observer);
     default:
-      return std::make_unique<PortfolioSolver>(choice, world, a, b, inwards, budget);
+      return std::make_unique<PortfolioSolver>(choice, world, a, b, offset, budget);
   }
 }
 

@@ -38,15 +38,15 @@ SweptBox box_over(const Stretch& s, const spacetime::Box& box) {
 
 }  // namespace
 
-RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool inwards, bool links_meet)
-    : bodies_(bodies), cells_(bodies.free_cells->of(bodies.rings)), links_(std::move(links)), inwards_(inwards) {
-  for (const SharedRings& body : bodies.rings) body_trees_.push_back(&tree_of(*body, inwards));
+RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, Offset offset, bool links_meet)
+    : bodies_(bodies), cells_(bodies.free_cells->of(bodies.rings)), links_(std::move(links)), offset_(offset) {
+  for (const SharedRings& body : bodies.rings) body_trees_.push_back(&tree_of(*body, offset));
   for (const Link& link : links_) {
     LinkState state;
-    state.tree = &tree_of(*link.rings, inwards);
+    state.tree = &tree_of(*link.rings, offset);
     state.size = 2 * state.tree->node(0).box.radius;
     state.met.resize(bodies.rings.size());
-    const DisplacedPolygon& shape = *link.rings->displaced(inwards);
+    const DisplacedPolygon& shape = *link.rings->displaced(offset);
     for (const RingSpan& ring : rings_of(shape)) {
       if (ring.hole) continue;
       state.outlines.emplace_back();
@@ -68,7 +68,7 @@ RobotSearch::RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool 
       pair.p = p;
       pair.q = q;
       pair.common = common_parents(p, q);
-      pair.geometry = {of_p.rings->displaced(inwards), of_q.rings->displaced(inwards)};
+      pair.geometry = {of_p.rings->displaced(offset), of_q.rings->displaced(offset)};
       pairs_.push_back(std::move(pair));
     }
   }
@@ -121,8 +121,8 @@ bool RobotSearch::find_near(std::size_t link, const Stretch& s) {
     const auto at = static_cast<std::size_t>(body);
     std::unique_ptr<PairGeometry>& met = state.met[at];
     if (!met)
-      met = std::make_unique<PairGeometry>(bodies_.rings[at]->displaced(inwards_),
-                                           links_[link].rings->displaced(inwards_));
+      met =
+          std::make_unique<PairGeometry>(bodies_.rings[at]->displaced(offset_), links_[link].rings->displaced(offset_));
     others_.push_back({met.get(), body_trees_[at]});
   }
   return !near_.empty();

@@ -27,11 +27,11 @@ class RobotSearch {
     int parent = -1;
   };
   /// `bodies` must outlive the search. Throws InputError if a feature is finer than the displacement.
-  RobotSearch(const MapBodies& bodies, std::vector<Link> links, bool inwards, bool links_meet);
+  RobotSearch(const MapBodies& bodies, std::vector<Link> links, Offset offset, bool links_meet);
 
   std::size_t size() const { return links_.size(); }
   const std::vector<Link>& links() const { return links_; }
-  bool inwards() const { return inwards_; }
+  Offset offset() const { return offset_; }
   /// The pairs of links that are tested.
   std::vector<std::array<int, 2>> meeting() const;
 
@@ -85,7 +85,8 @@ class RobotSearch {
   const MapBodies& bodies_;
   const FreeCells& cells_;
   std::vector<Link> links_;
-  bool inwards_, any_ = false;
+  Offset offset_;
+  bool any_ = false;
   std::vector<const Hierarchy*> body_trees_;
   std::vector<LinkState> states_;
   std::vector<LinkPair> pairs_;

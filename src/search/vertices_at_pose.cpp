@@ -5,8 +5,8 @@
 
 namespace taut::internal {
 
-VerticesAtPose::VerticesAtPose(const WorldBody& body, double t, bool inwards)
-    : polygon_(body.rings->displaced(inwards)), chain_(pieces_at(body.motions, t)), t_(t) {
+VerticesAtPose::VerticesAtPose(const WorldBody& body, double t, Offset offset)
+    : polygon_(body.rings->displaced(offset)), chain_(pieces_at(body.motions, t)), t_(t) {
   turned_ = turns(chain_);
   const Pose<double> pose = pose_of<Jet<double>>(chain_, Ball<double>::exact(t));
   origin_ = {pose.ox.v.mid, pose.oy.v.mid};

@@ -24,7 +24,7 @@ struct WorldSearch::DecidedPairs {
 WorldSearch::WorldSearch(const WorldPlan& plan, Touch touch, bool all, const SolverChoice& choice,
                          std::uint64_t max_events)
     : plan_(plan),
-      inwards_(touch == Touch::open),
+      offset_(offset_for(touch)),
       all_(all),
       choice_(choice),
       budget_(max_events),
@@ -37,7 +37,7 @@ PairSolver& WorldSearch::pair(int a, int b) {
   const std::pair<int, int> key(std::min(a, b), std::max(a, b));
   auto known = pairs_.find(key);
   // Constructed first, because a limit may interrupt that.
-  if (known == pairs_.end()) known = pairs_.emplace(key, pair_solver(choice_, plan_, a, b, inwards_, budget_)).first;
+  if (known == pairs_.end()) known = pairs_.emplace(key, pair_solver(choice_, plan_, a, b, offset_, budget_)).first;
   return *known->second;
 }
 

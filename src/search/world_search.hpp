@@ -51,7 +51,8 @@ class WorldSearch {
   bool over(double t) const { return !all_ && t > stop_; }
 
   const WorldPlan& plan_;
-  bool inwards_, all_;
+  Offset offset_;
+  bool all_;
   SolverChoice choice_;
   EventBudget budget_;
   std::map<std::pair<int, int>, std::unique_ptr<PairSolver>> pairs_;

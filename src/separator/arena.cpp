@@ -23,7 +23,7 @@ std::optional<Arena> make_arena(const Polygon& a, const Polygon& b) {
   scene.bodies = {{"a", a, {}}, {"b", b, {}}};
   std::optional<Arena> arena(std::in_place);
   arena->plan = plan_pair(scene);
-  std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, true);
+  std::optional<PairGeometry> geometry = displaced_pair_if_possible(arena->plan, Offset::inward);
   if (!geometry) return std::nullopt;
   arena->geometry = std::move(*geometry);
   const MotionSegments segments = segments_of(arena->plan, 0, 0);

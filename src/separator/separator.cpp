@@ -87,7 +87,8 @@ std::vector<Point> both(const PairPlan& plan) {
 
 Polygon grown(const Polygon& polygon, double margin) {
   Polygon out;
-  for (const DisplacedPoint& v : displace(polygon, false, margin, 1).points) out.push_back({v.x + v.dx, v.y + v.dy});
+  for (const DisplacedPoint& v : displace(polygon, Offset::outward, margin, 1).points)
+    out.push_back({v.x + v.dx, v.y + v.dy});
   return out;
 }
 

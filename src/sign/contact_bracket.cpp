@@ -98,26 +98,28 @@ double displacement_sway(const PairGeometry& geometry, const MotionSegment& segm
   return around.displaced / around.least_slope * (1 + 0x1p-40);
 }
 
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards,
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, Offset offset,
                                const MotionSegment& segment, const FoundContact& found, Passage passage) {
   ContactBracket bracket{found.lo, found.hi, false};
   if (is_steep(geometry, segment, found)) return bracket;
-  const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, !inwards);
+  const std::optional<PairGeometry> other = displaced_pair_if_possible(plan, opposite(offset));
   if (!other) {
-    const bool earlier = inwards == (passage == Passage::enters);
+    const bool earlier = (offset == Offset::inward) == (passage == Passage::enters);
     return {earlier ? segment.start : found.lo, earlier ? found.hi : segment.end, true};
   }
-  return bracket_of_sides(found.lo, found.hi, inwards, segment, Side(segment, geometry, found),
+  return bracket_of_sides(found.lo, found.hi, offset, segment, Side(segment, geometry, found),
                           Side(segment, *other, found), passage);
 }
 
-ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const MotionSegment& segment,
+ContactBracket bracket_of_sides(double lo, double hi, Offset offset, const MotionSegment& segment,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage) {
   ContactBracket bracket{lo, hi, false};
   // Smaller bodies enter later, and leave earlier.
-  const auto reached = [&](double t) { return inwards ? there(t) < 0 || here(t) > 0 : there(t) > 0 || here(t) < 0; };
-  if (inwards == (passage == Passage::enters)) {
+  const auto reached = [&](double t) {
+    return offset == Offset::inward ? there(t) < 0 || here(t) > 0 : there(t) > 0 || here(t) < 0;
+  };
+  if ((offset == Offset::inward) == (passage == Passage::enters)) {
     bracket.lo = first_place(lo, segment.start, reached);
   } else {
     bracket.hi = first_place(hi, segment.end, reached);

@@ -29,8 +29,8 @@ struct ContactBracket {
 ///
 /// Where the vertex leaves, the same holds with time reversed. The given vertex is on its side of the given edge's line
 /// between the two, so it reaches the line within the bracket, or stays closer to it than the displacement. The ends
-/// are searched for on the segment of the contact alone. `geometry` is displaced as `inwards` says.
-ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, bool inwards,
+/// are searched for on the segment of the contact alone. `geometry` is displaced as `offset` says.
+ContactBracket contact_bracket(const PairPlan& plan, const PairGeometry& geometry, Offset offset,
                                const MotionSegment& segment, const FoundContact& found,
                                Passage passage = Passage::enters);
 
@@ -41,7 +41,7 @@ double displacement_sway(const PairGeometry& geometry, const MotionSegment& segm
 /// The bracket of any event that is outside before and inside after, or the reverse. `here` and `there` return its side
 /// (negative outside, 0 if unknown) at any instant of the segment: `here` for bodies displaced like those for which
 /// [lo, hi] was found, `there` for the others.
-ContactBracket bracket_of_sides(double lo, double hi, bool inwards, const MotionSegment& segment,
+ContactBracket bracket_of_sides(double lo, double hi, Offset offset, const MotionSegment& segment,
                                 const std::function<int(double)>& here, const std::function<int(double)>& there,
                                 Passage passage = Passage::enters);
 

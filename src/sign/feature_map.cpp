@@ -62,7 +62,7 @@ Point FeatureMap::outward_normal(VertexId edge, const MotionSegment& segment, do
 }
 
 Contact FeatureMap::contact(const FoundContact& found, const MotionSegment& segment, Passage passage) const {
-  const ContactBracket bracket = contact_bracket(plan_, geometry_, inwards_, segment, found, passage);
+  const ContactBracket bracket = contact_bracket(plan_, geometry_, offset_, segment, found, passage);
   Contact result = contact_at(found.vertex, found.edge, segment, bracket.lo, bracket.hi);
   result.grazing = bracket.grazing;
   return result;

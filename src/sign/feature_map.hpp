@@ -15,15 +15,15 @@ struct StartOverlap {
   VertexId inside;          ///< otherwise, a vertex of that outline
 };
 
-/// Translates internal vertices and edges of one pair to the terms of the scene. The geometry is displaced as `inwards`
+/// Translates internal vertices and edges of one pair to the terms of the scene. The geometry is displaced as `offset`
 /// says. It and the plan must outlive this object.
 class FeatureMap {
  public:
-  FeatureMap(const PairPlan& plan, const PairGeometry& geometry, bool inwards)
-      : plan_(plan), geometry_(geometry), inwards_(inwards) {}
+  FeatureMap(const PairPlan& plan, const PairGeometry& geometry, Offset offset)
+      : plan_(plan), geometry_(geometry), offset_(offset) {}
 
   const PairPlan& plan() const { return plan_; }
-  bool inwards() const { return inwards_; }
+  Offset offset() const { return offset_; }
   VertexRef vertex(VertexId v) const;
   /// The edge from v to the next vertex, counterclockwise.
   EdgeRef edge(VertexId v) const;
@@ -51,7 +51,7 @@ class FeatureMap {
 
   const PairPlan& plan_;
   const PairGeometry& geometry_;
-  bool inwards_;
+  Offset offset_;
 };
 
 }  // namespace taut::internal

@@ -33,9 +33,9 @@ std::vector<std::pair<int, int>> near_pairs(const WorldPlan& plan) {
 }
 
 /// None where they overlap, or it was not decided.
-std::vector<NearTiling> tilings_at_start(const WorldPlan& plan, const std::pair<int, int>& pair, bool inwards) {
+std::vector<NearTiling> tilings_at_start(const WorldPlan& plan, const std::pair<int, int>& pair, Offset offset) {
   EventBudget budget(UINT64_MAX);
-  KineticSolver near(plan, pair.first, pair.second, inwards, budget);
+  KineticSolver near(plan, pair.first, pair.second, offset, budget);
   near.ask_start();
   return near.tilings();
 }
@@ -50,14 +50,14 @@ using namespace internal;
 std::vector<NearTiling> tilings_of_near_pairs(const Scene& scene, double t, Touch touch) {
   if (!(t >= scene.start && t <= scene.end))
     throw InputError("t", "the instant is outside of the scene's time", "choose one within");
-  const bool inwards = touch == Touch::open;
+  const Offset offset = offset_for(touch);
   const WorldPlan plan(from_there(scene, t));
   std::vector<NearTiling> all;
   for (const std::pair<int, int>& pair : near_pairs(plan)) {
-    std::vector<NearTiling> own = tilings_at_start(plan, pair, inwards);
+    std::vector<NearTiling> own = tilings_at_start(plan, pair, offset);
     const double before = t - share_before_touching * (scene.end - scene.start);
     if (own.empty() && before >= scene.start)
-      own = tilings_at_start(WorldPlan(from_there(scene, before)), pair, inwards);
+      own = tilings_at_start(WorldPlan(from_there(scene, before)), pair, offset);
     std::move(own.begin(), own.end(), std::back_inserter(all));
   }
   return all;

@@ -38,7 +38,7 @@ WorldSimulation::WorldSimulation(const Scene& scene, Touch touch, std::uint64_t 
     names_.push_back(scene.bodies[i].name);
     extent_ = std::max(extent_, diagonal(bounds_of(plan_, static_cast<BodyId>(i))));
     // Refuses features that are too fine now, rather than when the body comes near another one.
-    plan_.bodies()[i].rings->displaced(touch == Touch::open);
+    plan_.bodies()[i].rings->displaced(offset_for(touch));
   }
   answer_.outcome = Outcome::free;
   note_tested();
@@ -56,7 +56,7 @@ KineticSolver& WorldSimulation::pair(const Key& key) {
   auto known = pairs_.find(key);
   if (known == pairs_.end()) {
     // Made first: a limit may end that.
-    auto fresh = std::make_unique<KineticSolver>(plan_, key.first, key.second, touch_ == Touch::open, budget_);
+    auto fresh = std::make_unique<KineticSolver>(plan_, key.first, key.second, offset_for(touch_), budget_);
     known = pairs_.emplace(key, std::move(fresh)).first;
   }
   return *known->second;

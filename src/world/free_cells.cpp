@@ -19,7 +19,7 @@ FreeCells::FreeCells(const std::vector<SharedRings>& bodies) {
   lo_x_ = lo_y_ = INFINITY;
   hi_x_ = hi_y_ = -INFINITY;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const DisplacedPolygon& body = *bodies[k]->displaced(true);
+    const DisplacedPolygon& body = *bodies[k]->displaced(Offset::inward);
     for (const RingSpan& ring : rings_of(body)) {
       for (std::uint32_t i = 0; i < ring.count; ++i) {
         const DisplacedPoint &a = body.points[ring.first + i], &b = body.points[ring.first + (i + 1) % ring.count];

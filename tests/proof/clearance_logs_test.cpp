@@ -205,7 +205,7 @@ TEST(ClearanceLogs, OfBodiesThatCrossAtTheStart) {
                   {"stands", {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}}, {}}};
   const proof::VerifierScene plan(scene);
   const double clearance = 0.125, margin = std::ldexp(clearance, plan.exponent());
-  proof::VerifierWorld world(plan, true, margin);
+  proof::VerifierWorld world(plan, Offset::inward, margin);
   const proof::VerifierPair& pair = world.pair(0, 1);
   std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);

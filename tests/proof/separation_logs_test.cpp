@@ -406,7 +406,7 @@ TEST(SeparationLogs, BehindAnEndWheneverOnTheLine) {
     piece.rotation = AngleRotation{{rng.real(-0.2, 0.2), rng.real(-0.3, 0.3)}};
     scene.bodies[1].motion.pieces = {piece};
     const proof::VerifierScene plan(scene);
-    proof::VerifierWorld world(plan, rng.chance(0.5));
+    proof::VerifierWorld world(plan, rng.chance(0.5) ? Offset::inward : Offset::outward);
     const proof::VerifierPair& pair = world.pair(0, 1);
     const PairGeometry& g = pair.geometry;
     proof::Lifetimes lifetimes(g);
@@ -453,7 +453,7 @@ TEST(SeparationLogs, AreShortBesideAnInfiniteSpeed) {
 /// all that separations can say of them is not a proof.
 std::string log_without_incidences(const Scene& scene, Touch touch) {
   const proof::VerifierScene plan(scene);
-  proof::VerifierWorld world(plan, touch == Touch::open);
+  proof::VerifierWorld world(plan, offset_for(touch));
   const proof::VerifierPair& pair = world.pair(0, 1);
   std::string steps("\1\0\1", 3);
   proof::Lifetimes lifetimes(pair.geometry);

@@ -72,9 +72,9 @@ TEST(DisplacementLaws, RandomCorners) {
     const bool folds_back =
         sine == 0 && ((c.u.x - c.v.x) * (c.w.x - c.v.x) > 0 || (c.u.y - c.v.y) * (c.w.y - c.v.y) > 0);
     if (folds_back) continue;
-    const bool inwards = rng.chance(0.5);
+    const Offset offset = rng.chance(0.5) ? Offset::inward : Offset::outward;
     const std::vector<Point> polygon{c.u, c.v, c.w};
-    const Displacement moved = displace(polygon, inwards, displacement_unit, rng.next());
+    const Displacement moved = displace(polygon, offset, displacement_unit, rng.next());
     // The corners at u and w of the triangle are of no interest.
     const DisplacedPoint& v = moved.points[1];
     if (v.dx == 0 && v.dy == 0) {
@@ -82,7 +82,7 @@ TEST(DisplacementLaws, RandomCorners) {
       ASSERT_LT(std::fabs(sine), 0x1p-41) << "a corner is refused that is not sharp";
       continue;
     }
-    ASSERT_TRUE(corner_keeps_law(c.u, v, c.w, inwards, displacement_unit)) << i << ": sine " << sine;
+    ASSERT_TRUE(corner_keeps_law(c.u, v, c.w, offset, displacement_unit)) << i << ": sine " << sine;
     ASSERT_LE(std::max(std::fabs(v.dx), std::fabs(v.dy)), displacement_limit);
     ++kept;
     sharp += std::fabs(sine) < 0x1p-30;
@@ -107,13 +107,13 @@ void look_at(const Polygon& polygon, Count& count, std::uint64_t seed) {
   int exponent = 0;
   std::frexp(facts.largest, &exponent);
   const std::vector<Point> unit = normalised(polygon, facts, facts.largest > 1 ? -exponent : 0);
-  for (const bool inwards : {true, false}) {
-    const SharedPolygon displaced = displaced_polygon(unit, inwards, seed);
+  for (const Offset offset : {Offset::inward, Offset::outward}) {
+    const SharedPolygon displaced = displaced_polygon(unit, offset, seed);
     if (displaced->fault) {
       ++count.faults;
     } else {
       ++count.sound;
-      ASSERT_STREQ(broken_law(unit, *displaced, inwards), "") << (inwards ? "inwards" : "outwards");
+      ASSERT_STREQ(broken_law(unit, *displaced, offset), "") << (offset == Offset::inward ? "inwards" : "outwards");
     }
   }
 }

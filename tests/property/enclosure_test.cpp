@@ -130,7 +130,7 @@ TEST(Enclosure, OfAContactContainsItsRoot) {
     if (answer.outcome != Outcome::contact) continue;
     const TimeInterval& time = answer.contact->time;
     const PairPlan plan = plan_pair(scene);
-    const PairGeometry geometry = displaced_pair(plan, options.touch == Touch::open);
+    const PairGeometry geometry = displaced_pair(plan, offset_for(options.touch));
     ASSERT_EQ(plan.motions[0][0].size() * plan.motions[1][0].size(), 1u);
     ++contacts;
     ASSERT_LE(time.lo, time.hi);

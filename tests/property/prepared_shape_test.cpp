@@ -41,8 +41,8 @@ struct JoinCounts {
 void compare_tilings(const Scene& scene, int instants, bool in_any_case, JoinCounts& counts) {
   const PairPlan plan = plan_pair(scene);
   const MotionSegments segments = segments_of(plan, scene.start, scene.end);
-  for (const bool inwards : {true, false}) {
-    const PairGeometry geometry = displaced_pair(plan, inwards);
+  for (const Offset offset : {Offset::inward, Offset::outward}) {
+    const PairGeometry geometry = displaced_pair(plan, offset);
     const auto p = tile_shape(geometry.p(), node::p_tree);
     const auto q = tile_shape(geometry.q(), node::q_tree);
     ASSERT_TRUE(p && q);

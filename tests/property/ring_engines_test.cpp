@@ -23,8 +23,8 @@ struct RingCounts {
 };
 
 /// By the second engine.
-void expect_other_engine_agrees(const WorldPlan& world, bool inwards, const RingAudit& kinetic) {
-  const PairInstance pair(world, 0, 1, inwards);
+void expect_other_engine_agrees(const WorldPlan& world, Offset offset, const RingAudit& kinetic) {
+  const PairInstance pair(world, 0, 1, offset);
   if (spacetime::overlapping(pair.geometry, pair.trees(), pair.segments()[0], world.start())) {
     EXPECT_EQ(kinetic.outcome, Outcome::overlap_at_start);
     return;
@@ -40,15 +40,15 @@ void expect_other_engine_agrees(const WorldPlan& world, bool inwards, const Ring
   EXPECT_LE(other.lo, kinetic.found->contact.hi);
 }
 
-void examine(const Scene& scene, bool inwards, RingCounts& counts) {
+void examine(const Scene& scene, Offset offset, RingCounts& counts) {
   const WorldPlan world(scene);
-  const RingAudit result = audit_rings(world, 0, 1, inwards, counts.maps);
+  const RingAudit result = audit_rings(world, 0, 1, offset, counts.maps);
   ASSERT_EQ(result.fault, "");
   counts.contained += result.contained;
   ++(result.outcome == Outcome::free      ? counts.free
      : result.outcome == Outcome::contact ? counts.contact
                                           : counts.overlap);
-  ASSERT_NO_FATAL_FAILURE(expect_other_engine_agrees(world, inwards, result));
+  ASSERT_NO_FATAL_FAILURE(expect_other_engine_agrees(world, offset, result));
 }
 
 void print(const RingCounts& counts) {
@@ -69,7 +69,7 @@ TEST(RingEngines, KineticEqualsStaticInClosedCavities) {
       CavityOptions options;
       options.parents = seed % 5 == 4;
       const Scene scene = cavity_scene(seed, cavity, options);
-      ASSERT_NO_FATAL_FAILURE(examine(scene, seed % 4 != 3, counts));
+      ASSERT_NO_FATAL_FAILURE(examine(scene, seed % 4 != 3 ? Offset::inward : Offset::outward, counts));
     }
   }
   print(counts);
@@ -85,7 +85,8 @@ TEST(RingEngines, KineticEqualsStaticOnGrids) {
   options.grid = true;
   for (std::uint64_t seed = 0; seed < effort(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    ASSERT_NO_FATAL_FAILURE(examine(cavity_scene(seed, Cavity::island, options), seed % 2 == 0, counts));
+    ASSERT_NO_FATAL_FAILURE(
+        examine(cavity_scene(seed, Cavity::island, options), seed % 2 == 0 ? Offset::inward : Offset::outward, counts));
   }
   print(counts);
 }
@@ -121,7 +122,7 @@ TEST(RingEngines, KineticEqualsStaticWhereRingsAreInManyPairs) {
   RingCounts counts;
   for (std::uint64_t seed = 0; seed < effort(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    ASSERT_NO_FATAL_FAILURE(examine(many_parts(seed), seed % 4 != 3, counts));
+    ASSERT_NO_FATAL_FAILURE(examine(many_parts(seed), seed % 4 != 3 ? Offset::inward : Offset::outward, counts));
   }
   print(counts);
   EXPECT_GT(counts.contact, enough(10));

@@ -65,8 +65,8 @@ TEST(SeparationLaws, RangesContainTheirEdges) {
     const Scene scene = scene_of(random_world(seed));
     const WorldPlan plan(scene);
     for (const WorldBody& body : plan.bodies()) {
-      for (const bool inwards : {false, true}) {
-        const DisplacedPolygon& displaced = *body.rings->displaced(inwards);
+      for (const Offset offset : {Offset::outward, Offset::inward}) {
+        const DisplacedPolygon& displaced = *body.rings->displaced(offset);
         std::vector<int> seen(displaced.points.size(), 0);
         expect_contained(displaced, EdgeRanges(displaced), EdgeRanges::all, seen);
         for (const int times : seen) EXPECT_EQ(times, 1);
@@ -238,7 +238,7 @@ TEST(SeparationLaws, DirectionsSeparate) {
     const double scale = std::ldexp(1.0, plan.exponent());
     for (int a = 0; a + 1 < static_cast<int>(plan.bodies().size()); ++a) {
       const PairPlan pair = plan.pair(a, a + 1);
-      const EdgeRanges p(*pair.rings[0]->displaced(true)), q(*pair.rings[1]->displaced(true));
+      const EdgeRanges p(*pair.rings[0]->displaced(Offset::inward)), q(*pair.rings[1]->displaced(Offset::inward));
       for (const MotionSegment& segment : plan.segments(pair)) {
         if (segment.bridge) continue;
         const double length = (segment.end - segment.start) / 16, from = rng.real(segment.start, segment.end - length);
@@ -272,7 +272,7 @@ TEST(SeparationLaws, VerticesStayAsideAsWindowsSay) {
     Rng rng(seed);
     const WorldPlan plan(scene_of(random_world(seed)));
     const PairPlan pair = plan.pair(0, 1);
-    const PairGeometry g = displaced_pair(pair, seed % 2 == 0);
+    const PairGeometry g = displaced_pair(pair, seed % 2 == 0 ? Offset::inward : Offset::outward);
     const std::uint32_t nq = g.size() - g.np;
     for (const MotionSegment& segment : plan.segments(pair)) {
       const MotionWindow window = random_window(segment, rng);

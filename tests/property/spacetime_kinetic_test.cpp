@@ -37,7 +37,7 @@ void compare_contacts(const PairPlan& plan, const PairGeometry& g, const MotionS
   EXPECT_LE(lo, first.time.hi + 1e-12 * scale);
   EXPECT_GE(hi, first.time.lo - 1e-12 * scale);
   EXPECT_LE(hi - lo, 1e-11 * scale);
-  const FeatureMap features(plan, g, true);
+  const FeatureMap features(plan, g, Offset::inward);
   const bool agree =
       first.vertex == features.vertex(second.found.vertex) && first.edge == features.edge(second.found.edge);
   if (!agree) ++counts.other_pair;
@@ -49,7 +49,7 @@ void compare(const Scene& scene, Touch touch, Counts& counts) {
   options.touch = touch;
   const Answer first = check(scene, options);
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, touch == Touch::open);
+  const PairGeometry geometry = displaced_pair(plan, offset_for(touch));
   const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   if (spacetime::overlapping(geometry, segments[0], scene.start)) {
     ++counts.overlap;

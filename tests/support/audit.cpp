@@ -137,14 +137,15 @@ AuditResult audit(const Scene& scene, Touch touch, AuditCounts& counts, unsigned
   return result;
 }
 
-RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditCounts& counts, unsigned compare_every) {
+RingAudit audit_rings(const WorldPlan& world, int a, int b, Offset offset, AuditCounts& counts,
+                      unsigned compare_every) {
   RingAudit result;
   RepairCounter observer(counts);
   ++counts.scenes;
   guarded(result, [&] {
     const PairPlan plan = world.pair(a, b);
-    const PairGeometry geometry = displaced_pair(plan, inwards);
-    RingEngines engines(plan, geometry, inwards, world.segments(plan), &observer);
+    const PairGeometry geometry = displaced_pair(plan, offset);
+    RingEngines engines(plan, geometry, offset, world.segments(plan), &observer);
     if (engines.overlap()) {
       result.outcome = Outcome::overlap_at_start;
       return;

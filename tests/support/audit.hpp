@@ -37,7 +37,7 @@ struct RingAudit : AuditResult {
   std::optional<RingEngines::Found> found;
   unsigned contained = 0;  ///< pairs of rings of which one is in a hole
 };
-RingAudit audit_rings(const WorldPlan& world, int a, int b, bool inwards, AuditCounts& counts,
+RingAudit audit_rings(const WorldPlan& world, int a, int b, Offset offset, AuditCounts& counts,
                       unsigned compare_every = 1);
 
 /// Compares the session's map with the static one at the middle between the present and the next event; says what

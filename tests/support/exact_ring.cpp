@@ -78,11 +78,12 @@ ExactPoint moved_point(const DisplacedPoint& v) {
 
 ExactPoint original_point(const DisplacedPoint& v) { return {exact_integer(v.x), exact_integer(v.y)}; }
 
-bool corner_keeps_law(const Point& u, const DisplacedPoint& v, const Point& w, bool inwards, double delta) {
+bool corner_keeps_law(const Point& u, const DisplacedPoint& v, const Point& w, Offset offset, double delta) {
   const ExactPoint a = original_point({u.x, u.y, 0, 0}), b = original_point(v), c = original_point({w.x, w.y, 0, 0});
   const Integer dx = exact_integer(v.dx), dy = exact_integer(v.dy), unit = exact_integer(delta);
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c)}) {
-    const Integer ex = to.x - from.x, ey = to.y - from.y, side = (ex * dy - ey * dx) * (inwards ? 1 : -1);
+    const Integer ex = to.x - from.x, ey = to.y - from.y,
+                  side = (ex * dy - ey * dx) * (offset == Offset::inward ? 1 : -1);
     const Integer square = side * side, least = unit * unit * (ex * ex + ey * ey);
     if (sign(side) <= 0 || square < least || square > 4 * least) return false;
   }
@@ -128,7 +129,7 @@ bool ring_contains(const std::vector<ExactPoint>& ring, const ExactPoint& p) {
   return winding != 0;
 }
 
-const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon& displaced, bool inwards) {
+const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon& displaced, Offset offset) {
   const std::size_t n = polygon.size();
   std::vector<ExactPoint> before, after;
   for (const DisplacedPoint& v : displaced.points) {
@@ -137,7 +138,7 @@ const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon
     if (std::max(std::fabs(v.dx), std::fabs(v.dy)) > displacement_limit) return "a vertex moves too far";
   }
   for (std::size_t i = 0; i < n; ++i) {
-    if (!corner_keeps_law(polygon[(i + n - 1) % n], displaced.points[i], polygon[(i + 1) % n], inwards,
+    if (!corner_keeps_law(polygon[(i + n - 1) % n], displaced.points[i], polygon[(i + 1) % n], offset,
                           displacement_unit)) {
       return "an edge does not move by between delta and 2 delta";
     }
@@ -145,7 +146,7 @@ const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon
   if (ring_meets_itself(after)) return "the displaced ring is not simple";
   if (sign(twice_area(after)) <= 0) return "the displaced ring runs clockwise";
   if (rings_meet(before, after)) return "the displaced ring meets the polygon's";
-  if (inwards ? !ring_contains(before, after[0]) : !ring_contains(after, before[0])) {
+  if (offset == Offset::inward ? !ring_contains(before, after[0]) : !ring_contains(after, before[0])) {
     return "the displaced ring lies on the wrong side";
   }
   return "";

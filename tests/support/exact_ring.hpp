@@ -22,9 +22,9 @@ struct ExactPoint {
 ExactPoint moved_point(const DisplacedPoint& v);
 ExactPoint original_point(const DisplacedPoint& v);
 
-/// Do both edges of the corner u, v, w move by between delta and 2 delta to the left (right, if `inwards` is not set)
+/// Do both edges of the corner u, v, w move by between delta and 2 delta to the left (right, if `offset` is not set)
 /// when v moves to where it says?
-bool corner_keeps_law(const Point& u, const DisplacedPoint& v, const Point& w, bool inwards, double delta);
+bool corner_keeps_law(const Point& u, const DisplacedPoint& v, const Point& w, Offset offset, double delta);
 
 /// Do two closed boundaries have a point in common; does one meet itself outside the vertices of neighbouring edges?
 /// By all pairs of edges whose rectangles meet.
@@ -36,6 +36,6 @@ Integer twice_area(const std::vector<ExactPoint>& ring);
 bool ring_contains(const std::vector<ExactPoint>& ring, const ExactPoint& p);
 
 /// What is wrong with a polygon that was displaced without a fault, by displaced_polygon()'s laws; empty if nothing.
-const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon& displaced, bool inwards);
+const char* broken_law(const std::vector<Point>& polygon, const DisplacedPolygon& displaced, Offset offset);
 
 }  // namespace taut::testing

@@ -142,7 +142,7 @@ void compare_bridges(const Placement& placement, BridgeCounts& counts) {
 void compare_bridges(const Scene& scene, int instants, BridgeCounts& counts) {
   const PairPlan plan = plan_pair(scene);
   const MotionSegments segments = segments_of(plan, scene.start, scene.end);
-  const PairGeometry geometry = displaced_pair(plan, true);
+  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
   for (int i = 0; i < instants; ++i) {
     const double t = segments[0].start + (segments[0].end - segments[0].start) * (i + 0.5) / instants;
     compare_bridges(Placement(geometry, segments[0], t), counts);
@@ -199,7 +199,7 @@ TEST(RootBridge, CostsInProportionToTheChains) {
     const Scene scene = tight_mouth({lip_points, 0.1, 6, 0, 1.2});
     const PairPlan plan = plan_pair(scene);
     const MotionSegments segments = segments_of(plan, scene.start, scene.end);
-    const PairGeometry geometry = displaced_pair(plan, true);
+    const PairGeometry geometry = displaced_pair(plan, Offset::inward);
     const Placement placement(geometry, segments[0], scene.start);
     const FreeChains chains = chains_at(placement).value();
     EXPECT_GT(chains.a.size() + chains.b.size(), static_cast<std::size_t>(lip_points) / 2);

@@ -266,8 +266,8 @@ TEST(Bridge, RunsFromTheOldPoseToTheNew) {
 /// Axis-aligned sliding is decided in doubles, by the part that is linear in the displacement.
 TEST(Stages, SlidingNeedsNoMultiPrecisionForItsSigns) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const PairGeometry g(displace(square, true, displacement_unit, 1).points,
-                       displace(square, true, displacement_unit, 2).points);
+  const PairGeometry g(displace(square, Offset::inward, displacement_unit, 1).points,
+                       displace(square, Offset::inward, displacement_unit, 2).points);
   const Scene scene = sliding_square(1);
   const MotionSegment segment = MotionSegment::motion({}, scene.bodies[1].motion.pieces[0], 0, 10);
   // P's upper edge (2 -> 3) and Q's lower left corner: on one line at all times.
@@ -313,8 +313,8 @@ TEST(Placement, SignsAgreeWithMultiPrecisionAndCountIt) {
 /// The displacement of a short edge, times a long way, may exceed what the edge rounds.
 TEST(FastFunction, BoundsCoverTheDisplacementOfShortEdges) {
   const std::vector<Point> shard{{0, 0}, {0x1p-170, 0}, {0, 0x1p-170}}, square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const PairGeometry g(displace(shard, true, displacement_unit, 1).points,
-                       displace(square, true, displacement_unit, 2).points);
+  const PairGeometry g(displace(shard, Offset::inward, displacement_unit, 1).points,
+                       displace(square, Offset::inward, displacement_unit, 2).points);
   MotionPiece way;
   way.x = {0, 0x1p100, 1};
   way.y = {0, 0x1p90, -1};

@@ -17,11 +17,11 @@ namespace {
 using Ring = std::vector<DisplacedPoint>;
 
 /// As a hole of a body, displaced: clockwise.
-Ring hole_of(std::vector<Point> polygon, bool inwards, std::uint64_t seed) {
+Ring hole_of(std::vector<Point> polygon, Offset offset, std::uint64_t seed) {
   double largest = 0;
   for (const Point& p : polygon) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
   for (Point& p : polygon) p = {p.x / largest / 2, p.y / largest / 2};
-  const SharedPolygon displaced = displaced_polygon(polygon, !inwards, seed);
+  const SharedPolygon displaced = displaced_polygon(polygon, opposite(offset), seed);
   EXPECT_FALSE(displaced->fault);
   return {displaced->points.rbegin(), displaced->points.rend()};
 }
@@ -87,7 +87,8 @@ TEST(Container, IsASimplePolygonAroundEveryHole) {
     for (const testing::Family family : testing::all_families) {
       SCOPED_TRACE(std::string(to_string(family)) + " " + std::to_string(round));
       const testing::PolygonPair pair = testing::random_pair(rng, family, round % 3 == 0);
-      for (const Polygon& polygon : {pair.p, pair.q}) expect_laws(hole_of(polygon, round % 2 == 0, rng.next()));
+      for (const Polygon& polygon : {pair.p, pair.q})
+        expect_laws(hole_of(polygon, round % 2 == 0 ? Offset::inward : Offset::outward, rng.next()));
     }
   }
 }
@@ -99,10 +100,11 @@ TEST(Container, TakesRegularShapes) {
   const Polygon needles{{0, -1}, {0x1p-20, 0},        {1, 0x1p-20}, {0x1p-20, 0x1p-19},
                         {0, 1},  {-0x1p-20, 0x1p-19}, {-1, 0},      {-0x1p-20, 0}};
   for (const Polygon& polygon : {square, beaded, diamond, needles}) {
-    for (const bool inwards : {false, true}) {
+    for (const Offset offset : {Offset::outward, Offset::inward}) {
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        SCOPED_TRACE(std::to_string(polygon.size()) + " vertices, " + (inwards ? "inwards" : "outwards"));
-        expect_laws(hole_of(polygon, inwards, seed));
+        SCOPED_TRACE(std::to_string(polygon.size()) + " vertices, " +
+                     (offset == Offset::inward ? "inwards" : "outwards"));
+        expect_laws(hole_of(polygon, offset, seed));
       }
     }
   }

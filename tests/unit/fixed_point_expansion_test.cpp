@@ -29,7 +29,7 @@ struct CurvedSetting {
     const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
     const PairPlan plan = plan_pair(scene);
     CurvedSetting s;
-    s.geometry = displaced_pair(plan, seed % 2 == 0);
+    s.geometry = displaced_pair(plan, seed % 2 == 0 ? Offset::inward : Offset::outward);
     for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
       if (!segment.bridge && !(segment.translation && segment.degree <= 1)) s.segments.push_back(segment);
     }
@@ -136,10 +136,10 @@ TEST(FixedPointExpansion, FastMotionsAndSlowOnesAreToldByTheSameStages) {
 TEST(FixedPointExpansion, TurnsTellWhetherZeroIsReached) {
   int reached = 0, missed = 0;
   for (const double height : {0.0, 0x1p-56, -0x1p-56, 0x1p-50, -0x1p-50}) {
-    for (const bool inwards : {true, false}) {
+    for (const Offset offset : {Offset::inward, Offset::outward}) {
       const Scene scene = riding(height);
       const PairPlan plan = plan_pair(scene);
-      const PairGeometry geometry = displaced_pair(plan, !inwards);
+      const PairGeometry geometry = displaced_pair(plan, opposite(offset));
       const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
       FrameExpansionCache frames;
       frames.reset(segment);

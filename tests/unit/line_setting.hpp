@@ -23,7 +23,7 @@ struct LineSetting {
     const Scene scene = random_scene(seed, all_families[seed % std::size(all_families)], options);
     const PairPlan plan = plan_pair(scene);
     LineSetting s;
-    s.geometry = displaced_pair(plan, seed % 2 == 0);
+    s.geometry = displaced_pair(plan, seed % 2 == 0 ? Offset::inward : Offset::outward);
     for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
       if (!segment.bridge) s.segment = segment;
     }

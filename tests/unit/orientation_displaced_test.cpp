@@ -22,8 +22,8 @@ TEST(Displacement, MovesEdgesToOneSide) {
       const double a = 2 * 3.14159265358979 * k / n, r = rng.real(0.3, 1);
       polygon.push_back({r * std::cos(a), r * std::sin(a)});
     }
-    for (const bool inwards : {true, false}) {
-      const auto moved = displace(polygon, inwards, delta, static_cast<std::uint64_t>(i)).points;
+    for (const Offset offset : {Offset::inward, Offset::outward}) {
+      const auto moved = displace(polygon, offset, delta, static_cast<std::uint64_t>(i)).points;
       for (int k = 0; k < n; ++k) {
         const auto at = [&](int j) { return polygon[static_cast<std::size_t>((j + n) % n)]; };
         const DisplacedPoint& m = moved[static_cast<std::size_t>(k)];
@@ -31,8 +31,8 @@ TEST(Displacement, MovesEdgesToOneSide) {
         for (const auto& [a, b] : {std::pair{at(k - 1), at(k)}, std::pair{at(k), at(k + 1)}}) {
           const double length = std::hypot(b.x - a.x, b.y - a.y);
           const double side = ((b.x - a.x) * m.dy - (b.y - a.y) * m.dx) / length / delta;
-          EXPECT_GE(inwards ? side : -side, 1.0) << n;
-          EXPECT_LE(inwards ? side : -side, 2.0) << n;
+          EXPECT_GE(offset == Offset::inward ? side : -side, 1.0) << n;
+          EXPECT_LE(offset == Offset::inward ? side : -side, 2.0) << n;
         }
       }
     }

@@ -55,7 +55,7 @@ struct Counts {
 Counts check_all(const Scene& scene) {
   Counts counts;
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, true);
+  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
   const MotionSegment segment = segments_of(plan, scene.start, scene.end).front();
   FrameExpansionCache frames;
   ExpansionCache functions;

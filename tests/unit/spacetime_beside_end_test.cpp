@@ -59,7 +59,7 @@ void compare(const PairGeometry& geometry, const MotionSegment& segment, bool at
 
 void compare(const Scene& scene, Seen& seen) {
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, false);
+  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
   for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
     for (const bool at_end : {false, true}) {
       if (segment.bridge || !segment.singular_at(at_end ? segment.end : segment.start)) continue;
@@ -101,7 +101,7 @@ TEST(CrossingsBesideEnd, TellOfContactsAtTheEnd) {
 TEST(RootsBesideAnEnd, AreSharpenedInFewSteps) {
   const Scene scene = read_scene("tests/corpus/roots_beside_an_infinite_speed.json");
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, false);
+  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
   int sharpened = 0;
   for (const MotionSegment& segment : segments_of(plan, scene.start, scene.end)) {
     if (segment.bridge || !segment.singular_at(segment.start)) continue;
@@ -144,7 +144,7 @@ Scene dip_in_the_last_double() {
 TEST(CrossingsBesideEnd, TwoInOneDoubleStayApart) {
   const Scene scene = dip_in_the_last_double();
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, false);
+  const PairGeometry geometry = displaced_pair(plan, Offset::outward);
   const MotionSegments segments = segments_of(plan, scene.start, scene.end);
   const MotionSegment& segment = segments[segments.size() - 1];
   int pairs = 0;

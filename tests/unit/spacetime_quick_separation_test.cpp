@@ -45,7 +45,7 @@ TEST(Glances, WhatTheyShowIsFree) {
     scene.end = 1;
     for (const char* name : {"a", "b"}) scene.bodies.push_back({name, star(rng), {{uniform_piece(rng)}}});
     const PairPlan plan = plan_pair(scene);
-    const PairGeometry geometry = displaced_pair(plan, rng.chance(0.5));
+    const PairGeometry geometry = displaced_pair(plan, rng.chance(0.5) ? Offset::inward : Offset::outward);
     const Hierarchy p = hierarchy_of_p(geometry), q = hierarchy_of_q(geometry);
     const double from = rng.real(0, 1), to = from + (1 - from) * rng.unit();
     const MotionSegments segments = segments_of(plan, from, to);

@@ -55,7 +55,7 @@ TEST(StageCounts, EachEngineSaysThatBodiesTouchAtAnInfiniteSpeed) {
 TEST(StageCounts, APrecisionThatTellsIsCountedAsItself) {
   const Scene scene = passing("1");
   const PairPlan plan = plan_pair(scene);
-  const PairGeometry geometry = displaced_pair(plan, true);
+  const PairGeometry geometry = displaced_pair(plan, Offset::inward);
   MotionSegment segment = MotionSegment::motion(plan.motions[0][0][0], plan.motions[1][0][0], 0, 4);
   FrameMemory memory;
   memory.reset(segment);

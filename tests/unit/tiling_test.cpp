@@ -113,7 +113,7 @@ PairGeometry two_stars(Rng& rng, std::uint32_t n, double distance) {
       const double a = 2 * 3.141592653589793 * i / n + 0.1, r = i == 0 ? 0.5 : rng.real(0.1, 0.49);
       polygon.push_back({body * distance + r * std::cos(a), r * std::sin(a)});
     }
-    stars[body] = displace(polygon, true, displacement_unit, static_cast<std::uint64_t>(body)).points;
+    stars[body] = displace(polygon, Offset::inward, displacement_unit, static_cast<std::uint64_t>(body)).points;
   }
   return {stars[0], stars[1]};
 }
@@ -186,7 +186,8 @@ TEST(FreeTriangulation, FindsOverlaps) {
 
 TEST(FreeTriangulation, FindsAPolygonInsideTheOther) {
   const auto square = [](double r) {
-    return displace(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}, true, displacement_unit, 3).points;
+    return displace(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}, Offset::inward, displacement_unit, 3)
+        .points;
   };
   const PairGeometry g(square(2), square(0.5));
   const MotionSegment segment = MotionSegment::motion({}, {}, 0, 1);

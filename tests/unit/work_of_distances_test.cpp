@@ -61,7 +61,7 @@ TEST(WorkOfAProfile, OfSliversThatTurn) { expect_profile("cosine_ends_at_a_joint
 TEST(WorkOfASearch, GivesUpWhereEdgesStayAsNear) {
   const Scene scene = in_corpus("cosine_ends_at_a_joint");
   const WorldPlan plan(scene);
-  const PairInstance search(plan, 0, 1, false);
+  const PairInstance search(plan, 0, 1, Offset::outward);
   spacetime::Nearest nearest;
   nearest.distance = INFINITY;
   const Budget limit(Limits{many_seconds});

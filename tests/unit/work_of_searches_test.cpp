@@ -70,7 +70,7 @@ std::uint64_t work_in_slices(const Scene& scene, EngineChoice engine, std::uint6
   const std::uint64_t before = work_spent();
   const WorldPlan plan(scene);
   EventBudget budget(UINT64_MAX);
-  const auto solver = pair_solver({engine}, plan, 0, 1, true, budget);
+  const auto solver = pair_solver({engine}, plan, 0, 1, Offset::inward, budget);
   for (std::uint64_t effort = first; !solver->work(scene.start, scene.end, effort);) effort += effort / 8;
   return work_spent() - before;
 }

@@ -38,7 +38,8 @@ TEST(WorldEngines, PairsInTurnsKnowTheirBodiesBeforeTheStartIsAsked) {
   const WorldPlan plan(scene);
   for (const std::uint64_t first_slice : {0, 8192}) {
     EventBudget budget(UINT64_MAX);
-    const std::unique_ptr<PairSolver> pair = pair_solver({EngineChoice::either, first_slice}, plan, 1, 2, true, budget);
+    const std::unique_ptr<PairSolver> pair =
+        pair_solver({EngineChoice::either, first_slice}, plan, 1, 2, Offset::inward, budget);
     EXPECT_EQ(pair->result().a, 1);
     EXPECT_EQ(pair->result().b, 2);
     pair->ask(2, 10);
