@@ -94,7 +94,7 @@ struct Skipped {
   bool unread = false;  ///< it was to be seen in the drawing, and may have been meant as a part of a body
   int times = 1;
   std::vector<LostShape> shapes = {};  ///< of all of its kind and layer
-  std::string remedy = {};             ///< of what changes shapes, and is none itself
+  std::string remedy = {};             ///< of what changes shapes that are read: it is an error in any case
 };
 
 /// A curve that a scene can have, and the points that stand for it between its ends; at least one.

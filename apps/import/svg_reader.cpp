@@ -305,7 +305,7 @@ class SvgReader {
            *height == "100%";
   }
 
-  /// What is in part beyond a frame is told: its whole is taken.
+  /// What is in part beyond a frame is an error, or its whole is taken.
   bool is_beyond_frames(const XmlElement& element, const Surroundings& s, const std::vector<Chain>& chains) {
     for (const Frame& frame : s.frames) {
       const Beyond beyond = beyond_frame(chains, frame);
@@ -313,8 +313,18 @@ class SvgReader {
         drawing_.skip(element.place, "<" + element.name + ">", "lies beyond the frame at " + frame.place);
         return true;
       }
-      if (beyond == Beyond::part)
-        unread(element, "reaches beyond the frame at " + frame.place + ", which hides a part of it: it is taken whole");
+      if (beyond == Beyond::part) {
+        const std::string reason = "reaches beyond the frame at " + frame.place + ", which hides a part of it";
+        drawing_.skip({element.place,
+                       "<" + element.name + ">",
+                       reason,
+                       "",
+                       "",
+                       true,
+                       1,
+                       {{element.place, chains.front().points}},
+                       "cut it off there, or give the frame overflow=\"visible\""});
+      }
     }
     return false;
   }

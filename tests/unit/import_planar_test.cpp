@@ -7,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/text_file.hpp"
 #include "support/drawings.hpp"
 #include "taut/error.hpp"
 
@@ -57,10 +56,6 @@ TEST(ImportPlanar, ReadsWhatWasReported) {
     expect_totals(import, r.area, r.parts, r.holes, r.within);
     EXPECT_EQ(import.bodies.size(), r.bodies);
   }
-  std::string gap = internal::io::read_text_file((folder / "gap_outline.svg").string(), 10000);
-  EXPECT_TRUE(examine(gap, "gap.svg").bodies.empty()) << "it has neither fills nor strokes";
-  gap.insert(gap.find("fill:none"), "stroke:red;");
-  expect_totals(examine(gap, "gap.svg"), 6400, 1, 1, 0.1);
   const Import latin = drawing::examine_files({(folder / "latin1_layers.dxf").string()}, {});
   EXPECT_EQ(latin.bodies.at(0).name,
             "pi\xC3\xA8"

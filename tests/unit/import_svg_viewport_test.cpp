@@ -67,6 +67,18 @@ TEST(ImportSvgPaint, SaysHowToShowWhatIsInvisible) {
   EXPECT_EQ(import.files[0].skipped[1].times, 2);
 }
 
+/// An outline with a gap of 0.0006 and its hole, as they were reported.
+TEST(ImportSvgPaint, ReadsWhatGetsAStroke) {
+  const auto read = [](const std::string& stroke) {
+    return svg_of("width='100mm' height='100mm' viewBox='0 0 100 100'",
+                  "<g style='fill:none" + stroke + "'><path d='M 0 0 H 100 V 100 H 0 L 0.0003 0.0005'/>" +
+                      "<rect x='20' y='20' width='60' height='60'/></g>");
+  };
+  EXPECT_TRUE(read("").bodies.empty());
+  EXPECT_NEAR(totals_of(read(";stroke:red")).area, 6400, 0.1);
+  EXPECT_EQ(totals_of(read(";stroke:red")).holes, 1u);
+}
+
 TEST(ImportSvgViewport, FitsPages) {
   const char* const rect = "<rect width='10' height='20'/>";
   for (const Expected& e : std::vector<Expected>{
@@ -146,17 +158,27 @@ TEST(ImportSvgViewport, PlacesDrawingsInDrawingsAndSymbols) {
   EXPECT_EQ(totals_of(lines).holes, 1u);
 }
 
-TEST(ImportSvgViewport, SaysWhatFramesHide) {
-  const auto report = [](const std::string& frame) {
-    const Import import = svg_of("viewBox='0 0 100 100'", "<rect x='50' width='9' height='9'/><svg " + frame +
-                                                              "><rect width='9' height='9'/></svg>");
-    return report_text(import, {});
+TEST(ImportSvgViewport, RefusesWhatFramesHideInPart) {
+  const auto read = [](const std::string& frame, drawing::OpenRings open = drawing::OpenRings::error) {
+    drawing::ImportSettings settings;
+    settings.open = open;
+    return examine("<svg viewBox='0 0 100 100'><rect x='50' width='9' height='9'/><svg " + frame +
+                       "><rect width='9' height='9'/></svg></svg>",
+                   "d.svg", settings);
   };
-  EXPECT_NE(report("width='5' height='5'").find("reaches beyond the frame at d.svg:1:"), std::string::npos);
-  EXPECT_NE(report("width='5' height='5' viewBox='20 20 3 3'").find("lies beyond the frame"), std::string::npos);
-  for (const char* whole :
+  const Import part = read("width='5' height='5'");
+  ASSERT_EQ(part.faults.size(), 1u);
+  EXPECT_NE(part.faults[0].problem().find("reaches beyond the frame at d.svg:1:"), std::string::npos);
+  EXPECT_NE(part.faults[0].hint().find("overflow"), std::string::npos);
+  const Import whole = read("width='5' height='5'", drawing::OpenRings::skip);
+  EXPECT_TRUE(whole.faults.empty());
+  EXPECT_EQ(totals_of(whole).area, 162);
+  const Import hidden = read("width='5' height='5' viewBox='20 20 3 3'");
+  EXPECT_TRUE(hidden.faults.empty());
+  EXPECT_EQ(totals_of(hidden).area, 81);
+  for (const char* seen :
        {"width='9' height='9'", "width='5' height='5' overflow='visible'", "width='5' height='5' viewBox='0 0 9 9'"})
-    EXPECT_EQ(report(whole).find("frame"), std::string::npos) << whole;
+    EXPECT_TRUE(read(seen).files[0].skipped.empty()) << seen;
 }
 
 }  // namespace
