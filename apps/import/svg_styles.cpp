@@ -97,9 +97,11 @@ Medium medium_of(const std::string& query) {
   each_piece(query, ',', [&](const std::string& piece) {
     std::string word = in_lower_case(piece);
     if (word.starts_with("only ")) word = trimmed_text(word.substr(5));
-    if (word == "screen" || word == "all")
+    std::erase_if(word, [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; });
+    // Pages are light where nothing else is said.
+    if (word == "screen" || word == "all" || word == "(prefers-color-scheme:light)")
       screen = true;
-    else if (word != "print" && word != "speech")
+    else if (word != "print" && word != "speech" && word != "(prefers-color-scheme:dark)")
       unknown = true;
   });
   if (trimmed_text(query).empty() || screen) return Medium::screen;

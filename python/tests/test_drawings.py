@@ -43,7 +43,7 @@ def test_an_outline_that_stays_open_is_a_fault(tmp_path):
 
 def test_layers_and_words(tmp_path):
     file = tmp_path / "layers.svg"
-    file.write_text('<svg><g id="a" fill="none" stroke="black"><rect width="9" height="9"/></g><g id="b" fill="none" stroke="black">'
+    file.write_text('<svg fill="none" stroke="black"><g id="a"><rect width="9" height="9"/></g><g id="b">'
                     '<rect x="2" y="2" width="2" height="2"/></g></svg>')
     assert taut2d.read_drawing(file).area == pytest.approx(77)
     assert "1 contour is a hole" in taut2d.read_drawing(file).files[0].notes[0]
@@ -56,3 +56,16 @@ def test_layers_and_words(tmp_path):
             taut2d.read_drawing(file, **wrong)
     with pytest.raises(InputError, match="missing.svg"):
         taut2d.read_drawing(tmp_path / "missing.svg")
+
+
+def test_drills_and_overlaps(tmp_path):
+    board = tmp_path / "b.kicad_pcb"
+    board.write_text("(kicad_pcb (gr_rect (start 0 0) (end 9 9) (layer Edge.Cuts)) (via (at 3 3) (drill 1)))")
+    assert taut2d.read_drawing(board).bodies[0].holes == 0
+    assert taut2d.read_drawing(board, drills=1).bodies[0].holes == 1
+    with pytest.raises(taut2d.InputError):
+        taut2d.read_drawing(board, drills=-1)
+    squares = tmp_path / "s.wkt"
+    squares.write_text("POLYGON((0 0,4 0,4 4,0 4)) POLYGON((2 2,5 2,5 5,2 5))")
+    body = taut2d.read_drawing(squares).bodies[0]
+    assert (body.area, body.overlap) == (21, 4)

@@ -117,6 +117,8 @@ TEST(ImportCss, ObeysSelectorsOfAllKinds) {
   EXPECT_EQ(totals_of(plate_with("g .cut{display:none}circle{display:inline}")).parts, 1u);
   EXPECT_EQ(totals_of(plate_with("@media screen{#p" + lines + "}")).holes, 1u);
   EXPECT_EQ(totals_of(plate_with("@media print{#p{display:none}}")).parts, 2u);
+  EXPECT_EQ(totals_of(plate_with("@media (prefers-color-scheme: dark){#p{display:none}}")).parts, 2u);
+  EXPECT_EQ(totals_of(plate_with("@media (prefers-color-scheme: light){#p" + lines + "}")).holes, 1u);
   EXPECT_EQ(totals_of(plate_with("#p{display:none}", "<style media='print'>")).parts, 2u);
 }
 
