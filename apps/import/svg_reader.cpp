@@ -119,8 +119,10 @@ class SvgReader {
   void open(std::size_t node) {
     const XmlElement& element = xml_.element(node);
     const Surroundings& around = open_.back().around;
-    if (element.name == "g" || element.name == "a" || element.name == "switch") {
+    if (element.name == "g" || element.name == "a") {
       open_.push_back({node + 1, xml_.end(node), inside(node, around, true)});
+    } else if (element.name == "switch") {
+      open_switch(node);
     } else if (is_svg_shape(element.name)) {
       read_shape(element, inside(node, around, false));
     } else if (element.name == "svg") {
@@ -153,6 +155,26 @@ class SvgReader {
     root = inside(0, root, true);
     root.layer = -1;
     open_.back().around = std::move(root);
+  }
+
+  /// The first of the alternatives that needs no extension; of languages, English.
+  void open_switch(std::size_t node) {
+    const auto suits = [this](std::size_t child) {
+      const std::string* extensions = xml_.element(child).find("requiredExtensions");
+      const std::string* languages = xml_.element(child).find("systemLanguage");
+      return (!extensions || extensions->empty()) && (!languages || languages->find("en") != std::string::npos);
+    };
+    const Surroundings around = inside(node, open_.back().around, true);
+    bool chosen = false;
+    for (std::size_t child = node + 1; child < xml_.end(node); child = xml_.end(child)) {
+      const XmlElement& element = xml_.element(child);
+      if (!chosen && suits(child)) {
+        chosen = true;
+        open_.push_back({child, xml_.end(child), around});
+      } else {
+        drawing_.skip(element.place, "<" + io::excerpt(element.name, 30) + ">", "is another alternative of a <switch>");
+      }
+    }
   }
 
   /// What a <use> stands for, as if it were within it.

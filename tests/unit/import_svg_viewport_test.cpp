@@ -67,6 +67,19 @@ TEST(ImportSvgPaint, SaysHowToShowWhatIsInvisible) {
   EXPECT_EQ(import.files[0].skipped[1].times, 2);
 }
 
+TEST(ImportSvgPaint, TakesOneAlternativeOfASwitch) {
+  const auto area = [](const std::string& first) {
+    return totals_of(svg_of("", "<switch>" + first +
+                                    "<g><rect width='9' height='9'/></g><g><rect width='3' "
+                                    "height='3' x='20'/></g></switch>"))
+        .area;
+  };
+  EXPECT_EQ(area(""), 81);
+  EXPECT_EQ(area("<foreignObject requiredExtensions='http://a.b/'/>"), 81);
+  EXPECT_EQ(area("<rect systemLanguage='de' width='5' height='5'/>"), 81);
+  EXPECT_EQ(area("<rect systemLanguage='en-GB, de' width='5' height='5'/>"), 25);
+}
+
 /// An outline with a gap of 0.0006 and its hole, as they were reported.
 TEST(ImportSvgPaint, ReadsWhatGetsAStroke) {
   const auto read = [](const std::string& stroke) {
