@@ -94,7 +94,7 @@ Path rotation(const Rotation& rotation, double t, double r) {
 }
 
 Path position(const MotionPiece& piece, double t, double r) {
-  const Expansion x(piece.x, t, r), y(piece.y, t, r);
+  const Expansion x(piece.x, t - piece.origin, r), y(piece.y, t - piece.origin, r);
   return {x.f, y.f, x.rest + y.rest};
 }
 
@@ -118,7 +118,7 @@ struct Interval {
 
   Interval(const MotionPiece& p, const MotionPiece& q, double start, double end, double size)
       : middle(start + (end - start) / 2), r((end - start) / 2) {
-    const Path xp = rotation(p.rotation, middle, r), xq = rotation(q.rotation, middle, r);
+    const Path xp = rotation(p.rotation, middle - p.origin, r), xq = rotation(q.rotation, middle - q.origin, r);
     const Path way = position(q, middle, r) - position(p, middle, r);
     side[0] = {product(conj(xp), way, r), product(conj(xp), xq, r)};
     side[1] = {-product(conj(xq), way, r), conj(side[0].turn)};

@@ -121,11 +121,14 @@ void add_joint(Rng& rng, Scene& scene) {
   std::size_t k = 0;
   while (k + 1 < pieces.size() && pieces[k].until <= t) ++k;
   MotionPiece after = pieces[k];
+  const bool since_joint = rng.below(2);
+  const double since = since_joint ? 0 : t - after.origin;
   for (Coefficients* c : polynomials(after)) {
-    if (rng.below(2)) continue;
+    if (!since_joint && rng.below(2)) continue;
     const double slope = rng.below(2) ? 0 : rng.real(-2, 2) * extent(body.polygon) / (scene.end - scene.start);
-    *c = {value(*c, t) - slope * t, slope};
+    *c = {value(*c, t - after.origin) - slope * since, slope};
   }
+  if (since_joint) after.origin = t;
   pieces[k].until = t;
   pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, after);
 }

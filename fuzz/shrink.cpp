@@ -37,6 +37,7 @@ std::vector<double*> numbers(Scene& scene) {
     }
     for (MotionPiece& piece : body.motion.pieces) {
       if (std::isfinite(piece.until)) all.push_back(&piece.until);
+      all.push_back(&piece.origin);
     }
   }
   for (Coefficients* c : polynomials(scene)) {

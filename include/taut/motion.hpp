@@ -9,7 +9,8 @@
 
 namespace taut {
 
-/// Coefficients of a polynomial in the absolute time t, in ascending powers. Empty means zero.
+/// Coefficients of a polynomial in the time since the piece's origin, t - origin, in ascending powers. Empty means
+/// zero.
 using Coefficients = std::vector<double>;
 
 /// x(t) = (1, 0): the body keeps its orientation.
@@ -54,6 +55,10 @@ struct MotionPiece {
   /// Empty angle: none. Else the pivot is at centre + e (o(t) + c - centre), where e is the unit vector of that angle;
   /// the body's own rotation stays what `rotation` says. The centre is in the coordinates in which the motion is seen.
   Orbit orbit = {};
+  /// The instant from which the piece's polynomials count time: by default 0, so that they are polynomials in t itself.
+  /// The difference t - origin is never rounded. With an origin nearby, coefficients are as small as the motion itself,
+  /// however late it takes place.
+  double origin = 0;
 };
 
 /// Pieces in order of time; piece k holds on [until of k-1, until of k). No piece at all: the body rests at its

@@ -238,7 +238,8 @@ Rotation = Union[Angle, Direction, HalfAngleTangent, Cosine]
 class Polynomial:
     """The body is moved by (x(t), y(t)) and turned by ``rotation`` about ``pivot``, a point of its own.
 
-    ``x`` and ``y`` are coefficients in ascending powers of the absolute time t, of degree at most 16; empty is zero.
+    ``x`` and ``y`` are coefficients in ascending powers of t - ``origin``, of degree at most 16; empty is zero. So are
+    those of ``rotation``. With an origin nearby, coefficients are as small as the motion, however late it takes place.
     ``until`` is the time at which the next piece of Pieces takes over; None for the last one, or for a single one.
     """
 
@@ -247,13 +248,14 @@ class Polynomial:
     rotation: Optional[Rotation] = None
     pivot: Optional[Point] = None
     until: Optional[float] = None
+    origin: float = 0.0
 
     def __post_init__(self) -> None:
         if self.rotation is not None and not isinstance(self.rotation, (Angle, Direction, HalfAngleTangent, Cosine)):
             raise InputError("rotation", f"expected a rotation, found {type(self.rotation).__name__}",
                              "write Angle(...), Direction(...), HalfAngleTangent(...) or Cosine(...)")
         _set(self, x=numbers(self.x, "x"), y=numbers(self.y, "y"), pivot=_pivot(self.pivot),
-             until=None if self.until is None else number(self.until, "until"))
+             until=None if self.until is None else number(self.until, "until"), origin=number(self.origin, "origin"))
 
     def _json(self) -> dict[str, Any]:
         object: dict[str, Any] = {"x": list(self.x), "y": list(self.y)}
@@ -262,12 +264,14 @@ class Polynomial:
         object.update(_pivot_json(self.pivot))
         if self.until is not None:
             object["until"] = self.until
+        if self.origin != 0:
+            object["origin"] = self.origin
         return object
 
 
 @dataclass(frozen=True)
 class Pieces:
-    """Polynomials one after the other, each until its ``until``. Time is absolute throughout."""
+    """Polynomials one after the other, each until its ``until``, an instant of the scene's time."""
 
     pieces: Sequence[Polynomial]
 

@@ -162,7 +162,7 @@ class Simulation:
     def set_motion(self, name: str, motion: Optional[Motion]) -> None:
         """Replaces a body's motion from ``time`` on; None: it rests at its own coordinates.
 
-        The new motion is in absolute time, like the old one, and must have the body, at ``time``, where it is: a gap that
+        The new motion is in the scene's time, like the old one, and must have the body, at ``time``, where it is: a gap that
         rounding leaves is bridged, a larger jump is an InputError and changes nothing. Events that nearly coincide with
         the last one are processed first; if one of them is the contact, it stays the answer. In a world the motion is seen
         from the body's parent, and what is seen from the body moves with it. Raises UndecidedError if the

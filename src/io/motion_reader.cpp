@@ -55,7 +55,7 @@ Rotation read_rotation(const JsonDocument& document, std::size_t token, const st
 }
 
 const char* const motion_shape = R"(a motion as {"x":[c0,c1,...],"y":[c0,...],"rotation":{"angle":[a0,a1,...]}})";
-const std::vector<std::string> piece_keys = {"x", "y", "rotation", "until", "pivot", "orbit"};
+const std::vector<std::string> piece_keys = {"x", "y", "rotation", "until", "pivot", "origin", "orbit"};
 const std::vector<std::string> form_keys = {"keyframes", "csv", "velocity", "spin_deg", "sweep"};
 
 Point read_pair(const JsonDocument& document, std::size_t token, const std::string& path) {
@@ -86,6 +86,7 @@ MotionPiece read_piece(const JsonDocument& document, std::size_t token, const st
   if (const auto x = object.find("x")) piece.x = read_coefficients(document, *x, object.path("x"));
   if (const auto y = object.find("y")) piece.y = read_coefficients(document, *y, object.path("y"));
   if (const auto r = object.find("rotation")) piece.rotation = read_rotation(document, *r, object.path("rotation"));
+  if (const auto origin = object.find("origin")) piece.origin = read_number(document, *origin, object.path("origin"));
   if (const auto orbit = object.find("orbit")) piece.orbit = read_orbit(document, *orbit, object.path("orbit"));
   if (const auto until = object.find("until")) piece.until = read_number(document, *until, object.path("until"));
   return piece;

@@ -39,6 +39,7 @@ std::string piece_text(const MotionPiece& piece) {
     const std::string centre = io::point_text(piece.orbit.centre);
     member("orbit", "{\"center\":" + centre + ",\"angle\":" + io::array_text(piece.orbit.angle) + "}");
   }
+  if (piece.origin != 0) member("origin", io::number_text(piece.origin));
   if (piece.pivot != Point{}) member("pivot", io::point_text(piece.pivot));
   if (piece.until != std::numeric_limits<double>::infinity()) member("until", io::number_text(piece.until));
   return "{" + s + "}";

@@ -101,7 +101,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   if (!(gap <= joint_room(from, to, bounds, now, extent))) {
     throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
-                     "coefficients are in powers of the absolute time t");
+                     "coefficients are in powers of t, or of t - origin where the piece has an origin");
   }
   plan_.motions[k] = {fresh};
   MotionSegments segments = segments_of(plan_, now, end_);

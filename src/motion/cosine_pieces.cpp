@@ -12,13 +12,13 @@ namespace {
 /// its degree: there it is evaluated exactly.
 class ExactPolynomial {
  public:
-  explicit ExactPolynomial(const Coefficients& c) : near_(c) {
+  ExactPolynomial(const Coefficients& c, double origin) : near_(c), origin_(origin) {
     for (const double x : c) exact_.push_back(Dyadic::exact(x));
   }
 
   std::size_t degree() const { return exact_.size() - 1; }
   ExactPolynomial derivative() const {
-    ExactPolynomial d({});
+    ExactPolynomial d({}, origin_);
     for (std::size_t k = 1; k < exact_.size(); ++k) {
       d.exact_.push_back(exact_[k] * Dyadic(static_cast<std::int64_t>(k), 0));
       d.near_.push_back(near_[k] * static_cast<double>(k));
@@ -34,19 +34,20 @@ class ExactPolynomial {
 
   double near(double t) const {
     double v = 0;
-    for (std::size_t k = near_.size(); k-- > 0;) v = v * t + near_[k];
+    const double since = t - origin_;
+    for (std::size_t k = near_.size(); k-- > 0;) v = v * since + near_[k];
     return v;
   }
   Dyadic operator()(double t) const {
     Dyadic v;
-    const Dyadic at = Dyadic::exact(t);
+    const Dyadic at = Dyadic::exact(t) - Dyadic::exact(origin_);
     for (std::size_t k = exact_.size(); k-- > 0;) v = v * at + exact_[k];
     return v;
   }
   bool negative(double t) const {
     double size = 0;
-    for (std::size_t k = near_.size(); k-- > 0;) size = size * std::fabs(t) + std::fabs(near_[k]);
-    // Each coefficient was rounded for each derivative, and each step twice.
+    for (std::size_t k = near_.size(); k-- > 0;) size = size * std::fabs(t - origin_) + std::fabs(near_[k]);
+    // Each coefficient was rounded for each derivative, the time once, and each step twice.
     const double roundings = 4.0 * (static_cast<double>(near_.size()) + max_degree);
     const double error = roundings * 0x1p-53 * size + 0x1p-1000, v = near(t);
     return std::fabs(v) > error ? v < 0 : (*this)(t).sign() < 0;
@@ -55,6 +56,7 @@ class ExactPolynomial {
  private:
   std::vector<Dyadic> exact_;
   Coefficients near_;
+  double origin_;
 };
 
 /// The first doubles from which on the polynomial has another sign, in [from, to], between the places where its
@@ -153,7 +155,7 @@ Rotation at_rest(double cosine) { return DirectionRotation{{cosine > 0 ? 1.0 : -
 std::vector<MotionPiece> cut_at_extremes(const MotionPiece& piece, double from, double to) {
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine || cosine->a.empty() || !(from <= to)) return {piece};
-  const ExactPolynomial a(cosine->a);
+  const ExactPolynomial a(cosine->a, piece.origin);
   std::vector<double> cuts = extremes(a, from, to);
   cuts.push_back(piece.until);
   std::vector<MotionPiece> pieces;

@@ -41,6 +41,12 @@ BallCoefficients<Real> LocalPolynomials::Known::rounded() const {
   }
 }
 
+LocalPolynomials::Known LocalPolynomials::Known::angle(DyadicPolynomial exact) {
+  Known known(std::move(exact));
+  known.take_off_turns();
+  return known;
+}
+
 /// Where the angle itself is large, doubles hold little of what it is beside whole turns.
 void LocalPolynomials::Known::take_off_turns() {
   if (near_.empty() || !(near_[0].magnitude() > most_left_alone && near_[0].magnitude() < 0x1p300)) return;
@@ -50,33 +56,30 @@ void LocalPolynomials::Known::take_off_turns() {
   near_.p[0] = narrowed<double>(angle - turns * Ball<RealMax>(turn, 8 * unit_roundoff<RealMax>()));
 }
 
-DyadicPolynomial LocalPolynomials::exact(const Coefficients& given) const {
+DyadicPolynomial LocalPolynomials::exact(const Coefficients& given, double origin) const {
   DyadicPolynomial c;
   for (const double x : given) c.push_back(Dyadic::exact(x));
-  const Dyadic at = Dyadic::exact(about_);
-  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
-    for (std::size_t i = c.size() - 1; i-- > k;) c[i] = c[i] + c[i + 1] * at;
-  }
+  c = expanded_about(std::move(c), Dyadic::exact(about_) - Dyadic::exact(origin));
   trim(c);
   return c;
 }
 
-const LocalPolynomials::Known& LocalPolynomials::find(const Coefficients& given, bool angle) const {
-  const auto same = [&](const Entry& e) { return e.angle == angle && e.given == given; };
+const LocalPolynomials::Known& LocalPolynomials::find(const Coefficients& given, double origin, bool angle) const {
+  const auto same = [&](const Entry& e) { return e.angle == angle && e.origin == origin && e.given == given; };
   const auto found = std::find_if(entries_.begin(), entries_.end(), same);
   if (found != entries_.end()) return found->known;
-  Entry& made = entries_.emplace_front(Entry{given, angle, Known(exact(given))});
-  if (angle) made.known.take_off_turns();
-  return made.known;
+  DyadicPolynomial made = exact(given, origin);
+  Known known = angle ? Known::angle(std::move(made)) : Known(std::move(made));
+  return entries_.emplace_front(Entry{given, origin, angle, std::move(known)}).known;
 }
 
 template <class Real>
-BallCoefficients<Real> LocalPolynomials::of(const Coefficients& given, bool angle) const {
-  return find(given, angle).template rounded<Real>();
+BallCoefficients<Real> LocalPolynomials::of(const Coefficients& given, double origin, bool angle) const {
+  return find(given, origin, angle).template rounded<Real>();
 }
 #define TAUT_INSTANTIATE(Real)                                                    \
   template BallCoefficients<Real> LocalPolynomials::Known::rounded<Real>() const; \
-  template BallCoefficients<Real> LocalPolynomials::of<Real>(const Coefficients&, bool) const;
+  template BallCoefficients<Real> LocalPolynomials::of<Real>(const Coefficients&, double, bool) const;
 TAUT_INSTANTIATE(double)
 TAUT_FOR_EACH_PRECISION(TAUT_INSTANTIATE)
 #undef TAUT_INSTANTIATE

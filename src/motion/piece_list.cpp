@@ -33,6 +33,10 @@ void PieceList::Packed::add(const MotionPiece& piece) {
     place.pivot = true;
     put({piece.pivot.x, piece.pivot.y});
   }
+  if (piece.origin != 0) {
+    place.origin = true;
+    put({piece.origin});
+  }
   place.orbit = put(piece.orbit.angle);
   if (place.orbit > 0) put({piece.orbit.centre.x, piece.orbit.centre.y});
   places.push_back(place);
@@ -106,6 +110,7 @@ MotionPiece PieceList::operator[](std::size_t k) const {
       break;
   }
   if (place.pivot) piece.pivot = take_point();
+  if (place.origin) piece.origin = *next++;
   piece.orbit.angle = take(place.orbit);
   if (place.orbit > 0) piece.orbit.centre = take_point();
   return piece;

@@ -49,7 +49,8 @@ class PieceList {
     std::uint8_t a = 0, b = 0;  ///< of the rotation's polynomials
     std::uint8_t orbit = 0;
     CertificateFunction form = CertificateFunction::none;
-    bool pivot = false;  ///< not the origin
+    bool pivot = false;   ///< not (0, 0)
+    bool origin = false;  ///< not 0
   };
   struct Packed {
     std::vector<Place> places;

@@ -13,12 +13,14 @@ void drop_last_zeros(Coefficients& c) {
   while (!c.empty() && c.back() == 0) c.pop_back();
 }
 
-/// The same piece without zeros at the end of polynomials, so that equal motions look alike.
+/// The same piece without zeros at the end of polynomials, and without an origin of constants, so that equal motions
+/// look alike.
 MotionPiece without_last_zeros(MotionPiece piece) {
   drop_last_zeros(piece.x);
   drop_last_zeros(piece.y);
   drop_last_zeros(piece.orbit.angle);
   for_each_polynomial(piece.rotation, drop_last_zeros);
+  if (!varies(piece)) piece.origin = 0;
   return piece;
 }
 
@@ -75,6 +77,10 @@ const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t) {
   return pieces.back();
 }
 
+bool varies(const MotionPiece& piece) {
+  return piece.x.size() > 1 || piece.y.size() > 1 || piece.orbit.angle.size() > 1 || varies(piece.rotation);
+}
+
 MotionPiece scaled(MotionPiece piece, int exponent) {
   for (double& c : piece.x) c = std::ldexp(c, exponent);
   for (double& c : piece.y) c = std::ldexp(c, exponent);
@@ -83,8 +89,9 @@ MotionPiece scaled(MotionPiece piece, int exponent) {
 }
 
 bool same_motion(const MotionPiece& a, const MotionPiece& b) {
-  return a.x == b.x && a.y == b.y && same_rotation(a.rotation, b.rotation) && pivot_of(a) == pivot_of(b) &&
-         a.orbit.angle == b.orbit.angle && (!orbits(a) || a.orbit.centre == b.orbit.centre);
+  return a.x == b.x && a.y == b.y && a.origin == b.origin && same_rotation(a.rotation, b.rotation) &&
+         pivot_of(a) == pivot_of(b) && a.orbit.angle == b.orbit.angle &&
+         (!orbits(a) || a.orbit.centre == b.orbit.centre);
 }
 
 double joint_gap(const MotionPiece& before, const MotionPiece& after, const Bounds& polygon, double t) {
@@ -113,6 +120,7 @@ double magnitude_of(const MotionPiece& piece, const Bounds& polygon, double t) {
   const Point c = pivot_of(piece);
   const double turned = std::max(std::fabs(polygon.lo.x), std::fabs(polygon.hi.x)) +
                         std::max(std::fabs(polygon.lo.y), std::fabs(polygon.hi.y)) + std::fabs(c.x) + std::fabs(c.y);
+  t -= piece.origin;
   const auto* angle = std::get_if<AngleRotation>(&piece.rotation);
   const double turn = angle ? magnitude_of(angle->angle, t) : 0;
   const double moved = magnitude_of(piece.x, t) + magnitude_of(piece.y, t);

@@ -11,7 +11,8 @@
 namespace taut::internal {
 
 /// The pieces of a motion that matter on [start, end], at least one; the last one's `until` is infinite.
-/// Their polynomials have no zeros at the end.
+/// Their polynomials have no zeros at the end, and
+/// where all of them are constant, the origin is 0.
 std::vector<MotionPiece> given_pieces_between(const Motion& motion, double start, double end);
 
 /// Calls visit(piece) for each of them, cut where a cosine reaches 1 or -1; the last one's `until` is infinite.
@@ -23,10 +24,14 @@ std::vector<MotionPiece> pieces_between(const Motion& motion, double start, doub
 /// The piece that holds at t.
 const MotionPiece& piece_at(const std::vector<MotionPiece>& pieces, double t);
 
+/// Does the body move, as far as the polynomials show it? Those of a piece that varies have an origin.
+bool varies(const MotionPiece& piece);
+
 /// The same motion in coordinates multiplied by 2^exponent (exact).
 MotionPiece scaled(MotionPiece piece, int exponent);
 
-/// Pieces are equal if the same coefficients give them; `until` does not count.
+/// Pieces are equal if the same coefficients about the same origin give them; `until` does not count. The same function
+/// in powers of the times since two origins counts as two motions, with a bridge between them.
 bool same_motion(const MotionPiece& a, const MotionPiece& b);
 
 /// Throws InputError unless the motion is well defined on [start, end] (pieces in order and covering the interval,

@@ -16,12 +16,15 @@ struct SearchExhausted {};
 /// Of intervals that one search looks at. A polynomial of degree 16 that is bounded by 1 needs a few hundred.
 inline constexpr int most_intervals = 1 << 15;
 
+/// Polynomials are in powers of t - origin.
+///
 /// An instant of [start, end] at which both polynomials are zero, or cannot be told from zero in 960 bits.
-std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double start, double end,
+std::optional<double> common_zero(const Coefficients& a, const Coefficients& b, double origin, double start, double end,
                                   int most = most_intervals);
 
 /// An instant of [start, end] at which |a| is more than 1 + cosine_excess, less 2^-60 of that: without such a margin,
 /// one that just reaches the bound would be looked at for ever.
-std::optional<double> beyond_one(const Coefficients& a, double start, double end, int most = most_intervals);
+std::optional<double> beyond_one(const Coefficients& a, double origin, double start, double end,
+                                 int most = most_intervals);
 
 }  // namespace taut::internal

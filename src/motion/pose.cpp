@@ -4,6 +4,12 @@
 
 namespace taut::internal {
 
+bool varies(const Rotation& rotation) {
+  bool varies = false;
+  for_each_polynomial(rotation, [&](const Coefficients& c) { varies = varies || c.size() > 1; });
+  return varies;
+}
+
 bool same_rotation(const Rotation& a, const Rotation& b) {
   std::vector<const Coefficients*> of_a, of_b;
   for_each_polynomial(a, [&](const Coefficients& c) { of_a.push_back(&c); });
@@ -12,19 +18,16 @@ bool same_rotation(const Rotation& a, const Rotation& b) {
                                               [](const auto* x, const auto* y) { return *x == *y; });
 }
 
-std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end) {
+std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double origin, double end) {
   if (rotation.a.size() < 2) return std::nullopt;
   double about = 0;
-  for (std::size_t k = rotation.a.size(); k-- > 0;) about = about * end + rotation.a[k];
+  for (std::size_t k = rotation.a.size(); k-- > 0;) about = about * (end - origin) + rotation.a[k];
   const double extreme = about > 0 ? 1 : -1;
   if (!(std::fabs(about - extreme) < 0x1p-10)) return std::nullopt;
   // The coefficients about the end, exactly.
   DyadicPolynomial c;
-  const Dyadic at = Dyadic::exact(end);
   for (const double x : rotation.a) c.push_back(Dyadic::exact(x));
-  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
-    for (std::size_t i = c.size() - 1; i-- > k;) c[i] = c[i] + c[i + 1] * at;
-  }
+  c = expanded_about(std::move(c), Dyadic::exact(end) - Dyadic::exact(origin));
   c[0] = c[0] - Dyadic::exact(extreme);
   SingularCosine cosine{end, extreme, 0, {}};
   while (cosine.order < c.size() && c[cosine.order].is_zero()) ++cosine.order;

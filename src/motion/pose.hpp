@@ -45,7 +45,7 @@ struct SingularCosine {
   std::vector<Ball<RealMax>> rest;
 };
 /// Nothing if the cosine is not about 1 or -1 there, or always is.
-std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double end);
+std::optional<SingularCosine> singular_at(const CosineRotation& rotation, double origin, double end);
 
 /// Its rest, rounded to a precision.
 template <class Real>
@@ -121,7 +121,7 @@ J change_of_cosine(const Coefficients& a, const Time& t) {
 }
 
 /// x(t) of a rotation; J is Jet<Real>, Series<Real, N> or Symbolic, and the time LocalTime, TimeFromEnd or
-/// SymbolicTime.
+/// SymbolicTime, since the rotation's origin.
 template <class J, class Time>
 void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
   std::visit(Overloaded{[&](const NoRotation&) {
@@ -152,13 +152,20 @@ void rotation_jet(const Rotation& rotation, const Time& t, J& xx, J& xy) {
              rotation);
 }
 
+/// x(t) of a piece.
+template <class J, class Time>
+void rotation_jet(const MotionPiece& piece, const Time& t, J& xx, J& xy) {
+  rotation_jet(piece.rotation, since_origin(t, piece.origin), xx, xy);
+}
+
 inline bool turns(const MotionPiece& piece) { return !std::holds_alternative<NoRotation>(piece.rotation); }
 inline bool orbits(const MotionPiece& piece) { return !piece.orbit.angle.empty(); }
 
 /// What the body turns about, or what of it orbits; (0, 0) if it does neither.
 inline Point pivot_of(const MotionPiece& piece) { return turns(piece) || orbits(piece) ? piece.pivot : Point{}; }
 
-/// Turns the place (x, y) of the pivot c about the orbit's centre: what is added to the origin for it.
+/// Turns the place (x, y) of the pivot c about the orbit's centre: what is added to the body's origin for it. The time
+/// is that since the piece's origin.
 template <class J, class Time>
 void add_orbit(const MotionPiece& piece, const Time& t, J& x, J& y) {
   J e, s;
@@ -171,7 +178,8 @@ void add_orbit(const MotionPiece& piece, const Time& t, J& x, J& y) {
 
 /// The pose of a piece of which x is known. J is a Jet, a Series or a Symbolic, and the time what goes with it.
 template <class J, class Time>
-PoseOf<J> pose_about_axis(const MotionPiece& piece, const Time& t, const J& xx, const J& xy) {
+PoseOf<J> pose_about_axis(const MotionPiece& piece, const Time& time, const J& xx, const J& xy) {
+  const Time t = since_origin(time, piece.origin);
   PoseOf<J> p{J::polynomial(piece.x, t), J::polynomial(piece.y, t), xx, xy};
   if (orbits(piece)) add_orbit(piece, t, p.ox, p.oy);
   const Point c = turns(piece) ? piece.pivot : Point{};
@@ -186,7 +194,7 @@ PoseOf<J> pose_about_axis(const MotionPiece& piece, const Time& t, const J& xx, 
 template <class J, class Time>
 PoseOf<J> pose_of(const MotionPiece& piece, const Time& t) {
   J xx, xy;
-  rotation_jet(piece.rotation, t, xx, xy);
+  rotation_jet(piece, t, xx, xy);
   return pose_about_axis<J>(piece, t, xx, xy);
 }
 
@@ -228,7 +236,7 @@ PoseOf<J> pose_of(const PieceChain& chain, const Time& t, const Axis& axis) {
 }
 template <class J, class Time>
 PoseOf<J> pose_of(const PieceChain& chain, const Time& t) {
-  return pose_of<J>(chain, t, [&](std::size_t link, J& xx, J& xy) { rotation_jet(chain[link].rotation, t, xx, xy); });
+  return pose_of<J>(chain, t, [&](std::size_t link, J& xx, J& xy) { rotation_jet(chain[link], t, xx, xy); });
 }
 template <class J, class Real>
 PoseOf<J> pose_of(const PieceChain& chain, const Ball<Real>& t) {
@@ -241,11 +249,12 @@ template <class Real>
 Pose<Real> pose_about(const PieceChain& chain, const Point& m, const LocalTime<Real>& t) {
   using J = Jet<Real>;
   const MotionPiece& last = chain.back();
+  const LocalTime<Real> since = since_origin(t, last.origin);
   Pose<Real> p;
-  p.ox = J::polynomial(last.x, t);
-  p.oy = J::polynomial(last.y, t);
-  rotation_jet(last.rotation, t, p.xx, p.xy);
-  if (orbits(last)) add_orbit(last, t, p.ox, p.oy);
+  p.ox = J::polynomial(last.x, since);
+  p.oy = J::polynomial(last.y, since);
+  rotation_jet(last, t, p.xx, p.xy);
+  if (orbits(last)) add_orbit(last, since, p.ox, p.oy);
   const Point c = turns(last) ? last.pivot : m;
   const J x = J::constant(m.x) - J::constant(c.x), y = J::constant(m.y) - J::constant(c.y);
   p.ox = p.ox + J::constant(c.x) + (p.xx * x - p.xy * y);
@@ -262,7 +271,10 @@ struct PosesOver {
 inline PosesOver poses_over(const PieceChain& chain, const Point& m, double from, double to) {
   const double centre = from + (to - from) / 2, half = std::max(to - centre, centre - from) * (1 + 0x1p-50);
   const Ball<double> middle = Ball<double>::exact(centre), over = Ball<double>::between(from, to);
-  if (!is_far(from, to, far_window))
+  const bool far = std::any_of(chain.begin(), chain.end(), [&](const MotionPiece& piece) {
+    return is_far(from - piece.origin, to - piece.origin, far_window);
+  });
+  if (!far)
     return {pose_about(chain, m, LocalTime<double>(middle)), pose_about(chain, m, LocalTime<double>(over)), half};
   const LocalPolynomials local(centre);
   const LocalTime<double> at(local, middle), all(local, over);

@@ -26,6 +26,9 @@ void for_each_polynomial(Rotation& rotation, const Visit& visit) {
   for_each_polynomial(std::as_const(rotation), [&](const Coefficients& c) { visit(const_cast<Coefficients&>(c)); });
 }
 
+/// Does it change with time, as far as its polynomials show?
+bool varies(const Rotation& rotation);
+
 /// Are the two given by the very same coefficients?
 bool same_rotation(const Rotation& a, const Rotation& b);
 

@@ -28,6 +28,7 @@ class PieceCheck {
   void run() const {
     coefficients("x", piece_.x);
     coefficients("y", piece_.y);
+    finite("origin", piece_.origin);
     coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
     coefficients("orbit.angle", piece_.orbit.angle);
     coefficients("orbit.centre", {piece_.orbit.centre.x, piece_.orbit.centre.y});
@@ -39,16 +40,17 @@ class PieceCheck {
   }
 
  private:
+  void finite(const std::string& what, double x) const {
+    if (!std::isfinite(x)) throw InputError(place_, what + " is not a finite number", "write finite numbers");
+    if (std::fabs(x) > 0x1p400 || (x != 0 && std::fabs(x) < 0x1p-400))
+      throw InputError(
+          place_,
+          what + " = " + number(x) + " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
+          "choose other units");
+  }
+
   void coefficients(const char* what, const Coefficients& c) const {
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      if (!std::isfinite(c[i]))
-        throw InputError(place_, std::string(what) + "[" + std::to_string(i) + "] is not a finite number");
-      if (std::fabs(c[i]) > 0x1p400 || (c[i] != 0 && std::fabs(c[i]) < 0x1p-400))
-        throw InputError(place_,
-                         std::string(what) + "[" + std::to_string(i) + "] = " + number(c[i]) +
-                             " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
-                         "choose other units");
-    }
+    for (std::size_t i = 0; i < c.size(); ++i) finite(std::string(what) + "[" + std::to_string(i) + "]", c[i]);
     if (c.size() > max_degree + 1)
       throw InputError(place_, std::string(what) + " has degree " + std::to_string(c.size() - 1),
                        "the highest degree supported is " + std::to_string(max_degree));
@@ -58,7 +60,7 @@ class PieceCheck {
     coefficients("rotation.direction.a", r.a);
     coefficients("rotation.direction.b", r.b);
     if (!times_) return;
-    if (const auto t = searched([&] { return common_zero(r.a, r.b, times_->first, times_->second); })) {
+    if (const auto t = searched([&] { return common_zero(r.a, r.b, piece_.origin, times_->first, times_->second); })) {
       throw InputError(place_, "the direction (a, b) vanishes near t = " + number(*t),
                        "a direction must have a length at all times of its piece");
     }
@@ -67,11 +69,12 @@ class PieceCheck {
   void cosine(const CosineRotation& r) const {
     coefficients("rotation.cosine", r.a);
     if (!times_) return;
-    if (const auto t = searched([&] { return beyond_one(r.a, times_->first, times_->second); })) {
-      throw InputError(place_,
-                       "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
-                           number(Jet<double>::polynomial(r.a, Ball<double>::exact(*t)).v.mid),
-                       "a cosine must stay within [-1, 1] at all times of its piece");
+    if (const auto t = searched([&] { return beyond_one(r.a, piece_.origin, times_->first, times_->second); })) {
+      throw InputError(
+          place_,
+          "the cosine is beyond 1 in magnitude at t = " + number(*t) + ": " +
+              number(Jet<double>::polynomial(r.a, time_since(Ball<double>::exact(*t), piece_.origin)).v.mid),
+          "a cosine must stay within [-1, 1] at all times of its piece");
     }
   }
 
@@ -131,7 +134,7 @@ void validate_motion(const Motion& motion, const std::string& body, const Bounds
             "the motion jumps by " + number(gap) + " at t = " + number(piece.until) +
                 ", where the next piece takes over",
             "pieces must join up to rounding (" + number(room) +
-                " here): coefficients are in powers of the absolute time t, not of the time since the joint");
+                " here): coefficients are in powers of t, or of t - origin where the piece has an \"origin\"");
     }
     from = to;
   }

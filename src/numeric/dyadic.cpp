@@ -100,6 +100,20 @@ DyadicPolynomial halved(const DyadicPolynomial& p) {
   return out;
 }
 
+double nearest_double(const Dyadic& x) {
+  if (x.is_zero()) return 0;
+  const double nearest = RealTraits<RealMax>::to_double(first_bits<RealMax>(x));
+  return std::isfinite(nearest) ? nearest : 0;
+}
+
+DyadicPolynomial expanded_about(DyadicPolynomial p, const Dyadic& place) {
+  if (place.is_zero()) return p;
+  for (std::size_t k = 0; k + 1 < p.size(); ++k) {
+    for (std::size_t i = p.size() - 1; i-- > k;) p[i] = p[i] + p[i + 1] * place;
+  }
+  return p;
+}
+
 /// Uses Horner's scheme from the highest power down. The remainder is the value at the root.
 std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root) {
   if (p.empty()) return std::nullopt;

@@ -63,6 +63,9 @@ Ball<Real> ball_of(const Dyadic& x) {
   return Ball<Real>(middle, detail::inflate(2 * detail::rounding(middle)));
 }
 
+/// The nearest double, or one beside it; 0 if it would be infinite.
+double nearest_double(const Dyadic& x);
+
 /// Coefficients in ascending order. The last one is nonzero; the zero polynomial has none.
 using DyadicPolynomial = std::vector<Dyadic>;
 
@@ -72,6 +75,8 @@ DyadicPolynomial operator+(const DyadicPolynomial& p, const DyadicPolynomial& q)
 DyadicPolynomial operator*(const DyadicPolynomial& p, const DyadicPolynomial& q);
 /// Half of each coefficient.
 DyadicPolynomial halved(const DyadicPolynomial& p);
+/// The coefficients of p(place + h) in powers of h.
+DyadicPolynomial expanded_about(DyadicPolynomial p, const Dyadic& place);
 /// p / (t - root), if p is zero there, but not identically.
 std::optional<DyadicPolynomial> without_root(const DyadicPolynomial& p, const Dyadic& root);
 /// A polynomial whose square is p, if there is one with rational coefficients.

@@ -3,13 +3,14 @@
 
 #include <array>
 
+#include "numeric/dyadic.hpp"
 #include "numeric/exact_sum.hpp"
 
 namespace taut::internal {
 
-/// A sum of doubles. Nothing is rounded. A result that would need more range than doubles have is marked as inexact,
-/// and so is everything computed from it. The capacity suffices for the orientation of three vertices with four doubles
-/// for each coordinate.
+/// A sum of doubles. Nothing is rounded. A result that would need more range than doubles have, or more terms than
+/// there is room for, is marked as inexact, and so is everything computed from it. The capacity suffices for the
+/// orientation of three vertices with four doubles for each coordinate.
 class ExactNumber {
  public:
   static constexpr std::size_t capacity = 96;
@@ -25,6 +26,17 @@ class ExactNumber {
   static ExactNumber exact(double x) {
     ExactNumber n;
     n.sum_.add(x);
+    return n;
+  }
+
+  static ExactNumber of(const Dyadic& x) {
+    ExactNumber n;
+    for (Dyadic rest = x; !rest.is_zero() && n.exact_;) {
+      const double part = nearest_double(rest);
+      n.add(part);
+      n.exact_ = n.exact_ && std::fabs(part) > 0x1p-900;
+      rest = rest - Dyadic::exact(part);
+    }
     return n;
   }
 
@@ -58,13 +70,18 @@ class ExactNumber {
  private:
   void add(const ExactNumber& b, double sign) {
     exact_ = exact_ && b.exact_;
-    for (std::size_t i = 0; i < b.sum_.size(); ++i) sum_.add(sign * b.sum_.term(i));
+    for (std::size_t i = 0; i < b.sum_.size(); ++i) add(sign * b.sum_.term(i));
+  }
+  void add(double x) {
+    exact_ = exact_ && sum_.size() < capacity;
+    if (exact_) sum_.add(x);
   }
   void add_product(const ExactNumber& a, const ExactNumber& b, double sign) {
     exact_ = exact_ && a.exact_ && b.exact_;
     for (std::size_t i = 0; i < a.sum_.size(); ++i) {
       for (std::size_t k = 0; k < b.sum_.size(); ++k) {
-        exact_ = add_exact_product(sum_, a.sum_.term(i), sign * b.sum_.term(k)) && exact_;
+        exact_ =
+            exact_ && sum_.size() + 2 <= capacity && add_exact_product(sum_, a.sum_.term(i), sign * b.sum_.term(k));
       }
     }
   }

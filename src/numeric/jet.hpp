@@ -8,9 +8,21 @@
 #include <type_traits>
 
 #include "numeric/ball.hpp"
+#include "numeric/exact_sum.hpp"
 #include "numeric/trig.hpp"
 
 namespace taut::internal {
+
+/// t - origin, without a rounding where the difference is a double.
+template <class Real>
+Ball<Real> time_since(const Ball<Real>& t, double origin) {
+  if (origin == 0) return t;
+  if constexpr (std::is_same_v<Real, double>) {
+    const TwoDoubles difference = two_sum(t.mid, -origin);
+    if (difference.lo == 0) return Ball<double>(difference.hi, t.rad);
+  }
+  return t - Ball<Real>::exact(origin);
+}
 
 /// A time given by its distance from an end at which the motion is singular: t = end + direction s^2, where direction
 /// is 1 and s >= 0 after it, -1 and s <= 0 before it. Functions like the square root of the distance are smooth in s.
@@ -19,6 +31,7 @@ struct TimeFromEnd {
   double end;
   double direction;
   Ball<Real> s;
+  double origin = 0;  ///< polynomials are in powers of t - origin
 };
 
 /// f, f' and f'' over a ball of times: if t is a ball, each member encloses the range over it.
@@ -55,7 +68,8 @@ struct Jet {
   static Jet polynomial(const Coefficients& c, const TimeFromEnd<Real>& at) {
     using B = Ball<Real>;
     const B twice = at.s * (2 * at.direction);
-    const Jet t{B::exact(at.end) + at.s * at.s * at.direction, twice, B::exact(2 * at.direction)};
+    const Jet t{time_since(B::exact(at.end), at.origin) + at.s * at.s * at.direction, twice,
+                B::exact(2 * at.direction)};
     Jet sum = constant(0.0);
     for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + constant(c[i]);
     return sum;

@@ -70,7 +70,7 @@ struct Series {
   /// The polynomial as a function of s.
   template <class Coefficients>
   static Series polynomial(const Coefficients& coefficients, const TimeFromEnd<Real>& at) {
-    Series t = constant(at.end);
+    Series t = constant(time_since(Ball<Real>::exact(at.end), at.origin));
     t.c[0] = t.c[0] + at.s * at.s * at.direction;
     t.c[1] = at.s * (2 * at.direction);
     t.c[2] = Ball<Real>::exact(at.direction);

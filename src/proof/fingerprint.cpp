@@ -20,6 +20,9 @@ namespace {
 /// Stands for the index of a parent where there is none.
 constexpr std::size_t no_parent = 0xffffffffu;
 
+/// Stands for the length of a polynomial, where a piece has an origin.
+constexpr std::size_t has_origin = 0xffffffffu;
+
 class Hasher {
  public:
   explicit Hasher(const char* name) {
@@ -50,6 +53,10 @@ class Hasher {
 
 void add_piece(Hasher& hash, const MotionPiece& piece) {
   hash.number(piece.until);
+  if (piece.origin != 0) {
+    hash.count(has_origin);
+    hash.number(piece.origin);
+  }
   hash.polynomial(piece.x);
   hash.polynomial(piece.y);
   if (orbits(piece)) {

@@ -52,7 +52,24 @@ void axis(const MotionSegment& segment, bool of_p, std::size_t link, const Time&
   const MotionPiece& piece = segment.composed ? (of_p ? segment.p_chain : segment.q_chain)[link]
                              : of_p           ? segment.p
                                               : segment.q;
-  rotation_jet(piece.rotation, t, x, y);
+  rotation_jet(piece, t, x, y);
+}
+
+/// The angle of Q minus that of P.
+template <class J, class Time>
+J difference_of_angles(const MotionSegment& segment, const Time& t) {
+  if constexpr (requires { t.since; }) {
+    using Real = std::decay_t<decltype(t.since.mid)>;
+    if (t.polynomials) return J::polynomial(segment.far_turn().template rounded<Real>(), t.since);
+    const Time since = since_origin(t, segment.origin);
+    const J turn = J::polynomial(segment.turn, since);
+    return segment.turn_low.empty() ? turn : turn + J::polynomial(segment.turn_low, since);
+  } else {
+    const auto angle = [&](const MotionPiece& piece) {
+      return J::polynomial(std::get<AngleRotation>(piece.rotation).angle, since_origin(t, piece.origin));
+    };
+    return angle(segment.q) - angle(segment.p);
+  }
 }
 
 /// Computes conj(x_P) x_Q for two bodies that rotate. If both angles are given, their difference is formed first, so
@@ -60,8 +77,7 @@ void axis(const MotionSegment& segment, bool of_p, std::size_t link, const Time&
 template <class J, class Time>
 void relative_turn(const MotionSegment& segment, const Axes<J>& axes, const Time& t, J& c, J& s) {
   if (!segment.angles) return conjugate_product(axes.px, axes.py, axes.qx, axes.qy, c, s);
-  const J turn = angle_at<J>(segment.turn, t);
-  sin_cos(segment.turn_low.empty() ? turn : turn + angle_at<J>(segment.turn_low, t), s, c);
+  sin_cos(difference_of_angles<J>(segment, t), s, c);
 }
 
 /// Computes the parts that depend on the rotations of the bodies, each about its origin. Most scenes have one body that
@@ -155,9 +171,14 @@ J way(const MotionSegment& segment, bool of_x, const Time& t) {
     if (t.polynomials) return J::polynomial(segment.way(of_x).template rounded<Real>(), t.since);
   }
   const Coefficients &q = of_x ? segment.q.x : segment.q.y, &p = of_x ? segment.p.x : segment.p.y;
-  J d = J::polynomial(VaryingPart{q}, absolute(t)) - J::polynomial(VaryingPart{p}, absolute(t));
-  if (!segment.far()) return d;
-  for (const double c : segment.constant_left(of_x)) d = d + J::constant(c);
+  const Time to = since_origin(t, segment.q.origin), from = since_origin(t, segment.p.origin);
+  if (!segment.far())
+    return J::polynomial(VaryingPart{q}, absolute(to)) - J::polynomial(VaryingPart{p}, absolute(from));
+  const ExactVector& s = segment.shift;
+  const Point a = pivot_of(segment.p), b = pivot_of(segment.q);
+  J d = J::polynomial(q, to) - J::polynomial(p, from);
+  for (const double c : {of_x ? b.x : b.y, of_x ? -a.x : -a.y, of_x ? -s.x : -s.y, of_x ? -s.x_low : -s.y_low})
+    d = d + J::constant(c);
   return d;
 }
 
@@ -168,8 +189,9 @@ void way_between(const MotionSegment& segment, const Time& t, bool offset, J& dx
     dx = way<J>(segment, true, t);
     dy = way<J>(segment, false, t);
   } else {
-    dx = J::polynomial(segment.q.x, t) - J::polynomial(segment.p.x, t);
-    dy = J::polynomial(segment.q.y, t) - J::polynomial(segment.p.y, t);
+    const Time to = since_origin(t, segment.q.origin), from = since_origin(t, segment.p.origin);
+    dx = J::polynomial(segment.q.x, to) - J::polynomial(segment.p.x, from);
+    dy = J::polynomial(segment.q.y, to) - J::polynomial(segment.p.y, from);
   }
   if (offset && segment.pivots && !segment.shift_p && !segment.shift_q) {
     const Point a = pivot_of(segment.p), b = pivot_of(segment.q);
@@ -301,11 +323,7 @@ FrameOf<ThirdSeries> frame_to_third_order(const MotionSegment& segment, const Ba
 template <class Real>
 std::array<ModelSeries<Real>, 2> way_series(const MotionSegment& segment, const Ball<Real>& t) {
   std::array<ModelSeries<Real>, 2> d;
-  if (segment.far()) {
-    way_between(segment, LocalTime<Real>(*segment.local(), t), true, d[0], d[1]);
-  } else {
-    way_between(segment, t, true, d[0], d[1]);
-  }
+  way_between(segment, segment.local_time(t), true, d[0], d[1]);
   return d;
 }
 template std::array<ModelSeries<double>, 2> way_series(const MotionSegment&, const Ball<double>&);

@@ -65,11 +65,12 @@ struct MotionSegment {
   double joint = 0;           ///< the time of the bridge
   double joint_before = 0;    ///< the time at which the pieces before it are evaluated: normally the same
   double start = 0, end = 0;  ///< of the parameter: time, or [0, 1] on a bridge
+  double origin = 0;          ///< of both pieces' polynomials, on a segment that is not far
 
   bool translation = false;  ///< neither body rotates
-  int degree = 0;            ///< of D on a translation
+  int degree = 0;            ///< of D on a translation, or a bound of it
   bool aligned = false;      ///< both rotate alike: c = 1, s = 0
-  /// True if both angles are given. Their difference is turn + turn_low, exactly.
+  /// True if both angles are given. On a segment that is not far, their difference is turn + turn_low, exactly.
   bool angles = false;
   Coefficients turn, turn_low;
   bool pivots = false;  ///< a body rotates about a point that is not its origin
@@ -80,10 +81,6 @@ struct MotionSegment {
   /// Added to the coordinates of P and of Q: the shift or, for a body that rotates, minus its pivot, so that the frame
   /// is about the pivot.
   ExactVector offset_p, offset_q;
-  /// Far from time 0, polynomials are expanded about an instant of the segment, and the shift is D there, rounded to
-  /// two doubles, with a small remainder. These are then the offsets for which D in powers of the absolute time has no
-  /// constant, as `offset_p` and `offset_q` are on other segments.
-  ExactVector far_offset_p, far_offset_q;
 
   static MotionSegment motion(const MotionPiece& p, const MotionPiece& q, double start, double end);
   static MotionSegment motion_of_chains(const PieceChain& p, const PieceChain& q, double start, double end);
@@ -104,20 +101,29 @@ struct MotionSegment {
   /// The singular cosine of a body's piece, or of a link of its chain.
   const SingularCosine* singular_cosine(bool of_p, std::size_t link, double t) const;
   const ExactVector& offset(bool of_p) const { return of_p ? offset_p : offset_q; }
-  const ExactVector& offset_of_powers(bool of_p) const {
-    return far() ? (of_p ? far_offset_p : far_offset_q) : offset(of_p);
-  }
+  /// Are polynomials expanded about an instant of the segment? They are where it is far from a piece's origin, or where
+  /// the two bodies' pieces have different origins.
   bool far() const { return local_ != nullptr; }
-  /// The polynomials about an instant of a segment that is far from time 0; null on other segments.
+  /// These polynomials; null on other segments.
   const LocalPolynomials* local() const { return local_.get(); }
   template <class Real>
   LocalTime<Real> local_time(const Ball<Real>& t) const {
     return local_ ? LocalTime<Real>(*local_, t) : LocalTime<Real>(t);
   }
-  /// The coordinates of D minus the shift. Requires a segment far from time 0 with a shift.
+  /// D is a polynomial in the time since this instant: that of the expansion, or the origin that both pieces share.
+  double about() const { return local_ ? local_->about() : origin; }
+  /// The difference of the angles, less whole turns. Requires a far segment with `angles`.
+  const LocalPolynomials::Known& far_turn() const { return *far_turn_; }
+  /// The coordinates of D minus the shift. Requires a far segment with a shift.
   const LocalPolynomials::Known& way(bool of_x) const { return (*ways_)[of_x ? 0 : 1]; }
-  /// The constant of D in powers of the absolute time, minus the shift: doubles whose sum is the constant.
-  std::array<double, 7> constant_left(bool of_x) const;
+  /// A coefficient of D minus the shift in powers of the time since about(), in numbers that represent doubles exactly.
+  /// Requires a segment with a shift.
+  template <class N>
+  N way_coefficient(bool of_x, std::size_t k) const {
+    if (far()) return way(of_x).template coefficient<N>(k);
+    if (k == 0) return N::exact(0);
+    return N::exact(coefficient(of_x ? q.x : q.y, k)) - N::exact(coefficient(of_x ? p.x : p.y, k));
+  }
   /// A bound of the offsets' contribution to a coordinate's magnitude.
   double offset_size() const {
     return (std::fabs(offset_p.x) + std::fabs(offset_q.x)) + (std::fabs(offset_p.y) + std::fabs(offset_q.y));
@@ -138,12 +144,14 @@ struct MotionSegment {
   }
 
  private:
-  void take_far_offsets();
+  void take_difference();
+  void take_far_difference();
   void find_singular_ends(bool of_p, std::size_t link, const MotionPiece& piece);
 
   /// Shared by copies. Dropped data is reconstructed identically.
   std::shared_ptr<const LocalPolynomials> local_;
   std::shared_ptr<const std::array<LocalPolynomials::Known, 2>> ways_;
+  std::shared_ptr<const LocalPolynomials::Known> far_turn_;
   /// A cosine that is singular at an end of the segment; few segments have one.
   struct SingularLink {
     bool of_p;
@@ -186,7 +194,8 @@ FrameOf<Symbolic> symbolic_frame(const MotionSegment& segment, SymbolicSegment& 
 
 /// Converts a vertex of P or Q to the coordinates of the segment, in numbers that represent doubles exactly.
 template <class B>
-void add_offset(const MotionSegment& segment, bool of_p, const ExactVector& s, B& x, B& y) {
+void add_offset(const MotionSegment& segment, bool of_p, B& x, B& y) {
+  const ExactVector& s = segment.offset(of_p);
   if (of_p ? segment.shift_p : segment.shift_q) {
     x = x + B::exact(s.x) + B::exact(s.x_low);
     y = y + B::exact(s.y) + B::exact(s.y_low);
@@ -199,10 +208,6 @@ void add_offset(const MotionSegment& segment, bool of_p, const ExactVector& s, B
     x = x + B::exact(s.x);
     y = y + B::exact(s.y);
   }
-}
-template <class B>
-void add_offset(const MotionSegment& segment, bool of_p, B& x, B& y) {
-  add_offset(segment, of_p, segment.offset(of_p), x, y);
 }
 
 }  // namespace taut::internal

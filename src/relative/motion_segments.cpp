@@ -34,7 +34,7 @@ struct MotionSegments::Route {
   }
   /// Is the interval so far from time 0 that polynomials are expanded about one of its instants?
   static bool far(const PieceChain& p, const PieceChain& q, const SegmentPlace& at) {
-    return is_far_for(std::max(highest_power(p), highest_power(q)), at.start, at.end);
+    return is_far_for(p, at.start, at.end) || is_far_for(q, at.start, at.end);
   }
   MotionSegment make(std::size_t k) const {
     const SegmentPlace& at = places[k];

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "motion/far_pieces.hpp"
+#include "motion/pieces.hpp"
 #include "numeric/exact_sum.hpp"
 #include "relative/motion_segment.hpp"
 
@@ -49,7 +50,7 @@ int last_nonzero_power(const Coefficients& q, const Coefficients& p) {
 MotionPiece at_joint(MotionPiece piece, double joint) {
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine) return piece;
-  const auto singular = singular_at(*cosine, joint);
+  const auto singular = singular_at(*cosine, piece.origin, joint);
   if (singular && singular->order > 0) piece.rotation = DirectionRotation{{singular->extreme}, {0.0}};
   return piece;
 }
@@ -71,7 +72,7 @@ MotionSegment MotionSegment::motion_of_chains(const PieceChain& p, const PieceCh
   segment.q_chain = q;
   segment.start = start;
   segment.end = end;
-  if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end))
+  if (is_far_for(p, start, end) || is_far_for(q, start, end))
     segment.local_ = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
   for (std::size_t link = 0; link < p.size(); ++link) segment.find_singular_ends(true, link, p[link]);
   for (std::size_t link = 0; link < q.size(); ++link) segment.find_singular_ends(false, link, q[link]);
@@ -86,69 +87,81 @@ MotionSegment MotionSegment::motion(const MotionPiece& p, const MotionPiece& q, 
   segment.start = start;
   segment.end = end;
   segment.translation = !turns(p) && !turns(q);
-  segment.aligned = same_rotation(p.rotation, q.rotation);
-  const auto *p_angle = std::get_if<AngleRotation>(&p.rotation), *q_angle = std::get_if<AngleRotation>(&q.rotation);
-  segment.angles = p_angle && q_angle;
-  if (segment.angles) exact_difference(q_angle->angle, p_angle->angle, segment.turn, segment.turn_low);
+  // Constants have any origin.
+  segment.origin = varies(p) ? p.origin : q.origin;
+  const bool one_origin = !varies(q) || segment.origin == q.origin;
+  segment.aligned = same_rotation(p.rotation, q.rotation) && (one_origin || !varies(p.rotation));
+  segment.angles =
+      std::holds_alternative<AngleRotation>(p.rotation) && std::holds_alternative<AngleRotation>(q.rotation);
   segment.pivots = pivot_of(p) != Point{} || pivot_of(q) != Point{};
-  segment.degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
   segment.shift_p = !turns(p);
   segment.shift_q = turns(p) && !turns(q);
   const Point a = pivot_of(p), b = pivot_of(q);
   segment.offset_p = {-a.x, 0, -a.y};
   segment.offset_q = {-b.x, 0, -b.y};
-  if (segment.shift_p || segment.shift_q) {
-    exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, segment.shift.x, segment.shift.x_low,
-                     segment.shift.x_rest);
-    exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, segment.shift.y, segment.shift.y_low,
-                     segment.shift.y_rest);
-    (segment.shift_p ? segment.offset_p : segment.offset_q) = segment.shift_p ? -segment.shift : segment.shift;
+  if (!one_origin ||
+      is_far_for(std::max(highest_power(p), highest_power(q)), start - segment.origin, end - segment.origin)) {
+    segment.take_far_difference();
+  } else {
+    segment.take_difference();
   }
-  if (is_far_for(std::max(highest_power(p), highest_power(q)), start, end)) segment.take_far_offsets();
+  if (segment.shift_p || segment.shift_q)
+    (segment.shift_p ? segment.offset_p : segment.offset_q) = segment.shift_p ? -segment.shift : segment.shift;
   segment.find_singular_ends(true, 0, p);
   segment.find_singular_ends(false, 0, q);
   return segment;
+}
+
+/// The difference of the two motions, whose polynomials are in powers of the time since one origin.
+void MotionSegment::take_difference() {
+  if (angles) {
+    exact_difference(std::get<AngleRotation>(q.rotation).angle, std::get<AngleRotation>(p.rotation).angle, turn,
+                     turn_low);
+  }
+  degree = std::max(last_nonzero_power(q.x, p.x), last_nonzero_power(q.y, p.y));
+  if (!shift_p && !shift_q) return;
+  const Point a = pivot_of(p), b = pivot_of(q);
+  exact_difference({coefficient(q.x, 0), b.x}, {coefficient(p.x, 0), a.x}, shift.x, shift.x_low, shift.x_rest);
+  exact_difference({coefficient(q.y, 0), b.y}, {coefficient(p.y, 0), a.y}, shift.y, shift.y_low, shift.y_rest);
+}
+
+/// The same about the segment's middle, where the shift is D there, rounded to two doubles.
+void MotionSegment::take_far_difference() {
+  using Known = LocalPolynomials::Known;
+  const auto local = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
+  local_ = local;
+  const auto difference = [&](const Coefficients& to, const Coefficients& from) {
+    return local->exact(to, q.origin) + -local->exact(from, p.origin);
+  };
+  if (angles) {
+    far_turn_ = std::make_shared<const Known>(
+        Known::angle(difference(std::get<AngleRotation>(q.rotation).angle, std::get<AngleRotation>(p.rotation).angle)));
+  }
+  DyadicPolynomial x = difference(q.x, p.x), y = difference(q.y, p.y);
+  degree = std::max<int>({static_cast<int>(x.size()) - 1, static_cast<int>(y.size()) - 1, 0});
+  if (!shift_p && !shift_q) return;
+  const auto way = [](DyadicPolynomial d, double to_pivot, double from_pivot, double& hi, double& low) {
+    if (d.empty()) d.emplace_back();
+    d[0] = d[0] + (Dyadic::exact(to_pivot) - Dyadic::exact(from_pivot));
+    for (double* part : {&hi, &low}) {
+      *part = nearest_double(d[0]);
+      d[0] = d[0] - Dyadic::exact(*part);
+    }
+    trim(d);
+    return Known(std::move(d));
+  };
+  const Point a = pivot_of(p), b = pivot_of(q);
+  ways_ = std::make_shared<const std::array<Known, 2>>(std::array<Known, 2>{
+      way(std::move(x), b.x, a.x, shift.x, shift.x_low), way(std::move(y), b.y, a.y, shift.y, shift.y_low)});
 }
 
 void MotionSegment::find_singular_ends(bool of_p, std::size_t link, const MotionPiece& piece) {
   const auto* cosine = std::get_if<CosineRotation>(&piece.rotation);
   if (!cosine) return;
   for (const double t : {start, end}) {
-    if (auto singular = internal::singular_at(*cosine, t))
+    if (auto singular = internal::singular_at(*cosine, piece.origin, t))
       singular_.push_back({of_p, link, std::make_shared<const SingularCosine>(std::move(*singular))});
   }
-}
-
-/// Replaces the shift by D about the segment's middle, in two doubles.
-void MotionSegment::take_far_offsets() {
-  far_offset_p = offset_p;
-  far_offset_q = offset_q;
-  const auto local = std::make_shared<const LocalPolynomials>(start + (end - start) / 2);
-  local_ = local;
-  if (!shift_p && !shift_q) return;
-  const auto way = [&](const Coefficients& to, const Coefficients& from, double to_pivot, double from_pivot, double& hi,
-                       double& low) {
-    DyadicPolynomial d = local->exact(to) + -local->exact(from);
-    if (d.empty()) d.emplace_back();
-    d[0] = d[0] + (Dyadic::exact(to_pivot) - Dyadic::exact(from_pivot));
-    for (double* part : {&hi, &low}) {
-      *part = RealTraits<RealMax>::to_double(ball_of<RealMax>(d[0]).mid);
-      d[0] = d[0] - Dyadic::exact(*part);
-    }
-    trim(d);
-    return LocalPolynomials::Known(std::move(d));
-  };
-  const Point a = pivot_of(p), b = pivot_of(q);
-  shift = {};
-  ways_ = std::make_shared<const std::array<LocalPolynomials::Known, 2>>(std::array<LocalPolynomials::Known, 2>{
-      way(q.x, p.x, b.x, a.x, shift.x, shift.x_low), way(q.y, p.y, b.y, a.y, shift.y, shift.y_low)});
-  (shift_p ? offset_p : offset_q) = shift_p ? -shift : shift;
-}
-
-std::array<double, 7> MotionSegment::constant_left(bool of_x) const {
-  const Point a = pivot_of(p), b = pivot_of(q);
-  if (of_x) return {coefficient(q.x, 0), -coefficient(p.x, 0), b.x, -a.x, -shift.x, -shift.x_low, -shift.x_rest};
-  return {coefficient(q.y, 0), -coefficient(p.y, 0), b.y, -a.y, -shift.y, -shift.y_low, -shift.y_rest};
 }
 
 MotionSegment MotionSegment::bridging(const MotionPiece& p, const MotionPiece& q, const MotionPiece& p_next,

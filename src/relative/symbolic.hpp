@@ -55,6 +55,7 @@ class SymbolicSegment {
 /// Represents the time in SymbolicSegment.
 struct SymbolicTime {
   SymbolicSegment* segment;
+  double origin = 0;  ///< polynomials are given in powers of t - origin
 };
 
 class Symbolic {
@@ -81,7 +82,7 @@ class Symbolic {
     s.segment_ = t.segment;
     DyadicPolynomial p;
     for (std::size_t k = 0; k < c.size(); ++k) p.push_back(Dyadic::exact(c[k]));
-    s.add({}, std::move(p));
+    s.add({}, t.origin == 0 ? std::move(p) : expanded_about(std::move(p), -Dyadic::exact(t.origin)));
     return s;
   }
 

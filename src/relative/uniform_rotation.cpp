@@ -33,7 +33,6 @@ bool rotates(const MotionSegment& segment) {
   for (const MotionPiece* piece : {&segment.p, &segment.q}) {
     if (const auto* given = std::get_if<AngleRotation>(&piece->rotation)) look(given->angle);
   }
-  look(segment.turn);
   return fastest > 0 && fastest < 0x1p100;
 }
 
@@ -68,10 +67,11 @@ const UniformRotation::Way& UniformRotation::one_way() {
 }
 
 bool UniformRotation::Angle::at(double m, double& re, double& im) const {
-  if (!(std::fabs(c1 * m) < 0x1p39 && std::fabs(c0) < 0x1p39)) return false;
-  const TwoDoubles way = two_product(c1, m), sum = two_sum(way.hi, c0);
-  // Four numbers, each less than 2^-13.
-  const double low = (sum.lo + way.lo) + (c0_low + c1_low * m);
+  if (!(std::fabs(c1 * (m - origin)) < 0x1p39 && std::fabs(c0) < 0x1p39)) return false;
+  const TwoDoubles since = two_sum(m, -origin);
+  const TwoDoubles way = two_product(c1, since.hi), sum = two_sum(way.hi, c0);
+  // Five numbers, each less than 2^-13.
+  const double low = (sum.lo + way.lo) + (c0_low + c1_low * since.hi) + c1 * since.lo;
   const SinCos<double> both = sin_cos_of_sum(sum.hi, low);
   re = both.cos.mid;
   im = sign * both.sin.mid;
@@ -80,7 +80,8 @@ bool UniformRotation::Angle::at(double m, double& re, double& im) const {
 
 void UniformRotation::Angle::at(double m, FixedBall& re, FixedBall& im) const {
   using B = Ball<Real320>;
-  const B angle = (B::exact(c0) + B::exact(c0_low)) + (B::exact(c1) + B::exact(c1_low)) * B::exact(m);
+  const B angle =
+      (B::exact(c0) + B::exact(c0_low)) + (B::exact(c1) + B::exact(c1_low)) * time_since(B::exact(m), origin);
   const SinCos<Real320> both = sin_cos(angle);
   re = FixedBall::of(both.cos);
   im = FixedBall::of(sign < 0 ? -both.sin : both.sin);
@@ -110,21 +111,40 @@ std::shared_ptr<const UniformRotation> UniformRotation::of(const MotionSegment& 
   return even->take(segment) ? even : nullptr;
 }
 
+/// On a far segment the angle at the instant of the expansion is rounded to two doubles, which is far less than what
+/// Angle::at() rounds.
+UniformRotation::Angle UniformRotation::difference_of_angles(const MotionSegment& segment) {
+  if (!segment.far()) {
+    return {1,
+            coefficient(segment.turn, 0),
+            coefficient(segment.turn_low, 0),
+            coefficient(segment.turn, 1),
+            coefficient(segment.turn_low, 1),
+            segment.origin};
+  }
+  double parts[2][2] = {};
+  const DyadicPolynomial& turn = segment.far_turn().exact();
+  for (std::size_t k = 0; k < std::min<std::size_t>(turn.size(), 2); ++k) {
+    parts[k][0] = nearest_double(turn[k]);
+    parts[k][1] = nearest_double(turn[k] - Dyadic::exact(parts[k][0]));
+  }
+  return {1, parts[0][0], parts[0][1], parts[1][0], parts[1][1], segment.about()};
+}
+
 /// False if the rotation of a body is not uniform.
 bool UniformRotation::take(const MotionSegment& segment) {
-  const auto take_angle = [](const Rotation& rotation, std::optional<Angle>& angle) {
-    if (std::holds_alternative<NoRotation>(rotation)) return true;
-    const auto* given = std::get_if<AngleRotation>(&rotation);
+  const auto take_angle = [](const MotionPiece& piece, std::optional<Angle>& angle) {
+    if (std::holds_alternative<NoRotation>(piece.rotation)) return true;
+    const auto* given = std::get_if<AngleRotation>(&piece.rotation);
     if (!given || given->angle.size() > 2) return false;
-    angle = Angle{-1, coefficient(given->angle, 0), 0, coefficient(given->angle, 1), 0};
+    angle = Angle{-1, coefficient(given->angle, 0), 0, coefficient(given->angle, 1), 0, piece.origin};
     return true;
   };
   std::optional<Angle> p, q, both;
-  if (!take_angle(segment.p.rotation, p) || !take_angle(segment.q.rotation, q)) return false;
+  if (!take_angle(segment.p, p) || !take_angle(segment.q, q)) return false;
   aligned_ = segment.aligned;
   if (p && q) {
-    both = Angle{1, coefficient(segment.turn, 0), coefficient(segment.turn_low, 0), coefficient(segment.turn, 1),
-                 coefficient(segment.turn_low, 1)};
+    both = difference_of_angles(segment);
   } else {
     both = p ? *p : *q;
     both->sign = p ? -1 : 1;

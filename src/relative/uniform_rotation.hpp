@@ -51,7 +51,7 @@ class UniformRotation {
  private:
   /// The angle sign (c0 + c1 t), each coefficient a sum of two doubles.
   struct Angle {
-    double sign = 1, c0 = 0, c0_low = 0, c1 = 0, c1_low = 0;
+    double sign = 1, c0 = 0, c0_low = 0, c1 = 0, c1_low = 0, origin = 0;
     /// Computes cosine and sine of the angle at m, the parts of e^(i a(m)). False if the angle is too large.
     bool at(double m, double& re, double& im) const;
     void at(double m, FixedBall& re, FixedBall& im) const;
@@ -83,6 +83,7 @@ class UniformRotation {
   };
 
   bool take(const MotionSegment& segment);
+  static Angle difference_of_angles(const MotionSegment& segment);
   Way way_about(const MotionSegment& segment, double m) const;
   const Bounds& bounds_for(double radius, Way way) const;
   void bound(const Spin& spin, const Way& way, int i, FrameModel& model) const;

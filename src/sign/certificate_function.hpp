@@ -87,15 +87,11 @@ struct FunctionPoints {
   }
 };
 
-/// Coefficients for the segment's frame functions, or for D as a polynomial in powers of the absolute time, without a
-/// constant.
-enum class Origin : unsigned char { frame, powers };
-
 /// The points of a certificate function in the coordinates of the segment, in a number type that represents doubles
 /// exactly (N::exact).
 template <class N>
 FunctionPoints<N> points_of(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function,
-                            Shape shape, Origin origin = Origin::frame) {
+                            Shape shape) {
   const DisplacedPoint &a = g.point(function.a), &b = g.point(function.b), &c = g.point(function.c);
   const auto whole = [shape](double x, double dx) {
     return shape == Shape::given ? N::exact(x) : N::exact(x) + N::exact(dx);
@@ -111,11 +107,8 @@ FunctionPoints<N> points_of(const MotionSegment& segment, const PairGeometry& g,
                       whole(c.x, c.dx),
                       whole(c.y, c.dy)};
   p.measure(function.measure);
-  const auto offset = [&](bool of_p) -> const ExactVector& {
-    return origin == Origin::powers ? segment.offset_of_powers(of_p) : segment.offset(of_p);
-  };
-  add_offset(segment, function.pp, offset(function.pp), p.ax, p.ay);
-  add_offset(segment, !function.pp, offset(!function.pp), p.cx, p.cy);
+  add_offset(segment, function.pp, p.ax, p.ay);
+  add_offset(segment, !function.pp, p.cx, p.cy);
   return p;
 }
 

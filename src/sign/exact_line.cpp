@@ -15,16 +15,19 @@ constexpr std::uint64_t work_of_line = 5, work_of_sign_on_line = 6, work_of_root
 
 ExactLine::ExactLine(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function) {
   count_work(work_of_line);
-  // The segment shifts P, so that the motion is zero at time 0.
+  // The segment shifts P, so that the motion is zero at segment.about(), or nearly.
   const auto zero = ExactNumber();
-  const auto points = points_of<ExactNumber>(segment, g, function, Shape::displaced, Origin::powers);
+  const auto points = points_of<ExactNumber>(segment, g, function, Shape::displaced);
   const auto c = translation_coefficients(function.pp, points, zero);
-  const auto speed = [](const Coefficients& q, const Coefficients& p) {
-    return ExactNumber::exact(coefficient(q, 1)) - ExactNumber::exact(coefficient(p, 1));
+  const auto change = [&](std::size_t k) {
+    return dot(c[1], c[2], segment.way_coefficient<ExactNumber>(true, k),
+               segment.way_coefficient<ExactNumber>(false, k));
   };
-  const ExactNumber slope = dot(c[1], c[2], speed(segment.q.x, segment.p.x), speed(segment.q.y, segment.p.y));
-  exact_ = c[0].is_exact() && slope.is_exact();
-  start_.assign(c[0].sum(), 1);
+  const ExactNumber slope = change(1);
+  ExactNumber start = segment.far() ? c[0] + change(0) : c[0];
+  if (segment.about() != 0) start = start - dot(slope, zero, ExactNumber::exact(segment.about()), zero);
+  exact_ = start.is_exact() && slope.is_exact() && slope.sum().size() <= slope_terms;
+  start_.assign(start.sum(), 1);
   farthest_ = std::max(std::fabs(segment.start), std::fabs(segment.end));
   if (exact_) slope_.take(slope.sum());
 }

@@ -46,8 +46,7 @@ class PreciseFunction {
                   const Ball<Real>& constant, TaylorFrames* models)
       : segment_(segment), pp_(function.pp), shared_(models) {
     if (!std::is_same_v<Real, double>) count_work(work_of_function);
-    const Origin origin = segment.translation ? Origin::powers : Origin::frame;
-    const FunctionPoints<Ball<Real>> p = points_of<Ball<Real>>(segment, g, function, Shape::displaced, origin);
+    const FunctionPoints<Ball<Real>> p = points_of<Ball<Real>>(segment, g, function, Shape::displaced);
     if (portion_of(segment, g, function) == Portion::displacement) {
       coefficients_ = displacement_part(g, function, p);
     } else {
@@ -77,7 +76,7 @@ class PreciseFunction {
   std::optional<BallPolynomial<Real>> expansion(const Ball<Real>& t) const requires(!std::is_same_v<Real, double>) {
     count_work(2 * work_of_range);
     const Ball<Real> middle(t.mid, 0.0);
-    if (is_polynomial()) return expanded(polynomial_, middle);
+    if (is_polynomial()) return expanded(polynomial_, since_about(middle));
     const TaylorFrame<Real>* const known = models().known(t);
     if (!known) return std::nullopt;
     return expanded(about_middle(*known), since_middle(*known, middle));
@@ -103,7 +102,7 @@ class PreciseFunction {
   /// The value alone, at less than half the cost.
   Ball<Real> value(const Ball<Real>& t) const {
     count_work(work_of_value());
-    if (is_polynomial()) return polynomial_value(polynomial_, t);
+    if (is_polynomial()) return polynomial_value(polynomial_, since_about(t));
     const FrameValues<Real> f = frame_values(segment_, t);
     const std::array<Ball<Real>, 5>& v = pp_ ? f.for_pp : f.for_qq;
     return sum_of(v);
@@ -136,7 +135,7 @@ class PreciseFunction {
   }
   template <Sharpness sharpness>
   Jet<Real> range(const Ball<Real>& t) const {
-    if (is_polynomial()) return range_of<sharpness>(polynomial_, t, work_of_jet());
+    if (is_polynomial()) return range_of<sharpness>(polynomial_, since_about(t), work_of_jet());
     if constexpr (!std::is_same_v<Real, double>) {
       // If a range did not decide, the range of a part of it hardly ever does, unless the model omitted much.
       if (const TaylorFrame<Real>* const known = models().known(t)) {
@@ -212,16 +211,18 @@ class PreciseFunction {
 
   /// On a translation the function is a polynomial. Its own coefficients show roots that those of x and y hide.
   void expand() {
-    using B = Ball<Real>;
     polynomial_.size = 0;
-    polynomial_.push_back(coefficients_[0]);
-    const auto at = [](const Coefficients& c, int k) {
-      return B::exact(static_cast<std::size_t>(k) < c.size() ? c[static_cast<std::size_t>(k)] : 0.0);
+    const auto change = [this](int power) {
+      const auto k = static_cast<std::size_t>(power);
+      return coefficients_[1] * segment_.way_coefficient<Ball<Real>>(true, k) +
+             coefficients_[2] * segment_.way_coefficient<Ball<Real>>(false, k);
     };
-    for (int k = 1; k <= segment_.degree; ++k) {
-      const B dx = at(segment_.q.x, k) - at(segment_.p.x, k), dy = at(segment_.q.y, k) - at(segment_.p.y, k);
-      polynomial_.push_back(coefficients_[1] * dx + coefficients_[2] * dy);
-    }
+    polynomial_.push_back(segment_.far() ? coefficients_[0] + change(0) : coefficients_[0]);
+    for (int k = 1; k <= segment_.degree; ++k) polynomial_.push_back(change(k));
+  }
+  /// The variable of that polynomial.
+  Ball<Real> since_about(const Ball<Real>& t) const {
+    return segment_.translation ? time_since(t, segment_.about()) : t;
   }
   void expand_bridge() {
     const FrameOf<ModelSeries<Real>> f = frame_series(segment_, Ball<Real>::exact(0));

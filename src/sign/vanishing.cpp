@@ -9,19 +9,18 @@
 namespace taut::internal {
 namespace {
 
-/// Is it the zero polynomial? D's constant part is the shift, which the points include.
+/// Is it the zero polynomial? D's constant part is the shift, which the points include, up to a remainder.
 bool vanishes_on_translation(const MotionSegment& segment, const PairGeometry& g, const CertificateFunction& function) {
-  const auto points = points_of<ExactNumber>(segment, g, function, Shape::given, Origin::powers);
+  const auto points = points_of<ExactNumber>(segment, g, function, Shape::given);
   const auto c = translation_coefficients(function.pp, points, ExactNumber());
   const auto is_zero = [](const ExactNumber& x) { return x.is_exact() && x.is_zero(); };
-  if (!is_zero(c[0])) return false;
-  const auto change = [](const Coefficients& q, const Coefficients& p, std::size_t k) {
-    return ExactNumber::exact(coefficient(q, k)) - ExactNumber::exact(coefficient(p, k));
+  const auto change = [&](std::size_t k) {
+    return dot(c[1], c[2], segment.way_coefficient<ExactNumber>(true, k),
+               segment.way_coefficient<ExactNumber>(false, k));
   };
-  const std::size_t n = std::max({segment.p.x.size(), segment.p.y.size(), segment.q.x.size(), segment.q.y.size()});
-  for (std::size_t k = 1; k < n; ++k) {
-    if (!is_zero(dot(c[1], c[2], change(segment.q.x, segment.p.x, k), change(segment.q.y, segment.p.y, k))))
-      return false;
+  if (!is_zero(segment.far() ? c[0] + change(0) : c[0])) return false;
+  for (int k = 1; k <= segment.degree; ++k) {
+    if (!is_zero(change(static_cast<std::size_t>(k)))) return false;
   }
   return true;
 }

@@ -179,7 +179,7 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   if (!(gap <= joint_room(before, after, bounds, now_, extent_)))
     throw InputError(name,
                      "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now_),
-                     "coefficients are in powers of the absolute time t");
+                     "coefficients are in powers of t, or of t - origin where the piece has an origin");
 }
 
 void WorldSimulation::set_motion(BodyId body, const Motion& motion) {

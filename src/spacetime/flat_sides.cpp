@@ -23,14 +23,14 @@ double reach_along(Vector n, const Box& box) {
 FlatSides::FlatSides(const PairGeometry& geometry, const TreePair& trees, const MotionSegment& segment)
     : geometry_(geometry), trees_(trees), segment_(segment) {
   if (!segment.translation || segment.degree != 1 || geometry.size() < worth_it) return;
-  const TwoDoubles x = two_sum(coefficient(segment.q.x, 1), -coefficient(segment.p.x, 1));
-  const TwoDoubles y = two_sum(coefficient(segment.q.y, 1), -coefficient(segment.p.y, 1));
-  const double length = std::sqrt(x.hi * x.hi + y.hi * y.hi);
-  if (x.lo != 0 || y.lo != 0 || !(length > 0x1p-300 && length < 0x1p300)) return;
+  const ExactNumber x = segment.way_coefficient<ExactNumber>(true, 1);
+  const ExactNumber y = segment.way_coefficient<ExactNumber>(false, 1);
+  n_ = {-y.sum().approximate(), x.sum().approximate()};
+  const double length = std::sqrt(n_.x * n_.x + n_.y * n_.y);
+  if (x.sum().size() > 1 || y.sum().size() > 1 || !(length > 0x1p-300 && length < 0x1p300)) return;
   usable_ = true;
-  n_ = {-y.hi, x.hi};
   unit_ = {n_.x / length, n_.y / length};
-  const ExactVector &p = segment.offset_of_powers(true), &q = segment.offset_of_powers(false);
+  const ExactVector &p = segment.offset(true), &q = segment.offset(false);
   offset_ = {q.x - p.x, q.y - p.y};
 }
 
@@ -93,7 +93,10 @@ bool FlatSides::clear(VertexId low, VertexId high) {
     x = N::exact(point.x) + N::exact(point.dx);
     y = N::exact(point.y) + N::exact(point.dy);
     const bool of_p = geometry_.in_p(v);
-    add_offset(segment_, of_p, segment_.offset_of_powers(of_p), x, y);
+    add_offset(segment_, of_p, x, y);
+    if (of_p || !segment_.far()) return;
+    x = x + segment_.way_coefficient<N>(true, 0);
+    y = y + segment_.way_coefficient<N>(false, 0);
   };
   N ax, ay, bx, by;
   seen(low, ax, ay);

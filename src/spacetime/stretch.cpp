@@ -131,8 +131,8 @@ TranslationPolynomial::TranslationPolynomial(const MotionSegment& segment) {
   x[0] = y[0] = magnitude[0] = 0;
   if (!segment.translation) return;
   size = segment.degree + 1;
+  about = segment.about();
   if (segment.far()) {
-    about = segment.local()->about();
     const auto way_x = segment.way(true).rounded<double>(), way_y = segment.way(false).rounded<double>();
     for (int k = 0; k < size; ++k) {
       x[k] = middle_of(way_x, k);

@@ -54,22 +54,22 @@ struct MovingPose {
 
 MovingPose unmoved() { return {resting({}), resting({1, 0}), false}; }
 
-/// The line x0 + x1 t, expanded about the middle.
-MovingVector line(const MotionPiece& piece, double middle, double r) {
+/// The line x0 + x1 t, expanded about the middle, which is given since the piece's origin.
+MovingVector line(const MotionPiece& piece, const Ball<double>& since, double r) {
   const double x0 = coefficient(piece.x, 0), x1 = coefficient(piece.x, 1);
   const double y0 = coefficient(piece.y, 0), y1 = coefficient(piece.y, 1);
-  const double far = std::fabs(middle) + r;
+  const double middle = since.mid, far = std::fabs(middle) + r;
   MovingVector v;
   v.path = {{x0 + x1 * middle, x1, 0}, {y0 + y1 * middle, y1, 0}};
-  v.error = uniform_rounding * (std::fabs(x0) + std::fabs(y0) + far * (std::fabs(x1) + std::fabs(y1)));
+  v.error = uniform_rounding * (std::fabs(x0) + std::fabs(y0) + far * (std::fabs(x1) + std::fabs(y1))) +
+            since.rad * (std::fabs(x1) + std::fabs(y1));
   return v;
 }
 
 /// The unit vector of a uniformly changing angle: its Taylor series up to h^2, with a remainder of at most |w h|^3 / 6.
-MovingVector uniform_rotation(const Coefficients& angle, double middle, double r) {
+MovingVector uniform_rotation(const Coefficients& angle, const Ball<double>& since, double r) {
   const double speed = coefficient(angle, 1), w = std::fabs(speed) * r;
-  const Ball<double> at =
-      Ball<double>::exact(coefficient(angle, 0)) + Ball<double>::exact(speed) * Ball<double>::exact(middle);
+  const Ball<double> at = Ball<double>::exact(coefficient(angle, 0)) + Ball<double>::exact(speed) * since;
   const SinCos<double> e = sin_cos(at);
   const double c = e.cos.mid, s = e.sin.mid, half = speed * speed / 2;
   MovingVector v;
@@ -80,10 +80,11 @@ MovingVector uniform_rotation(const Coefficients& angle, double middle, double r
 }
 
 MovingPose uniform_pose(const MotionPiece& piece, double middle, double r) {
-  MovingPose pose{line(piece, middle, r), resting({1, 0}), false};
+  const Ball<double> since = time_since(Ball<double>::exact(middle), piece.origin);
+  MovingPose pose{line(piece, since, r), resting({1, 0}), false};
   const auto* rotation = std::get_if<AngleRotation>(&piece.rotation);
   if (!rotation) return pose;
-  pose.turn = uniform_rotation(rotation->angle, middle, r);
+  pose.turn = uniform_rotation(rotation->angle, since, r);
   pose.turns = true;
   if (piece.pivot == Point{}) return pose;
   const MovingVector pivot = resting({piece.pivot.x, piece.pivot.y});

@@ -27,15 +27,25 @@ def trimmed(coefficients):
     return c
 
 
+def origin_of(json, *polynomials):
+    """From when on a piece's polynomials count time; constants do not."""
+    return float(json.get("origin", 0)) if any(len(c) > 1 for c in polynomials) else 0.0
+
+
+def origin_bytes(origin):
+    return b"\xff\xff\xff\xff" + number(origin) if origin else b""
+
+
 class Piece:
     def __init__(self, json):
         if json.get("rotation"):
             raise NotCovered("a body turns")
         self.x, self.y = trimmed(json.get("x", [])), trimmed(json.get("y", []))
         self.until = float(json.get("until", INFINITE))
+        self.origin = origin_of(json, self.x, self.y)
 
     def bytes(self):
-        parts = [number(self.until)]
+        parts = [number(self.until), origin_bytes(self.origin)]
         for c in (self.x, self.y):
             parts += [struct.pack("<I", len(c))] + [number(x) for x in c]
         return b"".join(parts) + b"\0"
@@ -61,7 +71,7 @@ def made_between(make, given, start, end):
 
 def pieces_between(motion, start, end):
     given = given_pieces(compiled(motion, start, end))
-    if any(set(piece) - {"x", "y", "until", "rotation", "pivot"} for piece in given):
+    if any(set(piece) - {"x", "y", "until", "rotation", "pivot", "origin"} for piece in given):
         raise NotCovered("a motion that is not given by polynomials")
     return made_between(Piece, given, start, end)
 
@@ -280,7 +290,8 @@ class Plan:
 
     def legs(self, bodies):
         def on(piece, start, width):
-            return [polynomial_on(c, self.exponent, start, width) for c in (piece.x, piece.y)]
+            since = start - Fraction(piece.origin)
+            return [polynomial_on(c, self.exponent, since, width) for c in (piece.x, piece.y)]
 
         def relative(i, k, start, width):
             p, q = on(self.pieces[0][i], start, width), on(self.pieces[1][k], start, width)
@@ -300,7 +311,7 @@ class Plan:
                 while self.pieces[side][place[side]].until <= t:
                     place[side] += 1
             after = [self.pieces[side][place[side]] for side in (0, 1)]
-            if any(a.x != b.x or a.y != b.y for a, b in zip(before, after)):
+            if any((a.x, a.y, a.origin) != (b.x, b.y, b.origin) for a, b in zip(before, after)):
                 new = relative(*place, Fraction(t), Fraction(0))
                 x, y = ([a[0], b[0] - a[0]] for a, b in zip(old, new))
                 legs.append(Leg(0.0, 1.0, x, y, bodies, joint=t))

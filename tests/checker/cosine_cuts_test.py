@@ -18,7 +18,7 @@ def main():
     kinds, bad = collections.Counter(), 0
     for line in lines:
         said = json.loads(line)
-        expected = pieces([float(x) for x in said["cosine"]], float(said["from"]), float(said["to"]))
+        expected = pieces([float(x) for x in said["cosine"]], float(said["origin"]), float(said["from"]), float(said["to"]))
         kinds[min(len(expected), 5), any(name != "cosine" for _, name in expected)] += 1
         if expected != said["pieces"]:
             bad += 1

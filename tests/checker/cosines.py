@@ -7,18 +7,19 @@ from fractions import Fraction
 class Exact:
     """A polynomial with coefficients c / 2^scale, in integers: a fraction's common divisors take longer than all else."""
 
-    def __init__(self, c, scale):
-        self.c, self.scale = c, scale
+    def __init__(self, c, scale, origin):
+        self.c, self.scale, self.origin = c, scale, Fraction(origin)
 
     @classmethod
-    def of(cls, doubles):
+    def of(cls, doubles, origin):
         ratios = [float(x).as_integer_ratio() for x in doubles]
         scale = max(d.bit_length() for _, d in ratios) - 1
-        return cls([n << (scale - d.bit_length() + 1) for n, d in ratios], scale)
+        return cls([n << (scale - d.bit_length() + 1) for n, d in ratios], scale, origin)
 
     def at(self, t):
         """The value at a double, as an integer over two to the power of the second number."""
-        m, d = float(t).as_integer_ratio()
+        since = Fraction(t) - self.origin
+        m, d = since.numerator, since.denominator
         e, v, power = d.bit_length() - 1, 0, 0
         for x in reversed(self.c):
             v = v * m + (x << power)
@@ -29,10 +30,10 @@ class Exact:
         return self.at(t)[0] < 0
 
     def derivative(self):
-        return Exact([k * x for k, x in enumerate(self.c)][1:], self.scale)
+        return Exact([k * x for k, x in enumerate(self.c)][1:], self.scale, self.origin)
 
     def minus(self, n):
-        return Exact([self.c[0] - (n << self.scale), *self.c[1:]], self.scale)
+        return Exact([self.c[0] - (n << self.scale), *self.c[1:]], self.scale, self.origin)
 
 
 def value(c, t):
@@ -116,14 +117,14 @@ def cuts(a, start, end):
     return sorted(noted)[1:-1]
 
 
-def pieces(doubles, start, end):
-    """Of a polynomial: until when, None for the last, and "cosine", or which way the body rests."""
-    a, out, begin = Exact.of(doubles), [], start
+def pieces(doubles, origin, start, end):
+    """Of a polynomial in powers of t - origin: until when, None for the last, and "cosine", or which way the body rests."""
+    a, out, begin = Exact.of(doubles, origin), [], start
     for until in [*cuts(a, start, end), None]:
         last = end if until is None else until
         middle = begin + (last - begin) / 2
         rests = excess(a, middle) > 0 or all(touches(a, t) for t in (begin, middle, last))
-        turned = "not turned" if value(doubles, middle) > 0 else "half a turn"
+        turned = "not turned" if value(doubles, middle - origin) > 0 else "half a turn"
         out.append([until, turned if rests else "cosine"])
         begin = until
     return out

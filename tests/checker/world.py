@@ -12,8 +12,8 @@ from fractions import Fraction
 import cosines
 from balls import (J1, cadd, cmul, csub, exact, jadd, jconst, jinverse, jmul, jpolynomial, jpolynomial_about_middle,
                    jroot, jsub, jturn)
-from bodies import (INFINITE, diameter, displaced, given_pieces, is_clockwise, made_between, number, seed_of,
-                    trimmed)
+from bodies import (INFINITE, diameter, displaced, given_pieces, is_clockwise, made_between, number, origin_bytes,
+                    origin_of, polynomial_on, seed_of, trimmed)
 from covered import NotCovered
 from keyframes import compiled
 
@@ -32,7 +32,7 @@ class Piece:
     KINDS = {"angle": 1, "direction": 2, "half_angle_tangent": 3, "cosine": 4}
 
     def __init__(self, json):
-        if set(json) - {"x", "y", "until", "rotation", "pivot", "orbit"}:
+        if set(json) - {"x", "y", "until", "rotation", "pivot", "origin", "orbit"}:
             raise NotCovered("a motion of an unknown form")
         self.x, self.y = trimmed(json.get("x", [])), trimmed(json.get("y", []))
         self.until = float(json.get("until", INFINITE))
@@ -45,9 +45,10 @@ class Piece:
         self.orbit = trimmed(orbit.get("angle", []))
         self.centre = point(orbit.get("center")) if self.orbit else (0.0, 0.0)
         self.pivot = point(json.get("pivot")) if self.kind or self.orbit else (0.0, 0.0)
+        self.origin = origin_of(json, self.x, self.y, self.orbit, *self.rotation)
 
     def bytes(self):
-        out = number(self.until) + packed(self.x) + packed(self.y)
+        out = number(self.until) + origin_bytes(self.origin) + packed(self.x) + packed(self.y)
         if self.orbit:
             out += b"\5" + number(self.centre[0]) + number(self.centre[1]) + packed(self.orbit)
         out += bytes([self.kind]) + b"".join(packed(c) for c in self.rotation)
@@ -56,20 +57,23 @@ class Piece:
         return out
 
     def key(self):
-        return tuple(self.x), tuple(self.y), self.kind, self.rotation, tuple(self.orbit), self.centre, self.pivot
+        return tuple(self.x), tuple(self.y), self.kind, self.rotation, tuple(self.orbit), self.centre, self.pivot, self.origin
 
     def rests(self):
         return not (self.x or self.y or self.kind or self.orbit)
 
     def scale(self, exponent):
-        """The coefficients as integers times 2^-BITS, lengths multiplied by 2^exponent."""
+        """The coefficients in powers of the time itself, as integers times 2^-BITS, lengths multiplied by 2^exponent."""
         def length(x):
             return exact(Fraction(x) * Fraction(2) ** exponent)
 
-        self.place = [[length(x) for x in c] for c in (self.x, self.y)]
+        def in_time(c):
+            return polynomial_on(c, 0, Fraction(-self.origin), Fraction(1))[:len(c)] if self.origin else c
+
+        self.place = [[length(x) for x in in_time(c)] for c in (self.x, self.y)]
         self.c, self.m = [[(length(x), 0) for x in p] for p in (self.pivot, self.centre)]
-        self.turn = [[exact(x) for x in c] for c in self.rotation]
-        self.orbit_turn = [exact(x) for x in self.orbit]
+        self.turn = [[exact(x) for x in in_time(c)] for c in self.rotation]
+        self.orbit_turn = [exact(x) for x in in_time(self.orbit)]
 
     def pivot_place(self, t):
         """Where the pivot is."""
@@ -108,7 +112,8 @@ def cut_at_extremes(pieces, start, end):
     for piece in pieces:
         until = min(piece.until, end)
         if piece.kind == 4:
-            out += [piece.until_then(*part) for part in cosines.pieces(list(piece.rotation[0]) or [0.0], t, until)]
+            out += [piece.until_then(*part) for part in cosines.pieces(list(piece.rotation[0]) or [0.0], piece.origin,
+                                                                   t, until)]
         else:
             out.append(piece)
         t = until

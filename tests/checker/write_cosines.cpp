@@ -86,8 +86,11 @@ void print_numbers(const Coefficients& numbers) {
 void print_cosine(Rng& rng) {
   MotionPiece piece;
   piece.rotation = CosineRotation{random_cosine(rng)};
-  const double from = rng.chance(0.7) ? -1 : rng.real(-1, -0.5), to = rng.chance(0.7) ? 1 : rng.real(0.5, 1);
-  fmt::print("{{\"from\":{},\"to\":{},\"cosine\":[", from, to);
+  const double origin = rng.chance(0.7) ? 0 : rng.chance(0.5) ? rng.real(-9, 9) : 1790000000.25;
+  const double from = origin + (rng.chance(0.7) ? -1 : rng.real(-1, -0.5));
+  const double to = origin + (rng.chance(0.7) ? 1 : rng.real(0.5, 1));
+  piece.origin = origin;
+  fmt::print("{{\"from\":{},\"to\":{},\"origin\":{},\"cosine\":[", from, to, origin);
   print_numbers(std::get<CosineRotation>(piece.rotation).a);
   fmt::print("],\"pieces\":[");
   const char* separator = "";

@@ -42,6 +42,7 @@ Scene reversed(const Scene& scene) {
     std::vector<MotionPiece> pieces;
     for (std::size_t k = body.motion.pieces.size(); k-- > 0;) {
       pieces.push_back(reversed(body.motion.pieces[k]));
+      pieces.back().origin = -body.motion.pieces[k].origin;
       pieces.back().until = k == 0 ? INFINITY : -body.motion.pieces[k - 1].until;
     }
     body.motion.pieces = pieces;

@@ -29,6 +29,7 @@ Scene in_other_units(Scene scene, int lengths, int times) {
     for (Point& p : body.polygon) rescale(p, lengths);
     for (MotionPiece& piece : body.motion.pieces) {
       piece.until = std::ldexp(piece.until, times);
+      piece.origin = std::ldexp(piece.origin, times);
       rescale(piece.x, lengths, times);
       rescale(piece.y, lengths, times);
       rescale(piece.pivot, lengths);

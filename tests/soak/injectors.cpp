@@ -117,7 +117,9 @@ void touch_tangentially(Rng& rng, Scene& scene) {
   const Body& other = scene.bodies[scene.bodies[0].motion.pieces.empty() ? 0 : 1];
   if (!other.motion.pieces.empty() || mover.motion.pieces.size() != 1) return;
   MotionPiece& piece = mover.motion.pieces[0];
-  if (!std::holds_alternative<NoRotation>(piece.rotation) || piece.x.size() > 2 || piece.y.size() > 2) return;
+  if (!std::holds_alternative<NoRotation>(piece.rotation) || piece.x.size() > 2 || piece.y.size() > 2 ||
+      piece.origin != 0)
+    return;
   const int degree = rng.between(2, 4);
   const double t = answer.contact->time.lo, middle = 0.5;
   // (t - 1/2)^m, ascending.

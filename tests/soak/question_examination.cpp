@@ -161,7 +161,7 @@ class QuestionExamination {
         Coefficients* rotation = nullptr;
         if (auto* angle = std::get_if<AngleRotation>(&piece.rotation)) rotation = &angle->angle;
         if (!rotation && !std::holds_alternative<NoRotation>(piece.rotation)) return std::nullopt;
-        if (!piece.orbit.angle.empty()) return std::nullopt;
+        if (!piece.orbit.angle.empty() || piece.origin != 0) return std::nullopt;
         for (Coefficients* c : {&piece.x, &piece.y, rotation}) {
           if (c && !reverse(*c)) return std::nullopt;
         }

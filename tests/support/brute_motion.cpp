@@ -117,13 +117,15 @@ Vec BrutePiece::pivot() const {
   return {piece_.pivot.x, piece_.pivot.y};
 }
 
-Frame BrutePiece::at(Real t) const {
+Frame BrutePiece::at(Real time) const {
+  const Real t = time - piece_.origin;
   const Vec c = pivot(), a = std::visit([&](const auto&r) { return axis(r, t); }, piece_.rotation);
   const Vec turned{a.x * c.x - a.y * c.y, a.y * c.x + a.x * c.y};
   return {Vec{evaluate(piece_.x, t), evaluate(piece_.y, t)} + (c - turned), a};
 }
 
-FrameBounds BrutePiece::over(Real middle, Real half) const {
+FrameBounds BrutePiece::over(Real time, Real half) const {
+  const Real middle = time - piece_.origin;
   const Jet x = jet(piece_.x, middle, half), y = jet(piece_.y, middle, half);
   FrameBounds b;
   b.acceleration = std::hypot(x.second_bound, y.second_bound);
@@ -132,7 +134,7 @@ FrameBounds BrutePiece::over(Real middle, Real half) const {
   bound_rotation(middle, half, b);
   const Vec c = pivot();
   if (length(c) == 0) return b;  // rates may be infinite
-  const Vec a = at(middle).axis, turned{a.x * c.x - a.y * c.y, a.y * c.x + a.x * c.y};
+  const Vec a = at(time).axis, turned{a.x * c.x - a.y * c.y, a.y * c.x + a.x * c.y};
   b.acceleration += length(c) * (b.rate * b.rate + b.rate_change);
   b.origin_way += length(c) * b.angle_way;
   b.origin_velocity = b.origin_velocity - b.middle_rate * Vec{-turned.y, turned.x};
@@ -148,7 +150,8 @@ void BrutePiece::bound_rotation(Real middle, Real half, FrameBounds& b) const {
   b.angle_way = std::min(r.way, r.rate * half);
 }
 
-Real BrutePiece::magnitude(Real t, Real radius) const {
+Real BrutePiece::magnitude(Real time, Real radius) const {
+  const Real t = std::fabs(time) + std::fabs(Real(piece_.origin));
   Real turned = 1;
   if (const auto* r = std::get_if<AngleRotation>(&piece_.rotation)) turned += magnitude_of(r->angle, t);
   return magnitude_of(piece_.x, t) + magnitude_of(piece_.y, t) + turned * (radius + 2 * length(pivot()));

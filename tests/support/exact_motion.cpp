@@ -7,10 +7,17 @@ Poly one() { return {Rational(1)}; }
 
 Complex constant(const Point& p) { return {trimmed({Rational(p.x)}), trimmed({Rational(p.y)})}; }
 
+/// A polynomial of the piece as one of the time itself.
+Poly in_time(const MotionPiece& piece, const Coefficients& c) {
+  return piece.origin == 0 ? poly(c) : composed(poly(c), Poly{Rational(-Rational(piece.origin)), Rational(1)});
+}
+
 /// 1 - a^2 of a cosine, or nothing.
 Poly radicand_of(const MotionPiece& piece) {
   const auto* r = std::get_if<CosineRotation>(&piece.rotation);
-  return r ? one() - poly(r->a) * poly(r->a) : Poly{};
+  if (!r) return {};
+  const Poly a = in_time(piece, r->a);
+  return one() - a * a;
 }
 
 /// How often (t - root) divides p, which is divided by it.
@@ -87,23 +94,24 @@ void BodyMotion::set_origin(const MotionPiece& piece, const Poly& time) {
   const bool turns = !std::holds_alternative<NoRotation>(piece.rotation);
   if (turns) pivot_point_ = piece.pivot;
   pivot_ = constant(pivot_point_);
-  origin_ = Complex{composed(poly(piece.x), time), composed(poly(piece.y), time)} + pivot_;
+  origin_ = Complex{composed(in_time(piece, piece.x), time), composed(in_time(piece, piece.y), time)} + pivot_;
 }
 
 bool BodyMotion::set_rotation(const MotionPiece& piece, const Poly& time, const Rational& from, const Rational& to) {
   plain_ = {one(), {}};
-  if (const auto* r = std::get_if<AngleRotation>(&piece.rotation)) angle_ = composed(poly(r->angle), time);
+  if (const auto* r = std::get_if<AngleRotation>(&piece.rotation)) angle_ = composed(in_time(piece, r->angle), time);
   if (const auto* r = std::get_if<HalfAngleRotation>(&piece.rotation)) {
-    const Poly s = composed(poly(r->s), time);
+    const Poly s = composed(in_time(piece, r->s), time);
     plain_ = Complex{one(), s} * Complex{one(), s};
     below_ = square_ = Curve(one() + s * s);
   }
   if (const auto* r = std::get_if<DirectionRotation>(&piece.rotation)) {
     Rational u = (from + to) / 2;
     if (time.size() > 2) u = time[2] > 0 ? Rational(1, 1024) : Rational(-1, 1024);
-    set_direction(composed(poly(r->a), time), composed(poly(r->b), time), u);
+    set_direction(composed(in_time(piece, r->a), time), composed(in_time(piece, r->b), time), u);
   }
-  if (const auto* r = std::get_if<CosineRotation>(&piece.rotation)) return set_cosine(poly(r->a), time, from, to);
+  if (const auto* r = std::get_if<CosineRotation>(&piece.rotation))
+    return set_cosine(in_time(piece, r->a), time, from, to);
   return true;
 }
 

@@ -44,12 +44,13 @@ MotionPiece random_piece(Rng& rng) {
       piece.rotation = CosineRotation{{0.1, rng.real(-0.5, 0.5)}};
   }
   if (rng.below(2)) piece.pivot = {rng.real(-1, 1), rng.real(-1, 1)};
+  if (rng.below(2)) piece.origin = rng.below(2) ? 0.25 : rng.real(0, 1);
   return piece;
 }
 
 /// World position by the definition, in long double.
-void world(const MotionPiece& piece, long double t, const DisplacedPoint& v, long double& x, long double& y) {
-  const auto value = [t](const Coefficients& c) {
+void world(const MotionPiece& piece, long double time, const DisplacedPoint& v, long double& x, long double& y) {
+  const auto value = [t = time - piece.origin](const Coefficients& c) {
     long double s = 0;
     for (std::size_t k = c.size(); k-- > 0;) s = s * t + c[k];
     return s;
@@ -140,6 +141,7 @@ TEST(CertificateFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
   for (int i = 0; i < 400; ++i) {
     const PairGeometry g = random_pair(rng);
     MotionPiece p = random_piece(rng);
+    p.origin = rng.chance(0.5) ? 0.25 : 0;
     const bool at_start = rng.chance(0.5), linear = rng.chance(0.5);
     const double e = rng.chance(0.5) ? 1 : -1, change = -e * rng.between(20, 100) * 0x1p-8;
     // |c| = 1 at the end.
@@ -149,9 +151,9 @@ TEST(CertificateFunction, IsSmoothInTheRootOfTheDistanceFromASingularEnd) {
     Coefficients a{e, 0, 0, 0};
     a[static_cast<std::size_t>(order)] = order % 2 == 1 ? direction * change : change;
     for (int k = order + 1; k < 4 && !linear; ++k) a[static_cast<std::size_t>(k)] = rng.between(-12, 12) * 0x1p-8;
-    // About 0 instead of about the end: exact with coefficients of few bits.
+    // About the origin instead of about the end: exact with coefficients of few bits.
     for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t power = 3; power-- > k;) a[power] -= a[power + 1] * end;
+      for (std::size_t power = 3; power-- > k;) a[power] -= a[power + 1] * (end - p.origin);
     }
     p.rotation = CosineRotation{a};
     const MotionSegment segment = at_start ? MotionSegment::motion(p, random_piece(rng), end, end + 1)

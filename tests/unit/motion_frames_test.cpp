@@ -69,6 +69,7 @@ MotionPiece any_piece(Rng& rng) {
   MotionPiece piece{random_coefficients(rng, rng.below(6), 3), random_coefficients(rng, rng.below(6), 3),
                     any_rotation(rng)};
   if (rng.chance(0.5)) piece.pivot = {rng.real(-5, 5), double(rng.between(-5, 5))};
+  if (rng.chance(0.5)) piece.origin = rng.chance(0.5) ? 0.5 : rng.unit();
   return piece;
 }
 

@@ -41,6 +41,7 @@ MotionPiece piece_of_any_form(Rng& rng) {
       break;
   }
   if (rng.chance(0.3)) piece.pivot = {rng.real(-2, 2), 0};
+  if (rng.chance(0.3)) piece.origin = rng.chance(0.5) ? 1 : rng.real(-1, 1);
   if (rng.chance(0.2)) piece.orbit = {{rng.real(-2, 2), rng.real(-2, 2)}, {0, rng.real(0.5, 1)}};
   return piece;
 }
@@ -113,8 +114,9 @@ std::vector<MotionSegment> all_segments(const std::vector<MotionPiece>& p, const
     while (p[i].until <= t) ++i;
     while (q[j].until <= t) ++j;
     if (same_motion(p[old_i], p[i]) && same_motion(q[old_j], q[j])) continue;
-    const bool far = segments.back().far() || is_far_for(std::max(highest_power(p[i]), highest_power(q[j])), t,
-                                                         std::min({p[i].until, q[j].until, end}));
+    const double before = segments.back().start, after = std::min({p[i].until, q[j].until, end});
+    const bool far = is_far_for(p[old_i], before, t) || is_far_for(q[old_j], before, t) || is_far_for(p[i], t, after) ||
+                     is_far_for(q[j], t, after);
     segments.push_back(MotionSegment::bridging(p[old_i], q[old_j], p[i], q[j], t, far));
   }
 }

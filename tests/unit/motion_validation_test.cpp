@@ -127,11 +127,11 @@ TEST(MotionValidation, RefusesDirectionsThatVanishAndNoOthers) {
 }
 
 TEST(MotionValidation, AcceptsNothingThatItCouldNotSearch) {
-  EXPECT_EQ(beyond_one(chebyshev_polynomial(16), -1, 1), std::nullopt);
-  EXPECT_THROW(beyond_one(chebyshev_polynomial(16), -1, 1, 100), SearchExhausted);
+  EXPECT_EQ(beyond_one(chebyshev_polynomial(16), 0, -1, 1), std::nullopt);
+  EXPECT_THROW(beyond_one(chebyshev_polynomial(16), 0, -1, 1, 100), SearchExhausted);
   const Coefficients sqrt_two{-2, 0, 1}, multiple{0, -2, 0, 1};
-  EXPECT_NE(common_zero(sqrt_two, multiple, 0, 2), std::nullopt);
-  EXPECT_THROW(common_zero(sqrt_two, multiple, 0, 2, 100), SearchExhausted);
+  EXPECT_NE(common_zero(sqrt_two, multiple, 0, 0, 2), std::nullopt);
+  EXPECT_THROW(common_zero(sqrt_two, multiple, 0, 0, 2, 100), SearchExhausted);
 }
 
 TEST(MotionValidation, SmallBodiesFarAwayMayJumpByWhatDoublesRound) {

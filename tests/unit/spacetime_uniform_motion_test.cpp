@@ -26,9 +26,10 @@ long double linear(const Coefficients& c, long double t) {
   return static_cast<long double>(coefficient(c, 0)) + static_cast<long double>(coefficient(c, 1)) * t;
 }
 
-LongPose long_pose(const std::vector<MotionPiece>& chain, long double t) {
+LongPose long_pose(const std::vector<MotionPiece>& chain, long double time) {
   LongPose pose;
   for (const MotionPiece& piece : chain) {
+    const long double t = time - piece.origin;
     const auto* rotation = std::get_if<AngleRotation>(&piece.rotation);
     const Long x = rotation ? std::polar(1.0L, linear(rotation->angle, t)) : Long(1);
     const Long c = rotation ? Long(piece.pivot.x, piece.pivot.y) : Long(0);
@@ -44,6 +45,7 @@ MotionPiece random_uniform_piece(Rng& rng) {
   if (rng.chance(0.8)) piece.y = {rng.real(-1, 1), rng.real(-1, 1)};
   if (rng.chance(0.8)) piece.rotation = AngleRotation{{rng.real(-4, 4), rng.real(-3, 3)}};
   if (rng.chance(0.5)) piece.pivot = {rng.real(-0.5, 0.5), rng.real(-0.5, 0.5)};
+  if (rng.chance(0.5)) piece.origin = rng.real(-1, 1);
   return piece;
 }
 

@@ -54,6 +54,7 @@ MotionSegment random_segment(Rng& rng) {
       if (rng.chance(0.3)) c->push_back(rng.real(-1, 1) / length);
     }
     if (rng.chance(0.3)) piece->pivot = {rng.real(-1, 1), rng.real(-1, 1)};
+    if (rng.chance(0.3)) piece->origin = start + length * rng.real(-1, 1);
   }
   for (int k = 2; k < 10 && rng.chance(0.3); ++k) q.y.push_back(0.5 / std::pow(1e6 + length, k));
   return MotionSegment::motion(p, q, start, start + length);

@@ -132,6 +132,8 @@ export interface Motion {
   pivot?: [number, number];
   /** The place of the pivot goes around the centre. */
   orbit?: { center: [number, number]; angle: number[] };
+  /** From when on polynomials count time; 0 by default. */
+  origin?: number;
   until?: number;
 }
 

@@ -54,13 +54,14 @@ export type Rotation =
   | { readonly direction: { readonly a: Polynomial; readonly b: Polynomial } }
   | { readonly half_angle_tangent: Polynomial }
   | { readonly cosine: Polynomial };
-/** Polynomials in the time t: the body's point (u, v) is at (x, y), plus (u, v) as it is rotated. */
+/** Polynomials in the time since `origin`, which is 0 by default: the body's point (u, v) is at (x, y), plus (u, v) as it is rotated. */
 export interface MotionPiece {
   readonly x?: Polynomial;
   readonly y?: Polynomial;
   readonly rotation?: Rotation | null;
   readonly pivot?: Point;
   readonly orbit?: { readonly center: Point; readonly angle: Polynomial };
+  readonly origin?: number;
   readonly until?: number;
 }
 export type Motion = null | KeyframedMotion | SteadyMotion | SweepMotion | MotionPiece | readonly MotionPiece[];
