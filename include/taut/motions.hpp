@@ -1,12 +1,11 @@
 // Motions as people write them, in degrees and by keyframes, compiled to pieces.
 //
 // Rounding. A motion's coefficients are doubles, and they are what check() takes exactly. Each coefficient made here is
-// the double nearest to its exact value: degrees become radians, slopes are divided, and lines are extended to t = 0 in
-// 960 bits, and the result is rounded once. So a line through two keyframes misses the number written at either of
-// them by at most 2^-52 (|a| + |b| + |v| T): a and b are the two numbers (angles in radians), v the slope between them,
-// and T the larger of the two times in magnitude. Where lines meet, this is far below the 1e-6 of the larger body's
-// size that validation allows and bridges, unless times are so far from 0 that |v| T is a billion sizes. Numbers at t =
-// 0, pivots, velocities, and angles held at a multiple of 90 degrees are not rounded at all.
+// the double nearest to its exact value: degrees become radians and slopes are divided in 960 bits, and the result is
+// rounded once. A line between two keyframes is in powers of the time since the earlier one (MotionPiece::origin). So
+// x and y are exactly those written at the earlier keyframe, and the line ends within 2^-53 |b - a| of those written at
+// the later one, whenever that is. Angles are rounded by 2^-53 of their size in radians besides. Pivots, velocities,
+// and angles held at a multiple of 90 degrees are not rounded at all.
 #pragma once
 
 #include <optional>

@@ -31,11 +31,11 @@ void require_finite(std::initializer_list<double> numbers, const std::string& pl
     throw InputError(place, "a number is not finite", "write finite numbers");
 }
 
-/// The line through (t0, a) and (t1, b), t0 < t1, times a factor.
+/// The line through (t0, a) and (t1, b), t0 < t1, times a factor, in powers of the time since t0. In powers of the time
+/// itself, the pose at t0 would be the difference of two rounded numbers, which late in time are far larger than it.
 Coefficients line(double t0, double a, double t1, double b, const Wide& factor = 1) {
   if (a == b) return a == 0 ? Coefficients{} : Coefficients{rounded(a * factor)};
-  const Wide length = Wide(t1) - Wide(t0);
-  return {rounded((Wide(a) * t1 - Wide(b) * t0) / length * factor), rounded((Wide(b) - Wide(a)) / length * factor)};
+  return {rounded(a * factor), rounded((Wide(b) - Wide(a)) / (Wide(t1) - Wide(t0)) * factor)};
 }
 
 Coefficients constant(double value) { return value == 0 ? Coefficients{} : Coefficients{value}; }
@@ -62,6 +62,7 @@ MotionPiece rest_at(const Keyframe& k, const Point& pivot) {
 /// Around the keyframe's centre, evenly.
 MotionPiece around(const Keyframe& a, const Keyframe& b, const Point& pivot) {
   MotionPiece piece = rest_at(a, pivot);
+  piece.origin = a.t;
   piece.orbit = {b.centre, line(a.t, 0, b.t, b.by_deg, radians_per_degree())};
   if (b.way == Way::turn && a.angle_deg != b.angle_deg)
     piece.rotation = AngleRotation{line(a.t, a.angle_deg, b.t, b.angle_deg, radians_per_degree())};
@@ -72,6 +73,7 @@ MotionPiece around(const Keyframe& a, const Keyframe& b, const Point& pivot) {
 MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
   if (b.way != Way::straight && b.by_deg != 0) return around(a, b, pivot);
   MotionPiece piece;
+  piece.origin = a.t;
   piece.x = line(a.t, a.x, b.t, b.x);
   piece.y = line(a.t, a.y, b.t, b.y);
   piece.rotation = a.angle_deg == b.angle_deg
@@ -158,6 +160,7 @@ Motion from_sweep(const Point& pivot, double from_deg, double to_deg, double sta
     throw InputError("sweep", "the time interval has no length", "give the sweep a time interval with start < end");
   MotionPiece piece;
   piece.pivot = pivot;
+  piece.origin = start;
   piece.rotation = AngleRotation{line(start, from_deg, end, to_deg, radians_per_degree())};
   return {{std::move(piece)}, true};
 }
@@ -166,9 +169,11 @@ std::optional<AngleInterval> angle_at(const Motion& motion, const TimeInterval& 
   if (!motion.sweep || motion.pieces.size() != 1) return std::nullopt;
   const auto* rotation = std::get_if<AngleRotation>(&motion.pieces[0].rotation);
   if (!rotation || rotation->angle.size() > 2) return std::nullopt;
-  const auto degrees = [rotation](double t) {
+  const Wide origin = motion.pieces[0].origin;
+  const auto degrees = [&](double t) {
+    const Wide since = t - origin;
     Wide angle = 0;
-    for (std::size_t k = rotation->angle.size(); k-- > 0;) angle = angle * t + rotation->angle[k];
+    for (std::size_t k = rotation->angle.size(); k-- > 0;) angle = angle * since + rotation->angle[k];
     return Wide(angle / radians_per_degree());
   };
   const Wide a = degrees(time.lo), b = degrees(time.hi);

@@ -67,8 +67,8 @@ def check_what_is_not_covered(root):
 def check_keyframes():
     """What turns is not covered, also where it is written in degrees."""
     keys = [{"t": 0, "x": 0, "y": 0}, {"t": 1, "x": 0.1, "y": 2}, {"t": 2, "x": 1, "y": 2}]
-    pieces = [(p.x, p.y, p.until) for p in pieces_between({"keyframes": keys}, 0, 2.5)]
-    assert pieces == [([0, 0.1], [0, 2], 1), ([-0.8, 0.9], [2], 2), ([1], [2], float("inf"))], pieces
+    pieces = [(p.x, p.y, p.origin, p.until) for p in pieces_between({"keyframes": keys}, 0, 2.5)]
+    assert pieces == [([0, 0.1], [0, 2], 0, 1), ([0.1, 0.9], [2], 1, 2), ([1], [2], 0, float("inf"))], pieces
     for angle in (90, 10):
         try:
             pieces_between({"keyframes": [{"t": 0, "angle_deg": angle}]}, 0, 1)

@@ -24,11 +24,11 @@ RADIANS_PER_DEGREE = Fraction(4 * (4 * _arctan_of_inverse(5) - _arctan_of_invers
 
 
 def line(t0, a, t1, b, factor=Fraction(1)):
-    """The polynomial through (t0, a) and (t1, b), times a factor."""
+    """The polynomial through (t0, a) and (t1, b) in powers of the time since t0, times a factor."""
     if a == b:
         return [float(Fraction(a) * factor)] if a else []
     t0, a, t1, b = map(Fraction, (t0, a, t1, b))
-    return [float((a * t1 - b * t0) / (t1 - t0) * factor), float((b - a) / (t1 - t0) * factor)]
+    return [float(a * factor), float((b - a) / (t1 - t0) * factor)]
 
 
 def turning(t0, a, t1, b):
@@ -94,7 +94,7 @@ def leg(t0, a, t1, b, key, pivot):
     else:
         rotation = held(a[2]) if a[2] == b[2] else {"angle": turning(t0, a[2], t1, b[2])}
         piece = {"x": line(t0, a[0], t1, b[0]), "y": line(t0, a[1], t1, b[1]), "rotation": rotation, "pivot": pivot}
-    return {**piece, "until": t1}
+    return {**piece, "origin": t0, "until": t1}
 
 
 def from_keyframes(keys, pivot):
@@ -124,7 +124,7 @@ def compiled(motion, start, end):
     if "sweep" in motion:
         sweep = motion["sweep"]
         angle = turning(start, float(sweep["from_deg"]), end, float(sweep["to_deg"]))
-        return [{"rotation": {"angle": angle}, "pivot": sweep.get("pivot", (0, 0))}]
+        return [{"rotation": {"angle": angle}, "origin": start, "pivot": sweep.get("pivot", (0, 0))}]
     x, y = motion.get("velocity", (0, 0))
     spin = float(motion.get("spin_deg", 0))
     rotation = {"angle": [0, float(Fraction(spin) * RADIANS_PER_DEGREE)]} if spin else None

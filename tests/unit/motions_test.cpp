@@ -52,24 +52,19 @@ std::vector<Keyframe> random_keyframes(Rng& rng) {
 }
 
 template <class Exact>
-Exact value(const Coefficients& c, double t) {
+Exact value(const Coefficients& c, const Exact& t) {
   Exact sum = 0;
-  for (std::size_t k = c.size(); k-- > 0;) sum = sum * Exact(t) + Exact(c[k]);
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * t + Exact(c[k]);
   return sum;
 }
 
-/// The bound of the header, in rationals: 2^-52 (|a| + |b| + |v| T).
+/// The bounds of the header: 2^-53 |b - a| at the later keyframe, and at both 2^-53 of an angle.
 template <class Exact>
-Exact bound(const Exact& a, const Exact& b, double t0, double t1) {
-  const Exact slope = (b - a) / (Exact(t1) - Exact(t0));
-  return (abs(a) + abs(b) + abs(slope) * Exact(std::fmax(std::fabs(t0), std::fabs(t1)))) * Exact(0x1p-52);
-}
-
-template <class Exact>
-void expect_through(const Coefficients& line, double t0, const Exact& a, double t1, const Exact& b) {
+void expect_through(const Coefficients& line, const Exact& length, const Exact& a, const Exact& b, bool angle) {
   EXPECT_LE(line.size(), 2u);
-  EXPECT_LE(abs(Exact(value<Exact>(line, t0) - a)), bound(a, b, t0, t1));
-  EXPECT_LE(abs(Exact(value<Exact>(line, t1) - b)), bound(a, b, t0, t1));
+  const Exact of_start = angle ? Exact(abs(a) * Exact(0x1p-53)) : Exact(0);
+  EXPECT_LE(abs(Exact(value<Exact>(line, Exact(0)) - a)), of_start);
+  EXPECT_LE(abs(Exact(value<Exact>(line, length) - b)), Exact(of_start + abs(Exact(b - a)) * Exact(0x1p-53)));
 }
 
 TEST(Keyframes, AreMetAsNearlyAsStated) {
@@ -82,15 +77,17 @@ TEST(Keyframes, AreMetAsNearlyAsStated) {
       const Keyframe &a = keyframes[k], &b = keyframes[k + 1];
       const MotionPiece& piece = motion.pieces[k + 1];
       EXPECT_EQ(piece.until, b.t);
-      expect_through(piece.x, a.t, Quotient(a.x), b.t, Quotient(b.x));
-      expect_through(piece.y, a.t, Quotient(a.y), b.t, Quotient(b.y));
-      const Quotient slope = (Quotient(b.x) - Quotient(a.x)) / (Quotient(b.t) - Quotient(a.t));
+      EXPECT_EQ(piece.origin, a.t);
+      const Quotient length = Quotient(b.t) - Quotient(a.t), slope = (Quotient(b.x) - Quotient(a.x)) / length;
+      expect_through(piece.x, length, Quotient(a.x), Quotient(b.x), false);
+      expect_through(piece.y, length, Quotient(a.y), Quotient(b.y), false);
       if (slope != 0) {
         EXPECT_TRUE(nearest(piece.x.at(1), slope));
-        EXPECT_TRUE(nearest(piece.x.at(0), Quotient(Quotient(a.x) - slope * Quotient(a.t))));
       }
-      if (const auto* r = std::get_if<AngleRotation>(&piece.rotation))
-        expect_through(r->angle, a.t, exact_radians(a.angle_deg), b.t, exact_radians(b.angle_deg));
+      if (const auto* r = std::get_if<AngleRotation>(&piece.rotation)) {
+        expect_through(r->angle, RealMax(RealMax(b.t) - RealMax(a.t)), exact_radians(a.angle_deg),
+                       exact_radians(b.angle_deg), true);
+      }
     }
   }
 }
@@ -109,7 +106,8 @@ TEST(Keyframes, RestBeforeAndAfter) {
   ASSERT_EQ(motion.pieces.size(), 3u);
   EXPECT_EQ(motion.pieces[0].x, Coefficients{2});
   EXPECT_EQ(motion.pieces[0].until, 1);
-  EXPECT_EQ(motion.pieces[1].x, (Coefficients{0, 2}));
+  EXPECT_EQ(motion.pieces[1].x, (Coefficients{2, 2}));
+  EXPECT_EQ(motion.pieces[1].origin, 1);
   EXPECT_EQ(motion.pieces[1].y, Coefficients{3});
   EXPECT_EQ(motion.pieces[1].until, 2);
   EXPECT_EQ(motion.pieces[2].x, Coefficients{4});
@@ -169,7 +167,8 @@ TEST(Sweep, MapsTheTimeToTheAngle) {
   const Motion whole = from_sweep({1, 2}, 0, 110, 0, 110);
   EXPECT_EQ(std::get<AngleRotation>(whole.pieces.at(0).rotation).angle, (Coefficients{0, radians(1)}));
   const Motion shifted = from_sweep({1, 2}, 10, 40, 2, 5);
-  EXPECT_EQ(std::get<AngleRotation>(shifted.pieces.at(0).rotation).angle, (Coefficients{radians(-10), radians(10)}));
+  EXPECT_EQ(std::get<AngleRotation>(shifted.pieces.at(0).rotation).angle, (Coefficients{radians(10), radians(10)}));
+  EXPECT_EQ(shifted.pieces.at(0).origin, 2);
   EXPECT_TRUE(shifted.sweep);
   for (const double t : {2.0, 3.3, 5.0}) {
     const auto angle = angle_at(shifted, {t, t});

@@ -90,7 +90,10 @@ export function keyframesOf(body: Body, start: number, end: number): Keyframe[] 
     if (!angle || piece.orbit || [piece.x, piece.y, angle].some((c) => (c?.length ?? 0) > 2)) return null;
     const to = i + 1 < pieces.length ? Math.min(piece.until ?? end, end) : end;
     if (to <= from && !(i === 0 && start === end)) continue;
-    const at = (t: number): Keyframe => ({ t, x: value(piece.x, t), y: value(piece.y, t), angle: value(angle, t) });
+    const at = (t: number): Keyframe => {
+      const since = t - (piece.origin ?? 0);
+      return { t, x: value(piece.x, since), y: value(piece.y, since), angle: value(angle, since) };
+    };
     const first = at(from);
     const last = out[out.length - 1];
     const size = Math.abs(first.x) + Math.abs(first.y) + 1;
@@ -113,13 +116,14 @@ function trimmed(coefficients: number[]): number[] | undefined {
 
 function steady(at: Keyframe, velocity: Velocity, pivot: [number, number], until?: number): Motion {
   const piece: Motion = {};
-  const x = trimmed([at.x - velocity.x * at.t, velocity.x]);
-  const y = trimmed([at.y - velocity.y * at.t, velocity.y]);
-  const angle = trimmed([at.angle - velocity.spin * at.t, velocity.spin]);
+  const x = trimmed([at.x, velocity.x]);
+  const y = trimmed([at.y, velocity.y]);
+  const angle = trimmed([at.angle, velocity.spin]);
   if (x) piece.x = x;
   if (y) piece.y = y;
   if (angle) piece.rotation = { angle };
   if (angle && (pivot[0] !== 0 || pivot[1] !== 0)) piece.pivot = pivot;
+  if (at.t !== 0 && [x, y, angle].some((c) => (c?.length ?? 0) > 1)) piece.origin = at.t;
   if (until !== undefined) piece.until = until;
   return piece;
 }
@@ -173,7 +177,7 @@ function unwound(body: Body, pose: Pose, t: number): number {
   const piece = piecesOf(body).find((p) => t < (p.until ?? Infinity)) ?? piecesOf(body).at(-1);
   const counted = piece && angleOf(piece);
   if (!counted || counted.length === 0) return angle;
-  return angle + 2 * Math.PI * Math.round((value(counted, t) - angle) / (2 * Math.PI));
+  return angle + 2 * Math.PI * Math.round((value(counted, t - (piece.origin ?? 0)) - angle) / (2 * Math.PI));
 }
 
 /** The whole motion moved by (dx, dy). */
