@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "motion/pieces.hpp"
 #include "numeric/ball.hpp"
 #include "numeric/real.hpp"
 #include "numeric/trig.hpp"
@@ -73,7 +74,6 @@ MotionPiece around(const Keyframe& a, const Keyframe& b, const Point& pivot) {
 MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
   if (b.way != Way::straight && b.by_deg != 0) return around(a, b, pivot);
   MotionPiece piece;
-  piece.origin = a.t;
   piece.x = line(a.t, a.x, b.t, b.x);
   piece.y = line(a.t, a.y, b.t, b.y);
   piece.rotation = a.angle_deg == b.angle_deg
@@ -81,6 +81,7 @@ MotionPiece between(const Keyframe& a, const Keyframe& b, const Point& pivot) {
                        : Rotation(AngleRotation{line(a.t, a.angle_deg, b.t, b.angle_deg, radians_per_degree())});
   piece.until = b.t;
   piece.pivot = pivot;
+  if (varies(piece)) piece.origin = a.t;
   return piece;
 }
 

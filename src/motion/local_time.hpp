@@ -107,7 +107,8 @@ struct LocalTime {
 
 /// The time for polynomials that are given in powers of the time since `origin`.
 template <class Real>
-LocalTime<Real> since_origin(LocalTime<Real> t, double origin) {
+inline LocalTime<Real> since_origin(LocalTime<Real> t, double origin) {
+  if (origin == 0) return t;
   t.t = time_since(t.t, origin);
   t.origin = origin;
   return t;

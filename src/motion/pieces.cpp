@@ -89,7 +89,7 @@ MotionPiece scaled(MotionPiece piece, int exponent) {
 }
 
 bool same_motion(const MotionPiece& a, const MotionPiece& b) {
-  return a.x == b.x && a.y == b.y && a.origin == b.origin && same_rotation(a.rotation, b.rotation) &&
+  return a.x == b.x && a.y == b.y && (a.origin == b.origin || !varies(a)) && same_rotation(a.rotation, b.rotation) &&
          pivot_of(a) == pivot_of(b) && a.orbit.angle == b.orbit.angle &&
          (!orbits(a) || a.orbit.centre == b.orbit.centre);
 }

@@ -28,7 +28,7 @@ class PieceCheck {
   void run() const {
     coefficients("x", piece_.x);
     coefficients("y", piece_.y);
-    finite("origin", piece_.origin);
+    usable(piece_.origin, [] { return std::string("origin"); });
     coefficients("pivot", {piece_.pivot.x, piece_.pivot.y});
     coefficients("orbit.angle", piece_.orbit.angle);
     coefficients("orbit.centre", {piece_.orbit.centre.x, piece_.orbit.centre.y});
@@ -40,17 +40,19 @@ class PieceCheck {
   }
 
  private:
-  void finite(const std::string& what, double x) const {
-    if (!std::isfinite(x)) throw InputError(place_, what + " is not a finite number", "write finite numbers");
-    if (std::fabs(x) > 0x1p400 || (x != 0 && std::fabs(x) < 0x1p-400))
-      throw InputError(
-          place_,
-          what + " = " + number(x) + " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
-          "choose other units");
+  template <class Name>
+  void usable(double x, const Name& name) const {
+    if (x == 0 || (std::fabs(x) <= 0x1p400 && std::fabs(x) >= 0x1p-400)) return;
+    if (!std::isfinite(x)) throw InputError(place_, name() + " is not a finite number", "write finite numbers");
+    throw InputError(
+        place_,
+        name() + " = " + number(x) + " is outside the range of magnitudes that taut computes with, 2^-400 to 2^400",
+        "choose other units");
   }
 
   void coefficients(const char* what, const Coefficients& c) const {
-    for (std::size_t i = 0; i < c.size(); ++i) finite(std::string(what) + "[" + std::to_string(i) + "]", c[i]);
+    for (std::size_t i = 0; i < c.size(); ++i)
+      usable(c[i], [&] { return std::string(what) + "[" + std::to_string(i) + "]"; });
     if (c.size() > max_degree + 1)
       throw InputError(place_, std::string(what) + " has degree " + std::to_string(c.size() - 1),
                        "the highest degree supported is " + std::to_string(max_degree));

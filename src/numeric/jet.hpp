@@ -13,15 +13,23 @@
 
 namespace taut::internal {
 
-/// t - origin, without a rounding where the difference is a double.
+namespace detail {
+
 template <class Real>
-Ball<Real> time_since(const Ball<Real>& t, double origin) {
-  if (origin == 0) return t;
+Ball<Real> time_since_other(const Ball<Real>& t, double origin) {
   if constexpr (std::is_same_v<Real, double>) {
     const TwoDoubles difference = two_sum(t.mid, -origin);
     if (difference.lo == 0) return Ball<double>(difference.hi, t.rad);
   }
   return t - Ball<Real>::exact(origin);
+}
+
+}  // namespace detail
+
+/// t - origin, without a rounding where the difference is a double.
+template <class Real>
+inline Ball<Real> time_since(const Ball<Real>& t, double origin) {
+  return origin == 0 ? t : detail::time_since_other(t, origin);
 }
 
 /// A time given by its distance from an end at which the motion is singular: t = end + direction s^2, where direction

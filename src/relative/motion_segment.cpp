@@ -166,20 +166,22 @@ FrameOf<J> composed_frame(const MotionSegment& segment, const Time& t) {
 /// A coordinate of D minus the shift.
 template <class J, class Time>
 J way(const MotionSegment& segment, bool of_x, const Time& t) {
+  const Coefficients &q = of_x ? segment.q.x : segment.q.y, &p = of_x ? segment.p.x : segment.p.y;
+  const double to = segment.q.origin, from = segment.p.origin;
   if constexpr (requires { t.since; }) {
     using Real = std::decay_t<decltype(t.since.mid)>;
     if (t.polynomials) return J::polynomial(segment.way(of_x).template rounded<Real>(), t.since);
+    return J::polynomial(VaryingPart{q}, time_since(t.t, to)) - J::polynomial(VaryingPart{p}, time_since(t.t, from));
+  } else {
+    if (!segment.far())
+      return J::polynomial(VaryingPart{q}, since_origin(t, to)) - J::polynomial(VaryingPart{p}, since_origin(t, from));
+    const ExactVector& s = segment.shift;
+    const Point a = pivot_of(segment.p), b = pivot_of(segment.q);
+    J d = J::polynomial(q, since_origin(t, to)) - J::polynomial(p, since_origin(t, from));
+    for (const double c : {of_x ? b.x : b.y, of_x ? -a.x : -a.y, of_x ? -s.x : -s.y, of_x ? -s.x_low : -s.y_low})
+      d = d + J::constant(c);
+    return d;
   }
-  const Coefficients &q = of_x ? segment.q.x : segment.q.y, &p = of_x ? segment.p.x : segment.p.y;
-  const Time to = since_origin(t, segment.q.origin), from = since_origin(t, segment.p.origin);
-  if (!segment.far())
-    return J::polynomial(VaryingPart{q}, absolute(to)) - J::polynomial(VaryingPart{p}, absolute(from));
-  const ExactVector& s = segment.shift;
-  const Point a = pivot_of(segment.p), b = pivot_of(segment.q);
-  J d = J::polynomial(q, to) - J::polynomial(p, from);
-  for (const double c : {of_x ? b.x : b.y, of_x ? -a.x : -a.y, of_x ? -s.x : -s.y, of_x ? -s.x_low : -s.y_low})
-    d = d + J::constant(c);
-  return d;
 }
 
 /// Computes D; with `offset`, for coordinates with the segment's offsets, otherwise for the bodies' own.

@@ -122,13 +122,14 @@ UniformRotation::Angle UniformRotation::difference_of_angles(const MotionSegment
             coefficient(segment.turn_low, 1),
             segment.origin};
   }
-  double parts[2][2] = {};
+  const auto rate = [](const MotionPiece& piece) {
+    return coefficient(std::get<AngleRotation>(piece.rotation).angle, 1);
+  };
+  const TwoDoubles change = two_sum(rate(segment.q), -rate(segment.p));
   const DyadicPolynomial& turn = segment.far_turn().exact();
-  for (std::size_t k = 0; k < std::min<std::size_t>(turn.size(), 2); ++k) {
-    parts[k][0] = nearest_double(turn[k]);
-    parts[k][1] = nearest_double(turn[k] - Dyadic::exact(parts[k][0]));
-  }
-  return {1, parts[0][0], parts[0][1], parts[1][0], parts[1][1], segment.about()};
+  const Dyadic start = turn.empty() ? Dyadic() : turn[0];
+  const double high = nearest_double(start);
+  return {1, high, nearest_double(start - Dyadic::exact(high)), change.hi, change.lo, segment.about()};
 }
 
 /// False if the rotation of a body is not uniform.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "motion/pieces.hpp"
 #include "motion/pose.hpp"
 #include "support/moved_in_time.hpp"
 #include "support/rng.hpp"
@@ -258,6 +259,17 @@ TEST(Origins, AreHashedWhereTheyMatter) {
   const Fingerprint rests = scene_fingerprint(scene, Touch::open);
   piece.origin = 0;
   EXPECT_EQ(scene_fingerprint(scene, Touch::open), rests);
+}
+
+TEST(Origins, OfABodyAtRestDoNotMatter) {
+  const Motion still = from_keyframes({{5, 0, 0, 0}, {6, 0, 0, 0}, {9, 0, 0, 0}});
+  for (const MotionPiece& piece : still.pieces) EXPECT_EQ(piece.origin, 0);
+  MotionPiece here, there;
+  here.x = there.x = {3};
+  there.origin = 7;
+  EXPECT_TRUE(same_motion(here, there));
+  here.x = there.x = {3, 1};
+  EXPECT_FALSE(same_motion(here, there));
 }
 
 TEST(Origins, MustBeFinite) {

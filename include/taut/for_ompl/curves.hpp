@@ -119,6 +119,7 @@ class PieceWriter {
   MotionPiece& next(double until) {
     if (size_ == motion_.pieces.size()) motion_.pieces.emplace_back();
     motion_.pieces[size_].until = until;
+    motion_.pieces[size_].origin = 0;
     return motion_.pieces[size_++];
   }
   static void angle(MotionPiece& piece, double at_zero, double speed) {
