@@ -7,6 +7,7 @@
 
 #include "coverage_text.hpp"
 #include "feature_text.hpp"
+#include "io/number_text.hpp"
 #include "taut/motions.hpp"
 
 namespace taut::cli {
@@ -97,13 +98,7 @@ std::string proved(const Scene& scene, const Answer& answer, Touch touch) {
 
 }  // namespace
 
-std::string instant_text(const Scene& scene, double t) {
-  constexpr int usual = 9, most = 17;
-  const double whole = scene.end - scene.start;
-  int digits = usual;
-  for (double size = std::fabs(t); whole > 0 && size > 10 * whole && digits < most; size /= 10) ++digits;
-  return fmt::format("{:.{}g}", t, digits);
-}
+std::string instant_text(const Scene& scene, double t) { return io::instant_text(t, scene.start, scene.end, 9); }
 
 std::string time_text(const TimeInterval& time) {
   if (time.lo == time.hi) return fmt::format("{}", time.lo);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/number_text.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_plot.hpp"
 #include "io/svg_style.hpp"
@@ -33,7 +34,10 @@ double middle_of(double lo, double hi) { return lo + (hi - lo) / 2; }
 
 /// "0.25 to 0.5", and of a sweep "0.25 to 0.5 (22.5 to 45 deg)".
 std::string ends_text(const Scene& scene, const OverlapInterval& o) {
-  std::string text = fmt::format("{:.5g} to {:.5g}", middle_of(o.from.lo, o.from.hi), middle_of(o.to.lo, o.to.hi));
+  const auto at = [&](const TimeInterval& t) {
+    return io::instant_text(middle_of(t.lo, t.hi), scene.start, scene.end, 5);
+  };
+  std::string text = at(o.from) + " to " + at(o.to);
   for (const BodyId id : o.pair) {
     const Motion& motion = scene.bodies[static_cast<std::size_t>(id)].motion;
     const auto from = angle_at(motion, o.from), to = angle_at(motion, o.to);

@@ -34,6 +34,14 @@ std::size_t end_of_number(const std::string& text, std::size_t begin) {
 
 }  // namespace
 
+std::string instant_text(double t, double start, double end, int usual) {
+  constexpr int most = 17;
+  const double whole = end - start;
+  int digits = usual;
+  for (double size = std::fabs(t); whole > 0 && size > 10 * whole && digits < most; size /= 10) ++digits;
+  return fmt::format("{:.{}g}", t, digits);
+}
+
 std::string number_text(double value) {
   // "-0" is an integer to most JSON readers, which lose its sign.
   if (value == 0) return std::signbit(value) ? "-0.0" : "0";

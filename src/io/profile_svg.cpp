@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/number_text.hpp"
 #include "io/svg_plot.hpp"
 #include "io/svg_style.hpp"
 #include "taut/io.hpp"
@@ -50,7 +51,9 @@ std::string panel_svg(const Scene& scene, const DistanceCurve& c, double top, do
   std::string s = "<g class=\"curve\">\n" + io::chart_text(panel_left, top + 16, curve_title(scene, c));
   const std::string word = c.settled ? "" : ", at most " + fmt::format("{:.9g}", c.largest_hi);
   s += io::chart_text(width - 24, top + 16,
-                      fmt::format("greatest {:.6g}{} at t = {:.6g}", c.largest_lo, word, c.largest_at), "end");
+                      fmt::format("greatest {:.6g}{} at t = {}", c.largest_lo, word,
+                                  io::instant_text(c.largest_at, scene.start, scene.end, 6)),
+                      "end");
   return s + panel.time_axis("t") + panel.value_axis() + curve_marks(panel, c) + "</g>\n";
 }
 

@@ -1,6 +1,7 @@
 // Answers as pictures of the bodies: where they are closest, and where they can go.
 #include <fmt/format.h>
 
+#include "io/number_text.hpp"
 #include "io/world_marks.hpp"
 #include "taut/clearance.hpp"
 #include "taut/io.hpp"
@@ -30,7 +31,8 @@ std::string clearance_svg(const Scene& scene, const Clearance& answer, int width
   if (!answer.nearest) return draw_world_svg(scene, scene.start, options);
   const NearestPoints& n = *answer.nearest;
   const std::string pair = io::pair_text(scene, n.pair[0], n.pair[1]);
-  options.title = fmt::format("{}: the least distance, at t = {:.10g}", io::world_title(scene), n.time.lo);
+  options.title = fmt::format("{}: the least distance, at t = {}", io::world_title(scene),
+                              io::instant_text(n.time.lo, scene.start, scene.end, 10));
   if (n.hi > 0) {
     options.distances.push_back({n.points, fmt::format("{}: {:.7g}", pair, n.hi)});
   } else {
@@ -43,15 +45,17 @@ std::string margin_svg(const Scene& scene, double clearance, const MarginAnswer&
   WorldDrawOptions options;
   options.width = width;
   if (answer.outcome == Outcome::free)
-    options.title = fmt::format("{}: all keep {:.7g} on [{:.7g}, {:.7g}]", io::world_title(scene), clearance,
-                                scene.start, scene.end);
+    options.title = fmt::format("{}: all keep {:.7g} on [{}, {}]", io::world_title(scene), clearance,
+                                io::instant_text(scene.start, scene.start, scene.end, 7),
+                                io::instant_text(scene.end, scene.start, scene.end, 7));
   if (!answer.first || answer.first->outcome == Outcome::undecided) {
     if (answer.outcome == Outcome::undecided) options.title = io::world_title(scene) + ": undecided";
     return draw_world_svg(scene, scene.start, options);
   }
   const PairMargin& first = *answer.first;
   const double t = first.outcome == Outcome::contact ? first.time.lo : scene.start;
-  options.title = fmt::format("{}: closer than {:.7g} at t = {:.10g}", io::world_title(scene), clearance, t);
+  options.title = fmt::format("{}: closer than {:.7g} at t = {}", io::world_title(scene), clearance,
+                              io::instant_text(t, scene.start, scene.end, 10));
   const std::string pair = io::pair_text(scene, first.bodies[0], first.bodies[1]);
   if (first.nearest) {
     options.distances.push_back({first.nearest->points, fmt::format("{}: {:.7g}", pair, first.nearest->hi)});

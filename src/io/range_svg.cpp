@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/number_text.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_plot.hpp"
 #include "io/world_shapes.hpp"
@@ -22,7 +23,8 @@ constexpr const char* range_colour = "#0f6b4f";
 std::string stop_text(const Scene& scene, const std::optional<TimeInterval>& end,
                       const std::optional<OverlapInterval>& stop, const char* otherwise) {
   if (!end || !stop) return otherwise;
-  return fmt::format("{:.9g}: {}", end->lo, io::pair_text(scene, stop->pair[0], stop->pair[1]));
+  return fmt::format("{}: {}", io::instant_text(end->lo, scene.start, scene.end, 9),
+                     io::pair_text(scene, stop->pair[0], stop->pair[1]));
 }
 
 std::string bar_of_range(const Scene& scene, double around, const Range& answer, const io::PlotPanel& panel) {
@@ -36,7 +38,7 @@ std::string bar_of_range(const Scene& scene, double around, const Range& answer,
   const double x = panel.x(around);
   s += fmt::format("<path d=\"M{0},{1}V{2}\" stroke=\"#16202b\" stroke-width=\"2\"/>\n", chart_number(x),
                    chart_number(range_top - 8), chart_number(range_top + range_bar + 4));
-  return s + io::chart_text(x, range_top - 12, fmt::format("{:.9g}", around), "middle");
+  return s + io::chart_text(x, range_top - 12, io::instant_text(around, scene.start, scene.end, 9), "middle");
 }
 
 }  // namespace
@@ -44,8 +46,8 @@ std::string bar_of_range(const Scene& scene, double around, const Range& answer,
 std::string range_svg(const Scene& scene, double from, const Range& answer, int width) {
   const double wide = std::max(width, 320), high = range_bar + 44;
   const io::PlotPanel panel{30, range_top - 20, wide - 60, high, scene.start, scene.end, 0, 1};
-  std::string s =
-      io::chart_head(wide, range_top + high + 30, "Without overlap around t = " + fmt::format("{:.9g}", from));
+  std::string s = io::chart_head(wide, range_top + high + 30,
+                                 "Without overlap around t = " + io::instant_text(from, scene.start, scene.end, 9));
   s += panel.time_axis("t");
   s += answer.outcome == Outcome::free ? bar_of_range(scene, from, answer, panel)
                                        : io::chart_text(30, range_top + 14, "undecided: " + answer.reason);

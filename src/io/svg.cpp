@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "io/number_text.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
 #include "io/svg_style.hpp"
@@ -74,9 +75,10 @@ class TilingPicture {
   }
 
   void draw_title() {
-    const std::string title =
-        io::escape_xml(options_.title.empty() ? fmt::format("{}, t = {:.10g}", io::excerpt(names(), 80), tiling_.time)
-                                              : options_.title);
+    const std::string title = io::escape_xml(
+        options_.title.empty() ? fmt::format("{}, t = {}", io::excerpt(names(), 80),
+                                             io::instant_text(tiling_.time, scene_.start, scene_.end, 10))
+                               : options_.title);
     out_ +=
         fmt::format("<title>{0}</title>\n<text x=\"24\" y=\"22\" font-size=\"15\" fill=\"#222\">{0}</text>\n", title);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/number_text.hpp"
 #include "io/svg_canvas.hpp"
 
 namespace taut::internal::io {
@@ -40,10 +41,14 @@ std::string chart_text(double x, double y, const std::string& what, const char* 
 std::string PlotPanel::time_axis(const std::string& word) const {
   const double below = top + height;
   std::string s = "<g class=\"axis\">\n";
-  for (const double t : round_numbers(t_lo, t_hi, 10)) {
+  // Late instants have long names, which must fit beside each other, and into the room that charts leave on the right.
+  constexpr double digit_width = 8, room = 24;
+  const double name_width = digit_width * static_cast<double>(instant_text(t_hi, t_lo, t_hi, 6).size() + 2);
+  for (const double t : round_numbers(t_lo, t_hi, std::clamp(static_cast<int>(width / name_width), 2, 10))) {
     s += fmt::format("<path d=\"M{0},{1}V{2}\" stroke=\"#d9dee3\"/>\n", chart_number(x(t)), chart_number(top),
                      chart_number(below + 5));
-    s += chart_text(x(t), below + 19, fmt::format("{:.6g}", t), "middle");
+    s += chart_text(std::min(x(t), left + width + room - name_width / 2), below + 19, instant_text(t, t_lo, t_hi, 6),
+                    "middle");
   }
   s += chart_text(left + width, below + 36, word, "end");
   return s + "</g>\n";

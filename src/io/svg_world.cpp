@@ -1,6 +1,7 @@
 // A picture of any number of bodies at one instant.
 #include <fmt/format.h>
 
+#include "io/number_text.hpp"
 #include "io/svg_world_legend.hpp"
 #include "io/world_marks.hpp"
 #include "io/world_tilings.hpp"
@@ -23,8 +24,9 @@ class WorldPicture {
         canvas_(all_points(), options.width, io::title_height, options.legend ? legend_.height() : 0) {}
 
   std::string draw() const {
-    const std::string title =
-        options_.title.empty() ? fmt::format("{}, t = {:.10g}", io::world_title(scene_), t_) : options_.title;
+    const std::string title = options_.title.empty() ? fmt::format("{}, t = {}", io::world_title(scene_),
+                                                                   io::instant_text(t_, scene_.start, scene_.end, 10))
+                                                     : options_.title;
     std::string out = io::world_head(canvas_, title);
     // Below the bodies: lines lie between those of their pair.
     out += io::tiling_paths(io::tiling_lines(shapes_, poses_, options_.tilings), canvas_);

@@ -1,5 +1,7 @@
 #include "kinetic/session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/budget.hpp"
@@ -99,8 +101,7 @@ void Session::set_motion(BodyId body, const Motion& motion) {
   const MotionPiece from = scaled(before, -plan_.exponent), to = scaled(fresh[0], -plan_.exponent);
   const double gap = joint_gap(from, to, bounds, now);
   if (!(gap <= joint_room(from, to, bounds, now, extent))) {
-    throw InputError(name,
-                     "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now),
+    throw InputError(name, fmt::format("the new motion jumps by {:.6g} at the present, t = {}", gap, now),
                      "coefficients are in powers of t, or of t - origin where the piece has an origin");
   }
   plan_.motions[k] = {fresh};

@@ -1,5 +1,7 @@
 #include "simulation/world_simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -177,8 +179,7 @@ void WorldSimulation::check_motion(BodyId body, const Motion& motion) const {
   const MotionPiece after = pieces_between(motion, now_, end()).front();
   const double gap = joint_gap(before, after, bounds, now_);
   if (!(gap <= joint_room(before, after, bounds, now_, extent_)))
-    throw InputError(name,
-                     "the new motion jumps by " + std::to_string(gap) + " at the present, t = " + std::to_string(now_),
+    throw InputError(name, fmt::format("the new motion jumps by {:.6g} at the present, t = {}", gap, now_),
                      "coefficients are in powers of t, or of t - origin where the piece has an origin");
 }
 

@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "io/number_text.hpp"
 #include "io/svg_plot.hpp"
 #include "taut/io.hpp"
 
@@ -25,6 +26,18 @@ int times_in(const std::string& text, const std::string& what) {
   int n = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
   return n;
+}
+
+TEST(Charts, InstantsCanBeToldApartLongAfterTimeZero) {
+  EXPECT_EQ(io::instant_text(0.25, 0, 10, 6), "0.25");
+  EXPECT_EQ(io::instant_text(3.5765178123, 0, 10, 6), "3.57652");
+  EXPECT_EQ(io::instant_text(1790000003.576518, 1790000000, 1790000010, 6), "1790000003.5765");
+  const io::PlotPanel panel{0, 0, 600, 100, 1790000000, 1790000010, 0, 1};
+  const std::string axis = panel.time_axis("t");
+  for (const char* const tick : {">1790000000<", ">1790000002<", ">1790000010<"})
+    EXPECT_NE(axis.find(tick), std::string::npos) << tick;
+  // So long a name does not fit ten times.
+  EXPECT_EQ(axis.find(">1790000001<"), std::string::npos);
 }
 
 TEST(Charts, RoundNumbers) {
@@ -98,6 +111,15 @@ TEST(Charts, CurvesOfDistance) {
   ASSERT_TRUE(std::regex_search(svg, dot, std::regex("class=\"largest\" cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"")));
   EXPECT_NEAR(std::stod(dot[1]), number(3), 0.02);
   EXPECT_NEAR(std::stod(dot[2]), number(4), 0.02);
+}
+
+TEST(Charts, OfALateProfileSayWhenItIsGreatest) {
+  Scene late = charted_scene();
+  late.start = 1790000000;
+  late.end = late.start + 10;
+  DistanceProfile profile = some_profile();
+  profile.curves[0].largest_at = late.start + 5;
+  EXPECT_NE(profile_svg(late, profile, 800).find("at t = 1790000005<"), std::string::npos);
 }
 
 TEST(Charts, ProfileAsValues) {
