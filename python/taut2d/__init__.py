@@ -46,7 +46,7 @@ from .linkages import Envelope, EnvelopeCell, EnvelopeWitness, Linkage, envelope
 from .many import Outcome, answer_dtype, check_many
 from .maps import Mover, StaticMap
 from .margins import MarginAnswer, MarginProof, PairMargin
-from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Pieces,
+from .motions import (Angle, Arc, Cosine, CsvKeyframes, Direction, HalfAngleTangent, Keyframe, Keyframes, Orbit, Pieces,
                       Polynomial, Revolute, Slide, Sweep, Turn, Velocity)
 from .parts import GeojsonFile, Part, Path, WktFile
 from .pictures import Pose
@@ -60,17 +60,17 @@ from .variants import KeyframeRows, VelocityRows
 from .viewer import Viewer
 
 __all__ = [
-    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage", "Crossing",
-    "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "Drawing", "DrawingBody",
-    "DrawingFile", "EdgeRef", "Envelope", "EnvelopeCell", "EnvelopeWitness", "Gap", "GeojsonFile", "Geometry",
-    "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes", "Linkage",
-    "MarginAnswer", "MarginProof", "Meeting", "Mover", "NearestPoints", "OpenLine", "Outcome", "OverlapInterval",
-    "PairAnswer", "PairMargin", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof", "ProvedCloseness", "Range",
-    "RemovalStep", "Repair", "Revolute", "Scene", "Separation", "Shape", "Simulation", "Skipped", "Slide", "StaticMap",
-    "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn", "UndecidedError", "Velocity",
-    "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile", "answer_dtype", "cells", "check",
-    "check_clearance", "check_many", "clearance", "distance_profile", "envelope", "flatten", "intervals", "prove",
-    "prove_clearance", "read_drawing", "separate", "sweep", "verify",
+    "Angle", "Answer", "Arc", "Body", "BodyDirections", "Cells", "Clearance", "Contact", "Cosine", "Coverage",
+    "Crossing", "CsvKeyframes", "Direction", "DirectionArc", "DistanceCurve", "DistanceProfile", "Drawing",
+    "DrawingBody", "DrawingFile", "EdgeRef", "Envelope", "EnvelopeCell", "EnvelopeWitness", "Gap", "GeojsonFile",
+    "Geometry", "HalfAngleTangent", "InputError", "InternalError", "Intervals", "Keyframe", "KeyframeRows", "Keyframes",
+    "Linkage", "MarginAnswer", "MarginProof", "Meeting", "Mover", "NearestPoints", "OpenLine", "Orbit", "Outcome",
+    "OverlapInterval", "PairAnswer", "PairMargin", "Part", "Path", "Pieces", "Polynomial", "Pose", "Proof",
+    "ProvedCloseness", "Range", "RemovalStep", "Repair", "Revolute", "Scene", "Separation", "Shape", "Simulation",
+    "Skipped", "Slide", "StaticMap", "Sweep", "SweepAnswers", "TautError", "Tiling", "TilingEdge", "TilingFace", "Turn",
+    "UndecidedError", "Velocity", "VelocityRows", "Verified", "VertexAtEdge", "VertexRef", "Viewer", "WktFile",
+    "answer_dtype", "cells", "check", "check_clearance", "check_many", "clearance", "distance_profile", "envelope",
+    "flatten", "intervals", "prove", "prove_clearance", "read_drawing", "separate", "sweep", "verify",
 ]
 
 __version__: str = _taut2d.version()

@@ -16,7 +16,7 @@ from ._numbers import number, numbers, path_text, point
 
 __all__ = [
     "Angle", "Arc", "Cosine", "CsvKeyframes", "Direction", "HalfAngleTangent", "Keyframe", "Keyframes", "Motion",
-    "Pieces", "Polynomial", "Revolute", "Rotation", "Slide", "Sweep", "Turn", "Velocity",
+    "Orbit", "Pieces", "Polynomial", "Revolute", "Rotation", "Slide", "Sweep", "Turn", "Velocity",
 ]
 
 # What is accepted; once made, fields hold tuples of floats.
@@ -235,6 +235,21 @@ Rotation = Union[Angle, Direction, HalfAngleTangent, Cosine]
 
 
 @dataclass(frozen=True)
+class Orbit:
+    """A turn of the place at which a body is: what it would be without is turned about ``center`` by an angle in radians,
+    a polynomial in time. The body's own rotation stays what it is."""
+
+    center: Point
+    angle: Coefficients
+
+    def __post_init__(self) -> None:
+        _set(self, center=point(self.center, "center"), angle=numbers(self.angle, "angle"))
+
+    def _json(self) -> dict[str, Any]:
+        return {"center": list(self.center), "angle": list(self.angle)}
+
+
+@dataclass(frozen=True)
 class Polynomial:
     """The body is moved by (x(t), y(t)) and turned by ``rotation`` about ``pivot``, a point of its own.
 
@@ -249,8 +264,11 @@ class Polynomial:
     pivot: Optional[Point] = None
     until: Optional[float] = None
     origin: float = 0.0
+    orbit: Optional[Orbit] = None
 
     def __post_init__(self) -> None:
+        if self.orbit is not None and not isinstance(self.orbit, Orbit):
+            raise InputError("orbit", f"expected an Orbit, found {type(self.orbit).__name__}", "write Orbit(center, angle)")
         if self.rotation is not None and not isinstance(self.rotation, (Angle, Direction, HalfAngleTangent, Cosine)):
             raise InputError("rotation", f"expected a rotation, found {type(self.rotation).__name__}",
                              "write Angle(...), Direction(...), HalfAngleTangent(...) or Cosine(...)")
@@ -266,6 +284,8 @@ class Polynomial:
             object["until"] = self.until
         if self.origin != 0:
             object["origin"] = self.origin
+        if self.orbit is not None:
+            object["orbit"] = self.orbit._json()
         return object
 
 
@@ -346,9 +366,13 @@ def _rotation_from_json(value: Any) -> Optional[Rotation]:
     return HalfAngleTangent(value["half_angle_tangent"])
 
 
+def _orbit_from_json(value: Any) -> Optional[Orbit]:
+    return None if value is None else Orbit(value["center"], value["angle"])
+
+
 def _piece_from_json(value: dict[str, Any]) -> Polynomial:
     return Polynomial(value.get("x", ()), value.get("y", ()), _rotation_from_json(value.get("rotation")),
-                      value.get("pivot"), value.get("until"))
+                      value.get("pivot"), value.get("until"), value.get("origin", 0.0), _orbit_from_json(value.get("orbit")))
 
 
 def motion_from_json(value: Any) -> Optional[Motion]:

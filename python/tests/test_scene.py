@@ -90,13 +90,33 @@ def test_a_scene_comes_back_from_its_text(tmp_path):
             Body("d", OTHER, taut2d.Polynomial([1, 2], (), taut2d.Cosine([1, -1]), (0, 1))),
             Body("e", OTHER, taut2d.Pieces([taut2d.Polynomial((), [0, 1], taut2d.Direction([1], [0, 1]), until=2),
                                             taut2d.Polynomial(rotation=taut2d.HalfAngleTangent([0, 1]))])),
-            Body("f", OTHER, taut2d.Polynomial(rotation=taut2d.Angle([0, 1]))),
+            Body("f", OTHER, taut2d.Polynomial(rotation=taut2d.Angle([0, 1]), origin=0.5,
+                                             orbit=taut2d.Orbit((1, 2), [0, 0.25]))),
         ],
         (0, 1), [("a", "b"), ("c", "*")], id="an id")
     assert Scene.from_json(scene.to_json()) == scene
     scene.save(tmp_path / "scene.json")
     assert Scene.load(tmp_path / "scene.json") == scene
     assert "$schema" not in json.loads(scene.to_json())
+
+
+def test_motions_in_seconds_since_1970_are_those_at_time_zero():
+    def distance(start, motion):
+        scene = Scene([Body("a", SQUARE), Body("b", OTHER, motion(start))], (start, start + 2.5))
+        return taut2d.clearance(scene).distance
+
+    def keyframes(start):
+        return taut2d.Keyframes([(start, 0, 0.1), (start + 0.7, 1.3, 2.2), (start + 1.7, 3.1, 0.3)])
+
+    def polynomial(start):
+        return taut2d.Polynomial([0.1, 0.3, 0.1], [0.7, 1.1], taut2d.Angle([0.1, 0.7]), origin=start)
+
+    for motion in (keyframes, polynomial):
+        early, late = distance(0, motion), distance(1.79e9, motion)
+        # The times of the keyframes are rounded there, by 2^-23.
+        assert early[0] == pytest.approx(late[0], abs=2e-6)
+    with pytest.raises(InputError, match="origin"):
+        taut2d.Polynomial([1], origin=math.nan)
 
 
 def test_keyframes_in_every_form():
